@@ -5,6 +5,7 @@
 #include <span>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
 
 namespace soarbox::kernel {
 
@@ -13,6 +14,14 @@ namespace soarbox::kernel {
 struct GoalView {
   std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
   std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
+
+  /// The same of any symbol.
+  GoalLevel LevelOf(Symbol id) const {
+    return id.IsIdentifier() && id.index() < level_of_goal.size() ? level_of_goal[id.index()] : GoalLevel{0};
+  }
+  std::uint64_t LtiOf(Symbol id) const {
+    return id.IsIdentifier() && id.index() < lti_of.size() ? lti_of[id.index()] : 0;
+  }
 };
 
 }  // namespace soarbox::kernel

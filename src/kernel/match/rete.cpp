@@ -11,10 +11,10 @@ ReteState::ReteState(MatchSet& match_set, const SymbolTable& symbol_table, const
       symbols(symbol_table),
       wmes(wme_table),
       network(std::make_shared<Network>()),
+      support(match_set, wme_table),
       builder(std::make_unique<ReteBuilder>(*this)) {
-  nodes.emplace_back();
-  marks.emplace_back();
-  ParkAfter(256);
+  nodes.MakeRoom(1);
+  sparse.ParkAfter(256);
 }
 
 ReteState::~ReteState() = default;
@@ -37,8 +37,7 @@ void Rete::ExciseProduction(ProductionId production) {
 
 namespace {
 [[gnu::noinline]] const ProductionPtr& RetiredRule(const ReteState& state, ProductionId id) {
-  static const ProductionPtr kNone;
-  return Index(id) < state.retired.size() ? state.retired[Index(id)] : kNone;
+  return state.rules.Retired(Index(id));
 }
 }  // namespace
 
@@ -52,11 +51,11 @@ const ProductionPtr& Rete::production(ProductionId id) const {
 }
 
 void Rete::MixedSupportIsO(bool is_o) {
-  state_->mixed_is_o = is_o;
+  state_->support.MixedIsO(is_o);
 }
 
 void Rete::OnMixedSupport(std::function<void(ProductionId)> callback) {
-  state_->on_mixed_support = std::move(callback);
+  state_->support.OnMixed(std::move(callback));
 }
 
 void Rete::AddWme(WmeId wme, const GoalView& goals) {
@@ -96,23 +95,23 @@ void Rete::LimitPartialMatches(std::uint32_t most) {
     return;
   }
   state_->tokens.SetLimit(most);
-  state_->parked.SetLimit(most);
+  state_->sparse.SetLimit(most);
   state_->most_partial_matches = most;
 }
 bool Rete::at_limit() const {
-  return state_->tokens.at_limit() || state_->parked.at_limit() || state_->log_at_limit;
+  return state_->tokens.at_limit() || state_->sparse.at_limit();
 }
 
 void Rete::ParkAfter(std::uint32_t matches) {
-  state_->ParkAfter(matches);
+  state_->sparse.ParkAfter(matches);
 }
 
 void Rete::BusyFrom(std::uint32_t nodes) {
-  state_->busy_from = nodes;
+  state_->only_ids.set_busy_from(nodes);
 }
 
 void Rete::ShareConjunctions(bool share) {
-  state_->share_conjunctions = share;
+  state_->shared.allowed = share;
 }
 
 std::shared_ptr<const Network> Rete::network() const {
@@ -133,9 +132,8 @@ bool Rete::AdoptNetwork(const std::shared_ptr<const Network>& network) {
   // Nobody changes a topology that has more than one owner: OwnNetwork copies it first.
   state_->network = std::const_pointer_cast<Network>(network);
   // Many agents may share it, and hardly any of them gets more rules.
-  state_->nodes.shrink_to_fit();
-  state_->marks.shrink_to_fit();
-  state_->alphas.shrink_to_fit();
+  state_->nodes.ShrinkToFit();
+  state_->alphas.ShrinkToFit();
   matches_.ShrinkRules();
   return true;
 }
@@ -154,26 +152,17 @@ Rete::Statistics Rete::statistics() const {
   for (std::uint32_t n = 0; n < network.alpha_limit(); ++n) {
     statistics.alpha_memories += network.alpha(n).uses != 0 ? 1 : 0;
   }
-  statistics.tokens = state_->CountTokens();
-  for (const auto& memory : state_->sparse) {
-    if (memory->node != kNil) {
-      statistics.tokens += state_->nodes[memory->node].count - memory->tokens;
-    }
-  }
-  statistics.wmes = state_->wme_count;
+  statistics.tokens = state_->tokens.CountInUse();
+  state_->sparse.ForEach(
+      [&](const SparseState& memory) { statistics.tokens += state_->nodes[memory.node].count - memory.tokens; });
+  statistics.wmes = state_->links.count();
   return statistics;
 }
 
 std::size_t Rete::MemoryBytes() const {
   const ReteState& s = *state_;
-  std::size_t logs = s.sparse.size() * (sizeof(SparseState) + sizeof(s.sparse[0]));
-  for (const auto& memory : s.sparse) {
-    logs += memory->log.capacity() * sizeof(ParkedPair);
-  }
-  return s.tokens.MemoryBytes() + s.items.MemoryBytes() + s.parked.MemoryBytes() + logs +
-         s.alphas.capacity() * sizeof(AlphaState) + s.nodes.capacity() * sizeof(NodeState) +
-         s.marks.capacity() * sizeof(NodeMarks) + s.links.capacity() * sizeof(WmeLinks) + s.tables.MemoryBytes() +
-         matches_.MemoryBytes();
+  return s.tokens.MemoryBytes() + s.alphas.MemoryBytes() + s.nodes.MemoryBytes() + s.links.MemoryBytes() +
+         s.sparse.MemoryBytes() + matches_.MemoryBytes();
 }
 
 std::size_t Rete::NetworkBytes() const {

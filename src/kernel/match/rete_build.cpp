@@ -16,34 +16,17 @@ void ReteState::OwnNetwork() {
   }
 }
 
-std::uint32_t ReteState::TakeRuleNumber() {
-  std::erase_if(excised, [this](std::uint32_t number) {
-    if (matches.LiveCount(number) != 0) {
-      return false;
-    }
-    retired[number].reset();
-    free_rules.push_back(number);
-    return true;
-  });
-  if (free_rules.empty()) {
-    return network->rule_limit();
-  }
-  const std::uint32_t number = free_rules.back();
-  free_rules.pop_back();
-  return number;
-}
-
 Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOptions& options) {
   OwnNetwork();
   auto info = std::make_shared<RuleInfo>(std::move(production));
   const Production& rule = *info->rule;
   if (CanBeGuarded(*info, options)) [[unlikely]] {
-    const std::uint32_t number = TakeRuleNumber();
+    const std::uint32_t number = rules.Take(matches, network->rule_limit());
     if (AddGuarded(info, number, options)) {
       MatchNewRule(network->rule(number)->node, options);
-      return {Rete::AddResult::kAdded, static_cast<ProductionId>(number), refracted_match};
+      return {Rete::AddResult::kAdded, static_cast<ProductionId>(number), refraction.match};
     }
-    GiveBackRuleNumber(number);
+    rules.GiveBack(number, network->rule_limit());
   }
   const std::uint32_t bottom = builder->Build(rule.conditions);
 
@@ -60,13 +43,13 @@ Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOp
     }
   }
 
-  const std::uint32_t number = TakeRuleNumber();
+  const std::uint32_t number = rules.Take(matches, network->rule_limit());
   plan.rule = number;
   const std::uint32_t made = network->AddNode(plan, hash);
   EnterRule(info, number, made);
   MatchNewRule(made, options);
   return {Rete::AddResult::kAdded, static_cast<ProductionId>(number),
-          options.refracted.empty() ? MatchId::kNone : refracted_match};
+          options.refracted.empty() ? MatchId::kNone : refraction.match};
 }
 
 void ReteState::EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, std::uint32_t node) {
@@ -76,21 +59,16 @@ void ReteState::EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t n
   if (elements.size() < info->positives) {
     elements.resize(info->positives);
   }
-  if (number < shared_operators.size()) {
-    shared_operators[number] = SharedOperator();
-  }
+  support.Forget(number);
   NodeAdded(node);
 }
 
 void ReteState::MatchNewRule(std::uint32_t node, const Rete::AddOptions& options) {
   if (!options.refracted.empty()) {
-    refracting_node = node;
-    refracted = options.refracted;
-    refracting_instantiation = options.instantiation;
-    refracted_match = MatchId::kNone;
+    refraction = {node, options.refracted, options.instantiation, MatchId::kNone};
   }
   Prime(node);
-  refracting_node = kNil;
+  refraction.node = kNil;
 }
 
 void ReteState::ExciseProduction(std::uint32_t number) {
@@ -101,11 +79,7 @@ void ReteState::ExciseProduction(std::uint32_t number) {
   if (network->node(node).kind == NodeKind::kGuard) {
     FreeFixedMatch(std::exchange(nodes[node].first_linked, kNil));
   }
-  if (number >= retired.size()) {
-    retired.resize(number + 1u);
-  }
-  retired[number] = network->rule(number)->rule;
-  excised.push_back(number);
+  rules.Retire(number, network->rule(number)->rule);
   network->RemoveRule(number);
   const std::uint32_t bottom = network->node(node).parent;
   RemoveNode(node);
@@ -116,25 +90,20 @@ void ReteState::ExciseProduction(std::uint32_t number) {
 // Nodes ---------------------------------------------------------------------------------------------------------------
 
 void ReteState::NodeAdded(std::uint32_t index) {
-  while (index >= nodes.size()) {  // Else RemoveNode left its state as good as new.
-    marks.emplace_back();
-    nodes.emplace_back();
-  }
-  if (!only_id.empty() && only_id.size() < nodes.size()) {
-    only_id.resize(std::max(nodes.size(), only_id.size() * 2));
-  }
+  nodes.MakeRoom(index + 1u);  // Else RemoveNode left its state as good as new.
+  only_ids.MakeRoom(nodes.size());
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {
-    marks[index].Set(NodeMarks::kNegative);
+    nodes.marks(index).Set(NodeMarks::kNegative);
   } else if (node.kind != NodeKind::kMemory && node.kind != NodeKind::kAnchors && node.kind != NodeKind::kPaths) {
-    marks[index].Set(NodeMarks::kOther);
+    nodes.marks(index).Set(NodeMarks::kOther);
   }
-  if (node.kind == NodeKind::kAnchors || marks[node.parent].Is(NodeMarks::kInPath)) {
-    marks[index].Set(NodeMarks::kInPath);
+  if (node.kind == NodeKind::kAnchors || nodes.marks(node.parent).Is(NodeMarks::kInPath)) {
+    nodes.marks(index).Set(NodeMarks::kInPath);
   }
   if (node.kind == NodeKind::kJoin) {
-    if (marks[index].Is(NodeMarks::kInPath)) {
+    if (nodes.marks(index).Is(NodeMarks::kInPath)) {
       alphas[node.alpha].sparse |= AlphaState::kInPaths;
     }
     const bool has_tokens = nodes[node.parent].count != 0;
@@ -161,7 +130,7 @@ void ReteState::Prime(std::uint32_t child) {
 
 void ReteState::RemoveTokens(std::uint32_t node) {
   std::vector<std::uint32_t> all;
-  ForEachToken(node, [&](std::uint32_t token) { all.push_back(token); });
+  nodes.ForEachToken(tokens, node, [&](std::uint32_t token) { all.push_back(token); });
   for (const std::uint32_t token : all) {
     RemoveSubtree(token);
   }
@@ -171,10 +140,7 @@ void ReteState::RemoveNode(std::uint32_t index) {
   if (network->node(index).kind == NodeKind::kJoin) {
     MakePlain(network->node(index).parent);
   }
-  const NodeMarks has = marks[index];
-  if (has.bits() != 0) {
-    tables.Free(nodes[index].head, has.bits());
-  }
+  const NodeMarks has = nodes.marks(index);
   if (has.Is(NodeMarks::kLeftLinked)) {
     UnlinkLeft(index);
   }
@@ -186,8 +152,7 @@ void ReteState::RemoveNode(std::uint32_t index) {
   if (alpha != kNil) {
     DropAlpha(alpha);
   }
-  nodes[index] = NodeState();
-  marks[index] = NodeMarks();
+  nodes.Reset(index);
 }
 
 /// Removes a node without children, and what that leaves without children above it.
@@ -230,24 +195,21 @@ std::uint32_t ReteState::MakeAlpha(const std::uint32_t (&constants)[3], std::uin
     }
   }
   alpha = network->AddAlpha(constants, mask, acceptable);
-  if (alpha >= alphas.size()) {
-    alphas.resize(alpha + 1u);
-  }
-  alphas[alpha] = AlphaState();
+  alphas.Begin(alpha);
   const auto add_if_fits = [&](std::uint32_t wme) {
     const Wme& element = wmes[wme];
     if (element.acceptable == acceptable && ((mask & 1u) == 0 || element.id.bits() == constants[0]) &&
         ((mask & 2u) == 0 || element.attribute.bits() == constants[1]) &&
         ((mask & 4u) == 0 || element.value.bits() == constants[2])) {
-      AddItem(alpha, wme);
+      alphas.Insert(alpha, wme, element, links[wme].first_item);
     }
   };
   if (general != kNil) {
-    for (std::uint32_t item = alphas[general].first; item != kNil; item = items[item].next) {
-      add_if_fits(items[item].wme);
+    for (std::uint32_t item = alphas[general].first; item != kNil; item = alphas.item(item).next) {
+      add_if_fits(alphas.item(item).wme);
     }
   } else {
-    for (std::uint32_t wme = newest_wme; wme != kNil; wme = links[wme].next) {
+    for (std::uint32_t wme = links.newest(); wme != kNil; wme = links[wme].next) {
       add_if_fits(wme);
     }
   }
@@ -255,29 +217,9 @@ std::uint32_t ReteState::MakeAlpha(const std::uint32_t (&constants)[3], std::uin
 }
 
 void ReteState::DropAlpha(std::uint32_t alpha) {
-  if (!network->DropAlpha(alpha)) {
-    return;
+  if (network->DropAlpha(alpha)) {
+    alphas.Drop(alpha, links);
   }
-  AlphaState& memory = alphas[alpha];
-  for (std::uint32_t index = memory.first; index != kNil;) {
-    AlphaItem& item = items[index];
-    const std::uint32_t next = item.next;
-    std::uint32_t* link = &links[item.wme].first_item;
-    while (*link != index) {
-      link = &items[*link].next_of_wme;
-    }
-    *link = item.next_of_wme;
-    item.next = free_items;
-    free_items = index;
-    index = next;
-  }
-  if (memory.id_bits != 0) {
-    tables.Free(memory.id_table, memory.id_bits);
-  }
-  if (memory.pair_bits != 0) {
-    tables.Free(memory.pair_table, memory.pair_bits);
-  }
-  memory = AlphaState();
 }
 
 }  // namespace soarbox::kernel

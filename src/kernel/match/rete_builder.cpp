@@ -250,7 +250,7 @@ std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind,
 /// is none. Without sharing the two would be one node, so they stand side by side.
 std::uint32_t ReteBuilder::TwinOf(std::uint32_t index) const {
   const Node& node = state_.network->node(index);
-  if (!state_.shares_conjunctions || (node.kind != NodeKind::kAnchors && node.kind != NodeKind::kMemory)) {
+  if (!state_.shared.exist || (node.kind != NodeKind::kAnchors && node.kind != NodeKind::kMemory)) {
     return kNil;
   }
   NodePlan twin;
@@ -393,7 +393,7 @@ std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uin
   }
   state_.NodeAdded(node);
   state_.NodeAdded(made);
-  state_.new_paths.clear();  // Those there were before will be found by the owners, which come now.
+  state_.shared.new_paths.clear();  // Those there were before will be found by the owners, which come now.
   state_.Prime(made);
   state_.Prime(node);
   return node;

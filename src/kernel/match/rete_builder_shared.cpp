@@ -58,7 +58,7 @@ bool IsLasting(const Test& test) {
 /// in which order their matches appear.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
-  if (!state_.share_conjunctions || path_.IsBuilt() || conditions.size() < 2) {
+  if (!state_.shared.allowed || path_.IsBuilt() || conditions.size() < 2) {
     return false;
   }
   std::vector<Symbol>& inside = inside_;
@@ -108,7 +108,7 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
 }
 
 std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
-  state_.shares_conjunctions = true;
+  state_.shared.exist = true;
   const std::span<const Condition> conditions = condition.conditions();
   const auto length = static_cast<std::uint32_t>(conditions.size());
   const std::size_t trail = trail_.size();

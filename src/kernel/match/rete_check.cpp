@@ -25,9 +25,8 @@ class Checker {
         CheckNode(n);
       }
     }
-    for (std::uint32_t token = s_.free_tokens; token != kNil; token = s_.tokens[token].next_sibling) {
-      Expect(s_.tokens[token].pairs == 0, "free token with pairs", token);
-    }
+    s_.tokens.ForEachFree(
+        [&](std::uint32_t token) { Expect(s_.tokens[token].pairs == 0, "free token with pairs", token); });
     return std::move(errors_);
   }
 
@@ -42,28 +41,27 @@ class Checker {
     const AlphaState& memory = s_.alphas[alpha];
     std::uint32_t count = 0;
     std::uint32_t previous = kNil;
-    for (std::uint32_t item = memory.first; item != kNil; item = s_.items[item].next) {
-      Expect(s_.items[item].previous == previous, "broken list of items", alpha);
-      Expect(s_.items[item].alpha == alpha, "item of another alpha memory", alpha);
-      Expect(s_.links[s_.items[item].wme].in_match, "item of an element that has gone", alpha);
+    for (std::uint32_t item = memory.first; item != kNil; item = s_.alphas.item(item).next) {
+      Expect(s_.alphas.item(item).previous == previous, "broken list of items", alpha);
+      Expect(s_.alphas.item(item).alpha == alpha, "item of another alpha memory", alpha);
+      Expect(s_.links[s_.alphas.item(item).wme].in_match, "item of an element that has gone", alpha);
       previous = item;
       ++count;
     }
     Expect(count == memory.count, "wrong count of an alpha memory", alpha);
     if (memory.id_bits != 0) {
-      Expect(CountTable(memory.id_table, memory.id_bits, &AlphaItem::next_in_bucket) == count, "wrong id table", alpha);
+      Expect(s_.alphas.CountInIdTable(memory) == count, "wrong id table", alpha);
     }
     if (memory.pair_bits != 0) {
-      Expect(CountTable(memory.pair_table, memory.pair_bits, &AlphaItem::next_in_pair) == count, "wrong pair table",
-             alpha);
+      Expect(s_.alphas.CountInPairTable(memory) == count, "wrong pair table", alpha);
     }
     previous = kNil;
     for (std::uint32_t node = memory.first_node; node != kNil; node = s_.nodes[node].next_right) {
-      Expect(s_.marks[node].Is(NodeMarks::kRightLinked) && network_.node(node).alpha == alpha,
+      Expect(s_.nodes.marks(node).Is(NodeMarks::kRightLinked) && network_.node(node).alpha == alpha,
              "wrong node in alpha memory's list", node);
       Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
       // Nobody keeps it up to date while the alpha memory is empty; its first element does.
-      if ((memory.sparse & AlphaState::kBusy) != 0 && memory.count != 0 && s_.only_id[node] != 0) {
+      if ((memory.sparse & AlphaState::kBusy) != 0 && memory.count != 0 && s_.only_ids[node] != 0) {
         CheckOnlyId(node);
       }
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
@@ -79,35 +77,26 @@ class Checker {
   void CheckOnlyId(std::uint32_t join) {
     const Node& memory = network_.node(network_.node(join).parent);
     Expect(memory.kind == NodeKind::kMemory && memory.key != KeyKind::kNone, "node that waits for no identifier", join);
-    Expect(!s_.marks[network_.node(join).parent].Is(NodeMarks::kSparse), "one identifier of a sparse memory", join);
-    s_.ForEachToken(network_.node(join).parent, [&](std::uint32_t token) {
+    Expect(!s_.nodes.marks(network_.node(join).parent).Is(NodeMarks::kSparse), "one identifier of a sparse memory",
+           join);
+    s_.nodes.ForEachToken(s_.tokens, network_.node(join).parent, [&](std::uint32_t token) {
       const Wme& element = s_.wmes[ElementAt(s_.tokens.records(), token, memory.key_id_levels)];
-      Expect(s_.FieldOf(element, memory.key_id_field) == s_.only_id[join], "node that waits for another identifier",
+      Expect(s_.FieldOf(element, memory.key_id_field) == s_.only_ids[join], "node that waits for another identifier",
              join);
     });
   }
 
-  std::uint32_t CountTable(std::uint32_t table, std::uint32_t bits, std::uint32_t AlphaItem::*next) const {
-    std::uint32_t count = 0;
-    for (std::uint32_t n = 0; n < 1u << bits; ++n) {
-      for (std::uint32_t item = s_.tables[table + n]; item != kNil; item = s_.items[item].*next) {
-        ++count;
-      }
-    }
-    return count;
-  }
-
   void CheckElements() {
     std::uint32_t count = 0;
-    for (std::uint32_t wme = s_.newest_wme; wme != kNil; wme = s_.links[wme].next) {
+    for (std::uint32_t wme = s_.links.newest(); wme != kNil; wme = s_.links[wme].next) {
       ++count;
       const Wme& element = s_.wmes[wme];
       std::size_t wanted = 0;
       const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
       network_.ForEachAlpha(fields, element.acceptable, [&](std::uint32_t) { ++wanted; });
       std::size_t found = 0;
-      for (std::uint32_t item = s_.links[wme].first_item; item != kNil; item = s_.items[item].next_of_wme) {
-        Expect(s_.items[item].wme == wme, "item of another element", wme);
+      for (std::uint32_t item = s_.links[wme].first_item; item != kNil; item = s_.alphas.item(item).next_of_wme) {
+        Expect(s_.alphas.item(item).wme == wme, "item of another element", wme);
         ++found;
       }
       Expect(found == wanted, "element in the wrong number of alpha memories", wme);
@@ -115,13 +104,13 @@ class Checker {
         Expect(s_.tokens[token].wme == wme, "token of another element", wme);
       }
     }
-    Expect(count == s_.wme_count, "wrong count of elements", count);
+    Expect(count == s_.links.count(), "wrong count of elements", count);
   }
 
   void CheckNode(std::uint32_t index) {
     const Node& node = network_.node(index);
     const NodeState& state = s_.nodes[index];
-    const NodeMarks marks = s_.marks[index];
+    const NodeMarks marks = s_.nodes.marks(index);
     const bool left_linked = marks.Is(NodeMarks::kLeftLinked);
     const bool right_linked = marks.Is(NodeMarks::kRightLinked);
     if (node.kind == NodeKind::kJoin) {
@@ -142,7 +131,7 @@ class Checker {
       return;
     }
     std::uint32_t count = 0;
-    s_.ForEachToken(index, [&](std::uint32_t token) {
+    s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) {
       ++count;
       Expect((s_.tokens[token].node & Token::kNodeMask) == index, "token of another node", token);
       if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative || node.kind == NodeKind::kPaths) {
@@ -163,10 +152,10 @@ class Checker {
            "memory differs from what reaches it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(right_linked == (count != 0), "negative node linked wrongly", index);
-      s_.ForEachToken(index, [&](std::uint32_t token) { CheckResults(node, token); });
+      s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) { CheckResults(node, token); });
     }
     if (node.kind == NodeKind::kConjunctive) {
-      s_.ForEachToken(index, [&](std::uint32_t token) {
+      s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) {
         if ((s_.tokens[token].node & Token::kBlockedBit) == 0) {
           return;
         }
@@ -188,10 +177,10 @@ class Checker {
       return s_.Emissions(bottom).size();
     }
     std::size_t wanted = 0;
-    s_.ForEachToken(index, [&](std::uint32_t owner) {
+    s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t owner) {
       std::uint32_t found = 0;
-      s_.ForEachToken(bottom, [&](std::uint32_t path) {
-        if (s_.AnchorOf(path) == s_.tokens[owner].pairs && s_.Pairs(owner, path)) {
+      s_.nodes.ForEachToken(s_.tokens, bottom, [&](std::uint32_t path) {
+        if (s_.tokens.TopOf(path) == s_.tokens[owner].pairs && s_.Pairs(owner, path)) {
           ++found;
         }
       });
@@ -211,11 +200,11 @@ class Checker {
     for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
       const Node& node = network_.node(n);
       if (node.IsShared() && node.ancestor == index) {
-        s_.ForEachToken(n, [&](std::uint32_t token) { ++owners[s_.tokens[token].pairs]; });
+        s_.nodes.ForEachToken(s_.tokens, n, [&](std::uint32_t token) { ++owners[s_.tokens[token].pairs]; });
       }
     }
     std::uint32_t count = 0;
-    s_.ForEachToken(index, [&](std::uint32_t token) {
+    s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) {
       ++count;
       Expect(s_.tokens[token].previous_sibling == owners[token], "anchor with a wrong number of owners", token);
       Expect(++ids[s_.tokens[token].key] == 1, "two anchors of one identifier", token);
@@ -228,8 +217,8 @@ class Checker {
   void CheckSparse(std::uint32_t index) {
     const Node& node = network_.node(index);
     const std::uint32_t above = network_.node(node.parent).parent;
-    Expect(s_.marks[node.parent].Is(NodeMarks::kFeedsSparse), "unmarked join of a sparse memory", index);
-    Expect(s_.marks[above].Is(NodeMarks::kAboveSparse) && s_.SparseBelow(above) == index,
+    Expect(s_.nodes.marks(node.parent).Is(NodeMarks::kFeedsSparse), "unmarked join of a sparse memory", index);
+    Expect(s_.nodes.marks(above).Is(NodeMarks::kAboveSparse) && s_.SparseBelow(above) == index,
            "unmarked memory above a sparse one", index);
     std::map<ReteState::Emission, int> pairs;
     std::map<std::uint32_t, std::uint32_t> of_token;
@@ -237,7 +226,9 @@ class Checker {
       pairs[emission] = 1;
       ++of_token[emission.first];
     }
-    s_.ForEachToken(index, [&](std::uint32_t token) { --pairs[{s_.tokens[token].parent, s_.tokens[token].wme}]; });
+    s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) {
+      --pairs[{s_.tokens[token].parent, s_.tokens[token].wme}];
+    });
     const SparseState& memory = s_.SparseOf(index);
     for (std::uint32_t n = 0; n < memory.logged; ++n) {
       if (!s_.IsStale(memory.log[n])) {
@@ -245,21 +236,18 @@ class Checker {
       }
     }
     std::uint32_t indexed = 0;
-    for (std::uint32_t n = 0; memory.bits != 0 && n < 1u << memory.bits; ++n) {
-      for (std::uint32_t at = s_.tables[memory.table + n]; at != kNil; at = s_.parked[at].next) {
-        const ParkedPair& pair = s_.parked[at];
-        ++indexed;
-        if (!s_.IsStale(pair)) {
-          --pairs[{pair.parent, pair.wme}];
-          Expect(pair.key == KeyOfPair(s_, node, pair.parent, pair.wme).key, "wrong key of a parked pair", at);
-        }
+    s_.sparse.ForEachIndexed(memory, [&](const ParkedPair& pair) {
+      ++indexed;
+      if (!s_.IsStale(pair)) {
+        --pairs[{pair.parent, pair.wme}];
+        Expect(pair.key == KeyOfPair(s_, node, pair.parent, pair.wme).key, "wrong key of a parked pair", index);
       }
-    }
+    });
     Expect(indexed == memory.indexed, "wrong count of parked pairs", index);
     for (const auto& [pair, missing] : pairs) {
       Expect(missing == 0, "pair of a sparse memory is lost or there twice", index);
     }
-    s_.ForEachToken(above, [&](std::uint32_t token) {
+    s_.nodes.ForEachToken(s_.tokens, above, [&](std::uint32_t token) {
       Expect(s_.tokens[token].pairs == of_token[token], "wrong number of pairs of a token", token);
     });
   }
@@ -276,8 +264,8 @@ class Checker {
 
   void CheckResults(const Node& node, std::uint32_t token) {
     std::size_t wanted = 0;
-    for (std::uint32_t item = s_.alphas[node.alpha].first; item != kNil; item = s_.items[item].next) {
-      const Wme& wme = s_.wmes[s_.items[item].wme];
+    for (std::uint32_t item = s_.alphas[node.alpha].first; item != kNil; item = s_.alphas.item(item).next) {
+      const Wme& wme = s_.wmes[s_.alphas.item(item).wme];
       if (KeyOfElement(node, wme) == s_.tokens[token].key && HasKey(s_, node, token, wme) &&
           s_.Passes(node, token, wme)) {
         ++wanted;

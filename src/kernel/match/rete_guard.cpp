@@ -27,10 +27,7 @@ std::uint32_t ReteBuilder::BuildGuard(std::span<const Condition> negations, std:
     state_.network->UseAlpha(plan.alpha);
   } else {
     plan.alpha = state_.network->AddAlpha(nothing, kMask, true);
-    if (plan.alpha >= state_.alphas.size()) {
-      state_.alphas.resize(plan.alpha + 1u);
-    }
-    state_.alphas[plan.alpha] = AlphaState();
+    state_.alphas.Begin(plan.alpha);
   }
   const std::uint32_t top = Make(plan, plan.Hash());
   const std::uint32_t bottom = BuildAll(negations, top, 1);

@@ -8,76 +8,11 @@
 /// The innermost loops, shared by the files of the Rete.
 namespace soarbox::kernel {
 
-/// Memories up to this size have no table.
-inline constexpr std::uint32_t kTinyMemory = 8;
-
-/// The element bound `levels` steps up from a token.
-inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token, std::uint32_t levels) {
-  while (levels-- > 0) {
-    token = tokens[token].parent;
-  }
-  return tokens[token].wme;
-}
-
-/// The element bound `levels` steps up from the token that stands, or would stand, for (parent, wme).
-inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent, std::uint32_t wme,
-                               std::uint32_t levels) {
-  return levels == 0 ? wme : ElementAt(tokens, parent, levels - 1);
-}
-
-/// Takes a record for a new token. Everything but its bucket and its key is set.
-[[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
-                                                      std::uint32_t wme, std::uint64_t serial) {
-  std::uint32_t index = state.free_tokens;
-  if (index != kNil) [[likely]] {
-    state.free_tokens = state.tokens[index].next_sibling;
-  } else {
-    index = state.tokens.Append();
-    state.tokens[index].pairs = 0;
-    state.tokens[index].forgotten = 0;
-  }
-  const Records<Token> all = state.tokens.records();
-  Token& token = all[index];
-  token.parent = parent;
-  token.wme = wme;
-  token.node = node;
-  token.serial = serial;
-  token.first_child = kNil;
-  token.previous_sibling = kNil;
-  std::uint32_t sibling = kNil;
-  if (parent != kNil) [[likely]] {
-    sibling = all[parent].first_child;
-    all[parent].first_child = index;
-    if (sibling != kNil) {
-      all[sibling].previous_sibling = index;
-    }
-  }
-  token.next_sibling = sibling;
-  token.previous_of_wme = kNil;
-  std::uint32_t other = kNil;
-  if (wme != kNil) [[likely]] {
-    std::uint32_t& head = state.links[wme].first_token;
-    other = head;
-    head = index;
-    if (other != kNil) {
-      all[other].previous_of_wme = index;
-    }
-  }
-  token.next_of_wme = other;
-  return index;
-}
-
+/// Makes a token. Everything but its bucket and its key is set.
 [[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
                                                       std::uint32_t wme) {
-  return MakeToken(state, node, parent, wme, state.next_serial++);
+  return state.tokens.Make(state.links, node, parent, wme);
 }
-
-/// What a token of a memory is indexed by.
-struct KeyParts {
-  std::uint32_t key = 0;    ///< As in Token::key.
-  std::uint32_t id = 0;     ///< kId, kIdValue.
-  std::uint32_t value = 0;  ///< kIdValue.
-};
 
 /// The key of a token of a memory that stands for (parent, wme).
 [[gnu::always_inline]] inline KeyParts KeyOfPair(const ReteState& state, const Node& memory, std::uint32_t parent,
@@ -86,117 +21,16 @@ struct KeyParts {
   if (memory.key == KeyKind::kNone) {
     return parts;
   }
-  const Records<const Token> tokens = std::as_const(state.tokens).records();
+  const Records<const Token> tokens = state.tokens.read();
   const Wme* wmes = state.wmes.data();
   const std::uint32_t with_id = ElementAt(tokens, parent, wme, memory.key_id_levels);
   parts.key = parts.id = ReteState::FieldOf(wmes[with_id], memory.key_id_field);
   if (memory.key == KeyKind::kIdValue) {
     const std::uint32_t with_value = ElementAt(tokens, parent, wme, memory.key_value_levels);
     parts.value = ReteState::FieldOf(wmes[with_value], memory.key_value_field);
-    parts.key = ReteState::PairKey(parts.id, parts.value);
+    parts.key = PairKey(parts.id, parts.value);
   }
   return parts;
-}
-
-/// Puts a token at the head of its bucket and lets the table grow with the number of tokens, which is in `counter`.
-[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, NodeState& memory, std::uint32_t node,
-                                                 std::uint32_t index, std::uint32_t key, bool keyed,
-                                                 std::uint32_t& counter) {
-  const Records<Token> all = state.tokens.records();
-  const std::uint32_t bits = state.marks[node].bits();
-  std::uint32_t* head = &memory.head;
-  const std::uint32_t count = ++counter;
-  bool grow = false;
-  if (bits != 0) {
-    head = &state.tables[memory.head + ReteState::Hash(key, bits)];
-    grow = (count >> bits) != 0;
-  } else {
-    grow = count > kTinyMemory && keyed;
-  }
-  const std::uint32_t next = *head;
-  *head = index;
-  all[index].key = key;
-  all[index].previous_in_bucket = kNil;
-  all[index].next_in_bucket = next;
-  if (next != kNil) {
-    all[next].previous_in_bucket = index;
-  }
-  if (grow) [[unlikely]] {
-    state.GrowBuckets(node);
-  }
-}
-
-[[gnu::always_inline]] inline void InsertWithKey(ReteState& state, std::uint32_t node, std::uint32_t index,
-                                                 std::uint32_t key, bool keyed) {
-  NodeState& memory = state.nodes[node];
-  InsertWithKey(state, memory, node, index, key, keyed, memory.count);
-}
-
-/// The same for nodes that never have a table.
-[[gnu::always_inline]] inline void InsertInList(ReteState& state, NodeState& memory, std::uint32_t index,
-                                                std::uint32_t key) {
-  const Records<Token> all = state.tokens.records();
-  const std::uint32_t next = memory.head;
-  memory.head = index;
-  ++memory.count;
-  all[index].key = key;
-  all[index].previous_in_bucket = kNil;
-  all[index].next_in_bucket = next;
-  if (next != kNil) {
-    all[next].previous_in_bucket = index;
-  }
-}
-
-/// Calls visit(element) for each element that the index of the right side offers for a left token with this key, newest
-/// first. Tests are still to be made. Nothing may be added to or removed from the alpha memory meanwhile.
-template <typename Visit>
-[[gnu::always_inline]] inline void ForEachRight(ReteState& state, const Node& node, const KeyParts& key,
-                                                Visit&& visit) {
-  const AlphaState& alpha = state.alphas[node.alpha];
-  const Records<const AlphaItem> items = std::as_const(state.items).records();
-  if (node.key == KeyKind::kId) [[likely]] {
-    if (alpha.id_bits == 0) {
-      if (alpha.count <= kTinyMemory) {
-        for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
-          if (items[item].id == key.id) {
-            visit(items[item].wme);
-          }
-        }
-        return;
-      }
-      state.BuildIdTable(node.alpha, 5);
-    }
-    for (std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(key.id, alpha.id_bits)]; item != kNil;
-         item = items[item].next_in_bucket) {
-      if (items[item].id == key.id) {
-        visit(items[item].wme);
-      }
-    }
-    return;
-  }
-  if (node.key == KeyKind::kNone) {
-    for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
-      visit(items[item].wme);
-    }
-    return;
-  }
-  if (alpha.pair_bits == 0) {
-    if (alpha.count <= kTinyMemory) {
-      for (std::uint32_t item = alpha.first; item != kNil; item = items[item].next) {
-        if (items[item].id == key.id && items[item].value == key.value) {
-          visit(items[item].wme);
-        }
-      }
-      return;
-    }
-    state.BuildPairTable(node.alpha, 5);
-  }
-  for (std::uint32_t item = state.tables[alpha.pair_table + ReteState::Hash(key.key, alpha.pair_bits)]; item != kNil;
-       item = items[item].next_in_pair) {
-    if (items[item].id == key.id && items[item].value == key.value) {
-      visit(items[item].wme);
-    }
-  }
 }
 
 inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
@@ -245,56 +79,6 @@ inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
   return true;
 }
 
-/// Puts an element into an alpha memory.
-[[gnu::always_inline]] inline void InsertItem(ReteState& state, std::uint32_t alpha, std::uint32_t wme) {
-  std::uint32_t index = state.free_items;
-  if (index != kNil) [[likely]] {
-    state.free_items = state.items[index].next;
-  } else {
-    index = state.items.Append();
-  }
-  const Records<AlphaItem> items = state.items.records();
-  AlphaState& memory = state.alphas[alpha];
-  AlphaItem& item = items[index];
-  item.wme = wme;
-  item.alpha = alpha;
-  item.id = state.wmes[wme].id.bits();
-  item.value = state.wmes[wme].value.bits();
-  item.previous = kNil;
-  item.next = memory.first;
-  if (memory.first != kNil) {
-    items[memory.first].previous = index;
-  }
-  memory.first = index;
-  item.next_of_wme = state.links[wme].first_item;
-  state.links[wme].first_item = index;
-  ++memory.count;
-
-  if (memory.id_bits != 0) {
-    if (memory.count > 1u << memory.id_bits) [[unlikely]] {
-      state.BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
-    } else {
-      std::uint32_t& head = state.tables[memory.id_table + ReteState::Hash(item.id, memory.id_bits)];
-      item.previous_in_bucket = kNil;
-      item.next_in_bucket = head;
-      if (head != kNil) {
-        items[head].previous_in_bucket = index;
-      }
-      head = index;
-    }
-  }
-  if (memory.pair_bits != 0) {
-    if (memory.count > 1u << memory.pair_bits) [[unlikely]] {
-      state.BuildPairTable(alpha, static_cast<std::uint8_t>(memory.pair_bits + 2));
-    } else {
-      const std::uint32_t key = ReteState::PairKey(item.id, item.value);
-      std::uint32_t& head = state.tables[memory.pair_table + ReteState::Hash(key, memory.pair_bits)];
-      item.next_in_pair = head;
-      head = index;
-    }
-  }
-}
-
 /// The key that an element has for a node.
 inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
   switch (node.key) {
@@ -303,7 +87,7 @@ inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
     case KeyKind::kId:
       return wme.id.bits();
     case KeyKind::kIdValue:
-      return ReteState::PairKey(wme.id.bits(), wme.value.bits());
+      return PairKey(wme.id.bits(), wme.value.bits());
   }
   return 0;
 }
@@ -313,7 +97,7 @@ inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t paren
   if (node.key != KeyKind::kIdValue) {
     return true;
   }
-  const Records<const Token> tokens = std::as_const(state.tokens).records();
+  const Records<const Token> tokens = state.tokens.read();
   const Wme* wmes = state.wmes.data();
   return wme.id.bits() ==
              ReteState::FieldOf(wmes[ElementAt(tokens, parent, left, node.key_id_levels)], node.key_id_field) &&
@@ -322,16 +106,6 @@ inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t paren
 }
 inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token, const Wme& wme) {
   return HasKey(state, node, state.tokens[token].parent, state.tokens[token].wme, wme);
-}
-
-/// The first token of the bucket in which tokens with this key stand (among others).
-[[gnu::always_inline]] inline std::uint32_t BucketHead(const ReteState& state, std::uint32_t node, std::uint32_t bits,
-                                                       std::uint32_t key) {
-  const std::uint32_t head = state.nodes[node].head;
-  return bits == 0 ? head : state.tables[head + ReteState::Hash(key, bits)];
-}
-inline std::uint32_t BucketHead(const ReteState& state, std::uint32_t node, std::uint32_t key) {
-  return BucketHead(state, node, state.marks[node].bits(), key);
 }
 
 inline std::uint32_t ConjunctiveKey(std::uint32_t parent, std::uint32_t wme) {

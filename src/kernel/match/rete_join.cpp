@@ -6,116 +6,6 @@
 /// Joins and their memories, where most of the work of a match is done.
 namespace soarbox::kernel {
 
-/// The elements that the right side of a join offers for keys. Good as long as nothing enters or leaves the alpha
-/// memory.
-class [[gnu::visibility("hidden")]] RightSide {
- public:
-  enum Kind : std::uint8_t { kIdTable, kPairTable, kAll, kIdList, kPairList };
-
-  RightSide(ReteState & state, const Node& join) : state_(state), alpha_(state.alphas[join.alpha]) {
-    if (join.key == KeyKind::kNone) {
-      kind_ = kAll;
-      return;
-    }
-    const bool by_id = join.key == KeyKind::kId;
-    if ((by_id ? alpha_.id_bits : alpha_.pair_bits) == 0) {
-      if (alpha_.count <= kTinyMemory) {
-        kind_ = by_id ? kIdList : kPairList;
-        return;
-      }
-      by_id ? state.BuildIdTable(join.alpha, 5) : state.BuildPairTable(join.alpha, 5);
-    }
-    kind_ = by_id ? kIdTable : kPairTable;
-  }
-
-  /// The newest item with this key, or kNil.
-  template <Kind kind>
-  [[gnu::always_inline]] std::uint32_t FirstOf(const KeyParts& key) const {
-    if constexpr (kind == kIdTable) {
-      return FromId(state_.tables[alpha_.id_table + ReteState::Hash(key.id, alpha_.id_bits)], key);
-    } else if constexpr (kind == kPairTable) {
-      return FromPair(state_.tables[alpha_.pair_table + ReteState::Hash(key.key, alpha_.pair_bits)], key);
-    } else if constexpr (kind == kIdList) {
-      return FromIdList(alpha_.first, key);
-    } else if constexpr (kind == kPairList) {
-      return FromPairList(alpha_.first, key);
-    } else {
-      return alpha_.first;
-    }
-  }
-  [[gnu::always_inline]] std::uint32_t First(const KeyParts& key) const {
-    switch (kind_) {
-      case kIdTable:
-        return FirstOf<kIdTable>(key);
-      case kPairTable:
-        return FirstOf<kPairTable>(key);
-      case kAll:
-        return FirstOf<kAll>(key);
-      case kIdList:
-        return FirstOf<kIdList>(key);
-      case kPairList:
-        return FirstOf<kPairList>(key);
-    }
-    return kNil;
-  }
-  [[gnu::always_inline]] std::uint32_t Next(std::uint32_t item, const KeyParts& key) const {
-    const AlphaItem& at = state_.items[item];
-    switch (kind_) {
-      case kIdTable:
-        return FromId(at.next_in_bucket, key);
-      case kPairTable:
-        return FromPair(at.next_in_pair, key);
-      case kAll:
-        return at.next;
-      case kIdList:
-        return FromIdList(at.next, key);
-      case kPairList:
-        return FromPairList(at.next, key);
-    }
-    return kNil;
-  }
-  std::uint32_t Element(std::uint32_t item) const {
-    return state_.items[item].wme;
-  }
-  Kind kind() const {
-    return kind_;
-  }
-
- private:
-  [[gnu::always_inline]] std::uint32_t FromId(std::uint32_t item, const KeyParts& key) const {
-    const Records<const AlphaItem> items = std::as_const(state_.items).records();
-    while (item != kNil && items[item].id != key.id) {
-      item = items[item].next_in_bucket;
-    }
-    return item;
-  }
-  [[gnu::always_inline]] std::uint32_t FromPair(std::uint32_t item, const KeyParts& key) const {
-    const Records<const AlphaItem> items = std::as_const(state_.items).records();
-    while (item != kNil && (items[item].id != key.id || items[item].value != key.value)) {
-      item = items[item].next_in_pair;
-    }
-    return item;
-  }
-  [[gnu::always_inline]] std::uint32_t FromIdList(std::uint32_t item, const KeyParts& key) const {
-    const Records<const AlphaItem> items = std::as_const(state_.items).records();
-    while (item != kNil && items[item].id != key.id) {
-      item = items[item].next;
-    }
-    return item;
-  }
-  [[gnu::always_inline]] std::uint32_t FromPairList(std::uint32_t item, const KeyParts& key) const {
-    const Records<const AlphaItem> items = std::as_const(state_.items).records();
-    while (item != kNil && (items[item].id != key.id || items[item].value != key.value)) {
-      item = items[item].next;
-    }
-    return item;
-  }
-
-  ReteState& state_;
-  const AlphaState& alpha_;
-  Kind kind_ = kAll;
-};
-
 namespace {
 
 /// The first of the items from `item` on whose element passes the tests of a join with (parent, wme).
@@ -137,27 +27,7 @@ namespace {
 
 /// The newest item that a join's right side offers for a key; its tests are still to be made.
 [[gnu::always_inline]] inline std::uint32_t FirstOffered(ReteState& state, const Node& join, const KeyParts& key) {
-  if (join.key != KeyKind::kId) {
-    return RightSide(state, join).First(key);
-  }
-  const AlphaState& alpha = state.alphas[join.alpha];
-  if (alpha.id_bits == 0) {
-    if (alpha.count <= kTinyMemory) {
-      const Records<const AlphaItem> items = std::as_const(state.items).records();
-      std::uint32_t item = alpha.first;
-      while (item != kNil && items[item].id != key.id) {
-        item = items[item].next;
-      }
-      return item;
-    }
-    state.BuildIdTable(join.alpha, 5);
-  }
-  std::uint32_t item = state.tables[alpha.id_table + ReteState::Hash(key.id, alpha.id_bits)];
-  const Records<const AlphaItem> items = std::as_const(state.items).records();
-  while (item != kNil && items[item].id != key.id) {
-    item = items[item].next_in_bucket;
-  }
-  return item;
+  return RightSide(state.alphas, join).First(key);
 }
 
 /// A token and the elements of a bucket, from `item` on, that have an identifier.
@@ -166,7 +36,7 @@ struct TokenAndBucket {
   std::uint32_t token, item, id;
 
   [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
-    const Records<const AlphaItem> all = state.items.records();
+    const Records<const AlphaItem> all = state.alphas.items();
     while (item != kNil && all[item].id != id) {
       item = all[item].next_in_bucket;
     }
@@ -230,14 +100,14 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
   const Field value_field = node.key_value_field;
   const Wme* const wmes = state.wmes.data();
   NodeState& memory = state.nodes[index];
-  SparseState& sparse = *state.sparse[memory.place];
+  SparseState& sparse = state.sparse[memory.place];
   const bool tested = joined.test_count != 0;
 
   std::uint32_t parent = kNil;
   std::uint32_t wme = kNil;
   bool more = source.Next(parent, wme);
   KeyParts key;
-  std::uint64_t serial = state.next_serial;
+  std::uint64_t serial = state.tokens.next_serial();
   ParkedPair* log = sparse.log.data() + sparse.logged;
   ParkedPair* end = sparse.log.data() + sparse.log_limit;
   std::uint32_t arrived = 0;
@@ -247,8 +117,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     if (id_levels == 0) {
       key.id = ReteState::FieldOf(wmes[wme], id_field);
     } else if (!one_parent || first) {
-      key.id =
-          ReteState::FieldOf(wmes[ElementAt(std::as_const(state.tokens).records(), parent, id_levels - 1u)], id_field);
+      key.id = ReteState::FieldOf(wmes[ElementAt(state.tokens.read(), parent, id_levels - 1u)], id_field);
     }
     if (!with_value) {
       key.key = key.id;
@@ -256,10 +125,9 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
       if (value_levels == 0) {
         key.value = ReteState::FieldOf(wmes[wme], value_field);
       } else if (!one_parent || first) {
-        key.value = ReteState::FieldOf(
-            wmes[ElementAt(std::as_const(state.tokens).records(), parent, value_levels - 1u)], value_field);
+        key.value = ReteState::FieldOf(wmes[ElementAt(state.tokens.read(), parent, value_levels - 1u)], value_field);
       }
-      key.key = ReteState::PairKey(key.id, key.value);
+      key.key = PairKey(key.id, key.value);
     }
     first = false;
     if (!one_parent) {
@@ -279,7 +147,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
       ++log;
       continue;
     }
-    state.next_serial = serial;
+    state.tokens.set_next_serial(serial);
     memory.count += arrived;
     if (one_parent) {
       tokens[parent].pairs += arrived;
@@ -289,14 +157,14 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     if (item != kNil) {
       state.JoinSparsely(index, parent, wme, now, key, item);
     } else {
-      state.MakeRoomToPark(sparse);
+      state.sparse.MakeRoomToPark(state.tokens, state.links, sparse);
       sparse.log[sparse.logged++] = {parent, wme, now, key.key, kNil};
     }
-    serial = state.next_serial;
+    serial = state.tokens.next_serial();
     log = sparse.log.data() + sparse.logged;
     end = sparse.log.data() + sparse.log_limit;
   } while (more && (more = source.Next(parent, wme)));
-  state.next_serial = serial;
+  state.tokens.set_next_serial(serial);
   memory.count += arrived;
   if (one_parent) {
     state.tokens[parent].pairs += arrived;
@@ -308,7 +176,7 @@ template <bool one_parent, typename Source>
 [[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, const Source& source) {
   const std::uint32_t join = state.network->node(index).first_child;
   state.LinkOnlyJoin(index, join);
-  const RightSide right(state, state.network->node(join));
+  const RightSide right(state.alphas, state.network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
       AddPairsOf<one_parent, RightSide::kIdTable, false>(state, index, right, source);
@@ -344,7 +212,8 @@ template <bool one_parent, typename Source>
 
 /// A pair is coming to a sparse memory. While there are others its join is linked.
 [[gnu::always_inline]] inline void ReteState::LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
-  if (nodes[memory].count == 0 && marks[join].Is(NodeMarks::kLeftLinked) && !marks[join].Is(NodeMarks::kRightLinked)) {
+  if (nodes[memory].count == 0 && nodes.marks(join).Is(NodeMarks::kLeftLinked) &&
+      !nodes.marks(join).Is(NodeMarks::kRightLinked)) {
     LinkJoin(join);
   }
 }
@@ -352,8 +221,8 @@ template <bool one_parent, typename Source>
 /// A pair joins: a sparse memory makes a token of it.
 void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
                              KeyParts key, std::uint32_t item) {
-  const std::uint32_t token = MakeToken(*this, index, parent, wme, serial);
-  InsertWithKey(*this, nodes[index], index, token, key.key, true, SparseOf(index).tokens);
+  const std::uint32_t token = tokens.Make(links, index, parent, wme, serial);
+  nodes.Insert(tokens, nodes[index], index, token, key.key, true, SparseOf(index).tokens);
   const std::uint32_t join = network->node(index).first_child;
   JoinFrom(join, network->node(join), token, key, item);
 }
@@ -390,12 +259,12 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
   LinkOnlyJoin(index, join);
   const Node& joined = network->node(join);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  const std::uint64_t serial = next_serial++;
+  const std::uint64_t serial = tokens.TakeSerial();
   ++nodes[index].count;
   ++tokens[parent].pairs;
   std::uint32_t item = FirstOffered(*this, joined, key);
   if (item != kNil && joined.test_count != 0) {
-    item = FirstPassing(*this, RightSide(*this, joined), joined, key, parent, wme, item);
+    item = FirstPassing(*this, RightSide(alphas, joined), joined, key, parent, wme, item);
   }
   if (item != kNil) {
     JoinSparsely(index, parent, wme, serial, key, item);
@@ -403,7 +272,7 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
   }
   SparseState& memory = SparseOf(index);
   if (memory.logged == memory.log_limit) [[unlikely]] {
-    MakeRoomToPark(memory);
+    sparse.MakeRoomToPark(tokens, links, memory);
   }
   ParkedPair& pair = memory.log.data()[memory.logged++];
   pair.parent = parent;
@@ -414,7 +283,7 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
 
 /// Hands on what a token joins with, from `item` on, which has the token's key.
 void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item) {
-  const RightSide right(*this, node);
+  const RightSide right(alphas, node);
   const std::uint32_t parent = tokens[token].parent;
   const std::uint32_t wme = tokens[token].wme;
   if (node.test_count != 0) {
@@ -423,7 +292,7 @@ void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t tok
       return;
     }
   }
-  if (marks[join].Is(NodeMarks::kFeedsSparse)) {
+  if (nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
     JoinSparse(node, right, token, key, item);
     return;
   }
@@ -465,8 +334,8 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
     }
     return;
   }
-  if (!only_id.empty()) [[unlikely]] {
-    only_id[join] = 0;
+  if (!only_ids.empty()) [[unlikely]] {
+    only_ids[join] = 0;
   }
   const Node& joined = network->node(join);
   const bool with_value = node.key == KeyKind::kIdValue;
@@ -486,21 +355,21 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
       if (value_moves) {
         key.value = ReteState::FieldOf(wmes.data()[wme], node.key_value_field);
       }
-      key.key = ReteState::PairKey(key.id, key.value);
+      key.key = PairKey(key.id, key.value);
     }
-    InsertWithKey(*this, memory, index, token, key.key, node.key != KeyKind::kNone, memory.count);
+    nodes.Insert(tokens, memory, index, token, key.key, node.key != KeyKind::kNone, memory.count);
     const std::uint32_t found = FirstOffered(*this, joined, key);
     if (found != kNil) {
       JoinFrom(join, joined, token, key, found);
     }
     if (scored) {
-      AddToScore(memory.score, index, token);
+      sparse.AddToScore(memory.score, index, tokens[token].first_child != kNil);
     }
   }
 }
 
 void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  if (marks[index].Is(NodeMarks::kSparse)) {
+  if (nodes.marks(index).Is(NodeMarks::kSparse)) {
     LeftSparse(index, parent, wme);
   } else {
     LeftPlain(index, parent, wme);
@@ -521,7 +390,7 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   while (next != kNil) {
     const std::uint32_t join = next;
     next = nodes[join].next_left;
-    if (marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+    if (nodes.marks(join).Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
       JoinOne(join, token, key);
     }
   }
@@ -537,11 +406,11 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   }
   const std::uint32_t next = nodes[join].next_left;
   if (memory.count != 1) {
-    if (memory.count == 2 && !only_id.empty()) [[unlikely]] {
+    if (memory.count == 2 && !only_ids.empty()) [[unlikely]] {
       SecondToken(join);
     }
     JoinOne(join, token, key);
-  } else if (marks[join].Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+  } else if (nodes.marks(join).Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
     JoinOne(join, token, key);
   }
   if (next != kNil) {
@@ -555,17 +424,17 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   NodeState& state = nodes[index];
   const std::uint32_t token = MakeToken(*this, index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  InsertWithKey(*this, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
+  nodes.Insert(tokens, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
   JoinAll(state, token, key);
   if (state.score != kNil) {
-    AddToScore(state.score, index, token);
+    sparse.AddToScore(state.score, index, tokens[token].first_child != kNil);
   }
 }
 
 /// Makes a token for an identifier that a shared conjunction begins with, and all its paths.
 std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
   const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
-  InsertWithKey(*this, anchors, token, id, true);
+  nodes.Insert(tokens, anchors, token, id, true);
   JoinAll(nodes[anchors], token, KeyParts{id, id, 0});
   return token;
 }
@@ -593,7 +462,7 @@ void ReteState::EmitGathered(std::uint32_t join, std::uint32_t wme) {
     return;
   }
   const Node& node = network->node(join);
-  if (marks[join].Is(NodeMarks::kFeedsSparse)) {
+  if (nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
     AddPairs<false>(*this, node.only_memory, TokensAndElement{gathered.data(), gathered.data() + gathered.size(), wme});
   } else if (node.only_memory != kNil) {
     for (const std::uint32_t token : gathered) {
@@ -612,16 +481,16 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   const std::uint32_t key = KeyOfElement(node, element);
   const SparseState& memory = SparseOf(node.parent);
   gathered.clear();
-  ForEachLeft(*this, node, BucketHead(*this, node.parent, key), key, element,
+  ForEachLeft(*this, node, nodes.BucketHead(node.parent, key), key, element,
               [this](std::uint32_t token) { gathered.push_back(token); });
   if (memory.logged != 0 || memory.indexed != 0) {
     GatherParked(join, wme, key);
   }
   if (memory.unsorted) {
-    SortByAge(gathered);
+    tokens.SortByAge(gathered);
   }
   EmitGathered(join, wme);
-  if (!new_paths.empty()) [[unlikely]] {
+  if (!shared.new_paths.empty()) [[unlikely]] {
     BlockOwners(node.parent);
   }
 }
@@ -629,14 +498,14 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
 /// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side.
 [[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
                                                         const Wme& element) {
-  const NodeMarks memory = marks[node.parent];
+  const NodeMarks memory = nodes.marks(node.parent);
   if (memory.Is(NodeMarks::kSparse)) {
     RightSparse(index, wme);
     return;
   }
   const std::uint32_t key = KeyOfElement(node, element);
-  const Records<const Token> all = std::as_const(tokens).records();
-  std::uint32_t token = BucketHead(*this, node.parent, memory.bits(), key);
+  const Records<const Token> all = tokens.read();
+  std::uint32_t token = nodes.BucketHead(node.parent, memory.bits(), key);
   while (token != kNil && all[token].key != key) {
     token = all[token].next_in_bucket;
   }
@@ -650,7 +519,7 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
   const Node& node = network->node(index);
   const Wme& element = wmes[wme];
   std::uint32_t late = 0;  // Tokens that would have been parked.
-  if (marks[index].Is(NodeMarks::kFeedsSparse)) {
+  if (nodes.marks(index).Is(NodeMarks::kFeedsSparse)) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
     late = static_cast<std::uint32_t>(gathered.size());
@@ -668,9 +537,9 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
   }
   std::uint32_t& score = nodes[node.parent].score;
   if (score != kNil) {
-    LowerScore(score, 2 + 2 * late);
+    SparseMemories::LowerScore(score, 2 + 2 * late);
   }
-  if (!new_paths.empty()) [[unlikely]] {
+  if (!shared.new_paths.empty()) [[unlikely]] {
     BlockOwners(node.parent);
   }
 }
@@ -679,7 +548,7 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
 void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
-  ForEachLeft(*this, node, BucketHead(*this, index, key), key, element,
+  ForEachLeft(*this, node, nodes.BucketHead(index, key), key, element,
               [this, wme](std::uint32_t left) { Block(left, wme); });
 }
 
@@ -692,10 +561,10 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
     if (node.kind != NodeKind::kJoin) {
       RightNegative(index, node, wme);
     } else {
-      const bool waited = !marks[index].Is(NodeMarks::kLeftLinked);
+      const bool waited = !nodes.marks(index).Is(NodeMarks::kLeftLinked);
       if (waited) {
         LinkLeft(index);
-        if (!only_id.empty()) [[unlikely]] {
+        if (!only_ids.empty()) [[unlikely]] {
           FindOnlyId(index);  // Nobody told of tokens that came meanwhile.
         }
       }
@@ -720,8 +589,8 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
     const std::uint32_t next = nodes[index].next_right;
     const Node& node = topology[index];
     if (((place - node.filter.lowest) & known) <= node.filter.range) {
-      if (node.IsJoinById() && marks[node.parent].HasList()) [[likely]] {
-        const Records<const Token> all = std::as_const(tokens).records();
+      if (node.IsJoinById() && nodes.marks(node.parent).HasList()) [[likely]] {
+        const Records<const Token> all = tokens.read();
         std::uint32_t token = nodes[node.parent].head;
         while (token != kNil && all[token].key != id) {
           token = all[token].next_in_bucket;
@@ -746,7 +615,7 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
   const std::uint32_t value = element.value.bits();
   const std::uint32_t place = ValueFilter::Place(value);
   const std::uint32_t known = ValueFilter::Knows(value) ? ~std::uint32_t{0} : 0;
-  const std::uint32_t* const ids = only_id.data();
+  const std::uint32_t* const ids = only_ids.data();
   const NodeState* const states = nodes.data();
   for (std::uint32_t next = first; next != kNil;) {
     const std::uint32_t index = next;
@@ -776,29 +645,13 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
 /// A memory has its second token: elements with more than one identifier may join with it.
 void ReteState::SecondToken(std::uint32_t first_join) {
   for (std::uint32_t join = first_join; join != kNil; join = nodes[join].next_left) {
-    only_id[join] = 0;
+    only_ids[join] = 0;
   }
 }
 
 void ReteState::AddWme(std::uint32_t wme) {
-  if (wme >= links.size()) {
-    links.resize(std::max<std::size_t>(wme + 1u, wmes.capacity()));
-  }
-  WmeLinks& link = links[wme];
-  link.first_item = kNil;
-  link.first_token = kNil;
-  link.serial = next_serial++;
-  link.in_match = true;
-  link.unsorted = false;
-  link.previous = kNil;
-  link.next = newest_wme;
-  if (newest_wme != kNil) {
-    links[newest_wme].previous = wme;
-  }
-  newest_wme = wme;
-  ++wme_count;
   const Wme& element = wmes[wme];
-  last_timetag = std::max(last_timetag, element.timetag);
+  links.Enter(wme, tokens.TakeSerial(), element.timetag, wmes.capacity());
 
   const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
   // Found first and filled then: two small loops run better than one that needs everything at once.
@@ -807,7 +660,7 @@ void ReteState::AddWme(std::uint32_t wme) {
   network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) { *end++ = alpha; });
   for (const std::uint32_t* at = found; at != end; ++at) {
     const std::uint32_t alpha = *at;
-    InsertItem(*this, alpha, wme);
+    alphas.Insert(alpha, wme, element, links[wme].first_item);
     const std::uint32_t node = alphas[alpha].first_node;
     if (node == kNil) {
       continue;
@@ -820,7 +673,7 @@ void ReteState::AddWme(std::uint32_t wme) {
       RightAll(node, wme, element);
     }
   }
-  if (!becoming_sparse.empty() || !becoming_plain.empty()) {
+  if (sparse.HasChanges()) {
     MakeScoredSparse();
   }
 }

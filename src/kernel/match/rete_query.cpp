@@ -8,18 +8,10 @@ namespace soarbox::kernel {
 std::vector<std::uint32_t> ReteState::TokensByAge(std::uint32_t node) const {
   std::vector<std::uint32_t> found;
   found.reserve(nodes[node].count);
-  ForEachToken(node, [&](std::uint32_t token) { found.push_back(token); });
+  nodes.ForEachToken(tokens, node, [&](std::uint32_t token) { found.push_back(token); });
   std::sort(found.begin(), found.end(),
             [this](std::uint32_t a, std::uint32_t b) { return tokens[a].serial > tokens[b].serial; });
   return found;
-}
-
-std::size_t ReteState::CountTokens() const {
-  std::size_t count = tokens.size();
-  for (std::uint32_t token = free_tokens; token != kNil; token = tokens[token].next_sibling) {
-    --count;
-  }
-  return count;
 }
 
 /// What a node has emitted and not withdrawn, newest first.
@@ -35,30 +27,29 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
         break;
       }
       if (nodes[node.parent].count == 1 && alphas[node.alpha].id_bits != 0 && node.IsJoinById() &&
-          marks[node.parent].HasList()) {
+          nodes.marks(node.parent).HasList()) {
         // With one token the elements are found from the left.
         const std::uint32_t token = nodes[node.parent].head;
         const std::uint32_t id = tokens[token].key;
         const AlphaState& alpha = alphas[node.alpha];
-        for (std::uint32_t item = tables[alpha.id_table + Hash(id, alpha.id_bits)]; item != kNil;
-             item = items[item].next_in_bucket) {
-          if (items[item].id == id && Passes(node, token, wmes[items[item].wme])) {
-            emissions.emplace_back(token, items[item].wme);
+        for (std::uint32_t item = alphas.IdBucket(alpha, id); item != kNil; item = alphas.item(item).next_in_bucket) {
+          if (alphas.item(item).id == id && Passes(node, token, wmes[alphas.item(item).wme])) {
+            emissions.emplace_back(token, alphas.item(item).wme);
           }
         }
         break;
       }
-      for (std::uint32_t item = alphas[node.alpha].first; item != kNil; item = items[item].next) {
-        const std::uint32_t wme = items[item].wme;
+      for (std::uint32_t item = alphas[node.alpha].first; item != kNil; item = alphas.item(item).next) {
+        const std::uint32_t wme = alphas.item(item).wme;
         const std::uint32_t key = KeyOfElement(node, wmes[wme]);
         const std::size_t first = emissions.size();
-        for (std::uint32_t token = BucketHead(*this, node.parent, key); token != kNil;
+        for (std::uint32_t token = nodes.BucketHead(node.parent, key); token != kNil;
              token = tokens[token].next_in_bucket) {
           if (tokens[token].key == key && HasKey(*this, node, token, wmes[wme]) && Passes(node, token, wmes[wme])) {
             emissions.emplace_back(token, wme);
           }
         }
-        if (marks[node.parent].Is(NodeMarks::kSparse)) {  // Its buckets may be out of order.
+        if (nodes.marks(node.parent).Is(NodeMarks::kSparse)) {  // Its buckets may be out of order.
           std::sort(
               emissions.begin() + static_cast<std::ptrdiff_t>(first), emissions.end(),
               [this](const Emission& a, const Emission& b) { return tokens[a.first].serial > tokens[b.first].serial; });
@@ -102,7 +93,7 @@ std::vector<std::uint32_t> ReteState::OwnersOf(std::uint32_t conjunctive, std::u
   for (std::uint32_t n = net.node(net.node(node.partner()).parent).parent; n != join; ++below) {
     n = net.node(net.node(n).parent).parent;
   }
-  const std::uint32_t anchor = AnchorOf(parent);
+  const std::uint32_t anchor = tokens.TopOf(parent);
   const auto passes = [&](std::uint32_t owner) {
     const Token& left = tokens[owner];
     return left.pairs == anchor && std::ranges::all_of(net.tests(node), [&](const NodeTest& test) {
@@ -241,8 +232,8 @@ std::vector<WmeId> Rete::RightMatches(ProductionId production, std::span<const s
     return found;
   }
   const AlphaState& memory = state_->alphas[state_->network->node(node).alpha];
-  for (std::uint32_t item = memory.first; item != kNil; item = state_->items[item].next) {
-    found.push_back(static_cast<WmeId>(state_->items[item].wme));
+  for (std::uint32_t item = memory.first; item != kNil; item = state_->alphas.item(item).next) {
+    found.push_back(static_cast<WmeId>(state_->alphas.item(item).wme));
   }
   return found;
 }

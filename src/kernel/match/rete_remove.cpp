@@ -7,49 +7,27 @@
 namespace soarbox::kernel {
 
 [[gnu::always_inline]] inline void ReteState::RemoveItem(std::uint32_t index) {
-  const Records<AlphaItem> all = items.records();
-  AlphaItem& item = all[index];
+  const AlphaItem& item = alphas.item(index);
   AlphaState& memory = alphas[item.alpha];
   if ((memory.sparse & AlphaState::kInPaths) != 0) {
-    path_element = true;
+    shared.path_element = true;
   }
   if ((memory.sparse & ~AlphaState::kFlags) != 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if (marks[node].Is(NodeMarks::kFeedsSparse)) {
+      if (nodes.marks(node).Is(NodeMarks::kFeedsSparse)) {
         ForgetPairs(node, item.wme);
       }
     }
   }
-  const std::uint32_t next = item.next;
-  const std::uint32_t previous = item.previous;
-  if (next != kNil) {
-    all[next].previous = previous;
-  }
-  (previous != kNil ? all[previous].next : memory.first) = next;
-  if (memory.id_bits != 0) {
-    const std::uint32_t next_in_bucket = item.next_in_bucket;
-    if (next_in_bucket != kNil) {
-      all[next_in_bucket].previous_in_bucket = item.previous_in_bucket;
-    }
-    (item.previous_in_bucket != kNil ? all[item.previous_in_bucket].next_in_bucket
-                                     : tables[memory.id_table + Hash(item.id, memory.id_bits)]) = next_in_bucket;
-  }
-  if (memory.pair_bits != 0) {
-    std::uint32_t* link = &tables[memory.pair_table + Hash(PairKey(item.id, item.value), memory.pair_bits)];
-    while (*link != index) {
-      link = &all[*link].next_in_pair;
-    }
-    *link = item.next_in_pair;
-  }
+  alphas.TakeOut(memory, index);
   if (--memory.count == 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if (marks[node].Is(NodeMarks::kLeftLinked)) {  // Only joins ever are.
+      if (nodes.marks(node).Is(NodeMarks::kLeftLinked)) {  // Only joins ever are.
         UnlinkLeft(node);
       }
     }
   }
-  item.next = free_items;
-  free_items = index;
+  alphas.Free(index);
 }
 
 void ReteState::RemoveTokenOfElement(std::uint32_t token) {
@@ -64,114 +42,43 @@ void ReteState::RemoveTokenOfElement(std::uint32_t token) {
 }
 
 void ReteState::RemoveWme(std::uint32_t wme) {
-  removing = wme;
+  links.BeginLeaving(wme, tokens.TakeSerial());
   WmeLinks& link = links[wme];
-  arrival_of_removing = link.serial;
-  link.serial = next_serial++;
   for (std::uint32_t item = link.first_item; item != kNil;) {
-    const std::uint32_t next = items[item].next_of_wme;
+    const std::uint32_t next = alphas.item(item).next_of_wme;
     RemoveItem(item);
     item = next;
   }
   link.first_item = kNil;
   if (link.unsorted) {
-    SortTokensOf(wme);
+    tokens.SortTokensOf(link);
   }
-  if (path_element) [[unlikely]] {
+  if (shared.path_element) [[unlikely]] {
     RemoveTokensInOrder(wme);
   }
   // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
   for (std::uint32_t token = link.first_token; token != kNil; token = link.first_token) {
     RemoveTokenOfElement(token);
   }
-  if (link.next != kNil) {
-    links[link.next].previous = link.previous;
-  }
-  (link.previous != kNil ? links[link.previous].next : newest_wme) = link.next;
-  link.in_match = false;
-  --wme_count;
-  removing = kNil;
-}
-
-namespace {
-
-[[gnu::always_inline]] inline void UnlinkFromElement(ReteState& state, Records<Token> all, const Token& token) {
-  if (token.wme != kNil) [[likely]] {
-    const std::uint32_t next = token.next_of_wme;
-    const std::uint32_t previous = token.previous_of_wme;
-    if (next != kNil) {
-      all[next].previous_of_wme = previous;
-    }
-    (previous != kNil ? all[previous].next_of_wme : state.links[token.wme].first_token) = next;
-  }
-}
-
-inline void UnlinkFromParent(ReteState& state, const Token& token) {
-  if (token.parent != kNil) {
-    const Records<Token> all = state.tokens.records();
-    if (token.next_sibling != kNil) {
-      all[token.next_sibling].previous_sibling = token.previous_sibling;
-    }
-    (token.previous_sibling != kNil ? all[token.previous_sibling].next_sibling : all[token.parent].first_child) =
-        token.next_sibling;
-  }
-}
-
-/// Takes a token off its bucket. Counting is the caller's part.
-[[gnu::always_inline]] inline void UnlinkFromBucket(ReteState& state, Records<Token> all, std::uint32_t node,
-                                                    const Token& token) {
-  const std::uint32_t next = token.next_in_bucket;
-  const std::uint32_t previous = token.previous_in_bucket;
-  if (next != kNil) {
-    all[next].previous_in_bucket = previous;
-  }
-  if (previous != kNil) {
-    all[previous].next_in_bucket = next;
-  } else {
-    std::uint32_t& head = state.nodes[node].head;
-    const std::uint32_t bits = state.marks[node].bits();
-    (bits == 0 ? head : state.tables[head + ReteState::Hash(token.key, bits)]) = next;
-  }
-}
-
-[[gnu::always_inline]] inline void Free(ReteState& state, std::uint32_t index) {
-  state.tokens[index].next_sibling = state.free_tokens;
-  state.free_tokens = index;
-}
-
-}  // namespace
-
-/// Takes a token off the lists of its parent and its element.
-void ReteState::UnlinkToken(std::uint32_t index) {
-  UnlinkFromParent(*this, tokens[index]);
-  UnlinkFromElement(*this, tokens.records(), tokens[index]);
-}
-
-void ReteState::FreeToken(std::uint32_t index) {
-  Free(*this, index);
+  links.Leave(link);
 }
 
 /// Frees all results of a blocked conjunctive token.
 void ReteState::FreeResults(std::uint32_t owner) {
   for (std::uint32_t result = tokens[owner].first_child; result != kNil;) {
     const std::uint32_t next = tokens[result].next_in_bucket;
-    UnlinkToken(result);
-    FreeToken(result);
+    tokens.Unlink(links, result);
+    tokens.Free(result);
     result = next;
   }
   tokens[owner].first_child = kNil;
 }
 
-void ReteState::RemoveFromBucket(std::uint32_t node, std::uint32_t index) {
-  UnlinkFromBucket(*this, tokens.records(), node, tokens[index]);
-  --nodes[node].count;
-}
-
 /// An element that blocked a negative token is going.
 void ReteState::RemoveResult(std::uint32_t index) {
   const std::uint32_t owner = tokens[index].parent;
-  UnlinkToken(index);
-  FreeToken(index);
+  tokens.Unlink(links, index);
+  tokens.Free(index);
   if (tokens[owner].first_child == kNil) {
     Emit(tokens[owner].node, owner, kNil);
   }
@@ -179,7 +86,7 @@ void ReteState::RemoveResult(std::uint32_t index) {
 
 // From leaf to leaf: a parent comes after its last child.
 void ReteState::RemoveSubtree(std::uint32_t root) {
-  UnlinkFromParent(*this, tokens[root]);
+  tokens.UnlinkFromParent(tokens[root]);
   Records<Token> all = tokens.records();
   std::uint32_t token = root;
   for (;;) {
@@ -188,7 +95,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         if ((all[token].node & Token::kBlockedBit) != 0) {
           break;
         }
-        SortChildren(token);
+        tokens.SortChildren(token);
         continue;
       }
       token = child;
@@ -202,15 +109,15 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         all[next].previous_sibling = kNil;
       }
     }
-    UnlinkFromElement(*this, all, leaf);
+    TokenPool::UnlinkFromElement(links, all, leaf);
     if ((leaf.node & Token::kResultBit) == 0) {
       const std::uint32_t node = leaf.node & Token::kNodeMask;
-      if (!marks[node].Is(NodeMarks::kUncommonEnd)) {
-        UnlinkFromBucket(*this, all, node, leaf);
+      if (!nodes.marks(node).Is(NodeMarks::kUncommonEnd)) {
+        nodes.UnlinkFromBucket(all, node, leaf);
         if (--nodes[node].count == 0) {
           MemoryEmptied(node);
         }
-      } else if (marks[node].Is(NodeMarks::kOther)) {
+      } else if (nodes.marks(node).Is(NodeMarks::kOther)) {
         RemoveRareLeaf(token);
         if (token == root) {
           return;
@@ -219,23 +126,22 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         token = parent;
         continue;
       } else {
-        UnlinkFromBucket(*this, all, node, leaf);
-        if (marks[node].Is(NodeMarks::kAboveSparse)) {
+        nodes.UnlinkFromBucket(all, node, leaf);
+        if (nodes.marks(node).Is(NodeMarks::kAboveSparse)) {
           if (leaf.pairs != 0) {
             ForgetPairsOf(SparseBelow(node), leaf.pairs);
             leaf.pairs = 0;
           }
-          leaf.forgotten = next_serial;
+          leaf.forgotten = tokens.next_serial();
         }
-        if (marks[node].Is(NodeMarks::kSparse)) {
+        if (nodes.marks(node).Is(NodeMarks::kSparse)) {
           --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
         } else if (--nodes[node].count == 0) {
           MemoryEmptied(node);
         }
       }
     }
-    leaf.next_sibling = free_tokens;
-    free_tokens = token;
+    tokens.Free(leaf, token);
     if (token == root) {
       return;
     }
@@ -245,14 +151,14 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
 
 /// The last token of a memory or a negative node is going: nothing can join with it from the right.
 void ReteState::MemoryEmptied(std::uint32_t node) {
-  if (marks[node].Is(NodeMarks::kNegative)) {
-    if (marks[node].Is(NodeMarks::kRightLinked)) {
+  if (nodes.marks(node).Is(NodeMarks::kNegative)) {
+    if (nodes.marks(node).Is(NodeMarks::kRightLinked)) {
       UnlinkRight(node);
     }
     return;
   }
   for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
-    if (marks[join].Is(NodeMarks::kRightLinked)) {
+    if (nodes.marks(join).Is(NodeMarks::kRightLinked)) {
       UnlinkRight(join);
     }
   }
@@ -266,12 +172,12 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       if ((node_bits & Token::kBlockedBit) != 0) {
         FreeResults(index);
       }
-      RemoveFromBucket(node, index);
-      FreeToken(index);
+      nodes.RemoveFromBucket(tokens, node, index);
+      tokens.Free(index);
       if (network->node(node).IsShared()) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
         tokens[index].node = 0;  // Nobody takes it for an owner any more.
-        last_owner = last_owner == index ? kNil : last_owner;
+        shared.last_owner = shared.last_owner == index ? kNil : shared.last_owner;
         OwnerGone(anchor);
       }
       break;
@@ -283,7 +189,7 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
         tokens[next].previous_in_bucket = previous;
       }
       (previous != kNil ? tokens[previous].next_in_bucket : tokens[owner].first_child) = next;
-      FreeToken(index);
+      tokens.Free(index);
       if (tokens[owner].first_child == kNil) {
         tokens[owner].node &= ~Token::kBlockedBit;
         Emit(tokens[owner].node, owner, kNil);
@@ -292,16 +198,16 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
     }
     case NodeKind::kProduction:
     case NodeKind::kGuard: {
-      RemoveFromBucket(node, index);
+      nodes.RemoveFromBucket(tokens, node, index);
       const MatchId match = static_cast<MatchId>(tokens[index].key);
-      FreeToken(index);
+      tokens.Free(index);
       bool can_return = true;
       if (matches.StateOf(match) == MatchState::kFired) {
         const std::span<const WmeId> all = matches.Wmes(match);
-        can_return =
-            !excising && (removing == kNil || std::ranges::find(all, static_cast<WmeId>(removing)) == all.end());
+        can_return = !excising && (links.leaving() == kNil ||
+                                   std::ranges::find(all, static_cast<WmeId>(links.leaving())) == all.end());
       }
-      matches.TokenGone(match, can_return, last_timetag);
+      matches.TokenGone(match, can_return, links.last_timetag());
       break;
     }
     case NodeKind::kMemory:
@@ -320,8 +226,8 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
 void ReteState::FreeFixedMatch(std::uint32_t first) {
   for (std::uint32_t token = first; token != kNil;) {
     const std::uint32_t next = tokens[token].next_in_bucket;
-    UnlinkToken(token);
-    FreeToken(token);
+    tokens.Unlink(links, token);
+    tokens.Free(token);
     token = next;
   }
 }
@@ -333,7 +239,7 @@ void ReteState::RetractFixedMatch(std::uint32_t token) {
   }
   const MatchId match = static_cast<MatchId>(tokens[token].key);
   FreeFixedMatch(matches.TokenOf(match));
-  matches.TokenGone(match, false, last_timetag);
+  matches.TokenGone(match, false, links.last_timetag());
 }
 
 // All at once ---------------------------------------------------------------------------------------------------------
@@ -342,23 +248,17 @@ void ReteState::RetractFixedMatch(std::uint32_t token) {
 void ReteState::Abandon() {
   abandoned = true;
   tokens.Release();
-  parked.Release();
-  items.Release();
-  free_tokens = free_parked = free_items = newest_wme = kNil;
-  wme_count = 0;
-  sparse.clear();
-  tables = TablePool();
-  links = std::vector<WmeLinks>();
-  std::fill(nodes.begin(), nodes.end(), NodeState());
-  std::fill(marks.begin(), marks.end(), NodeMarks());
-  std::fill(alphas.begin(), alphas.end(), AlphaState());
+  sparse.Release();
+  alphas.Release();
+  links.Release();
+  nodes.Release();
 }
 
 void ReteState::Clear() {
-  while (newest_wme != kNil) {
-    RemoveWme(newest_wme);
+  while (links.newest() != kNil) {
+    RemoveWme(links.newest());
   }
-  last_timetag = 0;
+  links.ForgetTimetags();
   matches.Clear();
   // What still matches is made of negations alone.
   for (std::uint32_t production = 0; production < network->rule_limit(); ++production) {

@@ -44,46 +44,34 @@ bool ReteState::Pairs(std::uint32_t owner, std::uint32_t path) const {
   return true;
 }
 
-/// Whether an element is part of a path.
-bool ReteState::Holds(std::uint32_t path, std::uint32_t wme) const {
-  while (tokens[path].parent != kNil && tokens[path].wme != wme) {
-    path = tokens[path].parent;
-  }
-  return tokens[path].parent != kNil;
-}
-
-std::uint32_t ReteState::AnchorOf(std::uint32_t token) const {
-  while (tokens[token].parent != kNil) {
-    token = tokens[token].parent;
-  }
-  return token;
-}
-
 void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t anchors = node.ancestor;
   const std::uint32_t paths = network->node(node.partner()).parent;
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
-  std::uint32_t anchor = BucketHead(*this, anchors, key.id);
+  std::uint32_t anchor = nodes.BucketHead(anchors, key.id);
   while (anchor != kNil && tokens[anchor].key != key.id) {
     anchor = tokens[anchor].next_in_bucket;
   }
   if (anchor == kNil) {
     anchor = MakeAnchor(anchors, key.id);
-    new_paths.clear();  // There is nobody else that they might block.
+    shared.new_paths.clear();  // There is nobody else that they might block.
     tokens[anchor].previous_sibling = 0;
   }
   ++tokens[anchor].previous_sibling;
   // What is emitted once to several conjunctions reaches them all at once.
-  const bool again = last_owner != kNil && tokens[last_owner].parent == parent && tokens[last_owner].wme == wme &&
-                     (tokens[last_owner].node & Token::kNodeMask) != index &&
-                     network->node(tokens[last_owner].node & Token::kNodeMask).parent == node.parent;
-  const std::uint32_t owner = MakeToken(*this, index, parent, wme, again ? tokens[last_owner].serial : next_serial++);
-  last_owner = owner;
+  const bool again = shared.last_owner != kNil && tokens[shared.last_owner].parent == parent &&
+                     tokens[shared.last_owner].wme == wme &&
+                     (tokens[shared.last_owner].node & Token::kNodeMask) != index &&
+                     network->node(tokens[shared.last_owner].node & Token::kNodeMask).parent == node.parent;
+  const std::uint32_t owner =
+      tokens.Make(links, index, parent, wme, again ? tokens[shared.last_owner].serial : tokens.TakeSerial());
+  shared.last_owner = owner;
   tokens[owner].pairs = anchor;
-  InsertWithKey(*this, index, owner, key.key, true);
-  for (std::uint32_t path = BucketHead(*this, paths, key.key); path != kNil; path = tokens[path].next_in_bucket) {
-    if (tokens[path].key == key.key && Pairs(owner, path) && (removing == kNil || !Holds(path, removing))) {
+  nodes.Insert(tokens, index, owner, key.key, true);
+  for (std::uint32_t path = nodes.BucketHead(paths, key.key); path != kNil; path = tokens[path].next_in_bucket) {
+    if (tokens[path].key == key.key && Pairs(owner, path) &&
+        (links.leaving() == kNil || !tokens.Holds(path, links.leaving()))) {
       BlockOwner(owner, path, kNil);
     }
   }
@@ -101,73 +89,24 @@ void ReteState::OwnerGone(std::uint32_t anchor) {
 
 void ReteState::LeftPath(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const std::uint32_t path = NewToken(index, parent, wme);
-  InsertWithKey(*this, index, path, KeyOfToken(network->node(index), path), true);
-  new_paths.push_back(path);
-}
-
-// Order ---------------------------------------------------------------------------------------------------------------
-
-/// Whether a token of a path was made when its element came, not when what is above it was made.
-bool ReteState::CameWithElement(const Token& token) const {
-  const Token& above = tokens[token.parent];
-  const std::uint64_t arrival = token.wme == removing ? arrival_of_removing : links[token.wme].serial;
-  return above.parent == kNil || arrival > above.serial;  // Below the anchor it must have been: the owners were there.
-}
-
-OwnerAndPath ReteState::Meeting(std::uint32_t owner, std::uint32_t prefix) const {
-  OwnerAndPath meeting;
-  meeting.owner = owner;
-  meeting.prefix = prefix;
-  meeting.node = tokens[owner].node & Token::kNodeMask;
-  meeting.serial = tokens[owner].serial;
-  return meeting;
-}
-
-/// Whether the partial match of a's owner and prefix would have been made after that of b's.
-bool ReteState::CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const {
-  if (a.serial == b.serial && a.prefix == b.prefix) {
-    return a.place > b.place;
-  }
-  OwnerAndPath x = a;
-  OwnerAndPath y = b;
-  for (;;) {
-    for (OwnerAndPath* meeting : {&x, &y}) {
-      while (tokens[meeting->prefix].parent != kNil && !CameWithElement(tokens[meeting->prefix])) {
-        meeting->prefix = tokens[meeting->prefix].parent;
-      }
-    }
-    const Token& of_x = tokens[x.prefix];
-    const Token& of_y = tokens[y.prefix];
-    const bool same_element = x.serial < of_x.serial && y.serial < of_y.serial && of_x.wme == of_y.wme &&
-                              of_x.node == of_y.node && of_x.parent != kNil;
-    if (!same_element) {
-      const std::uint64_t made_x = std::max(x.serial, of_x.serial);
-      const std::uint64_t made_y = std::max(y.serial, of_y.serial);
-      return made_x != made_y ? made_x > made_y : x.serial != y.serial ? x.serial > y.serial : a.place > b.place;
-    }
-    if (x.serial == y.serial && x.prefix == y.prefix) {
-      return a.place > b.place;
-    }
-    // One element completed both: it was joined first with what had come last.
-    x.prefix = of_x.parent;
-    y.prefix = of_y.parent;
-    std::swap(x, y);
-  }
+  nodes.Insert(tokens, index, path, KeyOfToken(network->node(index), path), true);
+  shared.new_paths.push_back(path);
 }
 
 // Blocking ------------------------------------------------------------------------------------------------------------
 
 /// An element has completed paths: blocks their owners. `above`: the memory that it joined with.
 void ReteState::BlockOwners(std::uint32_t above) {
-  pairings.clear();
-  for (const std::uint32_t path : new_paths) {
+  const MeetingOrder order(tokens, links);
+  shared.pairings.clear();
+  for (const std::uint32_t path : shared.new_paths) {
     const std::uint32_t conjunctive = network->node(tokens[path].node & Token::kNodeMask).partner();
     std::uint32_t prefix = path;
     while ((tokens[prefix].node & Token::kNodeMask) != above) {
       prefix = tokens[prefix].parent;
     }
     const std::uint32_t key = tokens[path].key;
-    for (std::uint32_t owner = BucketHead(*this, conjunctive, key); owner != kNil;
+    for (std::uint32_t owner = nodes.BucketHead(conjunctive, key); owner != kNil;
          owner = tokens[owner].next_in_bucket) {
       if (tokens[owner].key != key || !Pairs(owner, path)) {
         continue;
@@ -176,20 +115,20 @@ void ReteState::BlockOwners(std::uint32_t above) {
         BlockOwner(owner, path, kNil);  // Once more: nobody notices when.
         continue;
       }
-      OwnerAndPath meeting = Meeting(owner, prefix);
+      OwnerAndPath meeting = order.Meeting(owner, prefix);
       meeting.path = path;
-      meeting.place = static_cast<std::uint32_t>(pairings.size());
-      pairings.push_back(meeting);
+      meeting.place = static_cast<std::uint32_t>(shared.pairings.size());
+      shared.pairings.push_back(meeting);
     }
   }
-  new_paths.clear();
-  if (pairings.size() > 1) {
+  shared.new_paths.clear();
+  if (shared.pairings.size() > 1) {
     // What would have been joined first is what came last; its paths come in the order in which they were made.
-    std::ranges::sort(pairings, [this](const OwnerAndPath& a, const OwnerAndPath& b) {
-      return a.serial == b.serial ? a.place < b.place : CameLater(a, b);
+    std::ranges::sort(shared.pairings, [&](const OwnerAndPath& a, const OwnerAndPath& b) {
+      return a.serial == b.serial ? a.place < b.place : order.CameLater(a, b);
     });
   }
-  for (const OwnerAndPath& pairing : pairings) {
+  for (const OwnerAndPath& pairing : shared.pairings) {
     BlockOwner(pairing.owner, pairing.path, kNil);
   }
 }
@@ -199,13 +138,13 @@ void ReteState::BlockOwners(std::uint32_t above) {
 /// Whether a token belongs to a shared conjunction's own conditions.
 bool ReteState::IsInPath(const Token& token) const {
   return token.node != Token::kFixedMatchNode && (token.node & Token::kResultBit) == 0 &&
-         marks[token.node & Token::kNodeMask].Is(NodeMarks::kInPath);
+         nodes.marks(token.node & Token::kNodeMask).Is(NodeMarks::kInPath);
 }
 
 /// Whether a path without the element blocks an owner.
 bool ReteState::StaysBlocked(std::uint32_t owner, std::uint32_t wme) const {
   std::uint32_t result = tokens[owner].first_child;
-  while (result != kNil && Holds(tokens[result].parent, wme)) {
+  while (result != kNil && tokens.Holds(tokens[result].parent, wme)) {
     result = tokens[result].next_in_bucket;
   }
   return result != kNil;
@@ -214,16 +153,17 @@ bool ReteState::StaysBlocked(std::uint32_t owner, std::uint32_t wme) const {
 /// Finds the owners that nothing will block when the paths with an element have gone: those that are opened first
 /// come last. The element's tokens in paths move behind its other ones.
 void ReteState::FindOpenings(std::uint32_t wme) {
-  pairings.clear();
-  new_paths.clear();
+  const MeetingOrder order(tokens, links);
+  shared.pairings.clear();
+  shared.new_paths.clear();
   std::uint32_t last = kNil;
   for (std::uint32_t token = links[wme].first_token; token != kNil; token = tokens[token].next_of_wme) {
     if (IsInPath(tokens[token])) {
-      new_paths.push_back(token);
+      shared.new_paths.push_back(token);
     }
     last = token;
   }
-  for (const std::uint32_t top : new_paths) {
+  for (const std::uint32_t top : shared.new_paths) {
     if (top != last) {
       Token& moved = tokens[top];
       tokens[moved.next_of_wme].previous_of_wme = moved.previous_of_wme;
@@ -244,10 +184,10 @@ void ReteState::FindOpenings(std::uint32_t wme) {
             if (StaysBlocked(owner, wme)) {
               continue;
             }
-            OwnerAndPath meeting = Meeting(owner, top);
+            OwnerAndPath meeting = order.Meeting(owner, top);
             meeting.due = std::max(meeting.serial, tokens[top].serial);
-            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest path goes first.
-            pairings.push_back(meeting);
+            meeting.place = ~static_cast<std::uint32_t>(shared.pairings.size());  // The newest path goes first.
+            shared.pairings.push_back(meeting);
           }
         } else {
           next = tokens[token].first_child;
@@ -266,20 +206,21 @@ void ReteState::FindOpenings(std::uint32_t wme) {
     }
   }
 
-  new_paths.clear();
-  openings.clear();
-  std::ranges::sort(pairings, {}, &OwnerAndPath::owner);
+  shared.new_paths.clear();
+  shared.openings.clear();
+  std::ranges::sort(shared.pairings, {}, &OwnerAndPath::owner);
   // An owner that several paths blocked is opened when the last of them goes.
-  for (std::size_t first = 0, end; first < pairings.size(); first = end) {
-    OwnerAndPath opening = pairings[first];
-    for (end = first + 1; end < pairings.size() && pairings[end].owner == opening.owner; ++end) {
-      if (CameLater(opening, pairings[end])) {
-        opening = pairings[end];
+  for (std::size_t first = 0, end; first < shared.pairings.size(); first = end) {
+    OwnerAndPath opening = shared.pairings[first];
+    for (end = first + 1; end < shared.pairings.size() && shared.pairings[end].owner == opening.owner; ++end) {
+      if (order.CameLater(opening, shared.pairings[end])) {
+        opening = shared.pairings[end];
       }
     }
-    openings.push_back(opening);
+    shared.openings.push_back(opening);
   }
-  std::ranges::sort(openings, [this](const OwnerAndPath& a, const OwnerAndPath& b) { return CameLater(b, a); });
+  std::ranges::sort(shared.openings,
+                    [&](const OwnerAndPath& a, const OwnerAndPath& b) { return order.CameLater(b, a); });
 }
 
 /// The last path that blocked an owner is going.
@@ -295,17 +236,17 @@ void ReteState::OpenOwner(const OwnerAndPath& opening) {
 
 /// Removes the tokens of an element that may be part of paths.
 void ReteState::RemoveTokensInOrder(std::uint32_t wme) {
-  path_element = false;
+  shared.path_element = false;
   FindOpenings(wme);
-  while (!openings.empty()) {
-    const OwnerAndPath& opening = openings.back();
+  while (!shared.openings.empty()) {
+    const OwnerAndPath& opening = shared.openings.back();
     const std::uint32_t token = links[wme].first_token;
     if (token != kNil && tokens[token].serial > opening.due && !IsInPath(tokens[token])) {
       RemoveTokenOfElement(token);
       continue;
     }
     OpenOwner(opening);
-    openings.pop_back();
+    shared.openings.pop_back();
   }
 }
 

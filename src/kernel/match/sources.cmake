@@ -1,7 +1,11 @@
 # The matcher: topology, memories and the conflict set.
 list(APPEND SOARBOX_KERNEL_SOURCES
+  match/alpha_memories.cpp
   match/match_set.cpp
+  match/match_support.cpp
+  match/meeting_order.cpp
   match/network.cpp
+  match/node_states.cpp
   match/rete.cpp
   match/rete_build.cpp
   match/rete_builder.cpp
@@ -15,5 +19,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/rete_remove.cpp
   match/rete_shared.cpp
   match/rete_sparse.cpp
-  match/rule_info.cpp)
+  match/rule_info.cpp
+  match/sparse_memories.cpp
+  match/token_pool.cpp)
 soarbox_kernel_test(kernel_match_test SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp)

@@ -27,6 +27,10 @@ class TablePool {
     words_[table] = free_[bits];
     free_[bits] = table;
   }
+  /// The highest `bits` bits (1 to 31) of a product.
+  static std::uint32_t Hash(std::uint32_t key, std::uint32_t bits) {
+    return (key * 0x9E3779B1u) >> ((0u - bits) & 31u);
+  }
   std::uint32_t& operator[](std::uint32_t word) { return words_[word]; }
   std::uint32_t operator[](std::uint32_t word) const { return words_[word]; }
   std::size_t MemoryBytes() const { return words_.capacity() * sizeof(std::uint32_t); }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/alpha_memories.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel {
+
+void AlphaMemories::Begin(std::uint32_t alpha) {
+  if (alpha >= states_.size()) {
+    states_.resize(alpha + 1u);
+  }
+  states_[alpha] = AlphaState();
+}
+
+// Both walk from the oldest item, so that each bucket is newest first again.
+void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = states_[alpha];
+  while (memory.count > 1u << bits) {
+    ++bits;
+  }
+  if (memory.id_bits != 0) {
+    tables_.Free(memory.id_table, memory.id_bits);
+  }
+  memory.id_table = tables_.Allocate(bits);
+  memory.id_bits = bits;
+  std::uint32_t index = memory.first;
+  while (index != kNil && items_[index].next != kNil) {
+    index = items_[index].next;
+  }
+  for (; index != kNil; index = items_[index].previous) {
+    std::uint32_t& head = tables_[memory.id_table + TablePool::Hash(items_[index].id, bits)];
+    items_[index].previous_in_bucket = kNil;
+    items_[index].next_in_bucket = head;
+    if (head != kNil) {
+      items_[head].previous_in_bucket = index;
+    }
+    head = index;
+  }
+}
+
+void AlphaMemories::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = states_[alpha];
+  while (memory.count > 1u << bits) {
+    ++bits;
+  }
+  if (memory.pair_bits != 0) {
+    tables_.Free(memory.pair_table, memory.pair_bits);
+  }
+  memory.pair_table = tables_.Allocate(bits);
+  memory.pair_bits = bits;
+  std::uint32_t index = memory.first;
+  while (index != kNil && items_[index].next != kNil) {
+    index = items_[index].next;
+  }
+  for (; index != kNil; index = items_[index].previous) {
+    const std::uint32_t key = PairKey(items_[index].id, items_[index].value);
+    std::uint32_t& head = tables_[memory.pair_table + TablePool::Hash(key, bits)];
+    items_[index].next_in_pair = head;
+    head = index;
+  }
+}
+
+void AlphaMemories::Drop(std::uint32_t alpha, ElementLinks& elements) {
+  AlphaState& memory = states_[alpha];
+  for (std::uint32_t index = memory.first; index != kNil;) {
+    const AlphaItem& item = items_[index];
+    const std::uint32_t next = item.next;
+    std::uint32_t* link = &elements[item.wme].first_item;
+    while (*link != index) {
+      link = &items_[*link].next_of_wme;
+    }
+    *link = item.next_of_wme;
+    Free(index);
+    index = next;
+  }
+  if (memory.id_bits != 0) {
+    tables_.Free(memory.id_table, memory.id_bits);
+  }
+  if (memory.pair_bits != 0) {
+    tables_.Free(memory.pair_table, memory.pair_bits);
+  }
+  memory = AlphaState();
+}
+
+std::uint32_t AlphaMemories::CountInTable(std::uint32_t table, std::uint32_t bits,
+                                          std::uint32_t AlphaItem::*next) const {
+  std::uint32_t count = 0;
+  for (std::uint32_t n = 0; n < 1u << bits; ++n) {
+    for (std::uint32_t item = tables_[table + n]; item != kNil; item = items_[item].*next) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::uint32_t AlphaMemories::CountInIdTable(const AlphaState& memory) const {
+  return CountInTable(memory.id_table, memory.id_bits, &AlphaItem::next_in_bucket);
+}
+
+std::uint32_t AlphaMemories::CountInPairTable(const AlphaState& memory) const {
+  return CountInTable(memory.pair_table, memory.pair_bits, &AlphaItem::next_in_pair);
+}
+
+void AlphaMemories::Release() {
+  items_.Release();
+  free_ = kNil;
+  tables_ = TablePool();
+  std::fill(states_.begin(), states_.end(), AlphaState());
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/match/network.h"
+
+namespace soarbox::kernel {
+
+/// What the match keeps of an element: where it stands.
+struct WmeLinks {
+  std::uint32_t first_item = kNil;
+  std::uint32_t first_token = kNil;
+  std::uint32_t next = kNil, previous = kNil;  ///< All elements in the match, newest first.
+  std::uint64_t serial = 0;                    ///< Of its arrival, then of its departure.
+  bool in_match = false;
+  bool unsorted = false;  ///< The list of its tokens may be out of order.
+};
+static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
+
+/// The elements in the match, newest first, and which of them is leaving.
+///
+/// Invariants: an element is on the list exactly while it is in the match; `serial` of one that is leaving or has left
+/// is that of its departure.
+class ElementLinks {
+ public:
+  WmeLinks& operator[](std::uint32_t wme) { return links_[wme]; }
+  const WmeLinks& operator[](std::uint32_t wme) const { return links_[wme]; }
+  std::uint32_t newest() const { return newest_; }
+  std::uint32_t count() const { return count_; }
+  /// The highest time tag of all elements that have come.
+  std::uint64_t last_timetag() const { return last_timetag_; }
+  void ForgetTimetags() { last_timetag_ = 0; }
+
+  /// An element comes. `room`: how many there may be before the table of elements grows.
+  [[gnu::always_inline]] void Enter(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag, std::size_t room) {
+    if (wme >= links_.size()) {
+      links_.resize(std::max<std::size_t>(wme + 1u, room));
+    }
+    WmeLinks& link = links_[wme];
+    link.first_item = kNil;
+    link.first_token = kNil;
+    link.serial = serial;
+    link.in_match = true;
+    link.unsorted = false;
+    link.previous = kNil;
+    link.next = newest_;
+    if (newest_ != kNil) {
+      links_[newest_].previous = wme;
+    }
+    newest_ = wme;
+    ++count_;
+    last_timetag_ = std::max(last_timetag_, timetag);
+  }
+  /// An element begins to leave: its items and tokens go.
+  void BeginLeaving(std::uint32_t wme, std::uint64_t serial) {
+    leaving_ = wme;
+    arrival_of_leaving_ = links_[wme].serial;
+    links_[wme].serial = serial;
+  }
+  /// It has left.
+  void Leave(WmeLinks& link) {
+    if (link.next != kNil) {
+      links_[link.next].previous = link.previous;
+    }
+    (link.previous != kNil ? links_[link.previous].next : newest_) = link.next;
+    link.in_match = false;
+    --count_;
+    leaving_ = kNil;
+  }
+  /// The element that is leaving, or kNil.
+  std::uint32_t leaving() const { return leaving_; }
+  /// When an element of the match came, also if it is leaving.
+  std::uint64_t ArrivalOf(std::uint32_t wme) const {
+    return wme == leaving_ ? arrival_of_leaving_ : links_[wme].serial;
+  }
+
+  /// Gives all memory back.
+  void Release() {
+    links_ = std::vector<WmeLinks>();
+    newest_ = kNil;
+    count_ = 0;
+  }
+  std::size_t MemoryBytes() const { return links_.capacity() * sizeof(WmeLinks); }
+
+ private:
+  std::vector<WmeLinks> links_;
+  std::uint32_t newest_ = kNil;
+  std::uint32_t count_ = 0;
+  std::uint32_t leaving_ = kNil;
+  std::uint64_t arrival_of_leaving_ = 0;
+  std::uint64_t last_timetag_ = 0;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/match_support.h"
+
+namespace soarbox::kernel {
+
+/// As in Soar 9.6.3 all matches that the rule has have a say, the newest first: the
+/// new one's actions are held against the operator that each of them tests. What elaborates the operator of one match
+/// and changes something else in that or a newer one is called mixed, and i-supported until a still older match
+/// objects.
+bool MatchSupport::ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arrival, const GoalView& goals,
+                             const TokenPool& tokens, std::uint32_t other, std::uint32_t count) {
+  if (arrival.production >= shared_.size()) {
+    shared_.resize(arrival.production + 1u);
+  }
+  if (rule.Proposes(arrival.elements, wmes_, goals.level_of_goal)) {
+    shared_[arrival.production] = SharedOperator();
+    return false;
+  }
+  const auto tell = [&] {
+    if (on_mixed_) {
+      on_mixed_(static_cast<ProductionId>(arrival.production));
+    }
+  };
+  const RuleInfo::OperatorUse own = rule.UseOfOperator(arrival.elements, arrival.goal, arrival.elements, wmes_);
+  SharedOperator& shared = shared_[arrival.production];
+  const std::uint32_t goals_removed = matches_.goals_removed();
+  const bool has_a_say = own.elaborates || own.applies;
+  if (count == 0) {
+    shared = {own.selected, goals_removed, !has_a_say};
+  }
+  // Rules with many matches stay linear: what none of them objects to is not asked of each.
+  if (!has_a_say && shared.none_has_a_say && shared.goals_removed == goals_removed) {
+    return false;
+  }
+  if (own.selected && shared.selected == own.selected && shared.goals_removed == goals_removed) {
+    if (!own.elaborates || !own.applies || mixed_is_o_) {
+      return own.applies;
+    }
+    for (std::uint32_t n = 0; n <= count; ++n) tell();
+    return false;
+  }
+  bool applies = false;
+  const auto consider = [&](const RuleInfo::OperatorUse& use) {
+    applies |= use.applies;
+    if (applies && use.elaborates && !mixed_is_o_) {
+      applies = false;
+      tell();
+    }
+  };
+  consider(own);
+  bool alike = true;
+  bool none_has_a_say = !has_a_say;
+  for (std::uint32_t token = other; token != kNil; token = tokens[token].next_in_bucket) {
+    const std::span<const WmeId> tested = matches_.Wmes(static_cast<MatchId>(tokens[token].key));
+    Symbol goal;
+    GoalLevel level = 0;
+    LowestGoal(rule, tested, goals, goal, level);
+    const RuleInfo::OperatorUse use = rule.UseOfOperator(tested, goal, arrival.elements, wmes_);
+    consider(use);
+    alike &= use.selected == own.selected;
+    none_has_a_say &= !use.elaborates && !use.applies;
+  }
+  shared = {alike ? own.selected : Symbol(), goals_removed, none_has_a_say};
+  return applies;
+}
+
+}  // namespace soarbox::kernel

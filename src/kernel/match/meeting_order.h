@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "kernel/match/element_links.h"
+#include "kernel/match/token_pool.h"
+
+namespace soarbox::kernel {
+
+/// A token that a path blocks, and a token on the path's way down.
+struct OwnerAndPath {
+  std::uint32_t owner = kNil;
+  std::uint32_t prefix = kNil;
+  std::uint32_t path = kNil;
+  std::uint32_t place = 0;    ///< Breaks ties.
+  std::uint32_t node = kNil;  ///< The owner's.
+  std::uint64_t serial = 0;   ///< The owner's.
+  std::uint64_t due = 0;      ///< To be opened: tokens that are younger than this go first.
+};
+
+/// The order in which the owners of shared conjunctions and the paths that block them meet (rete_shared.cpp).
+class [[gnu::visibility("hidden")]] MeetingOrder {
+ public:
+  MeetingOrder(const TokenPool& tokens, const ElementLinks& elements) : tokens_(tokens), elements_(elements) {}
+
+  /// An owner and a token on a path's way down.
+  OwnerAndPath Meeting(std::uint32_t owner, std::uint32_t prefix) const;
+  /// Whether the partial match of a's owner and prefix would have been made after that of b's.
+  bool CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const;
+
+ private:
+  bool CameWithElement(const Token& token) const;
+
+  const TokenPool& tokens_;
+  const ElementLinks& elements_;
+};
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/match/node_states.h"
+
+#include <algorithm>
+
+namespace soarbox::kernel {
+
+void NodeStates::MakeRoom(std::size_t count) {
+  while (states_.size() < count) {
+    marks_.emplace_back();
+    states_.emplace_back();
+  }
+}
+
+void NodeStates::Reset(std::uint32_t node) {
+  if (marks_[node].bits() != 0) {
+    tables_.Free(states_[node].head, marks_[node].bits());
+  }
+  states_[node] = NodeState();
+  marks_[node] = NodeMarks();
+}
+
+// Tokens --------------------------------------------------------------------------------------------------------------
+
+// Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
+void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node) {
+  NodeState& state = states_[node];
+  const std::uint32_t old_bits = marks_[node].bits();
+  const std::uint32_t old_head = state.head;
+  const std::uint32_t bits = old_bits == 0 ? 4 : old_bits + 2;
+  const std::uint32_t table = tables_.Allocate(bits);
+  for (std::uint32_t n = 0; n < 1u << old_bits; ++n) {
+    std::uint32_t index = old_bits == 0 ? old_head : tables_[old_head + n];
+    while (index != kNil && tokens[index].next_in_bucket != kNil) {
+      index = tokens[index].next_in_bucket;
+    }
+    while (index != kNil) {
+      Token& token = tokens[index];
+      const std::uint32_t previous = token.previous_in_bucket;
+      std::uint32_t& head = tables_[table + TablePool::Hash(token.key, bits)];
+      token.previous_in_bucket = kNil;
+      token.next_in_bucket = head;
+      if (head != kNil) {
+        tokens[head].previous_in_bucket = index;
+      }
+      head = index;
+      index = previous;
+    }
+  }
+  if (old_bits != 0) {
+    tables_.Free(old_head, old_bits);
+  }
+  state.head = table;
+  marks_[node].SetBits(bits);
+}
+
+void NodeStates::SortBuckets(TokenPool& tokens, std::uint32_t node) {
+  NodeState& state = states_[node];
+  const std::uint32_t bits = marks_[node].bits();
+  for (std::uint32_t n = 0; n < 1u << bits; ++n) {
+    tokens.SortBucket(bits == 0 ? state.head : tables_[state.head + n]);
+  }
+}
+
+// Links ---------------------------------------------------------------------------------------------------------------
+
+void NodeStates::LinkLeft(std::uint32_t join, std::uint32_t memory) {
+  NodeState& state = states_[join];
+  std::uint32_t& head = states_[memory].first_linked;
+  state.previous_left = kNil;
+  state.next_left = head;
+  if (head != kNil) {
+    states_[head].previous_left = join;
+  }
+  head = join;
+  marks_[join].Set(NodeMarks::kLeftLinked);
+}
+
+void NodeStates::UnlinkLeft(std::uint32_t join, std::uint32_t memory) {
+  const NodeState& state = states_[join];
+  if (state.next_left != kNil) {
+    states_[state.next_left].previous_left = state.previous_left;
+  }
+  if (state.previous_left != kNil) {
+    states_[state.previous_left].next_left = state.next_left;
+  } else {
+    states_[memory].first_linked = state.next_left;
+  }
+  marks_[join].Unset(NodeMarks::kLeftLinked);
+}
+
+// In front of the nearest linked ancestor with the same alpha memory, else at the end: a descendant must see a new
+// element before its ancestor makes tokens of it, or it would see the pair twice.
+void NodeStates::LinkRight(const Network& network, AlphaState& alpha, std::uint32_t node) {
+  NodeState& state = states_[node];
+  std::uint32_t ancestor = network.node(node).ancestor;
+  while (ancestor != kNil && !marks_[ancestor].Is(NodeMarks::kRightLinked)) {
+    ancestor = network.node(ancestor).ancestor;
+  }
+  state.next_right = ancestor;
+  state.previous_right = ancestor == kNil ? alpha.last_node : states_[ancestor].previous_right;
+  (ancestor == kNil ? alpha.last_node : states_[ancestor].previous_right) = node;
+  (state.previous_right == kNil ? alpha.first_node : states_[state.previous_right].next_right) = node;
+  marks_[node].Set(NodeMarks::kRightLinked);
+}
+
+void NodeStates::UnlinkRight(AlphaState& alpha, std::uint32_t node) {
+  const NodeState& state = states_[node];
+  (state.next_right == kNil ? alpha.last_node : states_[state.next_right].previous_right) = state.previous_right;
+  (state.previous_right == kNil ? alpha.first_node : states_[state.previous_right].next_right) = state.next_right;
+  marks_[node].Unset(NodeMarks::kRightLinked);
+}
+
+// All at once ---------------------------------------------------------------------------------------------------------
+
+void NodeStates::Release() {
+  std::fill(states_.begin(), states_.end(), NodeState());
+  std::fill(marks_.begin(), marks_.end(), NodeMarks());
+  tables_ = TablePool();
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// Of right-linked nodes of busy alpha memories: the identifier that an element must have to join, because the node's
+/// memory has one token; 0: that is not known. Empty while no alpha memory is busy.
+class OnlyIds {
+ public:
+  /// See Rete::BusyFrom.
+  std::uint32_t busy_from() const { return busy_from_; }
+  void set_busy_from(std::uint32_t nodes) { busy_from_ = nodes; }
+
+  bool empty() const { return ids_.empty(); }
+  std::uint32_t& operator[](std::uint32_t node) { return ids_[node]; }
+  std::uint32_t operator[](std::uint32_t node) const { return ids_[node]; }
+  const std::uint32_t* data() const { return ids_.data(); }
+  /// From now on there are some, of so many nodes.
+  void Begin(std::size_t nodes) { ids_.resize(nodes); }
+  /// There are so many nodes now.
+  void MakeRoom(std::size_t nodes) {
+    if (!ids_.empty() && ids_.size() < nodes) {
+      ids_.resize(std::max(nodes, ids_.size() * 2));
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> ids_;
+  std::uint32_t busy_from_ = 32;
+};
+
+}  // namespace soarbox::kernel

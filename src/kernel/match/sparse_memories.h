@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "kernel/match/element_links.h"
+#include "kernel/match/record_array.h"
+#include "kernel/match/table_pool.h"
+#include "kernel/match/token_pool.h"
+
+namespace soarbox::kernel {
+
+/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). Stale, and as good as gone, once its
+/// token or its element has left: then their records have changed hands since.
+struct ParkedPair {
+  std::uint32_t parent;
+  std::uint32_t wme;
+  std::uint64_t serial;
+  std::uint32_t key;   ///< As of a token.
+  std::uint32_t next;  ///< In its bucket, or in the free list.
+};
+
+/// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
+/// them into a table by their key.
+struct SparseState {
+  std::uint32_t node = kNil;
+  std::uint32_t tokens = 0;     ///< Pairs that are tokens.
+  std::vector<ParkedPair> log;  ///< In use: the first `logged`.
+  std::uint32_t logged = 0;
+  std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
+  std::uint32_t indexed = 0;    ///< Pairs in the table.
+  std::uint32_t table = kNil;   ///< Of buckets.
+  std::uint8_t bits = 0;        ///< 0: no table.
+  bool unsorted = false;        ///< Buckets of tokens may be out of order.
+  std::uint8_t tries = 0;       ///< How often the memory was plain again after it had been sparse.
+  std::uint32_t saved = 0;      ///< Pairs that went without ever being tokens.
+  std::uint32_t late = 0;       ///< Pairs that became tokens later.
+};
+
+/// The parked pairs of an agent's sparse memories, and what decides which memories are to become sparse or plain.
+///
+/// Invariants: a pair that is not stale stands in the log or in the table of its memory, in one of the two; what is
+/// indexed is counted.
+class [[gnu::visibility("hidden")]] SparseMemories {
+ public:
+  SparseState& operator[](std::uint32_t place) {
+    return *states_[place];
+  }
+  const SparseState& operator[](std::uint32_t place) const {
+    return *states_[place];
+  }
+  /// A place for a memory that becomes sparse.
+  std::uint32_t Take();
+  /// The memory at this place is plain again, and its table has gone.
+  void GiveBack(std::uint32_t place);
+
+  // Pairs ---------------------------------------------------------------------------------------------------------
+
+  static bool IsStale(const TokenPool& tokens, const ElementLinks& elements, const ParkedPair& pair) {
+    return pair.serial < tokens[pair.parent].forgotten || pair.serial < elements[pair.wme].serial;
+  }
+  /// Drops stale pairs from a full log, and lets it grow if that leaves too many.
+  void MakeRoomToPark(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory);
+  /// Moves the log into the table.
+  void Index(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory);
+  /// Takes the pairs with a key out of the table for which `leaves(pair)` is true.
+  template <typename Leaves>
+  void TakePairs(SparseState & memory, std::uint32_t key, Leaves && leaves) {
+    std::uint32_t previous = kNil;
+    const std::uint32_t bucket = memory.table + TablePool::Hash(key, memory.bits);
+    for (std::uint32_t index = tables_[bucket]; index != kNil;) {
+      const ParkedPair& pair = parked_[index];
+      const std::uint32_t next = pair.next;
+      if (pair.key == key && leaves(pair)) {
+        (previous != kNil ? parked_[previous].next : tables_[bucket]) = next;
+        Free(index);
+        --memory.indexed;
+      } else {
+        previous = index;
+      }
+      index = next;
+    }
+  }
+  /// Calls visit(pair) for all pairs in the table, and drops the table.
+  template <typename Visit>
+  void TakeTable(SparseState & memory, Visit && visit) {
+    for (std::uint32_t n = 0; n < 1u << memory.bits; ++n) {
+      for (std::uint32_t index = tables_[memory.table + n]; index != kNil;) {
+        const std::uint32_t next = parked_[index].next;
+        visit(parked_[index]);
+        Free(index);
+        index = next;
+      }
+    }
+    tables_.Free(memory.table, memory.bits);
+  }
+  /// Calls visit(pair) for all pairs in the table.
+  template <typename Visit>
+  void ForEachIndexed(const SparseState& memory, Visit&& visit) const {
+    for (std::uint32_t n = 0; memory.bits != 0 && n < 1u << memory.bits; ++n) {
+      for (std::uint32_t index = tables_[memory.table + n]; index != kNil; index = parked_[index].next) {
+        visit(parked_[index]);
+      }
+    }
+  }
+
+  // Scores --------------------------------------------------------------------------------------------------------
+
+  // The score of a memory that may become sparse: the number of its tries in the lowest bits, above them its points.
+  // On others it is kNil.
+  static constexpr std::uint32_t kTryBits = 3;
+  static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
+  /// See Rete::ParkAfter. Each try makes a memory sixteen times as patient.
+  void ParkAfter(std::uint32_t matches) {
+    for (std::uint32_t tries = 0; tries <= kTryMask; ++tries) {
+      const std::uint64_t points = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);
+      threshold_[tries] = static_cast<std::uint32_t>(points) << kTryBits | tries;
+    }
+  }
+  /// A pair has become a token of a memory that may become sparse, and did or did not join.
+  void AddToScore(std::uint32_t & score, std::uint32_t node, bool joined) {
+    if (joined) {
+      LowerScore(score, 3);
+    } else {
+      score += 1u << kTryBits;
+      if (score == threshold_[score & kTryMask]) {
+        becoming_sparse_.push_back(node);
+      }
+    }
+  }
+  static void LowerScore(std::uint32_t & score, std::uint32_t weight) {
+    score -= std::min(score & ~kTryMask, weight << kTryBits);
+  }
+  /// `count` pairs of a sparse memory became tokens late: that is dear, and it may have to become plain.
+  void CountLate(SparseState & memory, std::size_t count);
+  /// Memories that are to change when the element is in.
+  bool HasChanges() const {
+    return !becoming_sparse_.empty() || !becoming_plain_.empty();
+  }
+  std::vector<std::uint32_t>& becoming_sparse() {
+    return becoming_sparse_;
+  }
+  std::vector<std::uint32_t>& becoming_plain() {
+    return becoming_plain_;
+  }
+
+  // All of them ---------------------------------------------------------------------------------------------------
+
+  /// No log and no table takes more pairs than this.
+  void SetLimit(std::uint32_t most);
+  /// One of them was that long.
+  bool at_limit() const {
+    return log_at_limit_ || parked_.at_limit();
+  }
+  /// Calls visit(state) for those in use.
+  template <typename Visit>
+  void ForEach(Visit && visit) const {
+    for (const auto& state : states_) {
+      if (state->node != kNil) {
+        visit(*state);
+      }
+    }
+  }
+  /// Gives all memory back.
+  void Release();
+  std::size_t MemoryBytes() const;
+
+ private:
+  void GrowTable(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory, std::size_t more);
+  void Free(std::uint32_t index) {
+    parked_[index].next = free_parked_;
+    free_parked_ = index;
+  }
+
+  std::vector<std::unique_ptr<SparseState>> states_;  ///< Those of memories that are plain again are used again.
+  std::vector<std::uint32_t> free_;
+  RecordArray<ParkedPair> parked_;  ///< Indexed ones.
+  std::uint32_t free_parked_ = kNil;
+  TablePool tables_;
+  std::vector<std::uint32_t> becoming_sparse_, becoming_plain_;
+  std::array<std::uint32_t, kTryMask + 1> threshold_{};  ///< By number of tries: the score that makes a memory sparse.
+  std::uint32_t most_ = 0xFFFFFFFFu;
+  bool log_at_limit_ = false;
+};
+
+}  // namespace soarbox::kernel

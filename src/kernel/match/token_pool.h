@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "kernel/match/element_links.h"
+#include "kernel/match/network.h"
+#include "kernel/match/record_array.h"
+#include "kernel/match/rete.h"
+
+namespace soarbox::kernel {
+
+/// A partial match at a node, or a blocking result. Tokens of a parent form a list, newest first; so do the tokens that
+/// hold an element. Kinds, by node:
+///
+/// * memory, negative, conjunctive: stands in a bucket of its node's memory (by `key`).
+/// * result of a negative node (kResultBit set): child of the negative token that it blocks; in no bucket. A blocked
+///   token has results as children, an open one has tokens of later nodes: never both.
+/// * partner: a result inside a conjunction; child of the token above it, and in the list of results of the
+///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that list.
+/// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
+///   the path that blocks it and has no element.
+/// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
+/// * production, guard: `key` is the match.
+/// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens. Of a guarded
+///   rule (rete_guard.cpp): `previous_in_bucket` is kGuarded, `key` the guard.
+///
+/// Tokens that a parked pair was made into late stand at the wrong place of their lists: then kUnsortedBit of the
+/// parent and WmeLinks::unsorted tell that the list is to be sorted by serial number before its order matters.
+struct Token {
+  std::uint32_t parent;
+  std::uint32_t wme;
+  std::uint32_t node;
+  std::uint32_t first_child;
+  std::uint32_t next_sibling, previous_sibling;
+  std::uint32_t next_of_wme, previous_of_wme;
+  std::uint32_t next_in_bucket, previous_in_bucket;
+  std::uint32_t key;
+  std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token that the sparse memory holds, else 0.
+  std::uint64_t serial;     ///< Running number: when it (or the parked pair that it was) reached its node.
+  std::uint64_t forgotten;  ///< Likewise: when a token with parked pairs last gave this record back. They are older.
+
+  static constexpr std::uint32_t kResultBit = 0x80000000u;
+  static constexpr std::uint32_t kBlockedBit = 0x40000000u;
+  static constexpr std::uint32_t kUnsortedBit = 0x20000000u;
+  static constexpr std::uint32_t kNodeMask = 0x1FFFFFFFu;
+  static constexpr std::uint32_t kFixedMatchNode = 0x1FFFFFFFu;
+  static constexpr std::uint32_t kGuarded = 0;  ///< Else kNil.
+};
+static_assert(sizeof(Token) == Rete::kTokenBytes);
+
+/// All tokens of an agent, their lists by parent and by element, and the running numbers that say what came before
+/// what.
+///
+/// Invariants: a token is on the list of its parent and on that of its element, if it has them; a record that is free
+/// has no pairs.
+class [[gnu::visibility("hidden")]] TokenPool {
+ public:
+  Token& operator[](std::uint32_t token) {
+    return records_[token];
+  }
+  const Token& operator[](std::uint32_t token) const {
+    return records_[token];
+  }
+  Records<Token> records() {
+    return records_.records();
+  }
+  Records<const Token> records() const {
+    return records_.records();
+  }
+  Records<const Token> read() const {
+    return records_.records();
+  }
+
+  std::uint64_t next_serial() const {
+    return next_serial_;
+  }
+  std::uint64_t TakeSerial() {
+    return next_serial_++;
+  }
+  /// For loops that count on their own.
+  void set_next_serial(std::uint64_t serial) {
+    next_serial_ = serial;
+  }
+
+  /// Takes a record for a new token. Everything but its bucket and its key is set.
+  [[gnu::always_inline]] std::uint32_t Make(ElementLinks & elements, std::uint32_t node, std::uint32_t parent,
+                                            std::uint32_t wme, std::uint64_t serial) {
+    std::uint32_t index = free_;
+    if (index != kNil) [[likely]] {
+      free_ = records_[index].next_sibling;
+    } else {
+      index = records_.Append();
+      records_[index].pairs = 0;
+      records_[index].forgotten = 0;
+    }
+    const Records<Token> all = records_.records();
+    Token& token = all[index];
+    token.parent = parent;
+    token.wme = wme;
+    token.node = node;
+    token.serial = serial;
+    token.first_child = kNil;
+    token.previous_sibling = kNil;
+    std::uint32_t sibling = kNil;
+    if (parent != kNil) [[likely]] {
+      sibling = all[parent].first_child;
+      all[parent].first_child = index;
+      if (sibling != kNil) {
+        all[sibling].previous_sibling = index;
+      }
+    }
+    token.next_sibling = sibling;
+    token.previous_of_wme = kNil;
+    std::uint32_t other = kNil;
+    if (wme != kNil) [[likely]] {
+      std::uint32_t& head = elements[wme].first_token;
+      other = head;
+      head = index;
+      if (other != kNil) {
+        all[other].previous_of_wme = index;
+      }
+    }
+    token.next_of_wme = other;
+    return index;
+  }
+  [[gnu::always_inline]] std::uint32_t Make(ElementLinks & elements, std::uint32_t node, std::uint32_t parent,
+                                            std::uint32_t wme) {
+    return Make(elements, node, parent, wme, next_serial_++);
+  }
+
+  /// Takes a token off its element's list.
+  [[gnu::always_inline]] static void UnlinkFromElement(ElementLinks & elements, Records<Token> all,
+                                                       const Token& token) {
+    if (token.wme != kNil) [[likely]] {
+      const std::uint32_t next = token.next_of_wme;
+      const std::uint32_t previous = token.previous_of_wme;
+      if (next != kNil) {
+        all[next].previous_of_wme = previous;
+      }
+      (previous != kNil ? all[previous].next_of_wme : elements[token.wme].first_token) = next;
+    }
+  }
+  void UnlinkFromParent(const Token& token) {
+    if (token.parent != kNil) {
+      const Records<Token> all = records_.records();
+      if (token.next_sibling != kNil) {
+        all[token.next_sibling].previous_sibling = token.previous_sibling;
+      }
+      (token.previous_sibling != kNil ? all[token.previous_sibling].next_sibling : all[token.parent].first_child) =
+          token.next_sibling;
+    }
+  }
+  /// Takes a token off the lists of its parent and its element.
+  void Unlink(ElementLinks & elements, std::uint32_t token);
+  /// A token that is on no list any more gives its record back.
+  [[gnu::always_inline]] void Free(Token & token, std::uint32_t index) {
+    token.next_sibling = free_;
+    free_ = index;
+  }
+  [[gnu::always_inline]] void Free(std::uint32_t index) {
+    Free(records_[index], index);
+  }
+
+  /// Newest first.
+  void SortByAge(std::vector<std::uint32_t> & list) const;
+  void SortChildren(std::uint32_t parent);
+  void SortTokensOf(WmeLinks & element);
+  /// `head`: of a bucket.
+  void SortBucket(std::uint32_t & head);
+
+  /// The token at the top of those that lead to a token.
+  std::uint32_t TopOf(std::uint32_t token) const;
+  /// Whether an element is part of what leads to a token; the token at the top has none.
+  bool Holds(std::uint32_t token, std::uint32_t wme) const;
+
+  std::size_t CountInUse() const;
+  /// Calls visit(token) for each record that is free.
+  template <typename Visit>
+  void ForEachFree(Visit && visit) const {
+    for (std::uint32_t token = free_; token != kNil; token = records_[token].next_sibling) {
+      visit(token);
+    }
+  }
+  void SetLimit(std::size_t most) {
+    records_.SetLimit(most);
+  }
+  bool at_limit() const {
+    return records_.at_limit();
+  }
+  /// Gives all memory back.
+  void Release() {
+    records_.Release();
+    free_ = kNil;
+  }
+  std::size_t MemoryBytes() const {
+    return records_.MemoryBytes();
+  }
+
+ private:
+  RecordArray<Token> records_;
+  std::uint32_t free_ = kNil;
+  std::uint64_t next_serial_ = 1;
+  std::vector<std::uint32_t> sorting_;  ///< Scratch: a list to be sorted.
+};
+
+/// The element bound `levels` steps up from a token.
+inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token, std::uint32_t levels) {
+  while (levels-- > 0) {
+    token = tokens[token].parent;
+  }
+  return tokens[token].wme;
+}
+
+/// The element bound `levels` steps up from the token that stands, or would stand, for (parent, wme).
+inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent, std::uint32_t wme,
+                               std::uint32_t levels) {
+  return levels == 0 ? wme : ElementAt(tokens, parent, levels - 1);
+}
+
+}  // namespace soarbox::kernel
