@@ -154,7 +154,7 @@ endfunction()
 # soarbox_library(NAME [LARGE_BATCHES] [SELDOM_RUN] [SINGLY regex] SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
 # A static library soarbox_NAME (alias soarbox::NAME) of the sources listed. Files whose names match the expression after
 # SINGLY are never compiled in batches, as each has a table of the same name. What is SELDOM_RUN (at the speed at which
-# somebody looks or types) a release compiles with -O2, which takes a sixth less time.
+# somebody looks or types) a release compiles with -O1, which takes a quarter less time.
 function(soarbox_library name)
   cmake_parse_arguments(arg "LARGE_BATCHES;SELDOM_RUN" "SINGLY" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
@@ -166,7 +166,7 @@ function(soarbox_library name)
     soarbox_in_batches(soarbox_${name})
   endif()
   if(arg_SELDOM_RUN)
-    target_compile_options(soarbox_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
+    target_compile_options(soarbox_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   if(arg_SINGLY)
     set(single ${arg_SOURCES})

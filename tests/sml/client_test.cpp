@@ -87,7 +87,21 @@ TEST(ClientInput, StructureIsSharedCreatedAndDestroyed) {
   agent->CreateStringWME(plane, "type", "F-18");
   IntElement* count = plane->CreateIntWME("n", 7);
   Identifier* copy = agent->CreateSharedIdWME(link, "copy", plane);
-  EXPECT_EQ(agent->CreateSharedIdWME(link, "copy", plane), nullptr);
+  EXPECT_EQ(agent->CreateSharedIdWME(link, "plane", plane), nullptr) << "the element itself";
+  Identifier* again = agent->CreateSharedIdWME(link, "copy", plane);
+  ASSERT_NE(again, nullptr) << "as in Soar, there may be two of one attribute and value";
+  EXPECT_EQ(link->GetNumberChildren(), 3);
+  agent->RunSelf(1);
+  const auto copies = [&] {
+    const std::string text = agent->ExecuteCommandLine("print --internal i2");
+    int count = 0;
+    for (std::size_t at = text.find("^copy"); at != std::string::npos; at = text.find("^copy", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(copies(), 2);
+  EXPECT_TRUE(again->DestroyWME());
+  agent->RunSelf(1);
+  EXPECT_EQ(copies(), 1);
   EXPECT_EQ(copy->GetNumberChildren(), 2);
   EXPECT_EQ(plane->FindByAttribute("N", 0), count);
   agent->RunSelf(1);

@@ -233,10 +233,10 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
     data_.SetError(kInvalidArgument, "The shared value is no identifier of this agent, or it has been removed");
     return nullptr;
   }
-  for (WMElement* child : parent->symbol_->children_) {
-    Identifier* identifier = child->ConvertToIdentifier();
-    if (identifier && identifier->symbol_ == shared->symbol_ && identifier->attribute_ == attribute) return nullptr;
-  }
+  // As in Soar, other elements may have the same attribute and value; each is removed by itself.
+  const bool is_there = shared->attribute_ == attribute &&
+                        std::ranges::find(parent->symbol_->children_, shared) != parent->symbol_->children_.end();
+  if (is_there) return nullptr;
   Identifier* wme = identifiers_.Take();
   wme->symbol_ = shared->symbol_;
   wme->symbol_->users_.push_back(wme);
