@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <tuple>
 
 #include "cli/command.h"
@@ -240,8 +238,7 @@ bool Statistics(CommandCall& call, std::string_view wanted) {
   return true;
 }
 
-/// Times of parts of the work. They are not taken: all show 0, as while timers are off.
-bool Timers(CommandCall& call, std::string_view wanted) {
+bool EpmemTimers(CommandCall& call, std::string_view wanted) {
   constexpr std::string_view kNames[] = {"_total",
                                          "epmem_api",
                                          "epmem_hash",
@@ -271,16 +268,7 @@ bool Timers(CommandCall& call, std::string_view wanted) {
                                          "query_walk",
                                          "query_walk_edge",
                                          "query_walk_interval"};
-  if (!wanted.empty()) {
-    if (std::find(std::begin(kNames), std::end(kNames), wanted) == std::end(kNames)) return call.Fail("Invalid timer.");
-    call.Out(" 0\n");
-    return true;
-  }
-  Summary summary(40);
-  summary.Rule('=').Text("         Episodic Memory Timers         \n").Rule('=');
-  for (const std::string_view name : kNames) summary.Row(std::string(name) + ":", "0");
-  call.Out(summary.Take());
-  return true;
+  return ShowTimers(call, "         Episodic Memory Timers         ", kNames, wanted);
 }
 
 /// The episode that a word names, or 0.
@@ -375,7 +363,7 @@ bool CommandEpmem(CommandCall& call) {
   if (parsed.Has('e')) return Switch(call, true);
   if (parsed.Has('d')) return Switch(call, false);
   if (parsed.Has('S')) return Statistics(call, parsed.Argument('S').value_or(""));
-  if (parsed.Has('t')) return Timers(call, parsed.Argument('t').value_or(""));
+  if (parsed.Has('t')) return EpmemTimers(call, parsed.Argument('t').value_or(""));
   for (const char option : {'p', 'v'}) {
     if (!parsed.Has(option)) continue;
     const auto episode = parsed.Argument(option);

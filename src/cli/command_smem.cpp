@@ -394,7 +394,6 @@ bool Stats(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// Times of parts of the work. They are not taken: all show 0, as while timers are off.
 bool SmemTimers(CommandCall& call, std::string_view wanted) {
   constexpr std::string_view kNames[] = {
       "_total",          "smem_api",        "smem_hash",       "smem_init",       "smem_ncb_retrieval",
@@ -403,16 +402,7 @@ bool SmemTimers(CommandCall& call, std::string_view wanted) {
       "spreading-7-1",   "spreading-7-2",   "spreading-7-2-1", "spreading-7-2-2", "spreading-7-2-3",
       "spreading-7-2-4", "spreading-7-2-5", "spreading-7-2-6", "spreading-7-2-7", "spreading-7-2-8",
       "spreading-wma-1", "spreading-wma-2", "spreading-wma-3", "three_activation"};
-  if (!wanted.empty()) {
-    if (std::ranges::find(kNames, wanted) == std::end(kNames)) return call.Fail("Invalid timer.");
-    call.Out(" 0\n");
-    return true;
-  }
-  Summary summary(40);
-  summary.Rule('=').Text("         Semantic Memory Timers         \n").Rule('=');
-  for (const std::string_view name : kNames) summary.Row(std::string(name) + ":", "0");
-  call.Out(summary.Take());
-  return true;
+  return ShowTimers(call, "         Semantic Memory Timers         ", kNames, wanted);
 }
 
 /// The text of an option that wants braces, or a failure.

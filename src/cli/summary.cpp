@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "cli/command.h"
+
 namespace soarbox::cli {
 
 Summary& Summary::Rule(char line) {
@@ -40,6 +44,20 @@ Summary& Summary::Row(std::string_view name, std::string_view value, std::string
 Summary& Summary::Text(std::string_view text) {
   text_ += text;
   return *this;
+}
+
+bool ShowTimers(CommandCall& call, std::string_view title, std::span<const std::string_view> names,
+                std::string_view wanted) {
+  if (!wanted.empty()) {
+    if (std::ranges::find(names, wanted) == names.end()) return call.Fail("Invalid timer.");
+    call.Out(" 0\n");
+    return true;
+  }
+  Summary summary(40);
+  summary.Rule('=').Text(title).Text("\n").Rule('=');
+  for (const std::string_view name : names) summary.Row(std::string(name) + ":", "0");
+  call.Out(summary.Take());
+  return true;
 }
 
 std::string Shortest(double value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,11 @@ class Summary {
   int width_;
   std::string text_;
 };
+
+/// Prints how long parts of a memory's work took: all of them below a title, or the one that is wanted. They are not
+/// measured: all show 0, as while timers are off.
+bool ShowTimers(struct CommandCall& call, std::string_view title, std::span<const std::string_view> names,
+                std::string_view wanted);
 
 /// Numbers as settings show them: the shortest text that reads back the same.
 std::string Shortest(double value);

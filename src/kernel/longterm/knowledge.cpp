@@ -76,6 +76,15 @@ std::vector<Edge> Knowledge::OrderedEdgesAt(std::uint32_t place) const {
   return edges;
 }
 
+std::size_t MemberList::FirstNotBefore(std::uint32_t row) const {
+  // What a layer adds has greater rows than all that it inherits.
+  const auto first_in = [row](std::span<const Member> members) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(members, row, {}, &Member::row) - members.begin());
+  };
+  const std::size_t slot = first_in(inherited_);
+  return slot < inherited_.size() ? slot : slot + first_in(own_);
+}
+
 MemberList Knowledge::ListAt(std::uint32_t list) const {
   if (base_ == nullptr) return {{}, lists_[list], 0, *this};
   if ((list & kInherited) != 0) return {base_->lists_[list & ~kInherited], {}, 0, *this};
@@ -202,16 +211,8 @@ std::string Knowledge::CheckInvariants() const {
         const std::uint32_t list = FindList(edge.attribute, value);
         if (list == kNowhere) return "an augmentation of " + name + " has no index";
         const MemberList all = ListAt(list);
-        std::size_t low = 0, high = all.slots();
-        while (low < high) {
-          const std::size_t middle = (low + high) / 2;
-          if (all.At(middle).row < edge.row) {
-            low = middle + 1;
-          } else {
-            high = middle;
-          }
-        }
-        if (low == all.slots() || all.At(low).row != edge.row || all.At(low).object != place || all.IsHidden(low)) {
+        const std::size_t slot = all.FirstNotBefore(edge.row);
+        if (slot == all.slots() || all.At(slot).row != edge.row || all.At(slot).object != place || all.IsHidden(slot)) {
           return "an augmentation of " + name + " is missing in an index";
         }
       }

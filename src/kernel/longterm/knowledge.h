@@ -43,6 +43,8 @@ class MemberList {
     return slot < inherited_.size() ? inherited_[slot] : own_[slot - inherited_.size()];
   }
   bool IsHidden(std::size_t slot) const;
+  /// The first slot whose row is not below `row`, or slots().
+  std::size_t FirstNotBefore(std::uint32_t row) const;
   template <class Function>
   void ForEach(const Function& function) const {
     for (std::size_t slot = 0; slot < slots(); ++slot) {

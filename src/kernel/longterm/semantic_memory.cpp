@@ -79,8 +79,7 @@ void SemanticMemory::Share() {
 }
 
 bool SemanticMemory::TakeText(std::string_view text) {
-  const bool is_empty = knowledge_->object_count() == 0 && knowledge_->terms().empty() && !knowledge_->is_layer();
-  if (!is_empty || journal_ != nullptr || traced_) return false;
+  if (journal_ != nullptr || traced_) return false;
   std::shared_ptr<Knowledge> known = KnowledgeOfText(KeyOfText(text, knowledge_->next_number()));
   if (known == nullptr) return false;
   knowledge_ = std::move(known);

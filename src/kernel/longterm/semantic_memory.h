@@ -116,8 +116,8 @@ class SemanticMemory final : public MemoryModule {
   /// Shares the knowledge with other agents that know the very same, if there are any. Done by itself when the agent
   /// runs first. Who changes shared knowledge gets a layer of its own over it.
   void Share();
-  /// For whoever is about to add a large text of knowledge: true if the memory is empty, and now shares what an agent
-  /// made of the same text before. Else, call NoteText when all of the text has been added.
+  /// For whoever is about to add a large text of knowledge to an empty memory: true if it shares now what an agent made
+  /// of the same text before. Else, call NoteText when all of the text has been added.
   bool TakeText(std::string_view text);
   void NoteText(std::string_view text, Lti next_number);
   bool shares() const { return shared_; }
