@@ -48,29 +48,6 @@ std::string_view NameOf(Memory memory) {
   return memory == Memory::kSemantic ? "semantic" : "episodic";
 }
 
-/// Looks at the header of a file without opening it as a database. Nothing: it may be opened, or made.
-std::optional<Diagnostic> LookAt(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return {};
-  if (std::filesystem::is_directory(path, error)) return Problem(path, "is a folder", "name a file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Problem(path, "cannot be read");
-  unsigned char header[100] = {};
-  file.read(reinterpret_cast<char*>(header), sizeof(header));
-  const std::streamsize size = file.gcount();
-  if (size == 0) return {};
-  if (size < 100 || std::memcmp(header, "SQLite format 3", 16) != 0) {
-    return Problem(path, "is not a database", "name another file; this one was not touched");
-  }
-  if (BigEndian(header + 68) != kApplicationId) {
-    return Problem(path, "is a database of another program", "name another file; this one was not touched");
-  }
-  if (BigEndian(header + 60) > kSchemaVersion) {
-    return Problem(path, "was written by a newer version of Soarbox", "use that version; the file was not touched");
-  }
-  return {};
-}
-
 /// A prepared statement that is finished when it goes.
 class Statement {
  public:
@@ -102,6 +79,62 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
   int status_ = SQLITE_OK;
 };
+
+/// Of a database of another program: why it is refused. Reads it as it is, without the files that SQLite puts beside
+/// it.
+Diagnostic RefusalOfForeign(const std::string& path) {
+  std::string address = "file:";
+  for (const char c : path) {
+    if (c == '%' || c == '?' || c == '#') {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      address += '%';
+      address += kDigits[static_cast<unsigned char>(c) >> 4];
+      address += kDigits[static_cast<unsigned char>(c) & 15];
+    } else {
+      address += c;
+    }
+  }
+  address += "?immutable=1";
+  sqlite3* database = nullptr;
+  const bool is_open =
+      sqlite3_open_v2(address.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr) == SQLITE_OK;
+  const auto has_table = [&](const char* name) {
+    Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
+    table.Bind(1, std::string_view(name));
+    return table.Step() == SQLITE_ROW;
+  };
+  Diagnostic problem = Problem(path, "is a database of another program", "name another file; this one was not touched");
+  if (is_open && has_table("smem_persistent_variables")) {
+    problem = Problem(path, "is a database that Soar wrote",
+                      "open it in Soar, type smem --export FILE there and source FILE here; this one was not touched");
+  } else if (is_open && has_table("epmem_persistent_variables")) {
+    problem = Problem(path, "is a database of episodes that Soar wrote, which only Soar can read",
+                      "name another file; this one was not touched");
+  }
+  sqlite3_close(database);
+  return problem;
+}
+
+/// Looks at the header of a file without opening it as a database. Nothing: it may be opened, or made.
+std::optional<Diagnostic> LookAt(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return {};
+  if (std::filesystem::is_directory(path, error)) return Problem(path, "is a folder", "name a file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Problem(path, "cannot be read");
+  unsigned char header[100] = {};
+  file.read(reinterpret_cast<char*>(header), sizeof(header));
+  const std::streamsize size = file.gcount();
+  if (size == 0) return {};
+  if (size < 100 || std::memcmp(header, "SQLite format 3", 16) != 0) {
+    return Problem(path, "is not a database", "name another file; this one was not touched");
+  }
+  if (BigEndian(header + 68) != kApplicationId) return RefusalOfForeign(path);
+  if (BigEndian(header + 60) > kSchemaVersion) {
+    return Problem(path, "was written by a newer version of Soarbox", "use that version; the file was not touched");
+  }
+  return {};
+}
 
 class SqliteJournal final : public kernel::Journal {
  public:

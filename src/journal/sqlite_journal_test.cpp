@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -105,6 +106,34 @@ TEST_F(SqliteJournal, ForeignFilesAreRefusedAndNotTouched) {
   EXPECT_THAT(Refusal(""), HasSubstr("no file is named"));
   { OpenOr(Path("a.db")); }
   EXPECT_THAT(Refusal(Path("a.db"), Memory::kEpisodic), HasSubstr("another kind"));
+}
+
+/// Databases as Soar 9.6 lays them out: they are recognised by name, even in a folder whose name is no address.
+TEST_F(SqliteJournal, SoarsOwnFilesAreRefusedWithAWayToReadThem) {
+  fs::create_directory(Path("50% #?"));
+  const std::pair<Memory, std::string> kinds[] = {{Memory::kSemantic, "smem"}, {Memory::kEpisodic, "epmem"}};
+  for (const auto& [memory, prefix] : kinds) {
+    const std::string path = Path("50% #?/" + prefix + ".db");
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    const std::string tables = "CREATE TABLE versions(system TEXT PRIMARY KEY, version_number TEXT);CREATE TABLE " +
+                               prefix +
+                               "_persistent_variables(variable_id INTEGER PRIMARY KEY, variable_value NUMERIC)";
+    ASSERT_EQ(sqlite3_exec(database, tables.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+    const std::string before = Contents(path);
+    for (const bool overwrite : {false, true}) {
+      OpenOptions options;
+      options.overwrite = overwrite;
+      const Result<OpenedJournal> opened = Open(path, memory, options);
+      ASSERT_FALSE(opened.ok());
+      EXPECT_THAT(opened.error().message, HasSubstr(path));
+      EXPECT_THAT(opened.error().message, HasSubstr("that Soar wrote"));
+      EXPECT_THAT(opened.error().hint, HasSubstr(memory == Memory::kSemantic ? "smem --export" : "another file"));
+    }
+    EXPECT_EQ(Contents(path), before);
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(Path("50% #?")), fs::directory_iterator()), 2);
 }
 
 TEST_F(SqliteJournal, DamageIsFoundAndNotMended) {
