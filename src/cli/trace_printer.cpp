@@ -11,6 +11,7 @@
 #include "cli/session.h"
 #include "cli/stack_printer.h"
 #include "kernel/decide/exploration.h"
+#include "kernel/longterm/episodic_memory.h"
 #include "kernel/longterm/long_term.h"
 #include "kernel/longterm/semantic_memory.h"
 #include "kernel/rules/print_production.h"
@@ -102,6 +103,9 @@ void TracePrinter::Update() {
   kernel::LongTerm& long_term = session_.agent().long_term();
   if (trace.On(TraceFlag::kSmem) || kernel::SemanticMemory::Find(long_term) != nullptr) {
     kernel::SemanticMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kSmem));
+  }
+  if (trace.On(TraceFlag::kEpmem) || kernel::EpisodicMemory::Find(long_term) != nullptr) {
+    kernel::EpisodicMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kEpmem));
   }
   session_.agent().AddObserver(*this, mask);
 }

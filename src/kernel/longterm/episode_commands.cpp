@@ -237,6 +237,14 @@ void EpisodeCommands::TellQuery(GoalLevel level, const Command& command, const E
   Tell(level, answer.episode, question, reason);
 }
 
+void EpisodeCommands::TraceQuery(const EpisodeQuery& query) const {
+  const auto word = [](bool is_so) { return is_so ? "true" : "false"; };
+  for (const SurfaceStep& step : StepsOf(store_, query)) {
+    uses_.observers.Print(std::string("NEW KING (perfect, graph-match): (") + word(step.is_perfect) + ", " +
+                          word(step.ends_search) + ")\n");
+  }
+}
+
 void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& output) {
   ++counters_.queries;
   const Reach positive = ReachOf(command.argument);
@@ -254,6 +262,7 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
         std::clamp<std::int64_t>(*command.after, 0, static_cast<std::int64_t>(store_.last())) + 1);
   }
   query.window.prohibited = command.prohibited;
+  if (traced_) TraceQuery(query);
   const EpisodeAnswer answer = Answer(store_, query);
   TellQuery(level, command, query, answer);
   const std::vector<std::uint32_t> order = ListingOrder(query.positive, query.negative);

@@ -38,6 +38,8 @@ class EpisodeCommands {
   void Clear();
   void ForEachHeld(const std::function<void(PreferenceId)>& visit) const;
   CommandWatch& watch() { return watch_; }
+  /// Prints which episodes queries found better than those before (`trace --epmem`).
+  void SetTrace(bool on) { traced_ = on; }
 
  private:
   /// The command of a state, as it was read last.
@@ -88,6 +90,7 @@ class EpisodeCommands {
   /// Tells observers what came of a command, and why.
   void Tell(GoalLevel level, EpisodeNumber episode, std::string_view question, std::string_view reason) const;
   void TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query, const EpisodeAnswer& answer) const;
+  void TraceQuery(const EpisodeQuery& query) const;
   Symbol Word(const char* text) const;
 
   AgentParts uses_;
@@ -100,6 +103,7 @@ class EpisodeCommands {
   std::vector<State> states_;  ///< By level, from 0.
   std::vector<std::uint32_t> free_places_;
   std::uint32_t places_ = 0;
+  bool traced_ = false;
 };
 
 }  // namespace soarbox::kernel

@@ -131,7 +131,7 @@ void EpisodeCue::OrderVariables() {
   }
 }
 
-EpisodeNumber EpisodeWindow::Latest(EpisodeNumber episode) const {
+EpisodeNumber EpisodeWindow::Latest(EpisodeNumber episode, EpisodeNumber least) const {
   episode = std::min(episode, last);
   auto at = std::upper_bound(prohibited.begin(), prohibited.end(), episode);
   while (at != prohibited.begin() && *std::prev(at) == episode) {
@@ -139,7 +139,7 @@ EpisodeNumber EpisodeWindow::Latest(EpisodeNumber episode) const {
     --episode;
     while (at != prohibited.begin() && *std::prev(at) > episode) --at;  // Given twice.
   }
-  return episode >= first ? episode : 0;
+  return episode >= least ? episode : 0;
 }
 
 }  // namespace soarbox::kernel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -80,7 +81,12 @@ struct EpisodeWindow {
   std::vector<EpisodeNumber> prohibited;  ///< In order.
 
   /// The latest episode up to `episode` that may be returned; 0 if there is none.
-  EpisodeNumber Latest(EpisodeNumber episode) const;
+  EpisodeNumber Latest(EpisodeNumber episode) const { return Latest(episode, first); }
+  /// The same, were `least` the first.
+  EpisodeNumber Latest(EpisodeNumber episode, EpisodeNumber least) const;
+  /// Whether the first is prohibited, so that a walk back that steps over what is prohibited may step out of the
+  /// window: as in Soar 9.6.3, what it meets there may be returned.
+  bool is_open() const { return std::binary_search(prohibited.begin(), prohibited.end(), first); }
 };
 
 }  // namespace soarbox::kernel

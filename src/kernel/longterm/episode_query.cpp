@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "kernel/longterm/graph_match.h"
-#include "kernel/longterm/surface_match.h"
 
 namespace soarbox::kernel {
 
@@ -73,12 +72,28 @@ EpisodeNumber NegativeLeaves::LatestWithout(EpisodeNumber episode) {
 
 // Queries -------------------------------------------------------------------------------------------------------------
 
+namespace {
+
+bool CanBeAnswered(const EpisodeQuery& query) {
+  return query.window.first <= query.window.last && query.positive.variable_count() != 0;
+}
+
+bool WantsGraph(const EpisodeQuery& query) {
+  return query.graph_match && query.positive.leaf_count() > 0;
+}
+
+SurfaceMatch::OnPerfect GraphAt(GraphMatch& matcher) {
+  return [&](EpisodeNumber at) { return matcher.Find(at, at, [](EpisodeNumber episode) { return episode; }); };
+}
+
+}  // namespace
+
 EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query) {
   EpisodeAnswer answer;
   const EpisodeWindow& window = query.window;
-  if (window.last < window.first || query.positive.variable_count() == 0) return answer;
-  const bool graph = query.graph_match && query.positive.leaf_count() > 0;
-  const bool graph_first = graph && query.positive.all_weigh() && query.negative.all_weigh();
+  if (!CanBeAnswered(query)) return answer;
+  const bool graph = WantsGraph(query);
+  const bool graph_first = graph && query.positive.all_weigh() && query.negative.all_weigh() && !window.is_open();
   GraphMatch matcher(store, query.positive);
   if (graph_first) {
     NegativeLeaves negative(store, query.negative);
@@ -102,9 +117,7 @@ EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query) {
     }
   }
   SurfaceMatch::OnPerfect on_perfect;
-  if (graph && !graph_first) {
-    on_perfect = [&](EpisodeNumber at) { return matcher.Find(at, at, [](EpisodeNumber episode) { return episode; }); };
-  }
+  if (graph && !graph_first) on_perfect = GraphAt(matcher);
   const SurfaceScore best = SurfaceMatch(store, query.positive, query.negative).Find(window, on_perfect);
   answer.episode = best.episode;
   answer.score = best.score;
@@ -114,6 +127,16 @@ EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query) {
     answer.nodes = matcher.nodes();
   }
   return answer;
+}
+
+std::vector<SurfaceStep> StepsOf(const EpisodeStore& store, const EpisodeQuery& query) {
+  std::vector<SurfaceStep> steps;
+  if (!CanBeAnswered(query)) return steps;
+  GraphMatch matcher(store, query.positive);
+  SurfaceMatch::OnPerfect on_perfect;
+  if (WantsGraph(query)) on_perfect = GraphAt(matcher);
+  SurfaceMatch(store, query.positive, query.negative).Find(query.window, on_perfect, &steps);
+  return steps;
 }
 
 }  // namespace soarbox::kernel

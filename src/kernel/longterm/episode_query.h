@@ -7,6 +7,7 @@
 
 #include "kernel/longterm/episode_cue.h"
 #include "kernel/longterm/episode_store.h"
+#include "kernel/longterm/surface_match.h"
 
 namespace soarbox::kernel {
 
@@ -27,6 +28,10 @@ struct EpisodeAnswer {
 /// The episode that answers a query: the latest in which the positive cue holds as a graph and no leaf of the negative
 /// one does; if there is none, or graphs are not asked for, the one with the best surface score.
 EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query);
+
+/// What is the best on the way when a query is answered as Soar answers it, episode by episode from the latest one
+/// back.
+std::vector<SurfaceStep> StepsOf(const EpisodeStore& store, const EpisodeQuery& query);
 
 /// Tells in which episodes a leaf of a negative cue holds.
 class NegativeLeaves {

@@ -214,6 +214,8 @@ class RandomWorld {
     query.window.last = Draw(2) == 0 ? store.last() : Draw(store.last() + 1);
     query.window.first = 1 + (Draw(2) == 0 ? 0 : Draw(store.last()));
     for (unsigned n = Draw(2) * Draw(8); n > 0; --n) query.window.prohibited.push_back(1 + Draw(store.last()));
+    // Where the first is prohibited, Soar steps out of the window: trying everything would not.
+    std::erase(query.window.prohibited, query.window.first);
     std::sort(query.window.prohibited.begin(), query.window.prohibited.end());
     query.graph_match = Draw(4) != 0;
     return query;

@@ -58,6 +58,8 @@ class EpisodicMemory final : public MemoryModule {
   std::uint64_t DecisionOf(EpisodeNumber episode) const { return decisions_[episode - 1]; }
   /// The number that the next episode will have.
   EpisodeNumber time() const { return store_.last() + 1; }
+  /// `trace --epmem`.
+  void SetTrace(bool on) { commands_.SetTrace(on); }
   /// Closes the file, if there is one, which keeps what it has, and begins anew without episodes.
   void Close();
 

@@ -121,14 +121,16 @@ void SurfaceMatch::Add() {
   changed_ = false;
 }
 
-SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on_perfect) {
+SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on_perfect,
+                                std::vector<SurfaceStep>* steps) {
   SurfaceScore best;
   if (window.last < window.first) return best;
+  const EpisodeNumber least = window.is_open() ? 1 : window.first;
   Expand(positive_, 0, 1);
   Expand(negative_, positive_.variable_count(), -1);
   for (std::uint32_t pair = 0; pair < pairs_.size(); ++pair) {
     const EpisodeNumber held = store_.Latest(pairs_[pair].fact, window.last);
-    if (held < window.first) continue;
+    if (held < least) continue;
     Schedule(pair, held);
     if (pairs_[pair].leaf != kNone) ++leaves_[pairs_[pair].leaf].possible;
   }
@@ -151,8 +153,7 @@ SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on
       if (pair.holds) {
         // It ends, going back, before its interval begins.
         Schedule(at, store_.SameSince(pair.fact, episode) - 1);
-      } else if (const EpisodeNumber earlier = episode == 0 ? 0 : store_.Latest(pair.fact, episode);
-                 earlier >= window.first) {
+      } else if (const EpisodeNumber earlier = episode == 0 ? 0 : store_.Latest(pair.fact, episode); earlier >= least) {
         Schedule(at, earlier);
       } else {
         exhausted(pair);
@@ -160,14 +161,18 @@ SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on
     }
     if (episode < window.first) break;
     if (changed_) Add();
-    const EpisodeNumber until = heap_.empty() ? window.first : std::max(window.first, heap_.front().first + 1);
-    const EpisodeNumber candidate = window.Latest(episode);
+    const EpisodeNumber until = heap_.empty() ? window.first : std::max(least, heap_.front().first + 1);
+    const EpisodeNumber candidate = window.Latest(episode, least);
     if (!leaf_seen_ || candidate < until) continue;
     const bool is_perfect = cardinality_ == perfect && perfect > 0;
     if (is_perfect && on_perfect && (best.episode == 0 || score_ >= best.score) && on_perfect(candidate)) {
+      if (steps != nullptr) steps->push_back({candidate, true, true});
       return {candidate, score_, cardinality_};
     }
-    if (best.episode == 0 || score_ > best.score) best = {candidate, score_, cardinality_};
+    if (best.episode == 0 || score_ > best.score) {
+      best = {candidate, score_, cardinality_};
+      if (steps != nullptr) steps->push_back({candidate, is_perfect, is_perfect && !on_perfect});
+    }
     if (bounded && !on_perfect && best.score >= possible_) break;
   }
   return best;

@@ -19,6 +19,13 @@ struct SurfaceScore {
   std::int32_t cardinality = 0;  ///< Positive leaves that held less negative ones that did.
 };
 
+/// An episode that scored more than all later ones, or the same and holds the cue as a graph.
+struct SurfaceStep {
+  EpisodeNumber episode = 0;
+  bool is_perfect = false;  ///< All positive leaves hold, no negative one does.
+  bool ends_search = false;
+};
+
 /// The episode whose score is best, the latest of these. A leaf counts once in an episode, and only if all that leads
 /// to it holds; a variable stands for any node there, and for several at a time.
 ///
@@ -33,8 +40,9 @@ class SurfaceMatch {
   SurfaceMatch(const EpisodeStore& store, const EpisodeCue& positive, const EpisodeCue& negative)
       : store_(store), positive_(positive), negative_(negative) {}
 
-  /// `on_perfect` may be empty.
-  SurfaceScore Find(const EpisodeWindow& window, const OnPerfect& on_perfect);
+  /// `on_perfect` may be empty. `steps`, if there, gets what was the best on the way.
+  SurfaceScore Find(const EpisodeWindow& window, const OnPerfect& on_perfect,
+                    std::vector<SurfaceStep>* steps = nullptr);
 
  private:
   /// A variable as a node: held when each edge to the variable has a fact that holds and comes from a held cell.
