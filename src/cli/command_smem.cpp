@@ -271,9 +271,6 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   }
   Apply(call);
   call.Out(fmt::format("{} is now {}\n", name, value));
-  if (name == "spreading-edge-updating" && value == "on") {
-    call.Hint(name + " has no effect in this build", "the setting is kept, so that agents' files load");
-  }
   if (is_place || name == "append" || name == "optimization") {
     if (!memory.opened()) {
       OpenLater(call);

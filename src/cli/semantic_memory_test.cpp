@@ -220,12 +220,23 @@ TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
     desk->Do("sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.kind k)}");
   }
   third.Do("smem --add {(@7 ^more x)}");
-  for (Desk* desk : {&first, &second, &third}) desk->Do("run 2");
+  // One value differs, or only what was met and forgotten again, in whose order values are shown.
+  Desk fourth(folder_), fifth(folder_);
+  std::string others = facts;
+  others.replace(others.find("^n 100)"), 7, "^n 999)");
+  fourth.Do("smem --enable; smem --add {" + others + "}");
+  fifth.Do("smem --enable; smem --add {" + facts + "}; smem --add {(@1 ^z y)}; smem --remove {(@1 ^z)}");
+  for (Desk* desk : {&fourth, &fifth}) {
+    desk->Do("sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.kind k)}");
+  }
+  for (Desk* desk : {&first, &second, &third, &fourth, &fifth}) desk->Do("run 2");
   const auto memory = [](Desk& desk) -> kernel::SemanticMemory& {
     return kernel::SemanticMemory::Of(desk.agent.long_term());
   };
   EXPECT_EQ(&memory(first).knowledge(), &memory(second).knowledge());
   EXPECT_NE(&memory(first).knowledge(), &memory(third).knowledge());
+  EXPECT_NE(&memory(first).knowledge(), &memory(fourth).knowledge());
+  EXPECT_NE(&memory(first).knowledge(), &memory(fifth).knowledge());
   // Activation is each agent's own; who learns something new has a layer of its own from then on.
   second.Do("smem --add {(@201 ^kind k)}");
   EXPECT_NE(&memory(first).knowledge(), &memory(second).knowledge());

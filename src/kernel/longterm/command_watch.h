@@ -26,7 +26,9 @@ class CommandWatch {
     for (const std::span<const WmeId> list : {added, removed}) {
       for (const WmeId wme : list) {
         const std::uint32_t index = wmes[Index(wme)].id.index();
-        changed_ = changed_ || (index < watched_.size() && watched_[index] != 0);
+        if (index >= watched_.size() || watched_[index] == 0) continue;
+        changed_ = true;
+        return;
       }
     }
   }

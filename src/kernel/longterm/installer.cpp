@@ -46,14 +46,13 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
     if (uses_.chunker.settings().learning()) uses_.chunker.NoteFiring(id);
   }
   // An instantiation lists its preferences last first.
-  std::vector<PreferenceId> preferences;
-  preferences.reserve(triples.size());
+  preferences_.clear();
   for (const Triple& triple : triples) {
-    preferences.push_back(uses_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),
-                                                 PreferenceType::kAcceptable, o_support));
+    preferences_.push_back(uses_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),
+                                                  PreferenceType::kAcceptable, o_support));
   }
   uses_.preferences.LinkToGoal(id);
-  for (const PreferenceId preference : preferences) {
+  for (const PreferenceId preference : preferences_) {
     if (!uses_.preferences.Assert(preference)) {
       uses_.preferences.FreeIfUnused(preference);
     } else if (made != nullptr) {

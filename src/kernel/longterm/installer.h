@@ -64,6 +64,7 @@ class Installer {
   bool GivesOSupport() const;
 
   Uses uses_;
+  std::vector<PreferenceId> preferences_;  ///< Of the instantiation at hand.
 };
 
 }  // namespace soarbox::kernel

@@ -51,28 +51,25 @@ std::vector<Edge>& Knowledge::OwnEdgesAt(std::uint32_t place) {
   return changed_edges_[changed];
 }
 
+void Knowledge::OrderEdgesAt(std::uint32_t place, std::vector<RankedEdge>& edges) const {
+  edges.clear();
+  for (const Edge& edge : EdgesAt(place)) edges.push_back({terms_.Order(edge.attribute), edge});
+  const auto before = [this](const RankedEdge& a, const RankedEdge& b) {
+    if (a.rank != b.rank) return a.rank < b.rank;
+    const StoreTerm one = a.edge.value, other = b.edge.value;
+    if (one.IsObject() != other.IsObject()) return one.IsObject();
+    if (one.IsObject()) return NumberAt(one.index()) < NumberAt(other.index());
+    return terms_.Order(one) < terms_.Order(other);
+  };
+  if (!std::ranges::is_sorted(edges, before)) std::ranges::sort(edges, before);
+}
+
 std::vector<Edge> Knowledge::OrderedEdgesAt(std::uint32_t place) const {
-  struct Ranked {
-    std::uint64_t rank;
-    Lti number;
-    Edge edge;
-  };
-  std::vector<Ranked> ranked;
-  for (const Edge& edge : EdgesAt(place)) {
-    const std::uint64_t attribute = std::uint64_t{terms_.Order(edge.attribute)} << 32;
-    if (edge.value.IsObject()) {
-      ranked.push_back({attribute, NumberAt(edge.value.index()), edge});
-    } else {
-      ranked.push_back({attribute + terms_.Order(edge.value) + 1, 0, edge});
-    }
-  }
-  const auto before = [](const Ranked& a, const Ranked& b) {
-    return a.rank != b.rank ? a.rank < b.rank : a.number < b.number;
-  };
-  if (!std::ranges::is_sorted(ranked, before)) std::ranges::sort(ranked, before);
+  std::vector<RankedEdge> ranked;
+  OrderEdgesAt(place, ranked);
   std::vector<Edge> edges;
   edges.reserve(ranked.size());
-  for (const Ranked& one : ranked) edges.push_back(one.edge);
+  for (const RankedEdge& one : ranked) edges.push_back(one.edge);
   return edges;
 }
 

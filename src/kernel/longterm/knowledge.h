@@ -22,6 +22,12 @@ struct Edge {
   std::uint32_t row = 0;
 };
 
+/// An augmentation with the place of its attribute in the order in which the store met them.
+struct RankedEdge {
+  std::uint32_t rank = 0;
+  Edge edge;
+};
+
 /// An augmentation as an entry of an index.
 struct Member {
   std::uint32_t row = 0;
@@ -105,6 +111,8 @@ class Knowledge {
   /// The order in which an object's augmentations are shown and retrieved: by attribute, and of one attribute first
   /// the objects by number, then the constants; attributes and constants in the order in which the store met them.
   std::vector<Edge> OrderedEdgesAt(std::uint32_t place) const;
+  /// The same, in `edges` instead of what is there.
+  void OrderEdgesAt(std::uint32_t place, std::vector<RankedEdge>& edges) const;
   bool Has(std::uint32_t place, StoreTerm attribute, StoreTerm value) const;
   bool Has(std::uint32_t place, StoreTerm attribute) const;
   /// False if it is there already.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "kernel/base/symbol_table.h"
@@ -14,30 +13,6 @@
 
 namespace soarbox::kernel {
 
-/// The command of one state, as its elements say it.
-struct SemanticMemory::Command {
-  enum class Kind { kNone, kBad, kStore, kStoreNew, kRetrieve, kQuery };
-
-  std::vector<WmeId> wmes;  ///< On the command link, and those of ^query and ^store objects; last: that of ^result.
-  State::Seen store, other;
-  Kind kind = Kind::kNone;
-  std::vector<Symbol> stored;  ///< In the order of their elements.
-  Symbol asked;                ///< ^retrieve, ^query
-  Symbol negative, math;
-  std::vector<Symbol> prohibited;
-  std::int64_t depth = 1;
-  bool link = true;  ///< link-to-ltm, or link-to-new-ltm.
-};
-
-/// What a retrieval puts into working memory.
-struct SemanticMemory::Retrieval {
-  GoalLevel level = 0;
-  bool link = true;
-  std::vector<Triple> contents;
-  std::map<std::uint32_t, Symbol> made;  ///< One identifier per object.
-  std::vector<Symbol> deeper;            ///< What came with ^depth, in order.
-};
-
 namespace {
 
 /// An element of a slot that no preference made: a link of the architecture. kNone if there is none.
@@ -48,32 +23,26 @@ WmeId ElementOf(const WorkingMemory& memory, Symbol id, Symbol attribute) {
 
 }  // namespace
 
-SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
+const SemanticCommand& SemanticMemory::Read(GoalLevel level) {
   const WorkingMemory& memory = uses_.memory;
   const Goal& goal = uses_.goals.at(level);
-  Command command;
-  command.wmes.reserve(16);
+  SemanticCommand& command = command_;
+  command.Clear();
   watch_.Watch(goal.smem.command);
-  const auto count = [&](WmeId wme, bool is_store) {
-    State::Seen& seen = is_store ? command.store : command.other;
-    ++seen.count;
-    seen.time = std::max(seen.time, memory.wme(wme).timetag);
-  };
-  const std::vector<WmeId> top = memory.WmesOf(goal.smem.command);
-  for (const WmeId wme : top) {
+  const auto add = [&](WmeId wme, bool is_store) {
     command.wmes.push_back(wme);
-    const Symbol attribute = memory.wme(wme).attribute;
-    count(wme, attribute == words::kStore);
-  }
-  for (const WmeId wme : top) {
-    const Symbol attribute = memory.wme(wme).attribute;
-    const Symbol value = memory.wme(wme).value;
-    if (!value.IsIdentifier() || (attribute != words::kQuery && attribute != words::kStore)) continue;
-    watch_.Watch(value);
-    for (const WmeId inner : memory.WmesOf(value)) {
-      command.wmes.push_back(inner);
-      count(inner, attribute == words::kStore);
-    }
+    CommandStamp& stamp = is_store ? command.store : command.other;
+    ++stamp.count;
+    stamp.time = std::max(stamp.time, memory.wme(wme).timetag);
+  };
+  memory.ForEachWmeOf(goal.smem.command, [&](WmeId wme) { add(wme, memory.wme(wme).attribute == words::kStore); });
+  const std::size_t count = command.wmes.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const Wme& wme = memory.wme(command.wmes[n]);
+    const bool is_store = wme.attribute == words::kStore;
+    if (!wme.value.IsIdentifier() || (wme.attribute != words::kQuery && !is_store)) continue;
+    watch_.Watch(wme.value);
+    memory.ForEachWmeOf(wme.value, [&](WmeId inner) { add(inner, is_store); });
   }
   // An answer rests on its place, too.
   const WmeId place = ElementOf(memory, goal.smem.link, words::kResult);
@@ -81,7 +50,8 @@ SemanticMemory::Command SemanticMemory::Read(GoalLevel level) {
   return command;
 }
 
-void SemanticMemory::Parse(Command& command) {
+void SemanticMemory::Parse() {
+  SemanticCommand& command = command_;
   const WorkingMemory& memory = uses_.memory;
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
   int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0, depths = 0, links = 0,
@@ -134,20 +104,20 @@ void SemanticMemory::Parse(Command& command) {
   bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || !command.prohibited.empty()));
   bad = bad || (queries + retrieves == 0 && (depths > 0 || links > 0)) || (new_stores == 0 && new_links > 0);
   if (new_stores > 0 && new_links == 0) command.link = false;
-  command.kind = command.wmes.empty() ? Command::Kind::kNone
-                 : bad                ? Command::Kind::kBad
-                 : stores > 0         ? Command::Kind::kStore
-                 : new_stores > 0     ? Command::Kind::kStoreNew
-                 : retrieves > 0      ? Command::Kind::kRetrieve
-                                      : Command::Kind::kQuery;
+  command.kind = command.wmes.empty() ? SemanticCommand::Kind::kNone
+                 : bad                ? SemanticCommand::Kind::kBad
+                 : stores > 0         ? SemanticCommand::Kind::kStore
+                 : new_stores > 0     ? SemanticCommand::Kind::kStoreNew
+                 : retrieves > 0      ? SemanticCommand::Kind::kRetrieve
+                                      : SemanticCommand::Kind::kQuery;
 }
 
 bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
   if (states_.size() < level) states_.resize(level);
-  Command command = Read(level);
+  const SemanticCommand& command = Read(level);
   State& state = states_[level - 1u];
   if (command.store == state.store && (store_only || command.other == state.other)) return false;
-  Parse(command);
+  Parse();
   const bool store_changed = command.store != state.store;
   if (store_only && command.store.count == 0) {
     // The store that was answered has gone, and its answer with it. What else there is waits for the output phase, if
@@ -163,23 +133,23 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
   const bool had = !state.results.empty();
   installer_.Retract(state.results);
   switch (command.kind) {
-    case Command::Kind::kNone:
+    case SemanticCommand::Kind::kNone:
       return had;
-    case Command::Kind::kBad: {
+    case SemanticCommand::Kind::kBad: {
       const Goal& goal = uses_.goals.at(level);
       const Triple bad{goal.smem.result, words::kBadCmd, goal.smem.command};
       installer_.Install(level, command.wmes, {&bad, 1}, &state.results);
       return true;
     }
-    case Command::Kind::kStore:
+    case SemanticCommand::Kind::kStore:
       // Stored once; a change of what stood beside it only takes the answer back.
       if (store_changed) AnswerStore(level, command);
       return store_changed || had;
-    case Command::Kind::kStoreNew:
+    case SemanticCommand::Kind::kStoreNew:
       AnswerStore(level, command);
       return true;
-    case Command::Kind::kRetrieve:
-    case Command::Kind::kQuery:
+    case SemanticCommand::Kind::kRetrieve:
+    case SemanticCommand::Kind::kQuery:
       AnswerRetrieval(level, command);
       return true;
   }
@@ -188,11 +158,11 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
 
 // Storing -------------------------------------------------------------------------------------------------------------
 
-void SemanticMemory::AnswerStore(GoalLevel level, const Command& command) {
+void SemanticMemory::AnswerStore(GoalLevel level, const SemanticCommand& command) {
   const Symbol result = uses_.goals.at(level).smem.result;
   std::vector<Triple> answer;
   for (const Symbol id : command.stored) {
-    const bool as_new = command.kind == Command::Kind::kStoreNew && !command.link;
+    const bool as_new = command.kind == SemanticCommand::Kind::kStoreNew && !command.link;
     Store(id, as_new);
     ++counters_.stores;
     answer.push_back({result, words::kSuccess, id});
@@ -235,7 +205,7 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
   const WorkingMemory& memory = uses_.memory;
   for (const WmeId element : memory.WmesOf(object)) {
     const Wme& wme = memory.wme(element);
-    const StoreTerm attribute = FindTerm(wme.attribute);
+    const StoreTerm attribute = FindAttribute(wme.attribute);
     if (!wme.attribute.IsConstant()) return false;
     const std::vector<WmeId> tests = wme.value.IsIdentifier() ? memory.WmesOf(wme.value) : std::vector<WmeId>();
     cue.impossible = cue.impossible || tests.empty();  // A demand that tests nothing is met by nobody.
@@ -273,22 +243,25 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
   return true;
 }
 
-bool SemanticMemory::MakeCue(const Command& command, Cue& cue) {
+bool SemanticMemory::MakeCue(const SemanticCommand& command, Cue& cue) {
   const WorkingMemory& memory = uses_.memory;
   for (const bool negative : {false, true}) {
     const Symbol object = negative ? command.negative : command.asked;
     if (!object) continue;
-    for (const WmeId element : memory.WmesOf(object)) {
+    bool is_bad = false;
+    memory.ForEachWmeOf(object, [&](WmeId element) {
       const Wme& wme = memory.wme(element);
-      if (!wme.attribute.IsConstant()) return false;
-      const StoreTerm attribute = FindTerm(wme.attribute);
+      is_bad = is_bad || !wme.attribute.IsConstant();
+      if (is_bad) return;
+      const StoreTerm attribute = FindAttribute(wme.attribute);
       const bool any = wme.value.IsIdentifier() && memory.long_term_identifiers()[wme.value.index()] == 0;
       const StoreTerm value = any ? StoreTerm() : FindTerm(wme.value);
       const bool unknown = !attribute || (!any && !value);
-      if (unknown && negative) continue;  // Nobody has it.
+      if (unknown && negative) return;  // Nobody has it.
       cue.impossible = cue.impossible || unknown;
       cue.elements.push_back({attribute, value, negative});
-    }
+    });
+    if (is_bad) return false;
   }
   if (!command.math) return true;
   // Bounds alone find nothing.
@@ -296,51 +269,55 @@ bool SemanticMemory::MakeCue(const Command& command, Cue& cue) {
   return AddMath(command.math, cue);
 }
 
-Symbol SemanticMemory::Retrieve(std::uint32_t root, Retrieval& retrieval, std::int64_t depth) {
-  const auto identifier_of = [&](std::uint32_t object) {
-    const auto [place, added] = retrieval.made.try_emplace(object);
-    if (added) {
-      place->second = installer_.NewIdentifier('L', retrieval.level, retrieval.link ? knowledge_->NumberAt(object) : 0);
-    }
-    return place->second;
+Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
+  Retrieval& retrieval = retrieval_;
+  // (The result holds until the next call.)
+  const auto made_of = [&](std::uint32_t object) -> Retrieval::Made& {
+    const auto place = std::ranges::lower_bound(retrieval.made, object, {}, &Retrieval::Made::object);
+    if (place != retrieval.made.end() && place->object == object) return *place;
+    const Symbol id = installer_.NewIdentifier('L', level, command_.link ? knowledge_->NumberAt(object) : 0);
+    return *retrieval.made.insert(place, {object, id});
   };
-  const Symbol id = identifier_of(root);
+  const Symbol id = made_of(root).id;
+  made_of(root).is_opened = true;
   // Breadth first, each object once.
-  std::vector<std::uint32_t> wave{root}, next;
-  std::vector<std::uint32_t> seen{root};
-  for (std::int64_t left = std::max<std::int64_t>(depth, 1); left > 0 && !wave.empty(); --left) {
-    next.clear();
-    for (const std::uint32_t object : wave) {
-      const Symbol parent = identifier_of(object);
+  retrieval.wave.assign(1, root);
+  for (std::int64_t left = std::max<std::int64_t>(command_.depth, 1); left > 0 && !retrieval.wave.empty(); --left) {
+    retrieval.next.clear();
+    for (const std::uint32_t object : retrieval.wave) {
+      const Symbol parent = made_of(object).id;
       if (object != root) retrieval.deeper.push_back(parent);
-      const std::vector<Edge> edges = knowledge_->OrderedEdgesAt(object);
-      retrieval.contents.reserve(retrieval.contents.size() + edges.size());
-      for (std::size_t n = 0; n < edges.size();) {
-        const StoreTerm attribute = edges[n].attribute;
-        const Symbol name = SymbolOf(attribute);
-        for (; n < edges.size() && edges[n].attribute == attribute; ++n) {
-          const StoreTerm held = edges[n].value;
-          const bool links = held.IsObject();
-          retrieval.contents.push_back({parent, name, links ? identifier_of(held.index()) : SymbolOf(held)});
-          if (!links || std::ranges::find(seen, held.index()) != seen.end()) continue;
-          seen.push_back(held.index());
-          next.push_back(held.index());
+      knowledge_->OrderEdgesAt(object, retrieval.edges);
+      StoreTerm attribute;
+      Symbol name;
+      for (const auto& [rank, edge] : retrieval.edges) {
+        if (edge.attribute != attribute) {
+          attribute = edge.attribute;
+          name = AttributeOf(attribute);
         }
+        if (!edge.value.IsObject()) {
+          retrieval.contents.push_back({parent, name, SymbolOf(edge.value)});
+          continue;
+        }
+        Retrieval::Made& held = made_of(edge.value.index());
+        retrieval.contents.push_back({parent, name, held.id});
+        if (std::exchange(held.is_opened, true)) continue;
+        retrieval.next.push_back(held.object);
       }
     }
-    wave.swap(next);
+    retrieval.wave.swap(retrieval.next);
   }
   // What is said last is made first.
   std::ranges::reverse(retrieval.contents);
   return id;
 }
 
-void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cue,
+void SemanticMemory::Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue,
                           std::span<const std::uint32_t> prohibited, std::uint32_t object) {
   // More candidates are not compared: what rules ask must not become slow because somebody looks.
   constexpr std::size_t kMostCompared = 1000;
   const bool found = object != Knowledge::kNowhere;
-  const bool by_number = command.kind == Command::Kind::kRetrieve;
+  const bool by_number = command.kind == SemanticCommand::Kind::kRetrieve;
   std::string question, reason;
   if (by_number) {
     const Lti number = uses_.memory.long_term_identifiers()[command.asked.index()];
@@ -380,14 +357,14 @@ void SemanticMemory::Tell(GoalLevel level, const Command& command, const Cue& cu
   uses_.observers.Notify(Event::kRecall, [&](Observer& o) { o.OnRecall(uses_.agent, info); });
 }
 
-void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
+void SemanticMemory::AnswerRetrieval(GoalLevel level, const SemanticCommand& command) {
   const MemoryLink link = uses_.goals.at(level).smem;
   std::vector<PreferenceId>& results = states_[level - 1u].results;
   const auto answer = [&](Symbol word, Symbol value) { return Triple{link.result, word, value}; };
   std::uint32_t object = Knowledge::kNowhere;
   bool is_bad = false;
   const bool is_told = uses_.observers.Wants(Event::kRecall);
-  if (command.kind == Command::Kind::kRetrieve) {
+  if (command.kind == SemanticCommand::Kind::kRetrieve) {
     const Lti number = uses_.memory.long_term_identifiers()[command.asked.index()];
     if (number != 0) object = knowledge_->Find(number);
     if (object != Knowledge::kNowhere) {
@@ -396,7 +373,8 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
     }
     if (is_told) Tell(level, command, {}, {}, object);
   } else {
-    Cue cue;
+    Cue& cue = cue_;
+    cue.Clear();
     is_bad = !MakeCue(command, cue);
     if (!is_bad) {
       std::vector<std::uint32_t> prohibited;
@@ -418,29 +396,27 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const Command& command) {
       }
     }
   }
-  std::vector<Triple> meta;
+  retrieval_.Clear();
+  std::vector<Triple>& meta = retrieval_.meta;
   if (is_bad) {
     meta.push_back(answer(words::kBadCmd, link.command));
     installer_.Install(level, command.wmes, meta, &results);
     return;
   }
-  Retrieval retrieval;
-  retrieval.level = level;
-  retrieval.link = command.link;
   const bool success = object != Knowledge::kNowhere;
   // What is to be shown first is made last.
   const Symbol verdict = success ? words::kSuccess : words::kFailure;
   if (success) {
-    const Symbol retrieved = Retrieve(object, retrieval, command.depth);
-    for (std::size_t n = retrieval.deeper.size(); n-- > 0;) {
-      meta.push_back(answer(words::kDepthRetrieved, retrieval.deeper[n]));
+    const Symbol retrieved = Retrieve(level, object);
+    for (std::size_t n = retrieval_.deeper.size(); n-- > 0;) {
+      meta.push_back(answer(words::kDepthRetrieved, retrieval_.deeper[n]));
     }
     meta.push_back(answer(words::kRetrieved, retrieved));
   }
   if (command.negative) meta.push_back(answer(verdict, command.negative));
   meta.push_back(answer(verdict, command.asked));
   installer_.Install(level, command.wmes, meta, &results);
-  installer_.Install(level, command.wmes, retrieval.contents);
+  installer_.Install(level, command.wmes, retrieval_.contents);
 }
 
 }  // namespace soarbox::kernel

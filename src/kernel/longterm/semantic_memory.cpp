@@ -44,7 +44,8 @@ SemanticMemory::SemanticMemory(LongTerm& long_term)
       knowledge_(std::make_shared<Knowledge>()),
       activations_(settings_),
       search_(settings_, activations_),
-      spreading_(settings_),
+      link_weights_(settings_),
+      spreading_(settings_, link_weights_),
       installer_(uses_) {}
 
 SemanticMemory::~SemanticMemory() = default;
@@ -55,7 +56,10 @@ void SemanticMemory::SettingsChanged() {
     hooks = ModuleHook::kFlush | ModuleHook::kAfterElaboration | ModuleHook::kOutput | ModuleHook::kStates;
     watch_.Touch();
   }
-  if (!settings_.spreading) spreading_.Clear();
+  if (!settings_.spreading) {
+    spreading_.Clear();
+    link_weights_.Clear();
+  }
   spreading_.Forget();
   long_term_.SetHooks(LongTerm::ModuleKind::kSemantic, hooks);
 }
@@ -96,11 +100,23 @@ void SemanticMemory::NoteText(std::string_view text, Lti next_number) {
 void SemanticMemory::NoteGraphChanged() {
   search_.Forget();
   spreading_.Forget();
+  link_weights_.Clear();
+  attributes_.Forget();
 }
 
-void SemanticMemory::NoteEdgeChanged(StoreTerm attribute, StoreTerm value) {
+void SemanticMemory::NoteEdgeChanged(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
   search_.Forget(attribute);
-  if (value.IsObject()) spreading_.Forget();
+  if (!value.IsObject()) return;
+  spreading_.Forget();
+  link_weights_.Forget(object);
+}
+
+void SemanticMemory::LinkUsed(Lti object, Lti linked, std::uint64_t cycle) {
+  if (!settings_.spreading || !settings_.spreading_edge_updating) return;
+  const std::uint32_t place = knowledge_->Find(object);
+  if (place == Knowledge::kNowhere) return;
+  link_weights_.Use(*knowledge_, place, knowledge_->Find(linked), cycle);
+  spreading_.Forget();
 }
 
 std::uint32_t SemanticMemory::ObjectOf(Lti number) {
@@ -123,7 +139,7 @@ bool SemanticMemory::AddEdge(std::uint32_t object, StoreTerm attribute, StoreTer
   if (shared_ && knowledge_->Has(object, attribute, value)) return false;
   if (!Writable().AddEdge(object, attribute, value)) return false;
   if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, true));
-  NoteEdgeChanged(attribute, value);
+  NoteEdgeChanged(object, attribute, value);
   return true;
 }
 
@@ -131,7 +147,7 @@ bool SemanticMemory::RemoveEdge(std::uint32_t object, StoreTerm attribute, Store
   if (!knowledge_->Has(object, attribute, value)) return false;
   Writable().RemoveEdge(object, attribute, value);
   if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, false));
-  NoteEdgeChanged(attribute, value);
+  NoteEdgeChanged(object, attribute, value);
   return true;
 }
 
@@ -291,6 +307,20 @@ Symbol SemanticMemory::SymbolOf(StoreTerm constant) {
   return {};
 }
 
+StoreTerm SemanticMemory::FindAttribute(Symbol attribute) {
+  if (const StoreTerm known = attributes_.TermOf(attribute)) return known;
+  const StoreTerm found = FindTerm(attribute);
+  if (found && attribute.IsConstant()) attributes_.Note(found, attribute);
+  return found;
+}
+
+Symbol SemanticMemory::AttributeOf(StoreTerm attribute) {
+  if (const Symbol known = attributes_.SymbolOf(attribute)) return known;
+  const Symbol made = SymbolOf(attribute);
+  attributes_.Note(attribute, made);
+  return made;
+}
+
 // The cycle -----------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
@@ -307,6 +337,10 @@ void SemanticMemory::Output(bool) {
   if (watch_.TakeChanged()) pending_ = true;
   if (std::exchange(pending_, false)) Respond(false);
   if (journal_ != nullptr) Keep();
+}
+
+void SemanticMemory::Mark(const std::function<void(Symbol)>&) {
+  attributes_.Forget();
 }
 
 void SemanticMemory::StateMade(GoalLevel) {

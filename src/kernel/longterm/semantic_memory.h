@@ -15,10 +15,13 @@
 #include "kernel/base/symbol.h"
 #include "kernel/longterm/activations.h"
 #include "kernel/longterm/agent_parts.h"
+#include "kernel/longterm/attribute_symbols.h"
 #include "kernel/longterm/command_watch.h"
 #include "kernel/longterm/installer.h"
 #include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/link_weights.h"
 #include "kernel/longterm/memory_module.h"
+#include "kernel/longterm/semantic_command.h"
 #include "kernel/longterm/semantic_query.h"
 #include "kernel/longterm/smem_settings.h"
 #include "kernel/longterm/spreading.h"
@@ -85,6 +88,9 @@ class SemanticMemory final : public MemoryModule {
   /// The objects that fit, best first, as `smem --query` lists them: nothing is touched.
   std::vector<std::uint32_t> Search(const Cue& cue, std::size_t limit);
 
+  /// Working memory used a link between instances of two objects: the activation that spreads learns from it.
+  void LinkUsed(Lti object, Lti linked, std::uint64_t cycle);
+
   /// Shows additions and removals as text (`trace --smem`).
   void SetTrace(bool on) { traced_ = on; }
   /// Says that all augmentations of an object go, and those that it has now came, if that is shown.
@@ -130,47 +136,45 @@ class SemanticMemory final : public MemoryModule {
   void StateRemoved(GoalLevel level) override;
   void BeforeInit() override;
   void AfterInit() override;
+  void Mark(const std::function<void(Symbol)>& mark) override;
   void IdentifierFreed(Symbol id) override { watch_.IdentifierFreed(id); }
   std::size_t MemoryBytes() const override;
 
  private:
   /// What is known of the command of one state.
   struct State {
-    struct Seen {
-      std::uint64_t count = 0, time = 0;
-      friend bool operator==(const Seen&, const Seen&) = default;
-    };
-    Seen store, other;  ///< When it was answered last.
+    CommandStamp store, other;  ///< When it was answered last.
     std::vector<PreferenceId> results;
   };
-  struct Command;
 
   Knowledge& Writable();
   void Respond(bool store_only);
   bool RespondTo(GoalLevel level, bool store_only);
-  Command Read(GoalLevel level);
-  void Parse(Command& command);
-  void AnswerStore(GoalLevel level, const Command& command);
-  void AnswerRetrieval(GoalLevel level, const Command& command);
-  bool MakeCue(const Command& command, Cue& cue);
+  /// The command of a state as it is now: in command_. Parse then says what it asks for.
+  const SemanticCommand& Read(GoalLevel level);
+  void Parse();
+  void AnswerStore(GoalLevel level, const SemanticCommand& command);
+  void AnswerRetrieval(GoalLevel level, const SemanticCommand& command);
+  bool MakeCue(const SemanticCommand& command, Cue& cue);
   /// Tells observers what came of a command, and why. `object` may be Knowledge::kNowhere.
-  void Tell(GoalLevel level, const Command& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
+  void Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
             std::uint32_t object);
   bool AddMath(Symbol object, Cue& cue);
   /// The object that an identifier is stored in.
   std::uint32_t Store(Symbol id, bool as_new);
-  /// Adds an object's augmentations, and those of its children to a depth, to what will be installed.
-  struct Retrieval;
-  Symbol Retrieve(std::uint32_t object, Retrieval& retrieval, std::int64_t depth);
+  /// Adds an object's augmentations, and those of its children to the command's depth, to what will be installed.
+  Symbol Retrieve(GoalLevel level, std::uint32_t object);
   StoreTerm TermOf(Symbol constant);
   StoreTerm FindTerm(Symbol symbol) const;
   Symbol SymbolOf(StoreTerm constant);
+  StoreTerm FindAttribute(Symbol attribute);
+  Symbol AttributeOf(StoreTerm attribute);
   void Touch(std::uint32_t object, bool advance = true);
   void UpdateSources();
   void TraceGone(std::uint32_t object);
   void TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value);
   void NoteGraphChanged();
-  void NoteEdgeChanged(StoreTerm attribute, StoreTerm value);
+  void NoteEdgeChanged(std::uint32_t object, StoreTerm attribute, StoreTerm value);
 
   LongTerm& long_term_;
   AgentParts uses_;
@@ -178,13 +182,19 @@ class SemanticMemory final : public MemoryModule {
   std::shared_ptr<Knowledge> knowledge_;
   Activations activations_;
   SemanticSearch search_;
+  LinkWeights link_weights_;
   Spreading spreading_;
+  AttributeSymbols attributes_;
   Installer installer_;
   CommandWatch watch_;
   SmemCounters counters_;
   WrittenOrder written_order_;
   std::vector<State> states_;  ///< By level - 1.
-  bool pending_ = false;       ///< Commands changed since the last output phase.
+  // Of the command at hand.
+  SemanticCommand command_;
+  Cue cue_;
+  Retrieval retrieval_;
+  bool pending_ = false;  ///< Commands changed since the last output phase.
   std::unique_ptr<Journal> journal_;
   Opener opener_;
   bool opened_ = false;

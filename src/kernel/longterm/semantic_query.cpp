@@ -52,17 +52,24 @@ bool SemanticSearch::Better(const Candidate& a, const Candidate& b) {
   return a.row > b.row;
 }
 
-bool SemanticSearch::Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver,
-                          std::uint32_t object) const {
+bool SemanticSearch::Has(const Terms& terms, std::span<const Edge> edges, const CueElement& element) {
+  if (element.math != MathTest::kNone) {
+    return std::ranges::any_of(edges, [&](const Edge& edge) {
+      return edge.attribute == element.attribute && Meets(terms, edge.value, element);
+    });
+  }
+  if (!element.value) {
+    return std::ranges::any_of(edges, [&](const Edge& edge) { return edge.attribute == element.attribute; });
+  }
+  return std::ranges::any_of(
+      edges, [&](const Edge& edge) { return edge.value == element.value && edge.attribute == element.attribute; });
+}
+
+bool SemanticSearch::Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object) {
   const std::span<const Edge> edges = knowledge.EdgesAt(object);
   for (const CueElement& element : cue.elements) {
     if (&element == driver && element.math == MathTest::kNone) continue;
-    const bool has = std::ranges::any_of(edges, [&](const Edge& edge) {
-      if (edge.attribute != element.attribute) return false;
-      if (element.math != MathTest::kNone) return Meets(knowledge.terms(), edge.value, element);
-      return !element.value || edge.value == element.value;
-    });
-    if (has == element.negative) return false;
+    if (Has(knowledge.terms(), edges, element) == element.negative) return false;
   }
   return true;
 }
@@ -202,7 +209,8 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     }
     return best.empty() ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{best.front().object};
   }
-  std::vector<Candidate> hot;
+  std::vector<Candidate>& hot = candidates_;
+  hot.clear();
   const bool one_is_enough = limit == 1 && extreme == nullptr;
   const auto consider = [&](std::uint32_t object) {
     if (one_is_enough && !hot.empty()) {
@@ -258,12 +266,16 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     return false;
   };
   while (true) {
+    if (next_hot < hot.size() && hot[next_hot].activation > cold_activation) {
+      if (take(hot[next_hot++].object)) break;
+      continue;
+    }
     std::uint32_t cold = Knowledge::kNowhere;
     while (next_cold > 0) {
       const std::uint32_t object = list.At(next_cold - 1).object;
       const bool again = !driver->value && std::ranges::find(seen, object) != seen.end();
-      if (!again && !list.IsHidden(next_cold - 1) && is_cold(object) && !is_prohibited(object) &&
-          Fits(knowledge, cue, driver, object)) {
+      if (!again && !list.IsHidden(next_cold - 1) && Fits(knowledge, cue, driver, object) && is_cold(object) &&
+          !is_prohibited(object)) {
         cold = object;
         break;
       }

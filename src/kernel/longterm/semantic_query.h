@@ -30,6 +30,11 @@ struct Cue {
   std::vector<CueElement> elements;
   bool impossible = false;
   bool takes_last = false;  ///< The last of those that fit answers, not the first.
+
+  void Clear() {
+    elements.clear();
+    impossible = takes_last = false;
+  }
 };
 
 /// Finds the objects that fit a cue, the most active first; of equally active ones an object with many augmentations
@@ -72,12 +77,14 @@ class SemanticSearch {
   static bool Better(const Candidate& a, const Candidate& b);
   /// The numbers that objects have for an attribute, in ascending order.
   const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);
-  bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object) const;
+  static bool Has(const Terms& terms, std::span<const Edge> edges, const CueElement& element);
+  static bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object);
   std::vector<std::uint32_t>& HotOf(const Knowledge& knowledge, std::uint32_t list, const CueElement& driver);
   static std::uint32_t RowIn(const Knowledge& knowledge, std::uint32_t object, const CueElement& driver);
 
   const SmemSettings& settings_;
   Activations& activations_;
+  std::vector<Candidate> candidates_;                                  ///< Of the query at hand.
   std::unordered_map<std::uint32_t, std::vector<Number>> numbers_;     ///< By attribute, for those that were asked for.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> hot_;  ///< By list: its members that were touched.
 };

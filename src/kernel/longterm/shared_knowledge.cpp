@@ -2,70 +2,102 @@
 #include "kernel/longterm/shared_knowledge.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <string>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace soarbox::kernel {
 namespace {
 
-/// Two words that equal knowledge has in common, and other knowledge does not: every object, augmentation and name, in
-/// order.
-std::pair<std::uint64_t, std::uint64_t> DigestOf(const Knowledge& knowledge) {
-  std::uint64_t first = 0xCBF29CE484222325ull, second = 0x9E3779B97F4A7C15ull;
-  const auto add = [&](std::uint64_t word) {
-    first = (first ^ word) * 0x100000001B3ull;
-    first ^= first >> 29;
-    second = (second + word) * 0xD6E8FEB86659FD93ull;
-    second ^= second >> 32;
-  };
-  const auto add_text = [&](std::string_view text) {
-    add(text.size());
-    for (const char c : text) add(static_cast<unsigned char>(c));
-  };
-  // Terms have the same indices where the same was read in the same order; texts are told once.
-  std::vector<std::uint8_t> told;
-  const auto add_term = [&](StoreTerm term) {
-    add(term.bits());
+/// Two words made of many: equal if the same was added in the same order, else different.
+class Digest {
+ public:
+  using Words = std::pair<std::uint64_t, std::uint64_t>;
+
+  explicit Digest(const Knowledge& knowledge) : knowledge_(knowledge) {}
+  void Add(std::uint64_t word) {
+    words_.first = (words_.first ^ word) * 0x100000001B3ull;
+    words_.first ^= words_.first >> 29;
+    words_.second = (words_.second + word) * 0xD6E8FEB86659FD93ull;
+    words_.second ^= words_.second >> 32;
+  }
+  void AddText(std::string_view text) {
+    Add(text.size());
+    for (const char c : text) Add(static_cast<unsigned char>(c));
+  }
+  void AddObject(std::uint32_t place) {
+    Add(knowledge_.NumberAt(place));
+    for (const Edge& edge : knowledge_.EdgesAt(place)) {
+      Add(edge.row);
+      AddTerm(edge.attribute);
+      AddTerm(edge.value);
+    }
+  }
+  Words words() const { return words_; }
+
+ private:
+  /// Terms have the same indices where the same was read in the same order; what they say is added once.
+  void AddTerm(StoreTerm term) {
+    Add(term.bits());
     if (term.IsObject()) return;
-    add(knowledge.terms().Order(term));
+    Add(knowledge_.terms().Order(term));
     const std::size_t place = 4 * std::size_t{term.index()} + static_cast<std::size_t>(term.kind());
-    if (told.size() <= place) told.resize(place + 1);
-    if (std::exchange(told[place], 1) != 0) return;
-    std::string text;
-    knowledge.terms().Append(text, term);
-    add_text(text);
-    if (term.kind() == TermKind::kFloat) {
-      const double value = knowledge.terms().FloatValue(term);
-      std::uint64_t bits;
-      static_assert(sizeof(bits) == sizeof(value));
-      std::memcpy(&bits, &value, sizeof(bits));
-      add(bits);
-    }
-  };
-  add(knowledge.next_number());
-  for (std::uint32_t object = 0; object < knowledge.object_count(); ++object) {
-    add(knowledge.NumberAt(object));
-    for (const Edge& edge : knowledge.EdgesAt(object)) {
-      add(edge.row);
-      add_term(edge.attribute);
-      add_term(edge.value);
+    if (told_.size() <= place) told_.resize(place + 1);
+    if (std::exchange(told_[place], 1) != 0) return;
+    if (term.kind() == TermKind::kString) {
+      AddText(knowledge_.terms().Text(term));
+    } else if (term.kind() == TermKind::kInteger) {
+      Add(static_cast<std::uint64_t>(knowledge_.terms().IntegerValue(term)));
+    } else {
+      Add(std::bit_cast<std::uint64_t>(knowledge_.terms().FloatValue(term)));
     }
   }
+
+  const Knowledge& knowledge_;
+  Words words_{0xCBF29CE484222325ull, 0x9E3779B97F4A7C15ull};
+  std::vector<std::uint8_t> told_;
+};
+
+/// Of everything: every object, augmentation and name.
+Digest::Words DigestOf(const Knowledge& knowledge) {
+  Digest digest(knowledge);
+  digest.Add(knowledge.next_number());
+  for (std::uint32_t object = 0; object < knowledge.object_count(); ++object) digest.AddObject(object);
   for (const auto& [name, number] : knowledge.Aliases()) {
-    add_text(name);
-    add(number);
+    digest.AddText(name);
+    digest.Add(number);
   }
-  return {first, second};
+  return digest.words();
 }
+
+/// Of a few objects and the counts: what differs here differs, and most that differs does so here.
+Digest::Words SketchOf(const Knowledge& knowledge) {
+  constexpr std::uint32_t kSamples = 16;
+  Digest digest(knowledge);
+  digest.Add(knowledge.next_number());
+  digest.Add(knowledge.terms().count());
+  digest.Add(knowledge.object_count());
+  digest.Add(knowledge.edge_count());
+  const std::uint32_t step = knowledge.object_count() / kSamples + 1;
+  for (std::uint32_t object = 0; object < knowledge.object_count(); object += step) digest.AddObject(object);
+  return digest.words();
+}
+
+/// Knowledge that agents use. Its digest is made when other knowledge looks the same.
+struct Known {
+  std::weak_ptr<Knowledge> knowledge;
+  std::optional<Digest::Words> digest;
+};
 
 struct Registry {
   std::mutex mutex;
   std::map<TextKey, std::weak_ptr<Knowledge>> by_text;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::weak_ptr<Knowledge>> known;
+  std::multimap<Digest::Words, Known> by_sketch;
 };
 
 Registry& TheRegistry() {
@@ -76,15 +108,27 @@ Registry& TheRegistry() {
 }  // namespace
 
 std::shared_ptr<Knowledge> ShareKnowledge(std::shared_ptr<Knowledge> own) {
-  const auto digest = DigestOf(*own);
+  const Digest::Words sketch = SketchOf(*own);
   Registry& registry = TheRegistry();
-  const std::lock_guard<std::mutex> lock(registry.mutex);
-  std::erase_if(registry.known, [](const auto& entry) { return entry.second.expired(); });
-  std::weak_ptr<Knowledge>& known = registry.known[digest];
-  if (std::shared_ptr<Knowledge> other = known.lock()) {
-    if (other->object_count() == own->object_count() && other->edge_count() == own->edge_count()) return other;
+  {
+    const std::lock_guard<std::mutex> lock(registry.mutex);
+    std::erase_if(registry.by_sketch, [](const auto& entry) { return entry.second.knowledge.expired(); });
+    if (!registry.by_sketch.contains(sketch)) {
+      registry.by_sketch.emplace(sketch, Known{own, {}});
+      return own;
+    }
   }
-  known = own;
+  const Digest::Words digest = DigestOf(*own);
+  const std::lock_guard<std::mutex> lock(registry.mutex);
+  const auto [first, last] = registry.by_sketch.equal_range(sketch);
+  for (auto entry = first; entry != last; ++entry) {
+    Known& known = entry->second;
+    const std::shared_ptr<Knowledge> other = known.knowledge.lock();
+    if (other == nullptr) continue;
+    if (!known.digest) known.digest = DigestOf(*other);
+    if (*known.digest == digest) return other;
+  }
+  registry.by_sketch.emplace(sketch, Known{own, digest});
   return own;
 }
 

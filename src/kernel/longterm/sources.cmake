@@ -12,6 +12,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/installer.cpp
   longterm/knowledge.cpp
   longterm/knowledge_reader.cpp
+  longterm/link_weights.cpp
   longterm/long_term.cpp
   longterm/recall_words.cpp
   longterm/semantic_commands.cpp

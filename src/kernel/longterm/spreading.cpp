@@ -34,19 +34,19 @@ const std::vector<Spreading::Share>& Spreading::ReachOf(const Knowledge& knowled
   while (!open.empty() && paths < settings_.spreading_limit) {
     const Path path = open.top();
     open.pop();
+    const LinkWeights::Weights* const weights = weights_.Of(knowledge, path.object);
     std::uint64_t fan = 0;
     for (const Edge& edge : knowledge.EdgesAt(path.object)) fan += edge.value.IsObject() ? 1 : 0;
     const double passed_on = path.share * continues;
     if (fan == 0 || passed_on <= least) continue;
-    const double weight = 1 / static_cast<double>(fan);
-    if (!settings_.spreading_loop_avoidance && weight < least) continue;
     for (const Edge& edge : knowledge.EdgesAt(path.object)) {
       if (!edge.value.IsObject() || paths >= settings_.spreading_limit) continue;
       const std::uint32_t next = edge.value.index();
-      if (settings_.spreading_loop_avoidance &&
-          std::ranges::find(path.visited, Step{next, weight}) != path.visited.end()) {
-        continue;
-      }
+      const double weight = weights == nullptr ? 1 / static_cast<double>(fan) : weights->find(next)->second;
+      const bool is_left_out = settings_.spreading_loop_avoidance
+                                   ? std::ranges::find(path.visited, Step{next, weight}) != path.visited.end()
+                                   : weight < least;
+      if (is_left_out) continue;
       const double share = passed_on * weight;
       sums[next] += share;
       ++paths;

@@ -8,24 +8,25 @@
 #include <vector>
 
 #include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/link_weights.h"
 #include "kernel/longterm/smem_settings.h"
 
 namespace soarbox::kernel {
 
 /// Activation that spreads from what is in working memory: an object that a working memory identifier is an instance
-/// of, and that identifier has elements, is a source. What it gives flows along augmentations, by fan, and grows less
-/// with each step.
+/// of, and that identifier has elements, is a source. What it gives flows along augmentations, by their weights, and
+/// grows less with each step.
 ///
 /// A source's reach depends on the graph alone and is kept until the graph changes: an object's part of all that the
 /// source gives. A source of strength x gives x / (1 + x), and no object less than the least, which is
 /// baseline / (p (1 + p)^depth). What an object gets of all sources, t, adds ln(t) - ln(least) to its activation.
 class Spreading {
  public:
-  explicit Spreading(const SmemSettings& settings) : settings_(settings) {}
+  Spreading(const SmemSettings& settings, LinkWeights& weights) : settings_(settings), weights_(weights) {}
 
   /// The sources of now: how strong each is, by object. Order does not matter.
   void SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources);
-  /// The graph changed.
+  /// The graph or its weights changed.
   void Forget() {
     reaches_.clear();
     known_.clear();
@@ -45,6 +46,7 @@ class Spreading {
   const std::vector<Share>& ReachOf(const Knowledge& knowledge, std::uint32_t source);
 
   const SmemSettings& settings_;
+  LinkWeights& weights_;
   std::unordered_map<std::uint32_t, std::vector<Share>> reaches_;
   std::map<std::uint32_t, double> known_;
   std::unordered_map<std::uint32_t, double> totals_;

@@ -20,8 +20,9 @@ Terms::Terms(const Terms* base)
 StoreTerm Terms::String(std::string_view text) {
   if (const StoreTerm known = FindString(text)) return known;
   const auto index = first_string_ + static_cast<std::uint32_t>(strings_.size());
-  strings_.push_back({std::string(text), next_order_++});
-  by_text_.emplace(strings_.back().text, index);
+  strings_.emplace_back(text);
+  string_orders_.push_back(next_order_++);
+  by_text_.emplace(strings_.back(), index);
   bytes_ += 88 + (text.size() > 15 ? text.size() + 1 : 0);
   return StoreTerm(TermKind::kString, index);
 }
@@ -65,21 +66,6 @@ StoreTerm Terms::FindFloat(double value) const {
     return StoreTerm(TermKind::kFloat, found->second);
   }
   return base_ == nullptr ? StoreTerm() : base_->FindFloat(value);
-}
-
-std::uint32_t Terms::Order(StoreTerm constant) const {
-  const std::uint32_t index = constant.index();
-  switch (constant.kind()) {
-    case TermKind::kString:
-      return index < first_string_ ? base_->strings_[index].order : strings_[index - first_string_].order;
-    case TermKind::kInteger:
-      return IntegerAt(index).order;
-    case TermKind::kFloat:
-      return FloatAt(index).order;
-    case TermKind::kObject:
-      break;
-  }
-  return 0;
 }
 
 void Terms::Append(std::string& out, StoreTerm constant, bool short_floats) const {

@@ -60,7 +60,7 @@ class Terms {
 
   std::string_view Text(StoreTerm string) const {
     const std::uint32_t index = string.index();
-    return index < first_string_ ? base_->strings_[index].text : strings_[index - first_string_].text;
+    return index < first_string_ ? base_->strings_[index] : strings_[index - first_string_];
   }
   std::int64_t IntegerValue(StoreTerm integer) const { return IntegerAt(integer.index()).value; }
   double FloatValue(StoreTerm real) const { return FloatAt(real.index()).value; }
@@ -68,12 +68,27 @@ class Terms {
     return number.kind() == TermKind::kFloat ? FloatValue(number) : static_cast<double>(IntegerValue(number));
   }
   /// The how manieth constant it was that the store met, whatever its kind: values are shown in this order.
-  std::uint32_t Order(StoreTerm constant) const;
+  std::uint32_t Order(StoreTerm constant) const {
+    const std::uint32_t index = constant.index();
+    switch (constant.kind()) {
+      case TermKind::kString:
+        return index < first_string_ ? base_->string_orders_[index] : string_orders_[index - first_string_];
+      case TermKind::kInteger:
+        return IntegerAt(index).order;
+      case TermKind::kFloat:
+        return FloatAt(index).order;
+      case TermKind::kObject:
+        break;
+    }
+    return 0;
+  }
   /// How a constant is written in `smem --add`: strings with bars where they need them, floats with 16 decimals or,
   /// if `short_floats`, 16 digits.
   void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
 
   bool empty() const { return next_order_ == 0; }
+  /// How many constants the store met.
+  std::uint32_t count() const { return next_order_; }
   /// Without those of the terms that it stands on.
   std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 64; }
 
@@ -81,10 +96,6 @@ class Terms {
   template <class Value>
   struct Constant {
     Value value;
-    std::uint32_t order;
-  };
-  struct WrittenText {
-    std::string text;
     std::uint32_t order;
   };
   const Constant<std::int64_t>& IntegerAt(std::uint32_t index) const {
@@ -97,7 +108,8 @@ class Terms {
   const Terms* base_ = nullptr;
   std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< How many `base_` has.
   std::uint32_t next_order_ = 0;
-  std::deque<WrittenText> strings_;
+  std::deque<std::string> strings_;
+  std::vector<std::uint32_t> string_orders_;
   std::vector<Constant<std::int64_t>> integers_;
   std::vector<Constant<double>> floats_;
   std::unordered_map<std::string_view, std::uint32_t> by_text_;

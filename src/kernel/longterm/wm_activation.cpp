@@ -11,6 +11,7 @@
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
 #include "kernel/longterm/long_term.h"
+#include "kernel/longterm/semantic_memory.h"
 #include "kernel/match/rete.h"
 #include "kernel/memory/working_memory.h"
 
@@ -102,6 +103,7 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
     history.pending = UsesAtBirth(uses_.instantiations[maker.instantiation]);
     histories_.insert_or_assign(Index(wme), history);
     used_.push_back(Index(wme));
+    TellOfLink(wme);
     uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(uses_.agent, wme); });
   }
   for (const WmeId wme : removed) {
@@ -118,9 +120,23 @@ void WmActivation::Use(WmeId wme) {
     UseWhatHolds(wme);
     return;
   }
-  if (uses_.memory.slot(record.slot).is_operator) return;
+  if (!uses_.memory.slot(record.slot).is_operator) AddUse(wme);
+}
+
+void WmActivation::AddUse(WmeId wme) {
   History& history = histories_[Index(wme)];
   if (history.pending++ == 0) used_.push_back(Index(wme));
+  TellOfLink(wme);
+}
+
+/// Of an element that links instances of stored objects, semantic memory is told.
+void WmActivation::TellOfLink(WmeId wme) {
+  const Wme& element = uses_.memory.wme(wme);
+  const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
+  if (!element.value.IsIdentifier() || linked[element.id.index()] == 0 || linked[element.value.index()] == 0) return;
+  MemoryModule* const semantic = long_term_.module(LongTerm::ModuleKind::kSemantic);
+  if (semantic == nullptr) return;
+  static_cast<SemanticMemory&>(*semantic).LinkUsed(linked[element.id.index()], linked[element.value.index()], now());
 }
 
 /// Of what the elements of open_ rest on, calls `held` with each o-supported element and `other` with each that no rule
@@ -157,12 +173,7 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
 /// The o-supported elements that an i-supported one rests on, each once.
 void WmActivation::UseWhatHolds(WmeId wme) {
   open_.assign(1, wme);
-  ForWhatHolds(
-      [&](WmeId held) {
-        History& history = histories_[Index(held)];
-        if (history.pending++ == 0) used_.push_back(Index(held));
-      },
-      [](WmeId) {});
+  ForWhatHolds([&](WmeId held) { AddUse(held); }, [](WmeId) {});
 }
 
 /// What its maker rests on gives a new element its mean strength; what is as new as it gives nothing.

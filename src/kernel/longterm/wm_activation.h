@@ -86,6 +86,8 @@ class WmActivation final : public MemoryModule {
   /// The sum of uses * age^decay_rate.
   double StrengthAt(const History& history, std::uint64_t cycle) const;
   void Use(WmeId wme);
+  void AddUse(WmeId wme);
+  void TellOfLink(WmeId wme);
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);

@@ -35,16 +35,7 @@ inline SlotId WorkingMemory::FindSlot(const IdentifierRecord& owner, Symbol id, 
 std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
   std::vector<WmeId> found;
   found.reserve(8);  // Most objects have fewer.
-  const auto append = [&](WmeId first) {
-    for (WmeId wme = first; wme != WmeId::kNone; wme = record(wme).next) found.push_back(wme);
-  };
-  const IdentifierRecord& identifier = this->identifier(id);
-  for (SlotId slot = identifier.slots; slot != SlotId::kNone; slot = this->slot(slot).next) {
-    append(this->slot(slot).wmes);
-    append(this->slot(slot).acceptable_wmes);
-  }
-  append(identifier.architecture_wmes);
-  append(identifier.input_wmes);
+  ForEachWmeOf(id, [&](WmeId wme) { found.push_back(wme); });
   return found;
 }
 

@@ -117,6 +117,20 @@ class WorkingMemory {
   /// Elements of an identifier as `print` lists them: slot by slot (newest slot first; within a slot the values newest
   /// first, then the acceptable ones newest first), then those of the architecture, then input.
   std::vector<WmeId> WmesOf(Symbol id) const;
+  /// The same, one by one. `visit` changes nothing here.
+  template <typename Visit>
+  void ForEachWmeOf(Symbol id, Visit&& visit) const {
+    const auto visit_list = [&](WmeId first) {
+      for (WmeId wme = first; wme != WmeId::kNone; wme = record(wme).next) visit(wme);
+    };
+    const IdentifierRecord& identifier = this->identifier(id);
+    for (SlotId slot = identifier.slots; slot != SlotId::kNone; slot = this->slot(slot).next) {
+      visit_list(this->slot(slot).wmes);
+      visit_list(this->slot(slot).acceptable_wmes);
+    }
+    visit_list(identifier.architecture_wmes);
+    visit_list(identifier.input_wmes);
+  }
   /// The first value of an attribute, whatever its kind, or the none symbol.
   Symbol ValueOf(Symbol id, Symbol attribute) const;
   /// The live element with a time tag, or kNone. Walks all elements: for commands only.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/longterm/link_weights.h"
+
+#include <cmath>
+#include <utility>
+
+namespace soarbox::kernel {
+
+namespace {
+/// More do not wait: whoever never asks does not fill the memory.
+constexpr std::size_t kMostWaiting = 4096;
+}  // namespace
+
+void LinkWeights::Use(const Knowledge& knowledge, std::uint32_t object, std::uint32_t linked, std::uint64_t cycle) {
+  std::vector<Uses>& uses = uses_[object];
+  for (std::size_t n = uses.size(); n-- > 0 && uses[n].cycle == cycle;) {
+    if (uses[n].linked != linked) continue;
+    ++uses[n].count;
+    return;
+  }
+  if (uses.size() == kMostWaiting) Count(knowledge, object, std::exchange(uses, {}));
+  uses.push_back({cycle, linked, 1});
+}
+
+const LinkWeights::Weights* LinkWeights::Of(const Knowledge& knowledge, std::uint32_t object) {
+  if (const auto waiting = uses_.find(object); waiting != uses_.end()) {
+    const std::vector<Uses> uses = std::move(waiting->second);
+    uses_.erase(waiting);
+    Count(knowledge, object, uses);
+  }
+  const auto known = weights_.find(object);
+  return known == weights_.end() ? nullptr : &known->second;
+}
+
+void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const std::vector<Uses>& uses) {
+  Weights links;
+  std::uint64_t fan = 0;
+  for (const Edge& edge : knowledge.EdgesAt(object)) {
+    if (!edge.value.IsObject()) continue;
+    links[edge.value.index()] = 0;
+    ++fan;
+  }
+  const auto known = weights_.find(object);
+  for (auto& [linked, weight] : links) {
+    weight = known == weights_.end() ? 1 / static_cast<double>(fan) : known->second[linked];
+  }
+  const double factor = settings_.spreading_edge_update_factor;
+  // (A link that is in working memory alone takes its part of the sum, too, as long as this lasts.)
+  Weights weights = links;
+  for (std::size_t n = 0; n < uses.size();) {
+    const std::uint64_t cycle = uses[n].cycle;
+    const bool is_first = n == 0;
+    Weights gains;
+    std::uint64_t count = 0;
+    for (; n < uses.size() && uses[n].cycle == cycle; ++n) {
+      double& gain = gains[uses[n].linked];
+      for (std::uint32_t use = 0; use < uses[n].count; ++use) gain += (1 - weights[uses[n].linked]) * (1 - factor);
+      count += uses[n].count;
+    }
+    double sum = 0;
+    for (auto& [linked, weight] : weights) {
+      if (const auto gain = gains.find(linked); gain != gains.end()) {
+        weight += gain->second;
+      } else if (!is_first) {
+        weight *= std::pow(factor, static_cast<double>(count));
+      }
+      sum += weight;
+    }
+    if (!(sum > 0)) continue;
+    for (auto& [linked, weight] : weights) weight /= sum;
+  }
+  if (links.empty()) return;
+  for (auto& [linked, weight] : links) weight = weights[linked];
+  weights_[object] = std::move(links);
+}
+
+std::size_t LinkWeights::MemoryBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [object, uses] : uses_) bytes += 40 + uses.capacity() * sizeof(Uses);
+  for (const auto& [object, weights] : weights_) bytes += 40 + weights.size() * 48;
+  return bytes;
+}
+
+}  // namespace soarbox::kernel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/base/symbol.h"
+#include "kernel/longterm/installer.h"
+#include "kernel/longterm/knowledge.h"
+
+namespace soarbox::kernel {
+
+/// How a command looked: it changed if this did.
+struct CommandStamp {
+  std::uint64_t count = 0, time = 0;
+  friend bool operator==(const CommandStamp&, const CommandStamp&) = default;
+};
+
+/// The command of one state, as its elements say it.
+struct SemanticCommand {
+  enum class Kind { kNone, kBad, kStore, kStoreNew, kRetrieve, kQuery };
+
+  std::vector<WmeId> wmes;  ///< On the command link, and those of ^query and ^store objects; last: that of ^result.
+  CommandStamp store, other;
+  Kind kind = Kind::kNone;
+  std::vector<Symbol> stored;  ///< In the order of their elements.
+  Symbol asked;                ///< ^retrieve, ^query
+  Symbol negative, math;
+  std::vector<Symbol> prohibited;
+  std::int64_t depth = 1;
+  bool link = true;  ///< link-to-ltm, or link-to-new-ltm.
+
+  /// Ready for the next one, with the memory of this one.
+  void Clear() {
+    wmes.clear();
+    store = other = {};
+    kind = Kind::kNone;
+    stored.clear();
+    asked = negative = math = Symbol();
+    prohibited.clear();
+    depth = 1;
+    link = true;
+  }
+};
+
+/// What a retrieval puts into working memory.
+struct Retrieval {
+  /// The identifier of an object, and whether its augmentations are, or will be, among the contents.
+  struct Made {
+    std::uint32_t object = 0;
+    Symbol id;
+    bool is_opened = false;
+  };
+  std::vector<Triple> contents;
+  std::vector<Made> made;      ///< One per object, by object.
+  std::vector<Symbol> deeper;  ///< What came with ^depth, in order.
+  std::vector<Triple> meta;    ///< Of ^result.
+  // Room for work.
+  std::vector<RankedEdge> edges;
+  std::vector<std::uint32_t> wave, next;
+
+  void Clear() {
+    contents.clear();
+    made.clear();
+    deeper.clear();
+    meta.clear();
+  }
+};
+
+}  // namespace soarbox::kernel
