@@ -225,7 +225,7 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
   text += "\n";
   if (firing.made_result) {
     text += "This instantiation produced results in a superstate.\n";
-  } else {
+  } else if (!firing.path.empty()) {
     text +=
         "Shortest path from this instantiation to an instantiation that produced a result: " + PathText(firing.path) +
         "\n";

@@ -59,7 +59,7 @@ std::string Joined(const std::vector<std::string>& parts) {
   return text + " }";
 }
 
-/// "i 3 (rule)" of the shortest way from each firing to one that made a result.
+/// "i 3 (rule)" of the shortest way from each firing to one that made a result; none from those that only selected.
 class ShortestPaths {
  public:
   ShortestPaths(const InstantiationTable& instantiations, const WorkingMemory& memory, const Explanation& explanation)
@@ -84,10 +84,8 @@ class ShortestPaths {
   }
   std::vector<std::uint32_t> From(InstantiationId firing) const {
     std::vector<std::uint32_t> path;
-    for (std::uint32_t serial = SerialOf(firing); serial != 0;) {
-      path.push_back(serial);
-      const auto found = next_.find(serial);
-      serial = found == next_.end() ? 0 : found->second;
+    for (auto found = next_.find(SerialOf(firing)); found != next_.end(); found = next_.find(found->second)) {
+      path.push_back(found->first);
     }
     return path;
   }
