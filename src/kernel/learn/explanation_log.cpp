@@ -101,6 +101,7 @@ class ShortestPaths {
 void ExplanationLog::Clear() {
   for (const ExplainedRule& rule : rules_) bytes_ -= rule.MemoryBytes();
   rules_.clear();
+  explained_firings_.clear();
   watched_learned.clear();
   last_number_ = 0;
 }
@@ -474,7 +475,6 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       if (term == nullptr) return;
       field.text.clear();
       AppendRhsValue(field.text, uses_.symbols, *term);
-      if (term->kind == RhsValueKind::kConstant) field.identity = "[" + field.value + "]";
     };
     text(action.id, learned ? &learned->id : nullptr);
     text(action.attribute, learned ? &learned->attribute : nullptr);
@@ -495,6 +495,13 @@ void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, c
   ExplainedRule& out = rules_.emplace_back();
   out.number = number;
   Describe(out, explanation, made);
+  // As in Soar 9.6.3, the ways are shown from firings that no earlier explanation has.
+  const auto drop_known = [&](std::vector<std::uint32_t>& path) {
+    if (!path.empty() && explained_firings_.contains(path.front())) path.clear();
+  };
+  for (ExplainedRule::Condition& condition : out.conditions) drop_known(condition.path);
+  for (ExplainedRule::Firing& firing : out.firings) drop_known(firing.path);
+  for (const ExplainedRule::Firing& firing : out.firings) explained_firings_.insert(firing.serial);
   bytes_ += out.MemoryBytes();
   // What `chunk stats` says of it is said of recorded rules alone.
   uses_.statistics.identities_in_rules += out.identities.size();

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "kernel/learn/explained_rule.h"
@@ -96,6 +97,7 @@ class ExplanationLog {
   IdentityAnalysis& analysis_;
   RuleBuilder& builder_;
   std::vector<ExplainedRule> rules_;
+  std::unordered_set<std::uint32_t> explained_firings_;  ///< Serials of all that these rest on.
   std::deque<ExplainedRule> noted_;
   std::size_t bytes_ = 0;
   std::uint32_t last_number_ = 0;
