@@ -164,9 +164,33 @@ TEST_F(SqliteJournal, DamageIsFoundAndNotMended) {
 }
 
 TEST_F(SqliteJournal, ASecondProcessIsTurnedAway) {
+  int ready[2], done[2];
+  ASSERT_EQ(pipe(ready), 0);
+  ASSERT_EQ(pipe(done), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    close(done[1]);
+    Result<OpenedJournal> opened = Open(Path("a.db"), Memory::kSemantic, {});
+    if (!opened) _exit(1);
+    opened->journal->Append(Record(1));
+    if (!opened->journal->Commit().ok()) _exit(2);
+    char byte = 0;
+    if (write(ready[1], &byte, 1) != 1) _exit(3);
+    if (read(done[0], &byte, 1) < 0) _exit(4);  // Until the other end is closed.
+    _exit(0);
+  }
+  close(ready[1]);
+  char byte = 0;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  EXPECT_THAT(Refusal(Path("a.db")), HasSubstr("in use by another process"));
+  close(done[1]);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  for (const int end : {ready[0], done[0]}) close(end);
+  // Another part of the same process is turned away, too.
   const OpenedJournal opened = OpenOr(Path("a.db"));
-  opened.journal->Append(Record(1));
-  ASSERT_TRUE(opened.journal->Commit().ok());
+  EXPECT_THAT(opened.records, ::testing::ElementsAre(Record(1)));
   EXPECT_THAT(Refusal(Path("a.db")), HasSubstr("in use by another process"));
 }
 
