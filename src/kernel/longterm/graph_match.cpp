@@ -96,6 +96,14 @@ void GraphMatch::Unbind(Try& attempt) {
 }
 
 bool GraphMatch::Find(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed) {
+  // The youngest nodes lead to the latest episode; which nodes it is to be there is asked again.
+  if (!Search(first, last, allowed, false)) return false;
+  const EpisodeNumber found = best_;
+  return Search(
+      found, found, [](EpisodeNumber episode) { return episode; }, true);
+}
+
+bool GraphMatch::Search(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed, bool oldest_first) {
   allowed_ = &allowed;
   best_ = first - 1;
   latest_ = allowed(last);
@@ -129,7 +137,8 @@ bool GraphMatch::Find(EpisodeNumber first, EpisodeNumber last, const LatestAllow
     const EpisodeCue::Edge& edge = cue_.edge(attempt.edge);
     const auto candidates = store_.Children(nodes_[edge.from], edge.attribute);
     while (attempt.next > 0 && !forward) {
-      const EpisodeFact fact = candidates[--attempt.next];
+      --attempt.next;
+      const EpisodeFact fact = candidates[oldest_first ? candidates.size() - 1 - attempt.next : attempt.next];
       const EpisodeNode node = store_.triple(fact).value.node();
       const auto [use, is_free] = used_.try_emplace(node, Use{cue_.ObjectOf(attempt.variable), 0});
       if (!is_free && use->second.object != cue_.ObjectOf(attempt.variable)) continue;

@@ -16,7 +16,8 @@ namespace soarbox::kernel {
 ///
 /// Assignments are tried over nodes, of which there are as many as there were things at a time, not over episodes. For
 /// each, the latest common episode of its facts is found in their intervals; an assignment that cannot beat the best so
-/// far is given up as soon as that shows.
+/// far is given up as soon as that shows. Where several hold in the latest episode, variables get the nodes that came
+/// first, as in Soar 9.6.3.
 class GraphMatch {
  public:
   /// The latest episode up to the one given, of those that may be returned, or 0.
@@ -43,6 +44,8 @@ class GraphMatch {
     bool bound = false;
   };
 
+  /// Tries nodes that came last first, or those that came first.
+  bool Search(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed, bool oldest_first);
   bool Bind(std::uint32_t variable, EpisodeNode node, std::uint32_t by_edge);
   bool AddFact(const EpisodeTriple& triple);
   bool Narrow();
