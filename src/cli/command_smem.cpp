@@ -236,6 +236,13 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
         "Spreading activation cannot be turned on until the 'activation-mode' is also set to base-level.\n"
         "Run 'smem --set activation-mode base-level' first if you intend to use spreading.");
   }
+  if (name == "activation-mode" && store.IsOn("smem", "spreading")) {
+    const std::string kept = store.Get("smem", name);
+    if (store.Set("smem", name, value) == SetResult::kOk) {
+      store.Set("smem", name, kept);
+      return call.Fail("activation-mode cannot be changed while spreading activation is on.");
+    }
+  }
   if (name == "initial-variable-id") {
     const std::int64_t number = ParseLeadingInteger(value).value_or(0);
     if (number < 1) return call.Fail("The id counter must be at least 1.");

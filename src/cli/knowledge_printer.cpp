@@ -58,7 +58,7 @@ std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t objec
   const Knowledge& knowledge = memory.knowledge();
   return fmt::format("(@{}{} [{:+.3f}])\n", knowledge.NumberAt(object),
                      Augmentations(knowledge, object, true, memory.TakeFirstLine()),
-                     activation ? *activation : memory.activations().Of(object));
+                     activation ? *activation : memory.ActivationOf(object));
 }
 
 std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth) {

@@ -94,6 +94,14 @@ TEST_F(SemanticMemoryTest, WhatMakesNoSenseIsRefused) {
   EXPECT_THAT(desk.Do("smem --add {(@1 ^k4 2)}"), HasSubstr("Error parsing clause #0"));
   EXPECT_THAT(desk.Do("smem --query {(<q> ^k4 2)}"), HasSubstr("Error parsing clause #1."));
   EXPECT_EQ(desk.Do("smem --stats edges"), " 1\n");
+  // As in Soar, what spreads rests on base-level activation.
+  EXPECT_THAT(desk.Do("smem --set spreading on"), HasSubstr("cannot be turned on"));
+  desk.Do("smem --set activation-mode base-level; smem --set spreading on");
+  EXPECT_THAT(desk.Do("smem --set activation-mode word"), HasSubstr("Invalid setting"));
+  EXPECT_THAT(desk.Do("smem --set activation-mode recency"), HasSubstr("cannot be changed while spreading"));
+  EXPECT_EQ(desk.Do("smem --get activation-mode"), "activation-mode is base-level\n");
+  desk.Do("smem --set spreading off");
+  EXPECT_EQ(desk.Do("smem --set activation-mode recency"), "activation-mode is now recency\n");
 }
 
 TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {

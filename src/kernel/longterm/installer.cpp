@@ -8,13 +8,15 @@
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/run_control.h"
 #include "kernel/learn/chunker.h"
+#include "kernel/longterm/long_term.h"
+#include "kernel/longterm/wm_activation.h"
 #include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 Installer::Installer(const AgentParts& parts)
-    : uses_{parts.memory, parts.goals,   parts.instantiations, parts.preferences,
-            parts.firing, parts.chunker, parts.elaboration,    parts.run} {}
+    : uses_{parts.memory,      parts.goals, parts.instantiations, parts.preferences, parts.firing, parts.chunker,
+            parts.elaboration, parts.run,   parts.long_term} {}
 
 Symbol Installer::NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier) {
   const Symbol id = uses_.memory.NewIdentifier(letter, level);
@@ -41,6 +43,7 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
     instantiation.o_support = o_support;
     instantiation.held = true;
   }
+  if (WmActivation* const activation = o_support ? Activation() : nullptr) activation->NoteAnswer(id, command);
   if (level > 1) {
     uses_.firing.TraceConditions(id, command);
     if (uses_.chunker.settings().learning()) uses_.chunker.NoteFiring(id);
@@ -73,8 +76,13 @@ void Installer::Retract(std::vector<PreferenceId>& made) {
   }
 }
 
+WmActivation* Installer::Activation() const {
+  return static_cast<WmActivation*>(uses_.long_term.module(LongTerm::ModuleKind::kActivation));
+}
+
 void Installer::Settle() {
   uses_.elaboration.ApplyWorkingMemoryChanges();
+  if (WmActivation* const activation = Activation()) activation->ForgetAnswers();
 }
 
 }  // namespace soarbox::kernel

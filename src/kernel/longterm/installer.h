@@ -16,8 +16,10 @@ class Elaboration;
 class Firing;
 class GoalStack;
 class InstantiationTable;
+class LongTerm;
 class PreferenceChanges;
 class RunControl;
+class WmActivation;
 class WorkingMemory;
 
 /// What a retrieval says of working memory: (id ^attribute value).
@@ -45,6 +47,7 @@ class Installer {
     Chunker& chunker;
     Elaboration& elaboration;
     const RunControl& run;
+    const LongTerm& long_term;
   };
   explicit Installer(const Uses& uses) : uses_(uses) {}
   explicit Installer(const AgentParts& parts);
@@ -62,6 +65,8 @@ class Installer {
 
  private:
   bool GivesOSupport() const;
+  /// Null if working memory has none.
+  WmActivation* Activation() const;
 
   Uses uses_;
   std::vector<PreferenceId> preferences_;  ///< Of the instantiation at hand.

@@ -63,6 +63,10 @@ class SemanticMemory final : public MemoryModule {
 
   const Knowledge& knowledge() const { return *knowledge_; }
   const Activations& activations() const { return activations_; }
+  /// How active an object is, with what spread to it when activation spread last.
+  double ActivationOf(std::uint32_t object) const {
+    return search_.ActivationOf(object, settings_.spreading ? &spreading_ : nullptr);
+  }
   const SmemCounters& counters() const { return counters_; }
   /// True once: Soar shows the floats of the first object that an agent prints with as few digits as they need, those
   /// of all later ones with 16 decimals.

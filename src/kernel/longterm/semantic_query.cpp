@@ -134,6 +134,22 @@ void SemanticSearch::FirstTouched(const Knowledge& knowledge, std::uint32_t obje
   }
 }
 
+double SemanticSearch::OwnActivation(const Knowledge& knowledge, std::uint32_t object) const {
+  const Activations::Touched* const record = activations_.Find(object);
+  if (record == nullptr) return 0;
+  const bool is_large = knowledge.EdgesAt(object).size() >= settings_.thresh;
+  const bool counts_as_new = settings_.activation_mode == ActivationMode::kFrequency ||
+                             (settings_.activation_mode == ActivationMode::kRecency && is_large);
+  return record->count == 0 && counts_as_new ? 0 : record->activation;
+}
+
+double SemanticSearch::ActivationOf(std::uint32_t object, const Spreading* spreading) const {
+  const double base = activations_.Of(object);
+  if (spreading == nullptr || !spreading->Reaches(object)) return base;
+  const double unused = activations_.UnusedStrength();
+  return (base != 0 ? base : std::log(unused / (1 + unused))) + spreading->ShareOf(object);
+}
+
 std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, const Cue& cue,
                                                 std::span<const std::uint32_t> prohibited, std::size_t limit,
                                                 const Spreading* spreading) {
@@ -170,15 +186,14 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const double cold_activation =
       settings_.activation_mode == ActivationMode::kBaseLevel ? -std::numeric_limits<double>::infinity() : 0;
   const auto with_spread = [&](std::uint32_t object) {
-    const double base = activations_.Of(object), unused = activations_.UnusedStrength();
-    if (!spreading->Reaches(object)) return activations_.Find(object) == nullptr ? cold_activation : base;
-    return (base != 0 ? base : std::log(unused / (1 + unused))) + spreading->ShareOf(object);
+    const bool is_cold = !spreading->Reaches(object) && activations_.Find(object) == nullptr;
+    return is_cold ? cold_activation : ActivationOf(object, spreading);
   };
   // Objects that were touched, or that activation spreads to.
   const auto candidate = [&](std::uint32_t object) {
     Candidate made;
     made.object = object;
-    made.activation = activations_.Of(object);
+    made.activation = OwnActivation(knowledge, object);
     if (spreading == nullptr && activations_.Find(object) == nullptr) made.activation = cold_activation;
     if (spreading != nullptr) made.activation = with_spread(object);
     made.is_large = activations_.Find(object) != nullptr && knowledge.EdgesAt(object).size() >= settings_.thresh;
@@ -215,7 +230,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const auto consider = [&](std::uint32_t object) {
     if (one_is_enough && !hot.empty()) {
       // Most are out of the question before they are looked at.
-      double activation = activations_.Of(object);
+      double activation = OwnActivation(knowledge, object);
       if (spreading != nullptr) activation = with_spread(object);
       if (activation < hot.front().activation) return;
     }

@@ -51,6 +51,8 @@ class SemanticSearch {
   /// The places of up to `limit` objects, best first. With spreading, its share is added to the activations.
   std::vector<std::uint32_t> Find(const Knowledge& knowledge, const Cue& cue, std::span<const std::uint32_t> prohibited,
                                   std::size_t limit, const Spreading* spreading = nullptr);
+  /// How active an object is, with what spreads to it, if `spreading` is there.
+  double ActivationOf(std::uint32_t object, const Spreading* spreading) const;
   /// To be called when an object is touched for the first time.
   void FirstTouched(const Knowledge& knowledge, std::uint32_t object);
   /// To be called before or after augmentations of an object with this attribute change.
@@ -74,6 +76,8 @@ class SemanticSearch {
     double number;
     std::uint32_t object;
   };
+  /// What was stored but never used counts as if it were new: by frequency, and by recency if it is large.
+  double OwnActivation(const Knowledge& knowledge, std::uint32_t object) const;
   static bool Better(const Candidate& a, const Candidate& b);
   /// The numbers that objects have for an attribute, in ascending order.
   const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);

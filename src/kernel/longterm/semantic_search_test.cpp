@@ -13,6 +13,7 @@
 
 #include "kernel/longterm/activations.h"
 #include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/link_weights.h"
 #include "kernel/longterm/semantic_query.h"
 #include "kernel/longterm/semantic_records.h"
 
@@ -353,6 +354,32 @@ TEST(SharedKnowledge, ALayerCostsWhatItChanges) {
   EXPECT_LT(layer.MemoryBytes(), 5'000u);
   EXPECT_GT(base->MemoryBytes(), 1'000'000u);
   EXPECT_EQ(layer.CheckInvariants(), "");
+}
+
+TEST(LinkWeights, LinksThatAreUsedGainAndOthersLose) {
+  SmemSettings settings;
+  settings.spreading_edge_update_factor = 0.8;
+  Knowledge knowledge;
+  const std::uint32_t hub = knowledge.AddNew(), left = knowledge.AddNew(), right = knowledge.AddNew();
+  const StoreTerm next = knowledge.terms().String("next");
+  for (const std::uint32_t object : {left, right}) knowledge.AddEdge(hub, next, StoreTerm::Object(object));
+  LinkWeights weights(settings);
+  EXPECT_EQ(weights.Of(knowledge, hub), nullptr);
+  // In the first cycle nothing is lost but by the division: 0.6 and 0.5.
+  weights.Use(knowledge, hub, left, 1);
+  ASSERT_NE(weights.Of(knowledge, hub), nullptr);
+  EXPECT_NEAR(weights.Of(knowledge, hub)->at(left), 0.6 / 1.1, 1e-9);
+  EXPECT_NEAR(weights.Of(knowledge, hub)->at(right), 0.5 / 1.1, 1e-9);
+  weights.Use(knowledge, hub, right, 2);
+  weights.Use(knowledge, hub, right, 2);
+  EXPECT_NEAR(weights.Of(knowledge, hub)->at(right), 0.5522, 1e-4);
+  // In the second of two cycles what is not used loses.
+  weights.Use(knowledge, hub, left, 3);
+  weights.Use(knowledge, hub, left, 4);
+  EXPECT_NEAR(weights.Of(knowledge, hub)->at(left), 0.6022, 1e-4);
+  EXPECT_NEAR(weights.Of(knowledge, hub)->at(right), 0.3978, 1e-4);
+  weights.Forget(hub);
+  EXPECT_EQ(weights.Of(knowledge, hub), nullptr);
 }
 
 TEST(SemanticRecords, BytesThatLieAreRefused) {

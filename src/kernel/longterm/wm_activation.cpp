@@ -99,18 +99,24 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
     if (!memory.wme(wme).live || record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
     const Preference& maker = memory.preference(record.preference);
     if (!maker.o_supported || memory.slot(record.slot).is_operator) continue;
-    History history;
-    history.pending = UsesAtBirth(uses_.instantiations[maker.instantiation]);
-    histories_.insert_or_assign(Index(wme), history);
-    used_.push_back(Index(wme));
-    TellOfLink(wme);
-    uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(uses_.agent, wme); });
+    histories_.erase(Index(wme));
+    Follow(wme, maker.instantiation);
   }
   for (const WmeId wme : removed) {
     if (histories_.erase(Index(wme)) == 0) continue;
     const std::uint64_t timetag = memory.wme(wme).timetag;
     uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowedGone(uses_.agent, timetag); });
   }
+}
+
+/// Begins the history of an element: it counts as made now, even if it was there before without o-support.
+void WmActivation::Follow(WmeId wme, InstantiationId maker) {
+  History history;
+  history.pending = UsesAtBirth(maker);
+  histories_.insert_or_assign(Index(wme), history);
+  used_.push_back(Index(wme));
+  TellOfLink(wme);
+  uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowed(uses_.agent, wme); });
 }
 
 void WmActivation::Use(WmeId wme) {
@@ -124,8 +130,12 @@ void WmActivation::Use(WmeId wme) {
 }
 
 void WmActivation::AddUse(WmeId wme) {
-  History& history = histories_[Index(wme)];
-  if (history.pending++ == 0) used_.push_back(Index(wme));
+  const auto known = histories_.find(Index(wme));
+  if (known == histories_.end()) {
+    Follow(wme, uses_.memory.preference(uses_.memory.record(wme).preference).instantiation);
+    return;
+  }
+  if (known->second.pending++ == 0) used_.push_back(Index(wme));
   TellOfLink(wme);
 }
 
@@ -173,13 +183,32 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
 /// The o-supported elements that an i-supported one rests on, each once.
 void WmActivation::UseWhatHolds(WmeId wme) {
   open_.assign(1, wme);
-  ForWhatHolds([&](WmeId held) { AddUse(held); }, [](WmeId) {});
+  held_.clear();
+  ForWhatHolds([&](WmeId held) { held_.push_back(held); }, [](WmeId) {});
+  for (const WmeId held : held_) AddUse(held);
 }
 
 /// What its maker rests on gives a new element its mean strength; what is as new as it gives nothing.
-std::uint64_t WmActivation::UsesAtBirth(const Instantiation& maker) {
-  double sum = 0;
-  std::uint64_t count = 0;
+std::uint64_t WmActivation::UsesAtBirth(InstantiationId maker) {
+  // (The last of a name: that of one that left nothing may have been given again.)
+  for (std::size_t n = answers_.size(); n-- > 0;) {
+    if (answers_[n].first == maker) return answers_[n].second;
+  }
+  open_.clear();
+  const MatchId match = uses_.instantiations[maker].match;
+  if (match != MatchId::kNone) {
+    for (const WmeId ground : uses_.rete.matches().Wmes(match)) open_.push_back(ground);
+  } else {
+    for (const ConditionTrace& trace : uses_.instantiations.Trace(maker)) {
+      if (trace.wme != WmeId::kNone) open_.push_back(trace.wme);
+    }
+  }
+  return UsesFromOpen(0);
+}
+
+std::uint64_t WmActivation::UsesFromOpen(std::uint64_t others) {
+  double sum = kWithoutHistory * static_cast<double>(others);
+  std::uint64_t count = others;
   // (What goes in the same moment has lost its preference, but not its history.)
   const auto add = [&](WmeId wme) {
     const auto known = histories_.find(Index(wme));
@@ -187,12 +216,20 @@ std::uint64_t WmActivation::UsesAtBirth(const Instantiation& maker) {
     sum += known == histories_.end() ? kWithoutHistory : StrengthAt(known->second, now());
     ++count;
   };
-  open_.clear();
-  if (maker.match != MatchId::kNone) {
-    for (const WmeId ground : uses_.rete.matches().Wmes(maker.match)) open_.push_back(ground);
-  }
   ForWhatHolds(add, add);
   return 1 + (count == 0 ? 0 : static_cast<std::uint64_t>(sum / static_cast<double>(count)));
+}
+
+void WmActivation::NoteAnswer(InstantiationId answer, std::span<const WmeId> command) {
+  if (!settings_.activation) return;
+  constexpr std::uint64_t kLinks = 3;
+  open_.clear();
+  for (const WmeId wme : command) {
+    const WmeRecord& record = uses_.memory.record(wme);
+    const bool is_link = record.kind != WmeKind::kInput && record.preference == PreferenceId::kNone;
+    if (!is_link) open_.push_back(wme);
+  }
+  answers_.emplace_back(answer, UsesFromOpen(kLinks));
 }
 
 void WmActivation::RulesFire(LongTerm& long_term) {
@@ -303,6 +340,7 @@ void WmActivation::AfterInit() {
   histories_.clear();
   used_.clear();
   due_.clear();
+  answers_.clear();
   seen_.clear();
   forgotten_ = 0;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
@@ -65,6 +66,12 @@ class WmActivation final : public MemoryModule {
   /// match that waits, those that wait for the apply phase included.
   static void RulesFire(LongTerm& long_term);
 
+  /// A module made the elements of `answer` with o-support from what was there: the elements of a command, and three
+  /// links of the architecture that lead to it and to its answer.
+  void NoteAnswer(InstantiationId answer, std::span<const WmeId> command);
+  /// The elements of answers are there.
+  void ForgetAnswers() { answers_.clear(); }
+
   /// Of an element, as of now: 1 for those without a history.
   double Of(WmeId wme) const;
   /// Null for those without a history.
@@ -87,11 +94,14 @@ class WmActivation final : public MemoryModule {
   double StrengthAt(const History& history, std::uint64_t cycle) const;
   void Use(WmeId wme);
   void AddUse(WmeId wme);
+  void Follow(WmeId wme, InstantiationId maker);
   void TellOfLink(WmeId wme);
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);
-  std::uint64_t UsesAtBirth(const Instantiation& maker);
+  std::uint64_t UsesAtBirth(InstantiationId maker);
+  /// Of what rests on the elements of open_, and on as many others of which no history is kept.
+  std::uint64_t UsesFromOpen(std::uint64_t others);
   void Enter(WmeId wme, History& history);
   /// The first cycle in which the element will be below the threshold if nobody uses it.
   std::uint64_t DueOf(const History& history) const;
@@ -103,7 +113,8 @@ class WmActivation final : public MemoryModule {
   std::unordered_map<std::uint32_t, History> histories_;               ///< By WmeId.
   std::vector<std::uint32_t> used_;                                    ///< With uses in this cycle.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: who may be forgotten then.
-  std::vector<WmeId> open_;
+  std::vector<std::pair<InstantiationId, std::uint64_t>> answers_;  ///< Whose elements are not there yet: their uses.
+  std::vector<WmeId> open_, held_;
   std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that passed it.
   std::uint32_t pass_ = 0;
   std::uint64_t forgotten_ = 0;
