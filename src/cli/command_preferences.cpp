@@ -242,6 +242,7 @@ Symbol FindAttribute(Agent& agent, const std::string& word) {
 
 bool NotFound(CommandCall& call, const std::string& what) {
   call.Out(what + "\n");
+  call.stream().SetColumn(0);
   return call.Fail("An Error occured trying to print the prefs.");
 }
 

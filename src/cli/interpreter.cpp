@@ -33,6 +33,18 @@ void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
   }
 }
 
+/// Whether objects that are printed next are wrapped as if the answer of this command stood before them: Soar's printer
+/// sees the tables of these commands, though they are no output of the agent's.
+bool MovesColumn(std::string_view command, std::span<const Word> words, bool ok) {
+  const std::string_view second = words.size() > 1 ? std::string_view(words[1].text) : std::string_view();
+  if (command == "chunk") return ok && !second.starts_with("max-");
+  if (command == "explain") return ok || second == "record" || second == "list";
+  for (const std::string_view name : {"decide", "load", "output", "production", "save", "smem", "soar"}) {
+    if (command == name) return second == "?" || (ok && second.empty());
+  }
+  return false;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(Host* host) : host_(host ? host : &default_host_) {
@@ -95,6 +107,7 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   words.front().text = command->name;
   const std::span<const Word> outer = call.words;
   call.words = words;
+  const std::size_t length = call.result.text.size();
   ++depth_;
   bool ok = false;
   try {
@@ -107,6 +120,11 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   }
   --depth_;
   call.words = outer;
+  if (call.result.text.size() > length && MovesColumn(command->name, words, ok)) {
+    const std::size_t line = call.result.text.rfind('\n');
+    const std::size_t begin = line == std::string::npos || line < length ? length : line + 1;
+    call.stream().SetColumn(static_cast<int>(call.result.text.size() - begin));
+  }
   if (!ok && call.failure == CommandCall::Failure::kNone) call.failure = CommandCall::Failure::kWithoutMessage;
   return ok;
 }
