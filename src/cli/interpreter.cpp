@@ -121,9 +121,9 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
   --depth_;
   call.words = outer;
   if (call.result.text.size() > length && MovesColumn(command->name, words, ok)) {
-    const std::size_t line = call.result.text.rfind('\n');
-    const std::size_t begin = line == std::string::npos || line < length ? length : line + 1;
-    call.stream().SetColumn(static_cast<int>(call.result.text.size() - begin));
+    const std::string_view answer = std::string_view(call.result.text).substr(length);
+    const bool ends_line = command->name == std::string_view("explain") || answer.find('\n') == std::string_view::npos;
+    call.stream().SetColumn(ends_line ? 0 : static_cast<int>(answer.size() - answer.rfind('\n') - 1));
   }
   if (!ok && call.failure == CommandCall::Failure::kNone) call.failure = CommandCall::Failure::kWithoutMessage;
   return ok;
