@@ -9,6 +9,7 @@
 
 #include "kernel/longterm/activations.h"
 #include "kernel/longterm/knowledge.h"
+#include "kernel/longterm/link_weights.h"
 #include "kernel/longterm/semantic_query.h"
 #include "kernel/longterm/semantic_records.h"
 #include "kernel/longterm/spreading.h"
@@ -91,7 +92,8 @@ int main(int argc, char** argv) {
     cue.elements[1].math = MathTest::kMax;
     return cue;
   });
-  Spreading spreading(settings);
+  LinkWeights weights(settings);
+  Spreading spreading(settings, weights);
   std::map<std::uint32_t, double> sources;
   for (std::uint32_t n = 0; n < 20; ++n) sources[static_cast<std::uint32_t>(random() % objects)] = 1;
   const double spread = Seconds([&] { spreading.SetSources(knowledge, sources); });
