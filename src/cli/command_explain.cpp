@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -67,7 +68,7 @@ void ExplainOverview(CommandCall& call) {
     summary.Text(store.IsOn("explain", "all") ? "\n" : "Rules watched:\n");
   }
   if (const ExplainedRule* const current = ChosenRule(call); current != nullptr) {
-    summary.Text(fmt::format("Currently explaining {} (c {}).\n", current->name, current->number));
+    summary.Text(fmt::format("{:<54}{} (c {})\n\n", "Current rule being explained:", current->name, current->number));
   } else {
     summary.Text("No rule is currently being explained.\n");
   }
@@ -212,6 +213,21 @@ bool ExplainChunk(CommandCall& call) {
   return true;
 }
 
+/// The firing as the rule has it, or as another one does: behind that rule it made no result.
+std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const ExplainedRule& rule, std::uint32_t serial) {
+  if (serial == rule.instance) return LearnedInstance(rule);
+  if (const ExplainedRule::Firing* const firing = rule.FindFiring(serial); firing != nullptr) return *firing;
+  for (const ExplainedRule& other : call.agent().Explained()) {
+    const ExplainedRule::Firing* const known = other.FindFiring(serial);
+    if (known == nullptr && serial != other.instance) continue;
+    ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(other);
+    firing.made_result = false;
+    firing.path.clear();
+    return firing;
+  }
+  return std::nullopt;
+}
+
 void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
   const ExplainState& state = call.session.explain();
   if (state.firing == 0) {
@@ -219,15 +235,10 @@ void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
     return;
   }
   const LoadedRules loaded = LoadedIn(call);
-  const auto show = [&](const ExplainedRule::Firing& firing) {
-    const bool menu = state.elements || !loaded(firing.rule);
-    call.Out(ExplainedFiringText(rule, firing, state.elements, loaded) + (menu ? ExplainMenu(true) : ""));
-  };
-  if (state.firing == rule.instance) {
-    show(LearnedInstance(rule));
-  } else if (const ExplainedRule::Firing* const firing = rule.FindFiring(state.firing); firing != nullptr) {
-    show(*firing);
-  }
+  const std::optional<ExplainedRule::Firing> firing = FindFiring(call, rule, state.firing);
+  if (!firing) return;
+  const bool menu = state.elements || !loaded(firing->rule);
+  call.Out(ExplainedFiringText(rule, *firing, state.elements, loaded) + (menu ? ExplainMenu(true) : ""));
 }
 
 bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
@@ -236,7 +247,7 @@ bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
   const bool is_number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   if (!is_number) call.Out("The instantiation ID must be a number.\n");
   const std::uint64_t number = is_number ? std::strtoull(word.c_str(), nullptr, 10) : 0;
-  if (number != rule.instance && rule.FindFiring(static_cast<std::uint32_t>(number)) == nullptr) {
+  if (!FindFiring(call, rule, static_cast<std::uint32_t>(number))) {
     call.Out(fmt::format("Could not find an instantiation with ID {}.\n", number));
     return call.FailPrinted();
   }

@@ -67,8 +67,8 @@ void PrintRules(CommandCall& call, const ParsedWords& parsed, const RuleListStyl
     ProductionType type;
   };
   constexpr Listed kTypes[] = {
-      {'D', ProductionType::kDefault}, {'u', ProductionType::kUser},          {'T', ProductionType::kTemplate},
-      {'c', ProductionType::kChunk},   {'j', ProductionType::kJustification},
+      {'D', ProductionType::kDefault},       {'u', ProductionType::kUser},  {'T', ProductionType::kTemplate},
+      {'j', ProductionType::kJustification}, {'c', ProductionType::kChunk},
   };
   bool any_type = false;
   for (const Listed& listed : kTypes) any_type = any_type || parsed.Has(listed.letter);

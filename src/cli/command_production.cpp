@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <initializer_list>
 #include <map>
+#include <string_view>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/find_rules.h"
@@ -201,21 +203,49 @@ bool Find(CommandCall& call) {
   return true;
 }
 
-/// Prints "COUNT:  NAME" lines, largest count first; equal ones oldest first. `in_bars`: names that need them.
-bool Counts(CommandCall& call, std::vector<ProductionId> rules, std::size_t limit,
-            const std::function<std::uint64_t(ProductionId)>& count, bool in_bars) {
-  std::vector<std::pair<std::uint64_t, ProductionId>> counted;
-  for (const ProductionId id : rules) counted.emplace_back(count(id), id);
-  std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (limit > 0 && counted.size() > limit) counted.resize(limit);
-  for (const auto& [number, id] : counted) {
-    const Production& rule = call.agent().production(id);
-    const std::string name = in_bars ? RuleName(call.agent(), rule) : std::string(rule.name);
-    call.Out(fmt::format("{:6}:  {}\n", number, name));
-    call.AddArgument("name", "string", name);
-    call.AddArgument("count", "int", std::to_string(number));
+/// A line "COUNT:  NAME".
+struct Counted {
+  std::uint64_t number = 0;
+  std::string name;
+};
+
+void PrintCounts(CommandCall& call, const std::vector<Counted>& lines) {
+  for (const Counted& line : lines) {
+    call.Out(fmt::format("{:6}:  {}\n", line.number, line.name));
+    call.AddArgument("name", "string", line.name);
+    call.AddArgument("count", "int", std::to_string(line.number));
   }
-  return true;
+}
+
+/// The wanted rules by type, those of one type newest first. `in_bars`: names that need them.
+template <typename Wanted, typename Count>
+std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<ProductionType> types, bool in_bars,
+                                Wanted&& wanted, Count&& count) {
+  const kernel::Agent& agent = call.agent();
+  std::vector<Counted> lines;
+  const auto name_of = [&](const Production& rule) { return in_bars ? RuleName(agent, rule) : std::string(rule.name); };
+  for (const ProductionType type : types) {
+    if (type == ProductionType::kJustification) {
+      const std::vector<kernel::ProductionPtr> rules = agent.Justifications();
+      for (auto rule = rules.rbegin(); rule != rules.rend(); ++rule) {
+        if (wanted(**rule)) lines.push_back({count(ProductionId::kNone), name_of(**rule)});
+      }
+      continue;
+    }
+    for (const ProductionId id : RulesOfType(agent, type)) {
+      const Production& rule = agent.production(id);
+      if (wanted(rule)) lines.push_back({count(id), name_of(rule)});
+    }
+  }
+  return lines;
+}
+
+/// Largest count first. Equal counts stand as Soar's library leaves them: it sorts upwards with std::sort, which keeps
+/// their order only in short lists.
+void SortCounts(std::vector<Counted>& lines, std::size_t limit) {
+  std::sort(lines.begin(), lines.end(), [](const Counted& a, const Counted& b) { return a.number < b.number; });
+  std::reverse(lines.begin(), lines.end());
+  if (limit > 0 && lines.size() > limit) lines.resize(limit);
 }
 
 bool FiringCounts(CommandCall& call) {
@@ -235,7 +265,7 @@ bool FiringCounts(CommandCall& call) {
         call.Out("Ignoring unexpected options when printing firing count for a single production.\n");
       }
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
-      Counts(call, {id}, 0, count, false);
+      PrintCounts(call, {{count(id), std::string(call.agent().production(id).name)}});
       if (has_options) call.failure = CommandCall::Failure::kReported;
       return !has_options;
     }
@@ -244,27 +274,37 @@ bool FiringCounts(CommandCall& call) {
     limit = static_cast<std::size_t>(*number);
   }
   // Templates are not told apart here: the option for them shows all rules.
-  if (parsed.Has('T')) parsed.options.push_back({'a', std::nullopt});
-  std::vector<ProductionId> rules = Selected(call, parsed);
-  // Equal counts show in the order of loading, but default rules after the others.
-  std::stable_partition(rules.begin(), rules.end(),
-                        [&](ProductionId id) { return call.agent().production(id).type != ProductionType::kDefault; });
-  const bool none = rules.empty() && (!parsed.options.empty() || call.agent().Justifications().empty());
-  if (none) return call.Fail("No productions in memory of those type(s).");
-  if (parsed.Has('f')) std::erase_if(rules, [&](ProductionId id) { return count(id) == 0; });
+  const auto asks_for = [&](char letter) { return parsed.Has(letter); };
+  const bool all = parsed.Has('a') || parsed.Has('T') || std::ranges::none_of(std::string_view("cdjru"), asks_for);
+  const auto wanted = [&](const Production& rule) {
+    if (all) return true;
+    // Rules of reinforcement learning are a kind of their own.
+    if (rule.is_rl) return parsed.Has('r');
+    switch (rule.type) {
+      case ProductionType::kUser:
+        return parsed.Has('u');
+      case ProductionType::kChunk:
+        return parsed.Has('c');
+      case ProductionType::kDefault:
+        return parsed.Has('d');
+      case ProductionType::kJustification:
+        return parsed.Has('j');
+      case ProductionType::kTemplate:
+        break;
+    }
+    return false;
+  };
+  std::vector<Counted> lines =
+      CountRules(call,
+                 {ProductionType::kChunk, ProductionType::kDefault, ProductionType::kJustification,
+                  ProductionType::kUser, ProductionType::kTemplate},
+                 false, wanted, [&](ProductionId id) { return id == ProductionId::kNone ? 0 : count(id); });
+  if (lines.empty()) return call.Fail("No productions in memory of those type(s).");
+  if (parsed.Has('f')) std::erase_if(lines, [&](const Counted& line) { return line.number == 0; });
   // None at all: those that have never fired.
-  if (number_given && limit == 0) std::erase_if(rules, [&](ProductionId id) { return count(id) > 0; });
-  const std::size_t listed = rules.size();
-  if (!Counts(call, std::move(rules), limit, count, false)) return false;
-  if (!parsed.options.empty()) return true;
-  // Justifications come last: they never fire.
-  std::size_t more = limit == 0 ? std::string::npos : limit - std::min(limit, listed);
-  for (const kernel::ProductionPtr& rule : call.agent().Justifications()) {
-    if (more-- == 0) break;
-    call.Out(fmt::format("{:6}:  {}\n", 0, rule->name));
-    call.AddArgument("name", "string", std::string(rule->name));
-    call.AddArgument("count", "int", "0");
-  }
+  if (number_given && limit == 0) std::erase_if(lines, [&](const Counted& line) { return line.number > 0; });
+  SortCounts(lines, limit);
+  PrintCounts(call, lines);
   return true;
 }
 
@@ -299,19 +339,39 @@ bool MemoryUsage(CommandCall& call) {
       }
       const ProductionId id = FindRule(call.agent(), word);
       if (id == ProductionId::kNone) return call.Fail("Production not found.");
-      Counts(call, {id}, 0, count, true);
+      PrintCounts(call, {{count(id), RuleName(call.agent(), call.agent().production(id))}});
       call.Out(CrowdText(call.agent(), id));
       return true;
     }
     if (*number <= 0) return call.Fail("Expected positive integer.");
     limit = static_cast<std::size_t>(*number);
   }
-  std::vector<ProductionId> rules = Selected(call, parsed);
-  std::stable_partition(rules.begin(), rules.end(),
-                        [&](ProductionId id) { return call.agent().production(id).type == ProductionType::kDefault; });
-  if (rules.empty()) return call.Fail("Production not found.");
-  Counts(call, rules, limit, count, true);
-  for (const ProductionId id : rules) call.Out(CrowdText(call.agent(), id));
+  const bool all = parsed.options.empty();
+  const auto wanted = [&](const Production& rule) {
+    switch (rule.type) {
+      case ProductionType::kUser:
+        return all || parsed.Has('u');
+      case ProductionType::kDefault:
+        return all || parsed.Has('d');
+      case ProductionType::kChunk:
+        return all || parsed.Has('c');
+      case ProductionType::kJustification:
+        return all || parsed.Has('j');
+      case ProductionType::kTemplate:
+        return all || parsed.Has('T');
+    }
+    return false;
+  };
+  // A justification holds the one match that it stands for.
+  std::vector<Counted> lines =
+      CountRules(call,
+                 {ProductionType::kUser, ProductionType::kDefault, ProductionType::kChunk,
+                  ProductionType::kJustification, ProductionType::kTemplate},
+                 true, wanted, [&](ProductionId id) { return id == ProductionId::kNone ? 1 : count(id); });
+  if (lines.empty()) return call.Fail("Production not found.");
+  SortCounts(lines, limit);
+  PrintCounts(call, lines);
+  for (const ProductionId id : Selected(call, parsed)) call.Out(CrowdText(call.agent(), id));
   return true;
 }
 

@@ -40,7 +40,7 @@ std::string ActionText(const ExplainedRule::Action& action, Column column, bool 
   std::string text = "(" + In(action.id, column) + " ^" + In(action.attribute, column) + " " + In(action.value, column);
   const std::string sign(kernel::PreferenceSign(action.type));
   std::string rest = " " + sign;
-  if (!action.referent.value.empty()) rest += " " + In(action.referent, column);
+  if (!action.referent.value.empty()) rest += (sign_inside ? "" : " ") + In(action.referent, column);
   return sign_inside ? text + rest + ")" : text + ")" + rest;
 }
 
@@ -128,9 +128,13 @@ std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& 
                      "\nWarning:  Cannot print explanation trace for this instantiation because no underlying\n"
                      "            rule found in RETE.  Printing working memory trace instead.\n\n" +
                      Padded(title, 56) + match;
-  text += firing.made_result ? " (produced chunk result)\n"
-                             : "- Shortest path to a result: " + PathText(firing.path) + "\n";
-  text += Padded("", 74) + "Identities instead of variables Operational Creator\n\n";
+  if (firing.made_result || !firing.path.empty()) {
+    text += firing.made_result ? " (produced chunk result)\n"
+                               : "- Shortest path to a result: " + PathText(firing.path) + "\n";
+    text += Padded("", 74) + "Identities instead of variables Operational Creator\n\n";
+  } else {
+    text += "\n" + Padded("", 55) + "Identities instead of variables            Operational    Creator\n\n";
+  }
   text += ConditionRows(firing.conditions, Column::kValue, learned,
                         [&](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
                           const std::string identity =
@@ -258,8 +262,8 @@ std::string FormationText(const ExplainedRule& rule, bool elements, const Loaded
     }
   }
   text += "\n";
-  text += fmt::format("This chunk summarizes the problem-solving involved in the following {} rule firing{}:\n\n",
-                      rule.firings.size(), rule.firings.size() == 1 ? "" : "s");
+  text += fmt::format("This chunk summarizes the problem-solving involved in the following {} rule firings:\n\n",
+                      rule.firings.size());
   for (const ExplainedRule::Firing& firing : rule.firings) {
     text += fmt::format("   i {} ({})\n", firing.serial, firing.rule);
   }

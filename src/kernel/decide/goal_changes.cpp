@@ -155,18 +155,24 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   goal.items = kept_items_;
   // Soar counts a firing of its own behind each item.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
-  engine_.instantiations.SkipSerials(firings);
   engine_.chunker.NoteItems(firings);
+  engine_.instantiations.SkipSerials(firings);
+  std::uint32_t firing = 0;
   const auto add = [&](Symbol attribute, Symbol value) {
+    goal.items.push_back(AddArchitecture(goal.id, attribute, value));
+    return goal.items.back();
+  };
+  const auto add_item = [&](Symbol attribute, Symbol value) {
     const bool present = std::any_of(kept_items_.begin(), kept_items_.end(), [&](WmeId item) {
       return memory.wme(item).attribute == attribute && memory.wme(item).value == value;
     });
-    if (!present) goal.items.push_back(AddArchitecture(goal.id, attribute, value));
+    if (!present) engine_.chunker.NoteItem(add(attribute, value), firing);
+    ++firing;
   };
-  for (const Candidate& candidate : candidates) add(words::kItem, candidate.value);
+  for (const Candidate& candidate : candidates) add_item(words::kItem, candidate.value);
   add(words::kItemCount, item_count);
   for (const Candidate& candidate : candidates) {
-    if (!candidate.is_numeric) add(words::kNonNumeric, candidate.value);
+    if (!candidate.is_numeric) add_item(words::kNonNumeric, candidate.value);
   }
   if (non_numeric > 0) add(words::kNonNumericCount, non_numeric_count);
 }

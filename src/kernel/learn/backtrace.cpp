@@ -28,6 +28,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   out.links.clear();
   out.superstate_links.clear();
   out.item_tests.clear();
+  out.items.clear();
   out.negations.clear();
   out.operator_grounds.clear();
   out.lowest_ground = 0;
@@ -53,7 +54,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   std::ranges::reverse(out.grounds);
   std::ranges::reverse(out.negations);
   if (!out.negations.empty()) SortNegations();
-  uses_.statistics.backtraced += out.firings.size();
+  uses_.statistics.backtraced += out.firings.size() + out.items.size();
 }
 
 bool Backtracer::Mark(WmeId wme) {
@@ -117,6 +118,7 @@ inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& 
 /// An item of an impasse rests on the proposal in the superstate.
 void Backtracer::VisitItem(WmeId item) {
   const WmeId proposal = uses_.goal_changes.ProposalOfItem(item);
+  out_->items.push_back(item);
   if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item}, uses_.memory.wme(proposal));
 }
 

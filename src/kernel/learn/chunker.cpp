@@ -82,6 +82,7 @@ void Chunker::Clear() {
 
 void Chunker::NoteSubstate(GoalLevel level) {
   uses_.goals.at(level).learned_below = false;
+  if (level == 2) item_firings_.clear();
   if (!settings_.learning()) return;
   uses_.goals.at(level).has_identities = true;
   if (level == 2) next_identity_ = 1;
@@ -93,12 +94,26 @@ void Chunker::NoteSubstate(GoalLevel level) {
 
 void Chunker::NoteItems(std::uint32_t count) {
   if (!settings_.learning()) return;
+  first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
   next_identity_ += 2 * count;
   statistics_.identities_created += 2 * count;
   statistics_.identities_propagated += 3 * count;
 }
 
+void Chunker::NoteItem(WmeId item, std::uint32_t index) {
+  if (settings_.learning()) item_firings_[item] = {first_item_.serial + index, first_item_.identity + 2 * index};
+}
+
+const Chunker::ItemFiring* Chunker::FiringOfItem(WmeId item) const {
+  const auto found = item_firings_.find(item);
+  return found == item_firings_.end() ? nullptr : &found->second;
+}
+
 std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
+  if (FiringReader::IsItem(key)) {
+    const ItemFiring* const firing = FiringOfItem(FiringReader::ItemOf(key));
+    return firing != nullptr ? firing->identity : 0;
+  }
   if (!FiringReader::IsSuperstateLink(key)) return 0;
   const std::uint32_t level = key.place / 2u;
   return level < substate_identity_.size() ? substate_identity_[level] + key.place % 2u : 0;
@@ -118,7 +133,8 @@ void Chunker::NoteFiring(InstantiationId id) {
   for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
     const std::uint16_t identity_class = plan.of_field[place];
     if (identity_class == IdentityPlan::kLiteral || plan.first[identity_class] == place) continue;
-    if (reader_.SourceOf(id, static_cast<std::uint16_t>(place)) == FiringReader::Source::kMaker) {
+    const FiringReader::Source source = reader_.SourceOf(id, static_cast<std::uint16_t>(place));
+    if (source == FiringReader::Source::kMaker || source == FiringReader::Source::kItem) {
       ++statistics_.identities_blocked;
     }
   }

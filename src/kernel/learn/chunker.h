@@ -101,6 +101,15 @@ class Chunker {
   void NoteSubstate(GoalLevel level);
   /// An impasse got its items, `count` of them: each stands for a firing that names its state and its operator.
   void NoteItems(std::uint32_t count);
+  /// The firing behind an item.
+  struct ItemFiring {
+    std::uint32_t serial = 0;
+    std::uint32_t identity = 0;  ///< The number of the operator's; 0 for none.
+  };
+  /// An item that was not there before; `index` of those that NoteItems counted last.
+  void NoteItem(WmeId item, std::uint32_t index);
+  /// Null for items that came while nothing was to be learned.
+  const ItemFiring* FiringOfItem(WmeId item) const;
   /// An element came into working memory; for singletons. (WmeChanges tells of elements while that is wanted.)
   void NoteElement(Symbol attribute) { singletons_.Note(attribute); }
   std::uint32_t identities_created() const { return next_identity_ - 1; }
@@ -160,6 +169,8 @@ class Chunker {
   std::uint32_t next_number_ = 0;  ///< Of numbered names.
   std::vector<std::uint32_t>
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
+  std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.
+  ItemFiring first_item_;                               ///< Of those that NoteItems counted last.
   std::uint64_t cycle_ = ~std::uint64_t{0};
   std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;
   std::unordered_map<ProductionId, Origin> learned_;

@@ -28,7 +28,7 @@ std::string_view Descriptions::ProductionName(InstantiationId id) const {
   if (instantiation.justification != Instantiation::kNoJustification) {
     return uses_.justifier.Name(instantiation.justification);
   }
-  if (instantiation.production == ProductionId::kNone) return "|Memory System Recall|";
+  if (instantiation.production == ProductionId::kNone) return kNoRule;
   const ProductionPtr& rule = uses_.rete.production(instantiation.production);
   return rule == nullptr ? std::string_view("[excised]") : std::string_view(rule->name);
 }

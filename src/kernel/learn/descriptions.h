@@ -29,6 +29,7 @@ class Descriptions {
   [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
   [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
   [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;
+  static constexpr std::string_view kNoRule = "|Memory System Recall|";  ///< Stands for the architecture.
   /// The name of the rule or justification that fired, or what stands for the architecture.
   std::string_view ProductionName(InstantiationId id) const;
   /// The operator selected in a goal, or none.

@@ -55,6 +55,7 @@ struct Explanation {
     WmeId item = WmeId::kNone;
   };
   std::vector<ItemTest> item_tests;
+  std::vector<WmeId> items;  ///< Items of the impasse that were followed to the proposals that they rest on.
   /// A negated condition that refers to higher states only. `source` is none in justifications.
   struct Negation {
     InstantiationId firing = InstantiationId::kNone;

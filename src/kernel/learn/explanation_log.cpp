@@ -62,8 +62,9 @@ std::string Joined(const std::vector<std::string>& parts) {
 /// "i 3 (rule)" of the shortest way from each firing to one that made a result; none from those that only selected.
 class ShortestPaths {
  public:
-  ShortestPaths(const InstantiationTable& instantiations, const WorkingMemory& memory, const Explanation& explanation)
-      : instantiations_(instantiations) {
+  ShortestPaths(const InstantiationTable& instantiations, const WorkingMemory& memory, const Chunker& chunker,
+                const Explanation& explanation)
+      : instantiations_(instantiations), chunker_(chunker) {
     std::vector<InstantiationId> wave;
     const auto begin = [&](InstantiationId firing) {
       if (next_.try_emplace(SerialOf(firing), 0).second) wave.push_back(firing);
@@ -78,13 +79,18 @@ class ShortestPaths {
           const InstantiationId maker = memory.preference(link.maker).instantiation;
           if (next_.try_emplace(SerialOf(maker), SerialOf(firing)).second) following.push_back(maker);
         }
+        for (const Explanation::ItemTest& test : explanation.item_tests) {
+          if (test.firing == firing) next_.try_emplace(SerialOf(test.item), SerialOf(firing));
+        }
       }
       wave = std::move(following);
     }
   }
-  std::vector<std::uint32_t> From(InstantiationId firing) const {
+  /// From a firing, or from the one behind an item.
+  template <typename Begin>
+  std::vector<std::uint32_t> From(Begin begin) const {
     std::vector<std::uint32_t> path;
-    for (auto found = next_.find(SerialOf(firing)); found != next_.end(); found = next_.find(found->second)) {
+    for (auto found = next_.find(SerialOf(begin)); found != next_.end(); found = next_.find(found->second)) {
       path.push_back(found->first);
     }
     return path;
@@ -92,7 +98,12 @@ class ShortestPaths {
 
  private:
   std::uint32_t SerialOf(InstantiationId firing) const { return instantiations_[firing].serial; }
+  std::uint32_t SerialOf(WmeId item) const {
+    const Chunker::ItemFiring* const firing = chunker_.FiringOfItem(item);
+    return firing != nullptr ? firing->serial : 0;
+  }
   const InstantiationTable& instantiations_;
+  const Chunker& chunker_;
   std::map<std::uint32_t, std::uint32_t> next_;
 };
 
@@ -176,7 +187,7 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
   return out;
 }
 
-ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
+ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own) {
   const Preference& preference = uses_.memory.preference(id);
   const Production* const rule = reader_.Rule(preference.instantiation);
   ExplainedRule::Action out;
@@ -185,9 +196,16 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
     ExplainedRule::Field field;
     if (!symbol) return field;
     field.value = Name(symbol);
-    const IdentityGraph::Node node = analysis_.OfTerm(reader_.TermOf(id, part), preference.instantiation);
+    const FiringReader::Term made = reader_.TermOf(id, part);
+    const IdentityGraph::Node node = analysis_.OfTerm(made, preference.instantiation);
     if (node != IdentityGraph::kNone) field.number = analysis_.NumberOf(node);
     field.identity = node == IdentityGraph::kNone ? "[" + field.value + "]" : Number(node);
+    if (made.kind == FiringReader::Term::Kind::kFunction && !symbol.IsIdentifier()) {
+      field.identity = "[" + FunctionText(*made.function, preference.instantiation, own) + "]";
+    }
+    if (own && node != IdentityGraph::kNone && analysis_.NumberOfOwn(node) != field.number) {
+      field.identity.insert(1, std::to_string(analysis_.NumberOfOwn(node)) + "->");
+    }
     field.text = field.value;
     if (term != nullptr) {
       field.text.clear();
@@ -198,11 +216,36 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id) {
   const Action* const action =
       rule != nullptr && preference.action < rule->actions.size() ? &rule->actions[preference.action] : nullptr;
   using Part = FiringReader::Part;
-  out.id = describe(Part::kId, preference.id, action ? &action->id : nullptr);
+  out.id = describe(FiringReader::Part::kId, preference.id, action ? &action->id : nullptr);
   out.attribute = describe(Part::kAttribute, preference.attribute, action ? &action->attribute : nullptr);
   out.value = describe(Part::kValue, preference.value, action ? &action->value : nullptr);
   out.referent = describe(Part::kReferent, preference.referent, action ? &action->referent : nullptr);
   return out;
+}
+
+/// A function with the identities of its arguments, or with what they were.
+std::string ExplanationLog::FunctionText(const RhsValue& function, InstantiationId firing, bool identities) {
+  std::string text;
+  AppendRhsValue(text, uses_.symbols, function);
+  text.resize(text.find_first_of(" )"));
+  for (const RhsValue& argument : function.arguments()) {
+    text += ' ';
+    if (argument.kind == RhsValueKind::kFunction) {
+      text += FunctionText(argument, firing, identities);
+      continue;
+    }
+    const std::uint16_t bound =
+        argument.kind == RhsValueKind::kBound ? reader_.ClassOf(argument, firing) : IdentityPlan::kLiteral;
+    const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
+    if (node == IdentityGraph::kNone) {
+      AppendRhsValue(text, uses_.symbols, argument);
+    } else if (identities) {
+      text += "[v" + std::to_string(analysis_.NumberOfOwn(node)) + "c0]";
+    } else {
+      text += Name(ValueOfClass(reader_.Plan(firing), bound, uses_.instantiations.Trace(firing), uses_.memory));
+    }
+  }
+  return text + ")";
 }
 
 ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explanation& explanation) {
@@ -231,6 +274,10 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
       const InstantiationId maker = uses_.memory.preference(traces[n].preference).instantiation;
       condition.creator = uses_.instantiations[maker].serial;
       condition.creator_rule = uses_.descriptions.ProductionName(maker);
+    } else if (const Chunker::ItemFiring* const maker = uses_.chunker.FiringOfItem(traces[n].wme);
+               maker != nullptr && !condition.operational) {
+      condition.creator = maker->serial;
+      condition.creator_rule = Descriptions::kNoRule;
     }
     out.conditions.push_back(std::move(condition));
   };
@@ -252,10 +299,47 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
        p = uses_.memory.preference(p).next_of_instantiation) {
-    out.actions.push_back(DescribeAction(p));
+    out.actions.push_back(DescribeAction(p, true));
     out.made_result |= std::ranges::find(explanation.results, p) != explanation.results.end();
   }
   std::ranges::reverse(out.actions);
+  return out;
+}
+
+/// It names the operator's proposal in the superstate and the substate's link to that.
+ExplainedRule::Firing ExplanationLog::Describe(WmeId item, std::uint32_t serial, const Explanation& explanation) {
+  ExplainedRule::Firing out;
+  out.serial = serial;
+  out.rule = Descriptions::kNoRule;
+  out.level = explanation.level;
+  const Wme& wme = uses_.memory.wme(item);
+  const Symbol superstate = uses_.goals.at(static_cast<GoalLevel>(explanation.level - 1)).id;
+  const auto field = [&](Symbol value, IdentityGraph::Node node) {
+    ExplainedRule::Field described;
+    described.text = described.value = Name(value);
+    described.identity = node == IdentityGraph::kNone ? described.value : Number(node);
+    if (node != IdentityGraph::kNone) described.number = analysis_.NumberOf(node);
+    return described;
+  };
+  const IdentityGraph::Node state =
+      analysis_.graph().Of(FiringReader::SuperstateLink(explanation.level, FiringReader::Part::kId));
+  const IdentityGraph::Node above =
+      analysis_.graph().Of(FiringReader::SuperstateLink(explanation.level, FiringReader::Part::kValue));
+  const IdentityGraph::Node op = analysis_.graph().Of(FiringReader::Item(item));
+  ExplainedRule::Condition proposal, link;
+  proposal.id = field(superstate, above);
+  proposal.attribute = field(words::kOperator, IdentityGraph::kNone);
+  proposal.value = field(wme.value, op);
+  proposal.acceptable = proposal.operational = true;
+  link.id = field(wme.id, state);
+  link.attribute = field(words::kSuperstate, IdentityGraph::kNone);
+  link.value = field(superstate, above);
+  out.conditions = {std::move(proposal), std::move(link)};
+  ExplainedRule::Action action;
+  action.id = field(wme.id, state);
+  action.attribute = field(words::kItem, IdentityGraph::kNone);  // Of non-numeric ones, too.
+  action.value = field(wme.value, op);
+  out.actions.push_back(std::move(action));
   return out;
 }
 
@@ -283,6 +367,7 @@ std::string ExplanationLog::IdentityText(const Test& test, InstantiationId firin
         node = analysis_.OfClass(firing, reader_.Plan(firing).ClassOf(part.referent()));
       }
       text += node == IdentityGraph::kNone ? Name(part.referent()) : Number(node);
+      if (node != IdentityGraph::kNone) negated_identities_.push_back(analysis_.NumberOf(node));
     }
     parts.push_back(std::move(text));
   });
@@ -329,7 +414,8 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
 
 /// The conditions and actions of the learned rule beside the identities that they came from.
 void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& explanation) {
-  const ShortestPaths paths(uses_.instantiations, uses_.memory, explanation);
+  const ShortestPaths paths(uses_.instantiations, uses_.memory, uses_.chunker, explanation);
+  negated_identities_.clear();
   const auto describe = [&](std::uint32_t index, const Condition* learned) {
     ExplainedRule::Condition condition;
     const bool known = index < explanation.grounds.size();
@@ -366,6 +452,12 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       condition.path = paths.From(ground.firing);
       condition.acceptable = wme.acceptable;
       condition.operational = true;
+    } else if (known) {
+      condition.path = paths.From(ground.item);
+      for (const Field field : {Field::kId, Field::kValue}) {
+        const IdentityGraph::Node node = analysis_.OfGround(ground, field);
+        (field == Field::kId ? condition.id : condition.value).number = analysis_.NumberOf(node);
+      }
     }
     if (learned != nullptr) {
       // The learned rule's own tests: the equality first, but last among the identities.
@@ -468,7 +560,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     }
   }
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
-    ExplainedRule::Action action = DescribeAction(explanation.results[n]);
+    ExplainedRule::Action action = DescribeAction(explanation.results[n], false);
     const Action* const learned = out.rule != nullptr ? &out.rule->actions[builder_.action_of_result()[n]] : nullptr;
     const auto text = [&](ExplainedRule::Field& field, const RhsValue* term) {
       field.text = field.value;
@@ -482,7 +574,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     if (!action.referent.value.empty()) text(action.referent, learned ? &learned->referent : nullptr);
     out.actions.push_back(std::move(action));
   }
-  std::set<std::uint32_t> identities;
+  std::set<std::uint32_t> identities(negated_identities_.begin(), negated_identities_.end());
   for (const ExplainedRule::Condition& condition : out.conditions) {
     for (const ExplainedRule::Field* field : {&condition.id, &condition.attribute, &condition.value}) {
       if (field->number != 0) identities.insert(field->number);
@@ -547,12 +639,18 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
       out.other_results.push_back(serial);
     }
   }
-  const ShortestPaths paths(uses_.instantiations, uses_.memory, explanation);
+  const ShortestPaths paths(uses_.instantiations, uses_.memory, uses_.chunker, explanation);
   for (const InstantiationId firing : explanation.firings) {
     ExplainedRule::Firing described = Describe(firing, explanation);
     described.path = paths.From(firing);
     described.made_result |= firing == explanation.base;
     out.firings.push_back(std::move(described));
+  }
+  for (const WmeId item : explanation.items) {
+    const Chunker::ItemFiring* const made = uses_.chunker.FiringOfItem(item);
+    if (made == nullptr) continue;
+    out.firings.push_back(Describe(item, made->serial, explanation));
+    out.firings.back().path = paths.From(item);
   }
   std::ranges::sort(out.firings, {}, &ExplainedRule::Firing::serial);
   for (const JoinEvent& event : analysis_.events()) {

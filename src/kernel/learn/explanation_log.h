@@ -78,9 +78,13 @@ class ExplanationLog {
  private:
   void Describe(ExplainedRule& out, const Explanation& explanation, const Made& made);
   ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
+  /// The firing behind an item of the impasse.
+  ExplainedRule::Firing Describe(WmeId item, std::uint32_t serial, const Explanation& explanation);
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
-  ExplainedRule::Action DescribeAction(PreferenceId preference);
+  /// `own`: also the identities that fields had before all joining.
+  ExplainedRule::Action DescribeAction(PreferenceId preference, bool own);
+  std::string FunctionText(const RhsValue& function, InstantiationId firing, bool identities);
   void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
   /// A negated condition: as it is written, as the rule that fired has it, and what it was.
   ExplainedRule::Condition DescribeNegated(const Condition& written, const Condition& source, const Condition& literal,
@@ -102,6 +106,7 @@ class ExplanationLog {
   std::size_t bytes_ = 0;
   std::uint32_t last_number_ = 0;
   std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
+  std::vector<std::uint32_t> negated_identities_;              ///< Those that negated conditions name; scratch.
 };
 
 }  // namespace soarbox::kernel

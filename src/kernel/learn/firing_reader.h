@@ -84,6 +84,8 @@ class FiringReader {
   }
   static bool IsSuperstateLink(IdentityGraph::Key key) { return key.firing == kSuperstateKey; }
   static IdentityGraph::Key Item(WmeId item) { return {kItemKey, Index(item)}; }
+  static bool IsItem(IdentityGraph::Key key) { return key.firing == kItemKey; }
+  static WmeId ItemOf(IdentityGraph::Key key) { return static_cast<WmeId>(key.place); }
   static IdentityGraph::Key OfSymbol(Symbol symbol) { return {kSymbolKey, symbol.bits()}; }
   bool IsSuperstateLink(WmeId wme, GoalLevel level) const;
   /// How many conditions of a firing test the superstate link of its state.

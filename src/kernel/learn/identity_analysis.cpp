@@ -35,11 +35,6 @@ IdentityGraph::Node IdentityAnalysis::OfClass(InstantiationId firing, std::uint1
 }
 
 IdentityGraph::Node IdentityAnalysis::FindOrigin(InstantiationId firing, std::uint16_t identity_class) {
-  const IdentityPlan& plan = reader_.Plan(firing);
-  if (identity_class < plan.bound() &&
-      reader_.SourceOf(firing, plan.first[identity_class]) == FiringReader::Source::kArchitecture) {
-    return IdentityGraph::kNone;  // What the architecture says of the substate is what it is.
-  }
   const IdentityGraph::Key key = reader_.Origin(firing, identity_class);
   if (log_) firing_of_serial_[key.firing] = firing;
   return graph_.Of(key);
@@ -152,7 +147,7 @@ std::uint32_t IdentityAnalysis::CountLiteralized() const {
 
 std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
   const IdentityGraph::Key key = graph_.key(node);
-  if (FiringReader::IsSuperstateLink(key)) return uses_.chunker.NumberOfSpecial(key);
+  if (FiringReader::IsSuperstateLink(key) || FiringReader::IsItem(key)) return uses_.chunker.NumberOfSpecial(key);
   const auto found = firing_of_serial_.find(key.firing);
   if (found == firing_of_serial_.end()) return 0;
   const InstantiationId firing = found->second;

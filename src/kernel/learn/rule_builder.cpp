@@ -93,6 +93,12 @@ Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
   return variable;
 }
 
+bool RuleBuilder::HasVariable(IdentityGraph::Node node) const {
+  if (node == IdentityGraph::kNone) return false;
+  const IdentityGraph::Node root = analysis_.graph().Root(node);
+  return root < variable_of_.size() && variable_of_[root];
+}
+
 Symbol RuleBuilder::VariableOfIdentifier(Symbol identifier) {
   for (const Made& made : made_) {
     const Wme& wme = uses_.memory.wme(made.wme);
@@ -393,9 +399,10 @@ void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
     } else {
       const Symbol value = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
       const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
-      draft.referent = PlaceOf(node) != nullptr ? Meaning(node, value)
-                       : value.IsIdentifier()   ? VariableOfIdentifier(value)
-                                                : value;
+      // (A constant without a place is what the architecture said of the substate. As in Soar it matches anything
+      // here.)
+      draft.referent =
+          PlaceOf(node) == nullptr && value.IsIdentifier() ? VariableOfIdentifier(value) : Meaning(node, value);
     }
   } else if (draft.referent.IsIdentifier()) {
     draft.referent = VariableOfIdentifier(draft.referent);
@@ -506,9 +513,19 @@ ValueDraft RuleBuilder::MakeTerm(PreferenceId result, Part part, Symbol symbol) 
   const Said term = reader_.TermOf(result, part);
   switch (term.kind) {
     case Said::Kind::kClass:
-    case Said::Kind::kSymbol:
-      out.symbol = Meaning(analysis_.OfTerm(term, firing), symbol);
+    case Said::Kind::kSymbol: {
+      // A constant that no condition tests is what the architecture said of the substate.
+      const IdentityGraph::Node node = analysis_.OfTerm(term, firing);
+      if (symbol.IsIdentifier() || PlaceOf(node) != nullptr) {
+        out.symbol = Meaning(node, symbol);
+      } else if (HasVariable(node)) {
+        // A negated condition has it, and its variables are its own: the action makes something new, as in Soar 9.6.3.
+        Symbol& made = variable_of_symbol_[symbol.bits()];
+        if (!made) made = NewVariable(symbol);
+        out.symbol = made;
+      }
       break;
+    }
     case Said::Kind::kUnknown:
       if (symbol.IsIdentifier()) out.symbol = VariableOfIdentifier(symbol);
       break;

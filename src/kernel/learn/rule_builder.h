@@ -100,6 +100,8 @@ class RuleBuilder {
   void MakeConditions(const Explanation& explanation);
   /// The test of equality of a field: a variable, or the constant.
   Symbol Meaning(IdentityGraph::Node node, Symbol value);
+  /// Some condition has the variable of the set already.
+  bool HasVariable(IdentityGraph::Node node) const;
   void AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out);
   void CollectConstraints(const Explanation& explanation);
   void PlaceConstraints();
