@@ -220,7 +220,8 @@ std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const Explain
   for (const ExplainedRule& other : call.agent().Explained()) {
     const ExplainedRule::Firing* const known = other.FindFiring(serial);
     if (known == nullptr && serial != other.instance) continue;
-    ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(other);
+    if (known == nullptr) return LearnedInstance(other);
+    ExplainedRule::Firing firing = *known;
     firing.made_result = false;
     firing.path.clear();
     return firing;

@@ -304,10 +304,8 @@ bool Switch(CommandCall& call, bool on) {
 
 bool Add(CommandCall& call, const std::string& text) {
   if (!Use(call)) return false;
-  std::string notes;
-  const std::string problem = kernel::AddKnowledge(MemoryOf(call), text, notes);
+  const std::string problem = kernel::AddKnowledge(MemoryOf(call), text);
   MemoryOf(call).Keep();
-  call.Out(notes);
   if (!problem.empty()) return call.Fail(problem);
   call.Out("Knowledge added to semantic memory.\n");
   return true;

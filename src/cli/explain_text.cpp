@@ -22,6 +22,12 @@ std::string Padded(std::string text, std::size_t width) {
   return text;
 }
 
+/// What reaches beyond the column has no blank behind it.
+std::string AtColumn(std::string text, std::size_t column) {
+  text.resize(std::max(column, text.size()), ' ');
+  return text;
+}
+
 enum class Column { kText, kIdentity, kValue };
 
 const std::string& In(const Field& field, Column column) {
@@ -140,9 +146,8 @@ std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& 
                           const std::string identity =
                               part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, learned);
                           const bool operational = part != nullptr ? part->operational : condition.operational;
-                          return Padded(Padded(row, 56) + identity, 103) +
-                                 fmt::format("{:<11}{}", operational ? "Yes" : "No",
-                                             part != nullptr ? "N/A" : CreatorText(condition));
+                          return AtColumn(Padded(Padded(row, 56) + identity, 103) + (operational ? "Yes" : "No"), 114) +
+                                 (part != nullptr ? "N/A" : CreatorText(condition));
                         });
   text += "   -->\n";
   int number = 0;
@@ -214,8 +219,8 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
               whole + (part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, learned)), 103);
         }
         const bool operational = part != nullptr ? part->operational : condition.operational;
-        return whole +
-               fmt::format("{:<11}{}", operational ? "Yes" : "No", part != nullptr ? "N/A" : CreatorText(condition));
+        return AtColumn(whole + (operational ? "Yes" : "No"), elements ? 71 : 114) +
+               (part != nullptr ? "N/A" : CreatorText(condition));
       });
   int number = 0;
   text += "   -->\n";
@@ -227,7 +232,7 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
   }
   if (elements) return text;
   text += "\n";
-  if (firing.made_result) {
+  if (firing.made_result && std::ranges::find(rule.other_results, firing.serial) == rule.other_results.end()) {
     text += "This instantiation produced results in a superstate.\n";
   } else if (!firing.path.empty()) {
     text +=

@@ -37,8 +37,7 @@ void CheckKnowledge(SemanticMemory& memory) {
 
 void TryText(SemanticMemory& memory, std::string_view text) {
   const std::string given(text);
-  std::string notes;
-  static_cast<void>(AddKnowledge(memory, given, notes));
+  static_cast<void>(AddKnowledge(memory, given));
   CheckKnowledge(memory);
   Cue cue;
   if (ReadQuery(memory, given, cue).empty()) static_cast<void>(memory.Search(cue, 3));

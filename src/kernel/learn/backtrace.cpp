@@ -45,6 +45,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
     const Open open = queue_.back();
     queue_.pop_back();
     if (open.firing != InstantiationId::kNone) {
+      if (open.link.maker != PreferenceId::kNone) out.links.push_back(open.link);
       VisitFiring(open.firing);
     } else {
       VisitItem(open.item);
@@ -131,9 +132,12 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
     return;
   }
   if (trace.preference != PreferenceId::kNone) {
-    if (every_condition_) out_->links.push_back({firing, condition, trace.preference});
     const InstantiationId maker = memory.preference(trace.preference).instantiation;
-    if (uses_.instantiations[maker].backtrace != out_->trace_number) queue_.push_back({maker, WmeId::kNone});
+    if (every_condition_) {
+      queue_.push_back({maker, WmeId::kNone, {firing, condition, trace.preference}});
+    } else if (uses_.instantiations[maker].backtrace != out_->trace_number) {
+      queue_.push_back({maker, WmeId::kNone, {}});
+    }
     return;
   }
   // Of the architecture: it came with the substate.
@@ -144,7 +148,7 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
     if (every_condition_) out_->superstate_links.push_back({firing, condition, PreferenceId::kNone});
   } else if (uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
     if (every_condition_) out_->item_tests.push_back({firing, condition, trace.wme});
-    if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme});
+    if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme, {}});
   }
 }
 

@@ -79,6 +79,7 @@ class Backtracer {
   struct Open {
     InstantiationId firing = InstantiationId::kNone;
     WmeId item = WmeId::kNone;
+    Explanation::Link link;  ///< That leads to the firing, if links are wanted.
   };
   std::vector<Open> queue_;
   InstantiationId selected_proposal_ = InstantiationId::kNone;

@@ -88,15 +88,21 @@ void Chunker::NoteSubstate(GoalLevel level) {
   if (level == 2) next_identity_ = 1;
   if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
   substate_identity_[level] = next_identity_;
-  next_identity_ += 2;  // Of the state and its superstate.
-  statistics_.identities_created += 2;
+  if (level < identities_of_level_.size()) identities_of_level_[level] = 0;
+  CountCreated(level, 2);  // Of the state and its superstate.
 }
 
-void Chunker::NoteItems(std::uint32_t count) {
+void Chunker::CountCreated(GoalLevel level, std::uint32_t count) {
+  next_identity_ += count;
+  statistics_.identities_created += count;
+  if (identities_of_level_.size() <= level) identities_of_level_.resize(level + 1u, 0);
+  identities_of_level_[level] += count;
+}
+
+void Chunker::NoteItems(GoalLevel level, std::uint32_t count) {
   if (!settings_.learning()) return;
   first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
-  next_identity_ += 2 * count;
-  statistics_.identities_created += 2 * count;
+  CountCreated(level, 2 * count);
   statistics_.identities_propagated += 3 * count;
 }
 
@@ -140,9 +146,8 @@ void Chunker::NoteFiring(InstantiationId id) {
   }
   const Production* const rule = reader_.Rule(id);
   if (rule != nullptr) created += static_cast<std::uint32_t>(rule->new_identifiers.size());
-  statistics_.identities_created += created;
+  CountCreated(instantiation.level, created);
   statistics_.identities_propagated += created + reader_.SuperstateLinksOf(id);
-  next_identity_ += created;
   reader_.EndAnalysis();
 }
 
@@ -154,9 +159,8 @@ void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied
   for (const RuleContext::Copied& element : copied) {
     created += 1u + (element.attribute.IsIdentifier() ? 1u : 0u) + (element.value.IsIdentifier() ? 1u : 0u);
   }
-  statistics_.identities_created += created;
+  CountCreated(uses_.instantiations[id].level, created);
   statistics_.identities_propagated += created;
-  next_identity_ += created;
 }
 
 void Chunker::NoteSelection(InstantiationId id) {
@@ -416,6 +420,9 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     goal_level = std::max(goal_level, goal_levels[uses_.memory.wme(wme).id.index()]);
   }
   if (goal_level == 0) goal_level = static_cast<GoalLevel>(explanation_.level - 1);
+  // Of duplicates, too.
+  if (explanation_.local_negation) ++statistics_.chunks_with_local_negation;
+  if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
   const InstantiationId id = uses_.instantiations.Make();
   Rete::AddOptions options;
   options.ignore_rl_value = uses_.settings.ignore_numbers_of_duplicates;
@@ -445,8 +452,6 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   uses_.rule_changes.NoteAdded(added.production, rule);
   ++statistics_.chunks;
   ++uses_.counters.chunks;
-  if (explanation_.local_negation) ++statistics_.chunks_with_local_negation;
-  if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
   {
     Origin origin = OriginOf(base);
     ++origin.depth;

@@ -99,8 +99,9 @@ class Chunker {
   std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
   /// A substate was made.
   void NoteSubstate(GoalLevel level);
-  /// An impasse got its items, `count` of them: each stands for a firing that names its state and its operator.
-  void NoteItems(std::uint32_t count);
+  /// The impasse of a substate got its items, `count` of them: each stands for a firing that names its state and its
+  /// operator.
+  void NoteItems(GoalLevel level, std::uint32_t count);
   /// The firing behind an item.
   struct ItemFiring {
     std::uint32_t serial = 0;
@@ -112,7 +113,10 @@ class Chunker {
   const ItemFiring* FiringOfItem(WmeId item) const;
   /// An element came into working memory; for singletons. (WmeChanges tells of elements while that is wanted.)
   void NoteElement(Symbol attribute) { singletons_.Note(attribute); }
-  std::uint32_t identities_created() const { return next_identity_ - 1; }
+  /// How many identities the substate of a level has had.
+  std::uint32_t IdentitiesCreated(GoalLevel level) const {
+    return level < identities_of_level_.size() ? identities_of_level_[level] : 0;
+  }
   ExplanationLog& explanations() { return log_; }
   const ExplanationLog& explanations() const { return log_; }
   /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
@@ -138,6 +142,7 @@ class Chunker {
   InstantiationId CountJustification(InstantiationId made);
   /// True if a rule may be learned from the explanation.
   bool MayLearn() const;
+  void CountCreated(GoalLevel level, std::uint32_t count);
   /// Says why nothing is learned from a firing, to those who want to know.
   void TellNotLearned(InstantiationId firing, NotLearned why) const;
   /// Whether the settings leave the firing's state out; says so.
@@ -171,6 +176,7 @@ class Chunker {
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
   std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.
   ItemFiring first_item_;                               ///< Of those that NoteItems counted last.
+  std::vector<std::uint32_t> identities_of_level_;
   std::uint64_t cycle_ = ~std::uint64_t{0};
   std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;
   std::unordered_map<ProductionId, Origin> learned_;

@@ -46,7 +46,7 @@ struct Explanation {
     std::uint16_t condition = 0;
     PreferenceId maker = PreferenceId::kNone;
   };
-  std::vector<Link> links;
+  std::vector<Link> links;  ///< In the order in which they were followed.
   /// Conditions that tested the substate's superstate link, or an item.
   std::vector<Link> superstate_links;
   struct ItemTest {

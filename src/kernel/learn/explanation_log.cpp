@@ -69,8 +69,11 @@ class ShortestPaths {
     const auto begin = [&](InstantiationId firing) {
       if (next_.try_emplace(SerialOf(firing), 0).second) wave.push_back(firing);
     };
+    // Of equal ways the one counts that tracing back found first.
+    for (auto result = explanation.results.rbegin(); result != explanation.results.rend(); ++result) {
+      begin(memory.preference(*result).instantiation);
+    }
     begin(explanation.base);
-    for (const PreferenceId result : explanation.results) begin(memory.preference(result).instantiation);
     while (!wave.empty()) {
       std::vector<InstantiationId> following;
       for (const InstantiationId firing : wave) {
@@ -559,19 +562,24 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       out.conditions.back().tests_state = uses_.memory.identifier(id).is_goal && states.insert(id.bits()).second;
     }
   }
+  // As in Soar 9.6.3 the rule's own actions stand in its order, and the identities beside them in that of the results.
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
     ExplainedRule::Action action = DescribeAction(explanation.results[n], false);
-    const Action* const learned = out.rule != nullptr ? &out.rule->actions[builder_.action_of_result()[n]] : nullptr;
+    const Action* const learned =
+        out.rule != nullptr ? &out.rule->actions[explanation.results.size() - n - 1] : nullptr;
     const auto text = [&](ExplainedRule::Field& field, const RhsValue* term) {
       field.text = field.value;
       if (term == nullptr) return;
       field.text.clear();
       AppendRhsValue(field.text, uses_.symbols, *term);
+      if (field.number == 0 && !field.identity.starts_with("[(")) field.identity = "[" + field.text + "]";
     };
     text(action.id, learned ? &learned->id : nullptr);
     text(action.attribute, learned ? &learned->attribute : nullptr);
     text(action.value, learned ? &learned->value : nullptr);
-    if (!action.referent.value.empty()) text(action.referent, learned ? &learned->referent : nullptr);
+    if (!action.referent.value.empty()) {
+      text(action.referent, learned != nullptr && learned->HasReferent() ? &learned->referent : nullptr);
+    }
     out.actions.push_back(std::move(action));
   }
   std::set<std::uint32_t> identities(negated_identities_.begin(), negated_identities_.end());
@@ -631,7 +639,7 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   out.quiescence = explanation.quiescence;
   out.long_term_memory = explanation.long_term_memory;
   out.repaired = made.repaired;
-  out.identities_created = uses_.chunker.identities_created();
+  out.identities_created = uses_.chunker.IdentitiesCreated(explanation.level);
   DescribeLearned(out, explanation);
   for (const PreferenceId result : explanation.results) {
     const std::uint32_t serial = uses_.instantiations[uses_.memory.preference(result).instantiation].serial;

@@ -12,7 +12,6 @@ class GoalStack;
 class InstantiationTable;
 class LongTerm;
 class Observers;
-class Justifier;
 class OutputLink;
 class PreferenceChanges;
 class Rete;
@@ -39,7 +38,6 @@ struct AgentParts {
   Elaboration& elaboration;
   const RunControl& run;
   const OutputLink& output;
-  const Justifier& justifier;
   LongTerm& long_term;
 };
 
