@@ -304,8 +304,10 @@ bool Switch(CommandCall& call, bool on) {
 
 bool Add(CommandCall& call, const std::string& text) {
   if (!Use(call)) return false;
-  const std::string problem = kernel::AddKnowledge(MemoryOf(call), text);
+  std::string notes;
+  const std::string problem = kernel::AddKnowledge(MemoryOf(call), text, notes);
   MemoryOf(call).Keep();
+  call.Out(notes);
   if (!problem.empty()) return call.Fail(problem);
   call.Out("Knowledge added to semantic memory.\n");
   return true;

@@ -130,6 +130,37 @@ TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {
   EXPECT_EQ(desk.Do("print @"), "(@7 ^a b [+0.000])\n");
 }
 
+TEST_F(SemanticMemoryTest, AFileHoldsTheWeightsOfLinks) {
+  constexpr const char* kMode = "smem --set activation-mode base-level; smem --set spreading on";
+  // Both objects get what @1 passes on; of equal ones the younger would be first.
+  constexpr const char* kAsk =
+      "sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.name hub)}\n"
+      "sp {keep (state <s> ^smem.result.retrieved <r>) --> (<s> ^kept <r>)}\n"
+      "sp {wait (state <s> ^superstate nil) --> (<s> ^operator.name wait)}";
+  const auto order = [&](Desk& desk) {
+    desk.Do(kAsk);
+    desk.Do("run 2");
+    const std::string found = desk.Do("smem --query {(<q> ^n <any>)} 2");
+    return found.substr(0, 3) + found.substr(found.find('\n') + 1, 3);
+  };
+  {
+    Desk equal(folder_);
+    equal.Do(kMode);
+    equal.Do("smem --enable; smem --add {(@1 ^name hub ^a @2 ^b @3) (@2 ^n 2) (@3 ^n 3)}");
+    EXPECT_EQ(order(equal), "(@3(@2");
+    Desk desk(folder_);
+    desk.Do(kFile);
+    desk.Do("smem --add {(@1 ^name hub ^a @2 (0.9) ^b @3 (0.1)) (@2 ^n 2) (@3 ^n 3)}");
+    desk.Do("smem --backup copy.db");
+  }
+  for (const char* file : {"facts.db", "copy.db"}) {
+    Desk desk(folder_);
+    desk.Do(kMode);
+    desk.Do("smem --set path " + std::string(file) + "; smem --set database file; smem --enable");
+    EXPECT_EQ(order(desk), "(@2(@3") << file;
+  }
+}
+
 TEST_F(SemanticMemoryTest, FilesThatCannotBeUsedAreNamedAndStay) {
   std::ofstream(folder_ / "facts.db") << "no database at all, and longer than a header of a hundred bytes would be: "
                                          "so there is no doubt about what it is";

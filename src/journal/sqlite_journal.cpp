@@ -14,7 +14,7 @@ namespace soarbox::journal {
 namespace {
 
 constexpr std::uint32_t kApplicationId = 0x53424F58;
-constexpr std::uint32_t kSchemaVersion = 1;
+constexpr std::uint32_t kSchemaVersion = 2;
 constexpr std::size_t kSegmentBytes = 1u << 20;
 
 Diagnostic Problem(const std::string& path, std::string_view what, std::string hint = {}) {
@@ -248,6 +248,11 @@ std::string Text(std::string_view before, std::uint32_t number) {
   return std::string(before) + std::to_string(number);
 }
 
+bool IsOfThisVersion(sqlite3* database) {
+  Statement version(database, "PRAGMA user_version");
+  return version.Step() == SQLITE_ROW && version.Integer(0) == kSchemaVersion;
+}
+
 /// The tables of a new file; its header is there before the log is, so that others can tell whose it is.
 bool MakeTables(SqliteJournal& journal, Memory memory) {
   const std::string kind(NameOf(memory));
@@ -300,6 +305,9 @@ Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOpt
     return journal->Failure("cannot be emptied");
   }
   if (Result<void> loaded = journal->Load(opened); !loaded) return loaded.error();
+  if (!is_new && !IsOfThisVersion(database) && !journal->Run(Text("PRAGMA user_version=", kSchemaVersion).c_str())) {
+    return journal->Failure("cannot be written");
+  }
   opened.journal = std::move(journal);
   return opened;
 }

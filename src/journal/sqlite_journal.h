@@ -12,7 +12,8 @@
 
 /// Journals in SQLite files: SQLite is the container (atomic commits, recovery, locks), never the query engine.
 ///
-/// A file has the application id 0x53424F58 ("SBOX"), the schema version 1 as its user version, and three tables:
+/// A file has the application id 0x53424F58 ("SBOX"), the schema version 2 as its user version (1 until the
+/// weights of links were kept), and three tables:
 ///   meta(key, value)               kind: "semantic" or "episodic"
 ///   segment(number, bytes, crc)    the image, in pieces of 1 MiB
 ///   record(number, bytes, crc)     what was appended since, one row per commit

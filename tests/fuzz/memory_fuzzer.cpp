@@ -37,7 +37,8 @@ void CheckKnowledge(SemanticMemory& memory) {
 
 void TryText(SemanticMemory& memory, std::string_view text) {
   const std::string given(text);
-  static_cast<void>(AddKnowledge(memory, given));
+  std::string notes;
+  static_cast<void>(AddKnowledge(memory, given, notes));
   CheckKnowledge(memory);
   Cue cue;
   if (ReadQuery(memory, given, cue).empty()) static_cast<void>(memory.Search(cue, 3));

@@ -209,7 +209,10 @@ void Elaboration::AssertNew() {
         never = true;  // A justification that does not hold.
         engine_.preferences.LeaveClones(p);
       }
-      if (never || !engine_.preferences.Assert(p)) {
+      const bool asserted = !never && engine_.preferences.Assert(p);
+      if (asserted) {
+        if (engine_.long_term.Wants(ModuleHook::kAsserted)) engine_.long_term.Asserted(p);
+      } else {
 #ifdef SOARBOX_CHECK_INVARIANTS
         if (!never) engine_.CheckSupported(preference);
 #endif

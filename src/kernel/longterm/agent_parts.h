@@ -12,6 +12,7 @@ class GoalStack;
 class InstantiationTable;
 class LongTerm;
 class Observers;
+class Justifier;
 class OutputLink;
 class PreferenceChanges;
 class Rete;
@@ -38,6 +39,7 @@ struct AgentParts {
   Elaboration& elaboration;
   const RunControl& run;
   const OutputLink& output;
+  const Justifier& justifier;
   LongTerm& long_term;
 };
 

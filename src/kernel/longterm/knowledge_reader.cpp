@@ -25,7 +25,8 @@ struct WrittenValue {
   std::string text;  ///< kAlias, kVariable, kString, kIdentifier.
   std::int64_t integer = 0;
   double real = 0;
-  Lti number = 0;  ///< kNumber.
+  Lti number = 0;     ///< kNumber.
+  double weight = 0;  ///< Of a link: how much of the activation that spreads it passes on; 0 if none was written.
 
   bool IsObject() const { return kind <= Kind::kVariable; }
 };
@@ -40,6 +41,7 @@ struct WrittenAugmentation {
 struct WrittenClause {
   WrittenValue object;
   std::vector<WrittenAugmentation> augmentations;
+  bool has_weights = false;
 };
 
 /// Cuts a text into clauses. Stops at the first that cannot be read.
@@ -51,6 +53,8 @@ class ClauseReader {
   bool HasMore() const { return token_.kind == TokenKind::kLeftParen; }
   /// Of the clause that Read could not read: whether even its object was missing or none.
   bool failed_at_object() const { return failed_at_object_; }
+  /// What is wrong with weights, in lines.
+  const std::string& notes() const { return notes_; }
 
   /// `needs_values`: an attribute without one is an error.
   std::optional<WrittenClause> Read(bool needs_values) {
@@ -80,6 +84,8 @@ class ClauseReader {
         const std::optional<WrittenValue> value = ReadValue();
         if (!value) return {};
         made.values.push_back(*value);
+        if (token_.kind == TokenKind::kLeftParen) ReadWeight(clause.object, made.values.back());
+        clause.has_weights = clause.has_weights || made.values.back().weight != 0;
       }
       if (made.values.empty() && needs_values) return {};
       clause.augmentations.push_back(std::move(made));
@@ -136,7 +142,27 @@ class ClauseReader {
     return value;
   }
 
+  /// "(0.5)". What is wrong with it is told, and the value stands without it.
+  void ReadWeight(const WrittenValue& object, WrittenValue& value) {
+    const auto note = [&](std::string_view what) {
+      notes_ += "Edge weight input for smem -add clause for @" + std::to_string(object.number) + " is " +
+                std::string(what) + "\n";
+    };
+    Advance();
+    if (token_.kind == TokenKind::kFloat) {
+      value.weight = token_.real;
+    } else if (token_.kind == TokenKind::kInteger) {
+      value.weight = static_cast<double>(token_.integer);
+    } else {
+      note("not float or integer: " + std::string(text_.substr(token_.offset, token_.length)));
+    }
+    Advance();
+    if (token_.kind != TokenKind::kRightParen) return note("missing right paren.");
+    Advance();
+  }
+
   bool failed_at_object_ = false;
+  std::string notes_;
   std::string_view text_;
   Arena arena_;
   Lexer lexer_;
@@ -154,19 +180,38 @@ class Adder {
   explicit Adder(SemanticMemory& memory, bool as_written) : memory_(memory), as_written_(as_written) {}
 
   void Add(WrittenClause& clause) {
-    const std::uint32_t object = ObjectOf(clause.object);
     const bool is_ordered = Order(clause.augmentations);
-    for (const WrittenAugmentation& augmentation : clause.augmentations) {
-      // A path's objects are made from its end.
-      std::vector<std::uint32_t> between(augmentation.path.size() - 1);
+    // A path's objects are made from its end, and may take the number of the clause's object.
+    std::vector<std::vector<std::uint32_t>> paths;
+    const auto make_path = [&](const WrittenAugmentation& augmentation) {
+      std::vector<std::uint32_t>& between = paths.emplace_back(augmentation.path.size() - 1);
       for (std::size_t n = between.size(); n-- > 0;) between[n] = memory_.NewObject();
+    };
+    const bool makes_paths_first = clause.object.kind == WrittenValue::Kind::kNumber;
+    if (makes_paths_first) std::ranges::for_each(clause.augmentations, make_path);
+    const std::uint32_t object = ObjectOf(clause.object);
+    weighted_.clear();
+    for (std::size_t at = 0; at < clause.augmentations.size(); ++at) {
+      const WrittenAugmentation& augmentation = clause.augmentations[at];
+      if (!makes_paths_first) make_path(augmentation);
+      const std::vector<std::uint32_t>& between = paths[at];
       std::uint32_t owner = object;
       for (std::size_t n = 0; n < between.size(); ++n) {
-        memory_.AddEdge(owner, TermOf(augmentation.path[n]), StoreTerm::Object(between[n]));
+        AddLink(clause, owner, TermOf(augmentation.path[n]), StoreTerm::Object(between[n]), 0);
         owner = between[n];
       }
       const StoreTerm attribute = TermOf(augmentation.path.back());
-      for (const WrittenValue& value : augmentation.values) memory_.AddEdge(owner, attribute, TermOf(value));
+      for (const WrittenValue& value : augmentation.values) {
+        const StoreTerm term = TermOf(value);
+        if (term.IsObject()) {
+          AddLink(clause, owner, attribute, term, value.weight);
+        } else {
+          memory_.AddEdge(owner, attribute, term);
+        }
+      }
+    }
+    for (const auto& [owner, weighted] : weighted_) {
+      if (!weighted.added.empty()) memory_.SetWeights(owner, weighted.before, weighted.added);
     }
     if (!is_ordered) return;
     WrittenOrder& order = memory_.written_order();
@@ -181,6 +226,14 @@ class Adder {
   }
 
  private:
+  void AddLink(const WrittenClause& clause, std::uint32_t owner, StoreTerm attribute, StoreTerm value, double weight) {
+    if (clause.has_weights) {
+      const auto [place, added] = weighted_.try_emplace(owner);
+      if (added) place->second.before = memory_.WeightsOf(owner);
+      if (weight != 0) place->second.added[value.index()] = weight;
+    }
+    if (!memory_.AddEdge(owner, attribute, value)) memory_.ResetWeights(owner);
+  }
   static bool IsText(const WrittenValue& value) {
     return value.kind == WrittenValue::Kind::kString || value.kind == WrittenValue::Kind::kIdentifier;
   }
@@ -231,6 +284,10 @@ class Adder {
   SemanticMemory& memory_;
   bool as_written_;
   std::map<std::string, std::uint32_t> variables_;
+  struct Weighted {
+    LinkWeights::Weights before, added;
+  };
+  std::map<std::uint32_t, Weighted> weighted_;  ///< Whose links a clause weighs.
 };
 
 std::uint32_t FindObject(const SemanticMemory& memory, const WrittenValue& value) {
@@ -308,7 +365,7 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
 
 }  // namespace
 
-std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
+std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::string& notes) {
   // What agents may share must not depend on any of them.
   const bool is_large = text.size() >= kWorthRecognising;
   const bool is_first = is_large && memory.knowledge().object_count() == 0 && memory.knowledge().terms().empty();
@@ -320,6 +377,7 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text) {
   // What stands before a clause that cannot be read is added.
   do {
     std::optional<WrittenClause> clause = reader.Read(true);
+    notes = reader.notes();
     if (!clause || clause->augmentations.empty() ||
         std::ranges::any_of(clause->augmentations, &WrittenAugmentation::negative)) {
       return InClause(number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/link_weights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,22 +29,39 @@ const LinkWeights::Weights* LinkWeights::Of(const Knowledge& knowledge, std::uin
     uses_.erase(waiting);
     Count(knowledge, object, uses);
   }
-  const auto known = weights_.find(object);
-  return known == weights_.end() ? nullptr : &known->second;
+  return Known(object);
 }
 
-void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const std::vector<Uses>& uses) {
+LinkWeights::Weights LinkWeights::Equal(const Knowledge& knowledge, std::uint32_t object) {
   Weights links;
-  std::uint64_t fan = 0;
+  double fan = 0;
   for (const Edge& edge : knowledge.EdgesAt(object)) {
     if (!edge.value.IsObject()) continue;
     links[edge.value.index()] = 0;
     ++fan;
   }
-  const auto known = weights_.find(object);
-  for (auto& [linked, weight] : links) {
-    weight = known == weights_.end() ? 1 / static_cast<double>(fan) : known->second[linked];
+  for (auto& [linked, weight] : links) weight = 1 / fan;
+  return links;
+}
+
+LinkWeights::Weights LinkWeights::Effective(const Knowledge& knowledge, std::uint32_t object) const {
+  const Weights* const known = Known(object);
+  return known == nullptr ? Equal(knowledge, object) : *known;
+}
+
+bool LinkWeights::Set(const Knowledge& knowledge, std::uint32_t object, Weights weights) {
+  const Weights links = Equal(knowledge, object);
+  if (links.empty() ||
+      !std::ranges::equal(links, weights, {}, &Weights::value_type::first, &Weights::value_type::first)) {
+    return false;
   }
+  weights_[object] = std::move(weights);
+  if (notes_changes_) changed_.push_back(object);
+  return true;
+}
+
+void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const std::vector<Uses>& uses) {
+  Weights links = Effective(knowledge, object);
   const double factor = settings_.spreading_edge_update_factor;
   // (A link that is in working memory alone takes its part of the sum, too, as long as this lasts.)
   Weights weights = links;
@@ -72,13 +90,14 @@ void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const 
   if (links.empty()) return;
   for (auto& [linked, weight] : links) weight = weights[linked];
   weights_[object] = std::move(links);
+  if (notes_changes_) changed_.push_back(object);
 }
 
 std::size_t LinkWeights::MemoryBytes() const {
   std::size_t bytes = 0;
   for (const auto& [object, uses] : uses_) bytes += 40 + uses.capacity() * sizeof(Uses);
   for (const auto& [object, weights] : weights_) bytes += 40 + weights.size() * 48;
-  return bytes;
+  return bytes + changed_.capacity() * 4;
 }
 
 }  // namespace soarbox::kernel

@@ -33,6 +33,10 @@ void LongTerm::Flushed(std::span<const WmeId> added, std::span<const WmeId> remo
   ForEach(ModuleHook::kFlush, [&](MemoryModule& module) { module.Flushed(added, removed); });
 }
 
+void LongTerm::Asserted(PreferenceId preference) {
+  ForEach(ModuleHook::kAsserted, [&](MemoryModule& module) { module.Asserted(preference); });
+}
+
 void LongTerm::AfterElaboration() {
   ForEach(ModuleHook::kAfterElaboration, [](MemoryModule& module) { module.AfterElaboration(); });
 }

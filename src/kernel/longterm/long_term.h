@@ -41,6 +41,7 @@ class LongTerm {
   /// Rules are about to fire; if the agent has long-term memory at all.
   void RulesFire();
   [[gnu::noinline]] void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
+  void Asserted(PreferenceId preference);
   void AfterElaboration();
   void AfterDecision();
   void Output(bool output_changed);

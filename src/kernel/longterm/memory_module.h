@@ -19,6 +19,7 @@ enum class ModuleHook : std::uint32_t {
   kOutput = 1u << 3,            ///< The output phase, after the output link was read.
   kOutputEnd = 1u << 4,         ///< The same, when all modules have had kOutput.
   kStates = 1u << 5,            ///< States come and go.
+  kAsserted = 1u << 6,          ///< A rule's preference entered its slot.
 };
 using ModuleHooks = std::uint32_t;
 constexpr ModuleHooks operator|(ModuleHook a, ModuleHook b) {
@@ -41,6 +42,8 @@ class MemoryModule {
   /// What came (in the match already) and went, in the order of the changes. An element that came and went within a
   /// phase is on both lists. The contents of removed elements are readable until the call returns.
   virtual void Flushed(std::span<const WmeId> /*added*/, std::span<const WmeId> /*removed*/) {}
+  /// The slot has not been decided yet.
+  virtual void Asserted(PreferenceId /*preference*/) {}
   virtual void AfterElaboration() {}
   virtual void AfterDecision() {}
   /// `output_changed`: rules changed what hangs on the output link in this cycle.

@@ -384,7 +384,7 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const SemanticCommand& com
         prohibited.push_back(other);
         activations_.Prohibit(other);
       }
-      UpdateSources();
+      Spread(cue);
       ++counters_.queries;
       const std::size_t limit = cue.takes_last ? std::max<std::size_t>(knowledge_->object_count(), 1) : 1;
       const std::vector<std::uint32_t> found =

@@ -58,9 +58,9 @@ void SemanticMemory::SettingsChanged() {
   }
   if (!settings_.spreading) {
     spreading_.Clear();
-    link_weights_.Clear();
+    link_weights_.ForgetUses();
   }
-  spreading_.Forget();
+  spreading_.Renew();
   long_term_.SetHooks(LongTerm::ModuleKind::kSemantic, hooks);
 }
 
@@ -94,7 +94,7 @@ bool SemanticMemory::TakeText(std::string_view text) {
 
 void SemanticMemory::NoteText(std::string_view text, Lti next_number) {
   Share();
-  if (shared_) NoteKnowledgeOfText(KeyOfText(text, next_number), knowledge_);
+  if (shared_ && link_weights_.empty()) NoteKnowledgeOfText(KeyOfText(text, next_number), knowledge_);
 }
 
 void SemanticMemory::NoteGraphChanged() {
@@ -151,6 +151,26 @@ bool SemanticMemory::RemoveEdge(std::uint32_t object, StoreTerm attribute, Store
   return true;
 }
 
+void SemanticMemory::SetWeights(std::uint32_t object, const LinkWeights::Weights& before,
+                                const LinkWeights::Weights& added) {
+  LinkWeights::Weights weights = link_weights_.Equal(*knowledge_, object);
+  for (auto& [linked, weight] : weights) {
+    if (const auto kept = before.find(linked); kept != before.end()) {
+      weight = kept->second;
+    } else if (const auto given = added.find(linked); given != added.end()) {
+      weight = given->second;
+    }
+  }
+  link_weights_.Set(*knowledge_, object, std::move(weights));
+  spreading_.Forget();
+}
+
+void SemanticMemory::ResetWeights(std::uint32_t object) {
+  if (link_weights_.Known(object) == nullptr) return;
+  link_weights_.Set(*knowledge_, object, link_weights_.Equal(*knowledge_, object));
+  spreading_.Forget();
+}
+
 const SymbolTable& SemanticMemory::symbols() const {
   return uses_.symbols;
 }
@@ -179,7 +199,7 @@ void SemanticMemory::Clear() {
 }
 
 std::vector<std::uint32_t> SemanticMemory::Search(const Cue& cue, std::size_t limit) {
-  UpdateSources();
+  Spread(cue);
   return search_.Find(*knowledge_, cue, {}, limit, settings_.spreading ? &spreading_ : nullptr);
 }
 
@@ -221,10 +241,15 @@ void SemanticMemory::TraceRewritten(std::uint32_t object) {
 
 void SemanticMemory::SetJournal(std::unique_ptr<Journal> journal) {
   journal_ = std::move(journal);
+  link_weights_.NoteChanges(journal_ != nullptr);
 }
 
 void SemanticMemory::Keep() {
   if (journal_ == nullptr) return;
+  for (const std::uint32_t object : link_weights_.TakeChanged()) {
+    const LinkWeights::Weights* const weights = link_weights_.Known(object);
+    if (weights != nullptr) journal_->Append(records::Weights(*knowledge_, object, *weights));
+  }
   Result<void> kept = journal_->Commit();
   if (kept.ok() && journal_->WantsImage()) {
     RecordWriter image;
@@ -245,22 +270,24 @@ void SemanticMemory::EnsureOpen() {
 }
 
 void SemanticMemory::Save(RecordWriter& out) const {
-  records::WriteImage(out, *knowledge_, activations_);
+  records::WriteImage(out, *knowledge_, activations_, link_weights_);
 }
 
 bool SemanticMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
   auto loaded = std::make_shared<Knowledge>();
   loaded->set_next_number(settings_.initial_number);
   Activations active(settings_);
-  if (!image.empty() && !records::ReadImage(image, *loaded, active)) return false;
+  LinkWeights weights(settings_);
+  if (!image.empty() && !records::ReadImage(image, *loaded, active, weights)) return false;
   for (const std::vector<std::uint8_t>& record : records) {
-    if (!records::Apply(record, *loaded, active)) return false;
+    if (!records::Apply(record, *loaded, active, weights)) return false;
   }
   knowledge_ = std::move(loaded);
   shared_ = false;
   const std::vector<Activations::Touched> touched(active.records().begin(), active.records().end());
   activations_.Restore(active.tick(), touched);
   NoteGraphChanged();
+  link_weights_.TakeOver(weights);
   spreading_.Clear();
   return true;
 }
@@ -382,9 +409,20 @@ void SemanticMemory::Respond(bool store_only) {
   installer_.Settle();
 }
 
+void SemanticMemory::Spread(const Cue& cue) {
+  if (!settings_.spreading) return;
+  const std::uint32_t list = search_.DrivingList(*knowledge_, cue);
+  if (list == Knowledge::kNowhere) return;
+  const MemberList members = knowledge_->ListAt(list);
+  if (members.size() < 2) return;
+  UpdateSources();
+  const double unused = activations_.UnusedStrength();
+  spreading_.Spread(std::log(unused / (1 + unused)),
+                    [&](const auto& give) { members.ForEach([&](const Member& member) { give(member.object); }); });
+}
+
 /// The sources of spreading: objects an instance of which has elements, with how active these are.
 void SemanticMemory::UpdateSources() {
-  if (!settings_.spreading) return;
   std::map<std::uint32_t, double> sources;
   const WmeTable& wmes = uses_.memory.wmes();
   const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();

@@ -85,6 +85,13 @@ class SemanticMemory final : public MemoryModule {
   StoreTerm FloatTerm(double value) { return Writable().terms().Float(value); }
   WrittenOrder& written_order() { return written_order_; }
   const SymbolTable& symbols() const;
+  /// Gives new links of an object weights, by object that they lead to: all others keep theirs. `before`: the weights
+  /// that its links had before the new ones came.
+  void SetWeights(std::uint32_t object, const LinkWeights::Weights& before, const LinkWeights::Weights& added);
+  /// The weights of an object's links as they are now.
+  LinkWeights::Weights WeightsOf(std::uint32_t object) const { return link_weights_.Effective(*knowledge_, object); }
+  /// Makes the weights of an object's links equal.
+  void ResetWeights(std::uint32_t object);
   /// From here on the number of the next new object is looked for.
   void SetNextNumber(Lti number);
   /// Forgets everything.
@@ -174,6 +181,8 @@ class SemanticMemory final : public MemoryModule {
   StoreTerm FindAttribute(Symbol attribute);
   Symbol AttributeOf(StoreTerm attribute);
   void Touch(std::uint32_t object, bool advance = true);
+  /// Before a query: activation spreads to its candidates.
+  void Spread(const Cue& cue);
   void UpdateSources();
   void TraceGone(std::uint32_t object);
   void TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value);

@@ -145,25 +145,37 @@ double SemanticSearch::OwnActivation(const Knowledge& knowledge, std::uint32_t o
 
 double SemanticSearch::ActivationOf(std::uint32_t object, const Spreading* spreading) const {
   const double base = activations_.Of(object);
-  if (spreading == nullptr || !spreading->Reaches(object)) return base;
-  const double unused = activations_.UnusedStrength();
-  return (base != 0 ? base : std::log(unused / (1 + unused))) + spreading->ShareOf(object);
+  const Spreading::Gift* const gift = spreading == nullptr ? nullptr : spreading->GiftTo(object);
+  return gift == nullptr ? base : (base != 0 ? base : gift->unused) + gift->share;
+}
+
+namespace {
+/// The rarest demand, and its list; null if a demand is met by nobody, or there is none.
+const CueElement* Driver(const Knowledge& knowledge, const Cue& cue, std::uint32_t& driving_list) {
+  const CueElement* driver = nullptr;
+  for (const CueElement& element : cue.elements) {
+    if (element.negative) continue;
+    const std::uint32_t list = knowledge.FindList(element.attribute, element.value);
+    if (list == Knowledge::kNowhere) return nullptr;
+    if (driver != nullptr && knowledge.ListAt(list).size() >= knowledge.ListAt(driving_list).size()) continue;
+    driver = &element;
+    driving_list = list;
+  }
+  return driver;
+}
+}  // namespace
+
+std::uint32_t SemanticSearch::DrivingList(const Knowledge& knowledge, const Cue& cue) const {
+  std::uint32_t list = Knowledge::kNowhere;
+  return cue.impossible || Driver(knowledge, cue, list) == nullptr ? Knowledge::kNowhere : list;
 }
 
 std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, const Cue& cue,
                                                 std::span<const std::uint32_t> prohibited, std::size_t limit,
                                                 const Spreading* spreading) {
   if (cue.impossible || limit == 0) return {};
-  const CueElement* driver = nullptr;
   std::uint32_t driving_list = Knowledge::kNowhere;
-  for (const CueElement& element : cue.elements) {
-    if (element.negative) continue;
-    const std::uint32_t list = knowledge.FindList(element.attribute, element.value);
-    if (list == Knowledge::kNowhere) return {};
-    if (driver != nullptr && knowledge.ListAt(list).size() >= knowledge.ListAt(driving_list).size()) continue;
-    driver = &element;
-    driving_list = list;
-  }
+  const CueElement* const driver = Driver(knowledge, cue, driving_list);
   if (driver == nullptr) return {};
   const MemberList list = knowledge.ListAt(driving_list);
   if (settings_.activation_mode == ActivationMode::kBaseLevel &&
@@ -246,7 +258,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     if (activations_.Find(object) != nullptr) consider(object);
   }
   if (spreading != nullptr) {
-    for (const std::uint32_t object : spreading->Recipients()) {
+    for (const auto& [object, gift] : spreading->shares()) {
       if (activations_.Find(object) == nullptr && RowIn(knowledge, object, *driver) != 0) consider(object);
     }
   }

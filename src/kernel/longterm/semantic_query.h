@@ -51,6 +51,8 @@ class SemanticSearch {
   /// The places of up to `limit` objects, best first. With spreading, its share is added to the activations.
   std::vector<std::uint32_t> Find(const Knowledge& knowledge, const Cue& cue, std::span<const std::uint32_t> prohibited,
                                   std::size_t limit, const Spreading* spreading = nullptr);
+  /// The list of the rarest demand, whose members are the candidates; kNowhere if a demand is met by nobody.
+  std::uint32_t DrivingList(const Knowledge& knowledge, const Cue& cue) const;
   /// How active an object is, with what spreads to it, if `spreading` is there.
   double ActivationOf(std::uint32_t object, const Spreading* spreading) const;
   /// To be called when an object is touched for the first time.

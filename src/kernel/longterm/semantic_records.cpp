@@ -16,9 +16,11 @@ enum class Kind : std::uint8_t {
   kTouch,
   kClear,
   kTouchNoAdvance,
-  kNextNumber
+  kNextNumber,
+  kWeights
 };
-constexpr std::uint8_t kImageVersion = 1;
+/// Since 2, images end with the weights of links.
+constexpr std::uint8_t kImageVersion = 2;
 
 std::vector<std::uint8_t> Finish(const RecordWriter& out) {
   return {out.bytes().begin(), out.bytes().end()};
@@ -104,7 +106,20 @@ std::vector<std::uint8_t> Alias(std::string_view name, Lti number) {
   return Finish(out);
 }
 
-bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activations& activations) {
+std::vector<std::uint8_t> Weights(const Knowledge& knowledge, std::uint32_t object,
+                                  const LinkWeights::Weights& weights) {
+  RecordWriter out;
+  out.Byte(static_cast<std::uint8_t>(Kind::kWeights));
+  out.Number(knowledge.NumberAt(object));
+  out.Number(weights.size());
+  for (const auto& [linked, weight] : weights) {
+    out.Number(knowledge.NumberAt(linked));
+    out.Real(weight);
+  }
+  return Finish(out);
+}
+
+bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activations& activations, LinkWeights& weights) {
   RecordReader in(record);
   switch (static_cast<Kind>(in.Byte())) {
     case Kind::kObject:
@@ -125,6 +140,7 @@ bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activatio
       const StoreTerm attribute = ReadTerm(in, knowledge, false);
       const StoreTerm value = ReadTerm(in, knowledge, true);
       if (!in.ok()) return false;
+      if (value.IsObject()) weights.Forget(object);
       return adds ? knowledge.AddEdge(object, attribute, value) : knowledge.RemoveEdge(object, attribute, value);
     }
     case Kind::kNextNumber: {
@@ -150,14 +166,25 @@ bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activatio
     case Kind::kClear:
       knowledge.Clear();
       activations.Clear();
+      weights.Clear();
       return true;
+    case Kind::kWeights: {
+      const std::uint32_t object = knowledge.Find(in.Number());
+      LinkWeights::Weights links;
+      for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+        const std::uint32_t linked = knowledge.Find(in.Number());
+        links[linked] = in.Real();
+      }
+      return in.ok() && object != Knowledge::kNowhere && weights.Set(knowledge, object, std::move(links));
+    }
     case Kind::kImage:
       break;
   }
   return false;
 }
 
-void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations& activations) {
+void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations& activations,
+                const LinkWeights& weights) {
   out.Byte(static_cast<std::uint8_t>(Kind::kImage));
   out.Byte(kImageVersion);
   out.Number(knowledge.next_number());
@@ -220,11 +247,28 @@ void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations
       out.Number(touched.ticks[n]);
     }
   }
+  std::vector<std::uint32_t> weighted;
+  for (std::uint32_t place = 0; place < knowledge.object_count(); ++place) {
+    if (weights.Known(place) != nullptr) weighted.push_back(place);
+  }
+  out.Number(weighted.size());
+  for (const std::uint32_t place : weighted) {
+    const LinkWeights::Weights& links = *weights.Known(place);
+    out.Number(place);
+    out.Number(links.size());
+    for (const auto& [linked, weight] : links) {
+      out.Number(linked);
+      out.Real(weight);
+    }
+  }
 }
 
-bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activations& activations) {
+bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activations& activations,
+               LinkWeights& weights) {
   RecordReader in(image);
-  if (in.Byte() != static_cast<std::uint8_t>(Kind::kImage) || in.Byte() != kImageVersion) return false;
+  if (in.Byte() != static_cast<std::uint8_t>(Kind::kImage)) return false;
+  const std::uint8_t version = in.Byte();
+  if (version == 0 || version > kImageVersion) return false;
   const Lti next_number = in.Number();
   const std::uint64_t objects = in.Number();
   for (std::uint64_t n = 0; n < objects && in.ok(); ++n) {
@@ -270,6 +314,16 @@ bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activa
     }
     if (record.first > tick + 1) return false;
     touched.push_back(record);
+  }
+  for (std::uint64_t n = version < 2 ? 0 : in.Number(); n > 0 && in.ok(); --n) {
+    const std::uint64_t object = in.Number();
+    LinkWeights::Weights links;
+    for (std::uint64_t left = in.Number(); left > 0 && in.ok(); --left) {
+      const std::uint64_t linked = in.Number();
+      links[static_cast<std::uint32_t>(linked)] = in.Real();
+    }
+    if (!in.ok() || object >= objects) return false;
+    if (!weights.Set(knowledge, static_cast<std::uint32_t>(object), std::move(links))) return false;
   }
   if (!in.ok() || !in.AtEnd()) return false;
   if (next_number == 0) return false;

@@ -174,7 +174,7 @@ class RandomMemory {
 
   std::vector<std::uint8_t> Image() const {
     RecordWriter image;
-    records::WriteImage(image, *knowledge_, activations_);
+    records::WriteImage(image, *knowledge_, activations_, LinkWeights(settings_));
     return {image.bytes().begin(), image.bytes().end()};
   }
   const Knowledge& knowledge() const { return *knowledge_; }
@@ -204,13 +204,14 @@ class RandomMemory {
       EXPECT_NEAR(activations_.Of(knowledge_->Find(number)), naive_.ActivationOf(number), 1e-12);
     }
     RecordWriter image;
-    records::WriteImage(image, *knowledge_, activations_);
+    records::WriteImage(image, *knowledge_, activations_, LinkWeights(settings_));
     Knowledge again;
     Activations active(settings_);
-    ASSERT_TRUE(records::ReadImage(image.bytes(), again, active));
+    LinkWeights weights(settings_);
+    ASSERT_TRUE(records::ReadImage(image.bytes(), again, active, weights));
     EXPECT_EQ(again.CheckInvariants(), "");
     RecordWriter second;
-    records::WriteImage(second, again, active);
+    records::WriteImage(second, again, active, weights);
     EXPECT_TRUE(std::ranges::equal(image.bytes(), second.bytes())) << "an image that is read gives the same image";
   }
 
@@ -382,6 +383,49 @@ TEST(LinkWeights, LinksThatAreUsedGainAndOthersLose) {
   EXPECT_EQ(weights.Of(knowledge, hub), nullptr);
 }
 
+TEST(LinkWeights, TheyAreGivenToAllLinksOrNone) {
+  const SmemSettings settings;
+  Knowledge knowledge;
+  const std::uint32_t hub = knowledge.AddNew(), left = knowledge.AddNew(), right = knowledge.AddNew();
+  const StoreTerm next = knowledge.terms().String("next");
+  for (const std::uint32_t object : {left, right}) knowledge.AddEdge(hub, next, StoreTerm::Object(object));
+  LinkWeights weights(settings);
+  weights.NoteChanges(true);
+  EXPECT_FALSE(weights.Set(knowledge, hub, {{left, 1}}));
+  EXPECT_FALSE(weights.Set(knowledge, hub, {{left, 1}, {hub, 1}}));
+  EXPECT_FALSE(weights.Set(knowledge, left, {}));
+  EXPECT_THAT(weights.TakeChanged(), testing::IsEmpty());
+  EXPECT_TRUE(weights.Set(knowledge, hub, {{left, 0.25}, {right, 0.5}}));
+  weights.Use(knowledge, hub, left, 1);
+  EXPECT_EQ(weights.Known(hub)->at(left), 0.25);
+  EXPECT_GT(weights.Of(knowledge, hub)->at(left), 0.25);
+  EXPECT_THAT(weights.TakeChanged(), testing::ElementsAre(hub, hub));
+}
+
+TEST(SemanticRecords, ImagesWithoutWeightsAreRead) {
+  const SmemSettings settings;
+  Knowledge knowledge;
+  const Activations activations(settings);
+  LinkWeights weights(settings);
+  const std::uint32_t hub = knowledge.FindOrAdd(3);
+  const StoreTerm next = knowledge.terms().String("next");
+  knowledge.AddEdge(hub, next, StoreTerm::Object(hub));
+  RecordWriter image;
+  records::WriteImage(image, knowledge, activations, weights);
+  std::vector<std::uint8_t> old(image.bytes().begin(), image.bytes().end() - 1);
+  ASSERT_EQ(old[1], 2);
+  old[1] = 1;
+  Knowledge read;
+  Activations active(settings);
+  EXPECT_TRUE(records::ReadImage(old, read, active, weights));
+  EXPECT_EQ(read.edge_count(), 1u);
+  weights.Set(knowledge, hub, {{hub, 0.75}});
+  const std::vector<std::uint8_t> record = records::Weights(knowledge, hub, *weights.Known(hub));
+  LinkWeights again(settings);
+  EXPECT_TRUE(records::Apply(record, read, active, again));
+  EXPECT_EQ(again.Known(read.Find(3))->at(read.Find(3)), 0.75);
+}
+
 TEST(SemanticRecords, BytesThatLieAreRefused) {
   SmemSettings settings;
   Knowledge knowledge;
@@ -390,13 +434,16 @@ TEST(SemanticRecords, BytesThatLieAreRefused) {
   knowledge.AddEdge(object, knowledge.terms().String("name"), knowledge.terms().Float(2.5));
   knowledge.AddEdge(object, knowledge.terms().String("self"), StoreTerm::Object(object));
   activations.Touch(object);
+  LinkWeights weights(settings);
+  weights.Set(knowledge, object, {{object, 0.5}});
   RecordWriter image;
-  records::WriteImage(image, knowledge, activations);
+  records::WriteImage(image, knowledge, activations, weights);
   const std::vector<std::uint8_t> whole(image.bytes().begin(), image.bytes().end());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     Knowledge read;
     Activations active(settings);
-    EXPECT_FALSE(records::ReadImage(std::span(whole).first(size), read, active)) << size;
+    LinkWeights links(settings);
+    EXPECT_FALSE(records::ReadImage(std::span(whole).first(size), read, active, links)) << size;
   }
   std::mt19937 random(5);
   for (int n = 0; n < 3000; ++n) {
@@ -404,12 +451,13 @@ TEST(SemanticRecords, BytesThatLieAreRefused) {
     spoilt[random() % spoilt.size()] = static_cast<std::uint8_t>(random());
     Knowledge read;
     Activations active(settings);
-    if (records::ReadImage(spoilt, read, active)) {
+    LinkWeights links(settings);
+    if (records::ReadImage(spoilt, read, active, links)) {
       EXPECT_EQ(read.CheckInvariants(), "");
     }
     std::vector<std::uint8_t> noise(random() % 20);
-    for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>(random() % 12);
-    static_cast<void>(records::Apply(noise, read, active));
+    for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>(random() % 13);
+    static_cast<void>(records::Apply(noise, read, active, links));
     EXPECT_EQ(read.CheckInvariants(), "");
   }
 }

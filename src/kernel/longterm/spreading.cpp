@@ -7,9 +7,9 @@
 
 namespace soarbox::kernel {
 
-const std::vector<Spreading::Share>& Spreading::ReachOf(const Knowledge& knowledge, std::uint32_t source) {
-  const auto [place, added] = reaches_.try_emplace(source);
-  if (!added) return place->second;
+Spreading::Reach Spreading::ReachOf(const Knowledge& knowledge, std::uint32_t source) {
+  Reach& known = reaches_[source];
+  if (known != nullptr) return known;
   // Best first: paths in the order of what is left of the activation; equal ones by number.
   struct Step {
     std::uint32_t object;
@@ -59,39 +59,35 @@ const std::vector<Spreading::Share>& Spreading::ReachOf(const Knowledge& knowled
       open.push(std::move(further));
     }
   }
-  for (const auto& [object, share] : sums) place->second.push_back({object, share});
-  return place->second;
+  auto made = std::make_shared<std::vector<Share>>();
+  for (const auto& [object, share] : sums) made->push_back({object, share});
+  known = std::move(made);
+  return known;
 }
 
 void Spreading::SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources) {
   if (sources == known_ && !known_.empty()) return;
   known_ = sources;
   totals_.clear();
-  recipients_.clear();
+  std::erase_if(active_, [&](const auto& source) { return !sources.contains(source.first); });
   const double continues = settings_.spreading_continue_probability;
   least_ = settings_.spreading_baseline /
            (continues * std::pow(1 + continues, static_cast<double>(settings_.spreading_depth_limit)));
   for (const auto& [source, strength] : sources) {
-    const std::vector<Share>& reach = ReachOf(knowledge, source);
+    Reach& active = active_[source];
+    if (active == nullptr) active = ReachOf(knowledge, source);
+    const std::vector<Share>& reach = *active;
     double whole = 0;
     for (const Share& share : reach) whole += share.share;
     const double odds = strength / (1 + strength);
     for (const Share& share : reach) totals_[share.object] += std::max(odds * share.share / whole, least_);
   }
-  for (const auto& [object, total] : totals_) recipients_.push_back(object);
-  std::ranges::sort(recipients_);
-}
-
-double Spreading::ShareOf(std::uint32_t object) const {
-  const auto total = totals_.find(object);
-  return total == totals_.end() ? 0 : std::log(total->second) - std::log(least_);
 }
 
 void Spreading::Clear() {
-  reaches_.clear();
-  known_.clear();
+  Renew();
   totals_.clear();
-  recipients_.clear();
+  shares_.clear();
 }
 
 }  // namespace soarbox::kernel

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <span>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -17,40 +19,68 @@ namespace soarbox::kernel {
 /// of, and that identifier has elements, is a source. What it gives flows along augmentations, by their weights, and
 /// grows less with each step.
 ///
-/// A source's reach depends on the graph alone and is kept until the graph changes: an object's part of all that the
-/// source gives. A source of strength x gives x / (1 + x), and no object less than the least, which is
+/// A source's reach depends on the graph alone: an object's part of all that the source gives. It is worked out when
+/// the source comes, and holds, whatever happens to the graph, until it goes; if the graph has not changed when it
+/// comes again, then, too. As in Soar 9.6.3 activation spreads when a query has more than one candidate, and to its
+/// candidates only: all others keep what they got last, as long as any source reaches them.
+///
+/// A source of strength x gives x / (1 + x), and no object less than the least, which is
 /// baseline / (p (1 + p)^depth). What an object gets of all sources, t, adds ln(t) - ln(least) to its activation.
 class Spreading {
  public:
   Spreading(const SmemSettings& settings, LinkWeights& weights) : settings_(settings), weights_(weights) {}
 
-  /// The sources of now: how strong each is, by object. Order does not matter.
+  /// The sources of now: how strong each is, by object. Spread tells what comes of it.
   void SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources);
+  /// What an object got: it adds `share` to the object's own activation, or to `unused` if it was never used.
+  struct Gift {
+    double share, unused;
+  };
+  /// The candidates of a query get their shares. `unused`: how active is now what was never used.
+  template <class ForEachCandidate>
+  void Spread(double unused, ForEachCandidate&& for_each) {
+    std::erase_if(shares_, [&](const auto& share) { return !totals_.contains(share.first); });
+    for_each([&](std::uint32_t object) {
+      if (const auto total = totals_.find(object); total != totals_.end()) {
+        shares_[object] = {std::log(total->second) - std::log(least_), unused};
+      }
+    });
+  }
   /// The graph or its weights changed.
-  void Forget() {
+  void Forget() { reaches_.clear(); }
+  /// Settings changed.
+  void Renew() {
     reaches_.clear();
+    active_.clear();
     known_.clear();
   }
   void Clear();
-  bool Reaches(std::uint32_t object) const { return totals_.contains(object); }
-  double ShareOf(std::uint32_t object) const;
-  /// Whatever gets a share, in ascending order.
-  std::span<const std::uint32_t> Recipients() const { return recipients_; }
-  std::size_t size() const { return recipients_.size(); }
+  bool Reaches(std::uint32_t object) const { return shares_.contains(object); }
+  /// Null if nothing has spread to it.
+  const Gift* GiftTo(std::uint32_t object) const {
+    const auto share = shares_.find(object);
+    return share == shares_.end() ? nullptr : &share->second;
+  }
+  /// Whatever has a share, by object.
+  const std::map<std::uint32_t, Gift>& shares() const { return shares_; }
+  /// How many objects the sources reach.
+  std::size_t size() const { return totals_.size(); }
 
  private:
   struct Share {
     std::uint32_t object;
     double share;
   };
-  const std::vector<Share>& ReachOf(const Knowledge& knowledge, std::uint32_t source);
+  using Reach = std::shared_ptr<const std::vector<Share>>;
+  Reach ReachOf(const Knowledge& knowledge, std::uint32_t source);
 
   const SmemSettings& settings_;
   LinkWeights& weights_;
-  std::unordered_map<std::uint32_t, std::vector<Share>> reaches_;
+  std::unordered_map<std::uint32_t, Reach> reaches_;  ///< That hold, of sources of now and of old.
+  std::map<std::uint32_t, Reach> active_;             ///< Of the sources of now.
   std::map<std::uint32_t, double> known_;
   std::unordered_map<std::uint32_t, double> totals_;
-  std::vector<std::uint32_t> recipients_;
+  std::map<std::uint32_t, Gift> shares_;
   double least_ = 0;
 };
 

@@ -10,9 +10,11 @@
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
+#include "kernel/learn/justification.h"
 #include "kernel/longterm/long_term.h"
 #include "kernel/longterm/semantic_memory.h"
 #include "kernel/match/rete.h"
+#include "kernel/memory/wme_changes.h"
 #include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
@@ -43,11 +45,12 @@ void WmActivation::SettingsChanged() {
     histories_.clear();
     used_.clear();
     due_.clear();
+    ReleaseGrounds();
     long_term_.SetHooks(LongTerm::ModuleKind::kActivation, 0);
     return;
   }
   long_term_.SetHooks(LongTerm::ModuleKind::kActivation,
-                      ModuleHook::kFlush | ModuleHook::kOutput | ModuleHook::kOutputEnd);
+                      ModuleHook::kFlush | ModuleHook::kAsserted | ModuleHook::kOutput | ModuleHook::kOutputEnd);
 }
 
 std::uint64_t WmActivation::now() const {
@@ -87,7 +90,8 @@ double WmActivation::Of(WmeId wme) const {
 
 const WmActivation::History* WmActivation::HistoryOf(WmeId wme) const {
   const auto found = histories_.find(Index(wme));
-  return found == histories_.end() || found->second.count == 0 ? nullptr : &found->second;
+  if (found == histories_.end() || found->second.count == 0) return nullptr;
+  return found->second.timetag == uses_.memory.wme(wme).timetag ? &found->second : nullptr;
 }
 
 // Uses ----------------------------------------------------------------------------------------------------------------
@@ -98,21 +102,64 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
     const WmeRecord& record = memory.record(wme);
     if (!memory.wme(wme).live || record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
     const Preference& maker = memory.preference(record.preference);
-    if (!maker.o_supported || memory.slot(record.slot).is_operator) continue;
-    histories_.erase(Index(wme));
-    Follow(wme, maker.instantiation);
+    const Slot& slot = memory.slot(record.slot);
+    if (!maker.o_supported || slot.is_operator) continue;
+    std::uint64_t makers = 0;
+    for (PreferenceId p : {slot.acceptable, slot.others}) {
+      for (; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+        if (memory.preference(p).value == memory.wme(wme).value) ++makers;
+      }
+    }
+    Follow(wme, makers);
   }
   for (const WmeId wme : removed) {
-    if (histories_.erase(Index(wme)) == 0) continue;
+    ReleaseGroundsOf(wme);
+    const auto known = histories_.find(Index(wme));
     const std::uint64_t timetag = memory.wme(wme).timetag;
+    if (known == histories_.end() || known->second.timetag != timetag || known->second.gone) continue;
+    known->second.gone = true;
     uses_.observers.Notify(Event::kActivation, [&](Observer& o) { o.OnFollowedGone(uses_.agent, timetag); });
   }
 }
 
+void WmActivation::Asserted(PreferenceId id) {
+  const WorkingMemory& memory = uses_.memory;
+  const Preference& preference = memory.preference(id);
+  if (preference.type != PreferenceType::kAcceptable) return;
+  for (WmeId wme = memory.slot(preference.slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
+    if (memory.wme(wme).value != preference.value) continue;
+    Use(wme);
+    // Traces and justifications keep what they rest on; matches of the top state do not.
+    const Instantiation& maker = uses_.instantiations[preference.instantiation];
+    if (!preference.o_supported || maker.level > 1 || maker.match == MatchId::kNone ||
+        maker.justification != Instantiation::kNoJustification || HistoryOf(wme) != nullptr) {
+      continue;
+    }
+    const std::span<const WmeId> grounds = uses_.rete.matches().Wmes(maker.match);
+    for (const WmeId ground : grounds) uses_.changes.AddReference(ground);
+    grounds_[Index(wme)].push_back({id, {grounds.begin(), grounds.end()}});
+  }
+}
+
+void WmActivation::ReleaseGroundsOf(WmeId wme) {
+  const auto known = grounds_.find(Index(wme));
+  if (known == grounds_.end()) return;
+  for (const Grounds& grounds : known->second) {
+    for (const WmeId ground : grounds.elements) uses_.changes.DropReference(ground);
+  }
+  grounds_.erase(known);
+}
+
+void WmActivation::ReleaseGrounds() {
+  while (!grounds_.empty()) ReleaseGroundsOf(static_cast<WmeId>(grounds_.begin()->first));
+}
+
 /// Begins the history of an element: it counts as made now, even if it was there before without o-support.
-void WmActivation::Follow(WmeId wme, InstantiationId maker) {
+void WmActivation::Follow(WmeId wme, std::uint64_t uses) {
   History history;
-  history.pending = UsesAtBirth(maker);
+  history.pending = uses + MeanStrength(wme);
+  history.timetag = uses_.memory.wme(wme).timetag;
+  ReleaseGroundsOf(wme);
   histories_.insert_or_assign(Index(wme), history);
   used_.push_back(Index(wme));
   TellOfLink(wme);
@@ -121,7 +168,7 @@ void WmActivation::Follow(WmeId wme, InstantiationId maker) {
 
 void WmActivation::Use(WmeId wme) {
   const WmeRecord& record = uses_.memory.record(wme);
-  if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) return;
+  if (record.preference == PreferenceId::kNone) return;
   if (!uses_.memory.preference(record.preference).o_supported) {
     UseWhatHolds(wme);
     return;
@@ -131,8 +178,8 @@ void WmActivation::Use(WmeId wme) {
 
 void WmActivation::AddUse(WmeId wme) {
   const auto known = histories_.find(Index(wme));
-  if (known == histories_.end()) {
-    Follow(wme, uses_.memory.preference(uses_.memory.record(wme).preference).instantiation);
+  if (known == histories_.end() || known->second.timetag != uses_.memory.wme(wme).timetag) {
+    Follow(wme, 1);
     return;
   }
   if (known->second.pending++ == 0) used_.push_back(Index(wme));
@@ -149,20 +196,25 @@ void WmActivation::TellOfLink(WmeId wme) {
   static_cast<SemanticMemory&>(*semantic).LinkUsed(linked[element.id.index()], linked[element.value.index()], now());
 }
 
-/// Of what the elements of open_ rest on, calls `held` with each o-supported element and `other` with each that no rule
-/// made. Each element is looked at once.
+/// Of what the elements of open_ rest on, calls `held` with each o-supported element, or that was one, and `other` with
+/// each that no rule made. Each element is looked at once.
 template <class Held, class Other>
 void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
   const WorkingMemory& memory = uses_.memory;
   seen_.resize(memory.wmes().size(), 0);
   ++pass_;
-  for (const WmeId wme : open_) seen_[Index(wme)] = pass_;
+  std::erase_if(open_, [&](WmeId wme) { return std::exchange(seen_[Index(wme)], pass_) == pass_; });
   while (!open_.empty()) {
     const WmeId next = open_.back();
     open_.pop_back();
     const WmeRecord& record = memory.record(next);
-    if (record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) {
+    if (record.preference == PreferenceId::kNone) {
       other(next);
+      continue;
+    }
+    if (!memory.wme(next).live) {
+      // What has left has lost its maker, but not its history.
+      if (HistoryOf(next) != nullptr) held(next);
       continue;
     }
     const Preference& maker = memory.preference(record.preference);
@@ -188,48 +240,69 @@ void WmActivation::UseWhatHolds(WmeId wme) {
   for (const WmeId held : held_) AddUse(held);
 }
 
-/// What its maker rests on gives a new element its mean strength; what is as new as it gives nothing.
-std::uint64_t WmActivation::UsesAtBirth(InstantiationId maker) {
+std::uint64_t WmActivation::OpenGrounds(WmeId wme, PreferenceId preference) {
+  const InstantiationId maker = uses_.memory.preference(preference).instantiation;
+  const auto open = [&](std::span<const WmeId> elements) {
+    open_.insert(open_.end(), elements.begin(), elements.end());
+  };
   // (The last of a name: that of one that left nothing may have been given again.)
   for (std::size_t n = answers_.size(); n-- > 0;) {
-    if (answers_[n].first == maker) return answers_[n].second;
+    if (answers_[n].instantiation != maker) continue;
+    open(answers_[n].grounds);
+    constexpr std::uint64_t kLinks = 3;  // That lead to the command and to the answer.
+    return kLinks;
   }
-  open_.clear();
-  const MatchId match = uses_.instantiations[maker].match;
-  if (match != MatchId::kNone) {
-    for (const WmeId ground : uses_.rete.matches().Wmes(match)) open_.push_back(ground);
+  if (const auto known = grounds_.find(Index(wme)); known != grounds_.end()) {
+    for (const Grounds& grounds : known->second) {
+      if (grounds.preference != preference) continue;
+      open(grounds.elements);
+      return 0;
+    }
+  }
+  const Instantiation& instantiation = uses_.instantiations[maker];
+  if (instantiation.justification != Instantiation::kNoJustification) {
+    open(uses_.justifier.record(instantiation.justification).grounds);
+  } else if (instantiation.match != MatchId::kNone) {
+    open(uses_.rete.matches().Wmes(instantiation.match));
   } else {
     for (const ConditionTrace& trace : uses_.instantiations.Trace(maker)) {
       if (trace.wme != WmeId::kNone) open_.push_back(trace.wme);
     }
   }
-  return UsesFromOpen(0);
+  return 0;
 }
 
-std::uint64_t WmActivation::UsesFromOpen(std::uint64_t others) {
-  double sum = kWithoutHistory * static_cast<double>(others);
-  std::uint64_t count = others;
-  // (What goes in the same moment has lost its preference, but not its history.)
-  const auto add = [&](WmeId wme) {
-    const auto known = histories_.find(Index(wme));
-    if (known != histories_.end() && known->second.count == 0) return;
-    sum += known == histories_.end() ? kWithoutHistory : StrengthAt(known->second, now());
+std::uint64_t WmActivation::MeanStrength(WmeId wme) {
+  const WorkingMemory& memory = uses_.memory;
+  const Slot& slot = memory.slot(memory.record(wme).slot);
+  const Symbol value = memory.wme(wme).value;
+  open_.clear();
+  std::uint64_t count = 0;
+  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    const Preference& preference = memory.preference(p);
+    if (preference.value == value && preference.o_supported) count = std::max(count, OpenGrounds(wme, p));
+  }
+  double sum = kWithoutHistory * static_cast<double>(count);
+  const auto add = [&](WmeId ground) {
+    const auto known = histories_.find(Index(ground));
+    const bool is_known = known != histories_.end() && known->second.timetag == memory.wme(ground).timetag;
+    if (is_known && known->second.count == 0) return;
+    sum += is_known ? StrengthAt(known->second, now()) : kWithoutHistory;
     ++count;
   };
   ForWhatHolds(add, add);
-  return 1 + (count == 0 ? 0 : static_cast<std::uint64_t>(sum / static_cast<double>(count)));
+  return count == 0 ? 0 : static_cast<std::uint64_t>(sum / static_cast<double>(count));
 }
 
 void WmActivation::NoteAnswer(InstantiationId answer, std::span<const WmeId> command) {
   if (!settings_.activation) return;
-  constexpr std::uint64_t kLinks = 3;
-  open_.clear();
+  Answer noted{answer, {}};
   for (const WmeId wme : command) {
     const WmeRecord& record = uses_.memory.record(wme);
     const bool is_link = record.kind != WmeKind::kInput && record.preference == PreferenceId::kNone;
-    if (!is_link) open_.push_back(wme);
+    if (!is_link) noted.grounds.push_back(wme);
   }
-  answers_.emplace_back(answer, UsesFromOpen(kLinks));
+  answers_.push_back(std::move(noted));
 }
 
 void WmActivation::RulesFire(LongTerm& long_term) {
@@ -260,7 +333,6 @@ void WmActivation::Enter(WmeId wme, History& history) {
   history.uses[0] = history.pending;
   history.total += history.pending;
   history.pending = 0;
-  history.is_new = false;
   if (history.count < kHistory) ++history.count;
   if (settings_.forgetting != WmaSettings::Forgetting::kBisection) return;
   // A use only puts the day off: an element that falls due is judged again then.
@@ -272,7 +344,7 @@ void WmActivation::Enter(WmeId wme, History& history) {
 void WmActivation::Output(bool) {
   for (const std::uint32_t index : used_) {
     const auto found = histories_.find(index);
-    if (found == histories_.end() || found->second.pending == 0) continue;
+    if (found == histories_.end() || found->second.gone || found->second.pending == 0) continue;
     const auto wme = static_cast<WmeId>(index);
     const std::uint64_t uses = found->second.pending;
     Enter(wme, found->second);
@@ -313,14 +385,15 @@ void WmActivation::OutputEnd() {
   std::vector<std::uint32_t> low;
   if (settings_.forgetting == WmaSettings::Forgetting::kNaive) {
     for (const auto& [index, history] : histories_) {
-      if (history.count > 0 && ActivationAt(history, cycle) < settings_.decay_thresh) low.push_back(index);
+      if (!history.gone && history.count > 0 && ActivationAt(history, cycle) < settings_.decay_thresh)
+        low.push_back(index);
     }
   } else if (const auto due = due_.find(cycle); due != due_.end()) {
     const std::vector<std::uint32_t> candidates = std::move(due->second);
     due_.erase(due);
     for (const std::uint32_t index : candidates) {
       const auto found = histories_.find(index);
-      if (found == histories_.end()) continue;
+      if (found == histories_.end() || found->second.gone) continue;
       if (found->second.due > cycle) {
         due_[found->second.due].push_back(index);
       } else if (found->second.due == cycle) {

@@ -31,11 +31,13 @@ struct WmaSettings {
 /// How active the elements of working memory are, and forgetting of those that are active no more.
 ///
 /// An element with o-support that was made since this is on has a history: how often it was used in which decision
-/// cycle, the last ten of them. Being made counts 1, and the mean strength of what its maker rested on: of o-supported
-/// elements the sum of uses * age^decay_rate, of those that no rule made e, and i-supported ones stand for what they
-/// rest on. Each match that waits to fire when rules fire uses the elements that it tests; of an i-supported element it
-/// uses the o-supported ones that this rests on. Uses of a cycle are entered in its output phase. The activation is ln
-/// of the sum of uses * age^decay_rate. All other elements show 1.
+/// cycle, the last ten of them. Being made counts 1 for each preference that says so, and the mean strength of what the
+/// o-supported ones of them rested on: of o-supported elements the sum of uses * age^decay_rate, of those that no rule
+/// made e, and i-supported ones stand for what they rest on. Each match that waits to fire when rules fire uses the
+/// elements that it tests, and each preference of a rule the element that it says again; of an i-supported element it
+/// uses the o-supported ones that this rests on. An i-supported element that becomes o-supported begins its history
+/// when it is used next. Uses of a cycle are entered in its output phase. The activation is ln of the sum of uses *
+/// age^decay_rate. All other elements show 1.
 ///
 /// Forgetting retracts the preferences of elements whose activation is below the threshold, at the end of the output
 /// phase.
@@ -50,8 +52,9 @@ class WmActivation final : public MemoryModule {
     std::uint64_t first = 0;    ///< Cycle of the first.
     std::uint64_t pending = 0;  ///< Uses in this cycle.
     std::uint8_t count = 0;     ///< Entries.
-    bool is_new = true;         ///< Made in this cycle.
+    bool gone = false;          ///< The element has left: what rested on it may yet ask.
     std::uint64_t due = 0;      ///< The cycle in which it may be forgotten, unless it is used.
+    std::uint64_t timetag = 0;  ///< Of the element: others get its WmeId.
   };
 
   static WmActivation& Of(LongTerm& long_term);
@@ -82,8 +85,10 @@ class WmActivation final : public MemoryModule {
 
   // MemoryModule
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
+  void Asserted(PreferenceId preference) override;
   void Output(bool output_changed) override;
   void OutputEnd() override;
+  void BeforeInit() override { ReleaseGrounds(); }
   void AfterInit() override;
   std::size_t MemoryBytes() const override;
 
@@ -94,14 +99,17 @@ class WmActivation final : public MemoryModule {
   double StrengthAt(const History& history, std::uint64_t cycle) const;
   void Use(WmeId wme);
   void AddUse(WmeId wme);
-  void Follow(WmeId wme, InstantiationId maker);
+  void Follow(WmeId wme, std::uint64_t uses);
   void TellOfLink(WmeId wme);
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);
-  std::uint64_t UsesAtBirth(InstantiationId maker);
-  /// Of what rests on the elements of open_, and on as many others of which no history is kept.
-  std::uint64_t UsesFromOpen(std::uint64_t others);
+  /// What the makers of an element rested on gives it its mean strength; what is as new as it gives nothing.
+  std::uint64_t MeanStrength(WmeId wme);
+  /// Adds the elements that a preference rests on to open_; returns how many others there are that no rule made.
+  std::uint64_t OpenGrounds(WmeId wme, PreferenceId preference);
+  void ReleaseGrounds();
+  void ReleaseGroundsOf(WmeId wme);
   void Enter(WmeId wme, History& history);
   /// The first cycle in which the element will be below the threshold if nobody uses it.
   std::uint64_t DueOf(const History& history) const;
@@ -113,7 +121,18 @@ class WmActivation final : public MemoryModule {
   std::unordered_map<std::uint32_t, History> histories_;               ///< By WmeId.
   std::vector<std::uint32_t> used_;                                    ///< With uses in this cycle.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: who may be forgotten then.
-  std::vector<std::pair<InstantiationId, std::uint64_t>> answers_;  ///< Whose elements are not there yet: their uses.
+  struct Answer {
+    InstantiationId instantiation;
+    std::vector<WmeId> grounds;
+  };
+  std::vector<Answer> answers_;  ///< Whose elements are not there yet.
+  struct Grounds {
+    PreferenceId preference;
+    std::vector<WmeId> elements;  ///< Held.
+  };
+  /// By WmeId, of elements without a history: what o-supported preferences rest on whose matches may end before it
+  /// begins.
+  std::unordered_map<std::uint32_t, std::vector<Grounds>> grounds_;
   std::vector<WmeId> open_, held_;
   std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that passed it.
   std::uint32_t pass_ = 0;
