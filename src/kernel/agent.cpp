@@ -40,23 +40,23 @@ LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& plac
   outcome.printed = std::move(parsed.messages);
   outcome.printed_late = std::move(parsed.late_messages);
   outcome.messages = std::move(parsed.diagnostics);
-  if (!outcome.name.empty()) Replace(std::move(parsed.production), outcome);
+  if (!outcome.name.empty()) Replace(std::move(parsed.production), outcome, false);
   return outcome;
 }
 
-LoadOutcome Agent::AddProduction(ProductionPtr production) {
+LoadOutcome Agent::AddProduction(ProductionPtr production, bool ignore_number) {
   LoadOutcome outcome;
   outcome.name = std::string(production->name);
-  Replace(std::move(production), outcome);
+  Replace(std::move(production), outcome, ignore_number);
   return outcome;
 }
 
-void Agent::Replace(ProductionPtr production, LoadOutcome& outcome) {
+void Agent::Replace(ProductionPtr production, LoadOutcome& outcome, bool ignore_number) {
   if (!out_of_memory()) {
     PrepareMatch();
     try {
       ExciseNamed(outcome.name, outcome);
-      if (production != nullptr) Enter(std::move(production), outcome);
+      if (production != nullptr) Enter(std::move(production), outcome, ignore_number);
       return;
     } catch (const std::bad_alloc&) {
       BreakDown(outcome.name);
@@ -76,9 +76,9 @@ void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
   outcome.replaced = true;
 }
 
-void Agent::Enter(ProductionPtr production, LoadOutcome& outcome) {
+void Agent::Enter(ProductionPtr production, LoadOutcome& outcome, bool ignore_number) {
   Rete::AddOptions options;
-  options.ignore_rl_value = settings().ignore_numbers_of_duplicates;
+  options.ignore_rl_value = ignore_number || settings().ignore_numbers_of_duplicates;
   const Rete::Added added = engine_->rete.AddProduction(production, engine_->memory.goal_view(), options);
   outcome.production = added.production;
   if (added.result == Rete::AddResult::kDuplicate) {

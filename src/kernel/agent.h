@@ -94,7 +94,8 @@ class Agent {
   /// Loads one rule: `body` is what stands between the braces of sp {...}. A rule with the same name is excised first.
   LoadOutcome LoadProduction(std::string_view body, const SourcePlace& place = {});
   /// Loads a rule that was built elsewhere with this agent's symbols.
-  LoadOutcome AddProduction(ProductionPtr production);
+  /// `ignore_number`: a rule of reinforcement learning that differs in its number only is a duplicate, whatever is set.
+  LoadOutcome AddProduction(ProductionPtr production, bool ignore_number = false);
   /// Removes the rule and everything that its matches support.
   void Excise(ProductionId production);
   ProductionId FindProduction(std::string_view name) const;  ///< kNone if there is none.
@@ -293,7 +294,7 @@ class Agent {
   /// Excises the rule of this name, if there is one.
   void ExciseNamed(std::string_view name, LoadOutcome& outcome);
   /// Adds a rule whose name no other has.
-  void Enter(ProductionPtr production, LoadOutcome& outcome);
+  void Enter(ProductionPtr production, LoadOutcome& outcome, bool ignore_number);
 
   /// False if memory ran out meanwhile.
   template <typename Work>
@@ -303,7 +304,7 @@ class Agent {
   RunResult RunGuarded(Work work);
   /// Halts the agent for good and says so. `rule`: the rule whose addition took too much, if it was one.
   void BreakDown(std::string_view rule = {});
-  void Replace(ProductionPtr production, LoadOutcome& outcome);
+  void Replace(ProductionPtr production, LoadOutcome& outcome, bool ignore_number);
 
   std::unique_ptr<Engine> engine_;
   std::string breakdown_;

@@ -24,7 +24,7 @@ ProductionId AgentRules::Find(std::string_view name) const {
 }
 
 AgentRules::Outcome AgentRules::Add(const ProductionPtr& rule) {
-  const LoadOutcome outcome = engine_.agent.AddProduction(rule);
+  const LoadOutcome outcome = engine_.agent.AddProduction(rule, true);
   engine_.StopIfBroken();
   return {outcome.production, outcome.loaded};
 }

@@ -182,6 +182,7 @@ bool RunControl::Stop() {
   if (goal_stack_limit_) {
     goal_stack_limit_ = false;
     ended_ = limit_reached_ = true;
+    if (engine_.reinforcement.learning()) engine_.reinforcement.Halted();
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
     return true;
   }

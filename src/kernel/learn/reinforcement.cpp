@@ -35,7 +35,7 @@ Reinforcement::Reinforcement(const Uses& uses)
     : uses_(uses),
       values_(uses.symbols),
       choices_({uses.symbols, uses.memory, uses.goals, uses.counters, uses.exploration}),
-      templates_({uses.symbols, uses.memory, uses.settings, uses.expected_values, uses.rule_changes}) {}
+      templates_({uses.symbols, uses.memory, uses.expected_values, uses.rule_changes}) {}
 
 void Reinforcement::Set(const RlSettings& settings) {
   if (settings_.learning && !settings.learning) {

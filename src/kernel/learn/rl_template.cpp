@@ -9,7 +9,6 @@
 
 #include "kernel/base/characters.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/decide/agent_settings.h"
 #include "kernel/decide/rule_changes.h"
 #include "kernel/memory/working_memory.h"
 #include "kernel/rules/expected_values.h"
@@ -133,10 +132,8 @@ class Substitution {
 
 }  // namespace
 
-RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const WmeId> wmes, Symbol value) const {
+RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const WmeId> wmes) const {
   Pattern pattern{Index(source)};
-  // (If rules that differ in their number only count as equal, it makes no difference here.)
-  pattern.push_back(uses_.settings.ignore_numbers_of_duplicates ? 0 : value.bits());
   std::vector<Symbol> seen;
   const auto add = [&](Symbol symbol) {
     if (!symbol.IsIdentifier()) {
@@ -160,7 +157,7 @@ RlTemplates::Pattern RlTemplates::PatternOf(ProductionId source, std::span<const
 
 void RlTemplates::Instantiate(ProductionId source, const Production& rule, std::span<const WmeId> wmes, Symbol value) {
   if (!value.IsNumber()) return;
-  Pattern pattern = PatternOf(source, wmes, value);
+  Pattern pattern = PatternOf(source, wmes);
   if (made_.contains(pattern)) return;
   const std::uint64_t number = next_;
   std::string name;
@@ -225,7 +222,9 @@ ProductionPtr RlTemplates::Build(const Production& rule, std::span<const WmeId> 
 
 void RlTemplates::RuleAdded(std::string_view name) {
   if (!name.starts_with("rl*")) return;
-  const std::string_view digits = name.substr(name.rfind('*') + 1);
+  const std::size_t star = name.rfind('*');
+  if (star == 2) return;
+  const std::string_view digits = name.substr(star + 1);
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) return;

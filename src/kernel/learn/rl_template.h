@@ -13,7 +13,6 @@
 
 namespace soarbox::kernel {
 
-struct AgentSettings;
 class ExpectedValues;
 class RuleChanges;
 class SymbolTable;
@@ -29,7 +28,6 @@ class RlTemplates {
   struct Uses {
     SymbolTable& symbols;
     const WorkingMemory& memory;
-    const AgentSettings& settings;
     const ExpectedValues& expected_values;
     RuleChanges& rule_changes;
   };
@@ -46,7 +44,7 @@ class RlTemplates {
   /// What a match gives to its rule: the constants, and which identifiers are equal.
   using Pattern = std::vector<std::uint64_t>;
 
-  Pattern PatternOf(ProductionId source, std::span<const WmeId> wmes, Symbol value) const;
+  Pattern PatternOf(ProductionId source, std::span<const WmeId> wmes) const;
   ProductionPtr Build(const Production& rule, std::span<const WmeId> wmes, Symbol value, std::string_view name) const;
 
   Uses uses_;

@@ -162,6 +162,16 @@ RuleInfo::OperatorUse RuleInfo::UseOfOperator(std::span<const WmeId> tested, Sym
   return use;
 }
 
+namespace {
+
+/// Templates are no RL rules, but compared as such.
+bool HasLearnedNumber(const Production& rule) {
+  return rule.is_rl || (rule.type == ProductionType::kTemplate && rule.actions.size() == 1 &&
+                        rule.actions.front().preference == PreferenceType::kNumericIndifferent);
+}
+
+}  // namespace
+
 bool SameActions(const Production& a, const Production& b, bool ignore_rl_value) {
   const auto is_number = [](const RhsValue& value) {
     return value.kind == RhsValueKind::kConstant && value.symbol().IsNumber();
@@ -180,7 +190,8 @@ bool SameActions(const Production& a, const Production& b, bool ignore_rl_value)
         !SameValue(x.value, y.value)) {
       return false;
     }
-    const bool skip_referent = ignore_rl_value && a.is_rl && b.is_rl && is_number(x.referent) && is_number(y.referent);
+    const bool skip_referent =
+        ignore_rl_value && HasLearnedNumber(a) && HasLearnedNumber(b) && is_number(x.referent) && is_number(y.referent);
     if (x.HasReferent() && !skip_referent && !SameValue(x.referent, y.referent)) {
       return false;
     }
@@ -198,7 +209,7 @@ std::uint32_t ActionsDigest(const Production& production) {
     }
     MixValue(hash, action.id);
     MixValue(hash, action.attribute);
-    if (action.HasReferent() && !production.is_rl) {
+    if (action.HasReferent() && !HasLearnedNumber(production)) {
       MixValue(hash, action.referent);
     }
   }
