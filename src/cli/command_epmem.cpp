@@ -175,6 +175,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   if (name == "database" && value == "file" && call.interpreter.fence() != nullptr) {
     return call.Fail("The files of a scenario may not write files: the database stays in memory.");
   }
+  const std::string before = store.Get("epmem", name);
   switch (store.Set("epmem", name, value)) {
     case SetResult::kUnknown:
       return call.Fail("Invalid epmem parameter.");
@@ -182,6 +183,11 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
       return call.Fail("Invalid setting for epmem parameter.");
     case SetResult::kOk:
       break;
+  }
+  constexpr std::string_view kProtected[] = {"cache-size", "page-size", "lazy-commit", "optimization"};
+  if (std::ranges::find(kProtected, name) != std::end(kProtected) && Memory(call).opened()) {
+    store.Set("epmem", name, before);
+    return call.Fail("This parameter is protected while the episodic memory database is open.");
   }
   Apply(call, name);
   call.Out(fmt::format("{} is now {}\n", name, value));

@@ -228,9 +228,6 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   value = parsed.arguments.front().text;
   SettingStore& store = call.session.settings();
   SemanticMemory& memory = MemoryOf(call);
-  if (name == "thresh" && memory.opened()) {
-    return call.Fail("This parameter is protected while the semantic memory database is open.");
-  }
   if (name == "spreading" && store.Get("smem", "activation-mode") != "base-level") {
     return call.Fail(
         "Spreading activation cannot be turned on until the 'activation-mode' is also set to base-level.\n"
@@ -268,6 +265,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   if (name == "database" && value == "file" && call.interpreter.fence() != nullptr) {
     return call.Fail("The files of a scenario may not write files: the database stays in memory.");
   }
+  const std::string before = store.Get("smem", name);
   switch (store.Set("smem", name, kept)) {
     case SetResult::kUnknown:
       return call.Fail("Invalid SMem parameter.");
@@ -275,6 +273,19 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
       return call.Fail("Invalid setting for SMem parameter.");
     case SetResult::kOk:
       break;
+  }
+  constexpr std::string_view kProtected[] = {"thresh", "cache-size", "page-size", "lazy-commit", "optimization"};
+  if (std::ranges::find(kProtected, name) != std::end(kProtected) && memory.opened()) {
+    store.Set("smem", name, before);
+    return call.Fail("This parameter is protected while the semantic memory database is open.");
+  }
+  constexpr std::string_view kFixed[] = {
+      "spreading-baseline",       "spreading-depth-limit",          "spreading-limit",
+      "spreading-loop-avoidance", "spreading-continue-probability", "spreading-wma-source"};
+  if (store.IsOn("smem", "spreading") && std::ranges::find(kFixed, name) != std::end(kFixed)) {
+    store.Set("smem", name, before);
+    return call.Fail(
+        "Some spreading activation settings cannot be changed once spreading activation has been turned on.");
   }
   Apply(call);
   call.Out(fmt::format("{} is now {}\n", name, value));
@@ -343,7 +354,10 @@ bool Remove(CommandCall& call, const std::string& text, const ParsedWords& parse
 }
 
 bool Clear(CommandCall& call) {
-  if (!Use(call)) return false;
+  if (!MemoryOf(call).opened()) {
+    call.Out("Semantic memory is not enabled. Could not clear.\n");
+    return call.FailPrinted();
+  }
   MemoryOf(call).Clear();
   MemoryOf(call).Keep();
   call.Out("Semantic memory system cleared.\n");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "kernel/base/symbol_table.h"
 #include "kernel/decide/goal_stack.h"
@@ -45,9 +46,22 @@ void EpisodeRecorder::ForEachElement(Symbol id, Visit visit) const {
 
 void EpisodeRecorder::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
   if (!recording_) return;
-  for (const WmeId wme : added) added_.push_back({wme, uses_.memory.wme(wme).timetag});
+  for (const WmeId wme : added) {
+    const Wme& element = uses_.memory.wme(wme);
+    added_.push_back({wme, element.timetag});
+    // What is moved stays what it is: the new link counts before the old one goes.
+    if (element.live && element.value.IsIdentifier()) Refer(wme, NodeOf(element.value));
+  }
   for (const WmeId wme : removed) Drop(wme);
   if (added_.size() > stale_check_at_) DropStale();
+}
+
+void EpisodeRecorder::Refer(WmeId wme, EpisodeNode node) {
+  if (node == kNoEpisodeNode) return;
+  if (Index(wme) >= refers_.size()) refers_.resize(Index(wme) + std::size_t{1}, false);
+  if (refers_[Index(wme)]) return;
+  refers_[Index(wme)] = true;
+  ++nodes_[node].references;
 }
 
 bool EpisodeRecorder::IsNew(const Added& added) const {
@@ -65,14 +79,17 @@ void EpisodeRecorder::DropStale() {
 void EpisodeRecorder::Drop(WmeId wme) {
   leaving_.push_back(wme);
   while (!leaving_.empty()) {
-    const std::uint32_t at = Index(leaving_.back());
+    const WmeId left = leaving_.back();
+    const std::uint32_t at = Index(left);
     leaving_.pop_back();
-    if (at >= fact_of_.size() || fact_of_[at] == kNoEpisodeFact) continue;
-    const EpisodeFact fact = fact_of_[at];
-    fact_of_[at] = kNoEpisodeFact;
-    store_.Release(fact);
-    const EpisodeValue value = store_.triple(fact).value;
-    if (value.IsNode() && --nodes_[value.node()].references == 0) DropNode(value.node());
+    if (at < fact_of_.size() && fact_of_[at] != kNoEpisodeFact) {
+      store_.Release(fact_of_[at]);
+      fact_of_[at] = kNoEpisodeFact;
+    }
+    if (at >= refers_.size() || !refers_[at]) continue;
+    refers_[at] = false;
+    const EpisodeNode node = NodeOf(uses_.memory.wme(left).value);
+    if (node != kNoEpisodeNode && --nodes_[node].references == 0) DropNode(node);
   }
 }
 
@@ -81,7 +98,9 @@ void EpisodeRecorder::DropNode(EpisodeNode node) {
   const Symbol object = nodes_[node].object;
   node_of_[object.index()] = kNoEpisodeNode;
   ForEachElement(object, [&](WmeId wme) {
-    if (Index(wme) < fact_of_.size() && fact_of_[Index(wme)] != kNoEpisodeFact) leaving_.push_back(wme);
+    const bool is_recorded = Index(wme) < fact_of_.size() && fact_of_[Index(wme)] != kNoEpisodeFact;
+    const bool refers = Index(wme) < refers_.size() && refers_[Index(wme)];
+    if (is_recorded || refers) leaving_.push_back(wme);
   });
   MakeFree(node);
 }
@@ -159,7 +178,7 @@ void EpisodeRecorder::TakeUp(WmeId wme, std::span<const std::string> exclusions)
   const EpisodeFact fact = store_.Intern(triple);
   NoteFact(fact);
   store_.Hold(fact);
-  if (triple.value.IsNode()) ++nodes_[triple.value.node()].references;
+  if (triple.value.IsNode()) Refer(wme, triple.value.node());
   if (Index(wme) >= fact_of_.size()) fact_of_.resize(Index(wme) + std::size_t{1}, kNoEpisodeFact);
   fact_of_[Index(wme)] = fact;
 }
@@ -176,10 +195,24 @@ EpisodeNumber EpisodeRecorder::Record(std::span<const std::string> exclusions) {
     Bind(0, uses_.goals.top().id);
     nodes_[0].references = 1;  // The top state leads to itself.
   }
-  // What came last is taken up first, as it is listed first.
+  // What came last is taken up first; of one object in the order in which it lists them.
+  std::erase_if(added_, [&](const Added& added) { return !IsNew(added); });
+  for (const Added& added : added_) {
+    const EpisodeNode parent = NodeOf(uses_.memory.wme(added.wme).id);
+    if (parent != kNoEpisodeNode) ++nodes_[parent].news;
+  }
   for (std::size_t n = added_.size(); n-- > 0;) {
     const Added& added = added_[n];
-    if (IsNew(added) && NodeOf(uses_.memory.wme(added.wme).id) != kNoEpisodeNode) TakeUp(added.wme, exclusions);
+    const Symbol object = uses_.memory.wme(added.wme).id;
+    const EpisodeNode parent = NodeOf(object);
+    if (parent == kNoEpisodeNode) continue;
+    const std::uint32_t news = std::exchange(nodes_[parent].news, 0);
+    if (!IsNew(added)) continue;
+    if (news > 1) {
+      TakeUpAll(object, exclusions);
+    } else {
+      TakeUp(added.wme, exclusions);
+    }
   }
   added_.clear();
   // found_ grows as objects are found in objects.
@@ -192,6 +225,7 @@ void EpisodeRecorder::Restart() {
   recording_ = false;
   store_.ReleaseAll();
   fact_of_.clear();
+  refers_.clear();
   node_of_.clear();
   nodes_.assign(store_.node_count(), {});
   added_.clear();

@@ -59,6 +59,8 @@ class EpisodeRecorder {
   void TakeUpAll(Symbol id, std::span<const std::string> exclusions);
   EpisodeNode Place(EpisodeNode parent, EpisodeTerm attribute, Symbol object);
   void Bind(EpisodeNode node, Symbol object);
+  /// An element leads to the node.
+  void Refer(WmeId wme, EpisodeNode node);
   void Drop(WmeId wme);
   void DropNode(EpisodeNode node);
   void MakeFree(EpisodeNode node);
@@ -72,10 +74,12 @@ class EpisodeRecorder {
   EpisodeTerms& terms_;
   bool recording_ = false;
   std::vector<EpisodeFact> fact_of_;  ///< By WmeId.
+  std::vector<bool> refers_;          ///< By WmeId: counts among the references of its value's node.
   std::vector<EpisodeNode> node_of_;  ///< By identifier index.
   struct Node {
     Symbol object;                  ///< None: the node is free.
-    std::uint32_t references = 0;   ///< Recorded elements that lead to it.
+    std::uint32_t references = 0;   ///< Elements that lead to it.
+    std::uint32_t news = 0;         ///< New elements of its object, while an episode is recorded.
     std::vector<EpisodeFact> ways;  ///< Facts whose value it is.
   };
   std::vector<Node> nodes_;

@@ -440,7 +440,7 @@ std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool 
   failed = !Plan(memory, *clause, force, plan, errors);
   if (failed) return errors;
   for (const Removal& removal : plan) memory.RemoveEdge(removal.object, removal.attribute, removal.value);
-  memory.TraceRewritten(FindObject(memory, clause->object));
+  memory.Rewrite(FindObject(memory, clause->object));
   return errors;
 }
 

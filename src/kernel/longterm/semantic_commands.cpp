@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "kernel/base/symbol_table.h"
@@ -161,9 +162,10 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
 void SemanticMemory::AnswerStore(GoalLevel level, const SemanticCommand& command) {
   const Symbol result = uses_.goals.at(level).smem.result;
   std::vector<Triple> answer;
+  std::map<std::uint32_t, std::uint32_t> made_new;
   for (const Symbol id : command.stored) {
     const bool as_new = command.kind == SemanticCommand::Kind::kStoreNew && !command.link;
-    Store(id, as_new);
+    Store(id, as_new ? &made_new : nullptr);
     ++counters_.stores;
     answer.push_back({result, words::kSuccess, id});
   }
@@ -171,16 +173,22 @@ void SemanticMemory::AnswerStore(GoalLevel level, const SemanticCommand& command
   installer_.Install(level, command.wmes, answer, &states_[level - 1u].results);
 }
 
-std::uint32_t SemanticMemory::Store(Symbol id, bool as_new) {
-  const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
+std::uint32_t SemanticMemory::Store(Symbol id, std::map<std::uint32_t, std::uint32_t>* made_new) {
   const auto object_of = [&](Symbol identifier) {
-    if (linked[identifier.index()] != 0) return ObjectOf(linked[identifier.index()]);
+    const Lti linked = uses_.memory.long_term_identifiers()[identifier.index()];
+    if (linked != 0 && made_new == nullptr) return ObjectOf(linked);
+    if (made_new != nullptr) {
+      if (const auto known = made_new->find(identifier.index()); known != made_new->end()) return known->second;
+    }
     const std::uint32_t made = NewObject();
-    uses_.memory.SetLongTerm(identifier, knowledge_->NumberAt(made));
-    uses_.long_term.LinkChanged(identifier);
+    if (made_new != nullptr) made_new->emplace(identifier.index(), made);
+    if (linked == 0) {
+      uses_.memory.SetLongTerm(identifier, knowledge_->NumberAt(made));
+      uses_.long_term.LinkChanged(identifier);
+    }
     return made;
   };
-  const std::uint32_t object = as_new ? NewObject() : object_of(id);
+  const std::uint32_t object = object_of(id);
   std::vector<std::pair<StoreTerm, StoreTerm>> edges;
   for (const WmeId element : uses_.memory.WmesOf(id)) {
     const Wme& wme = uses_.memory.wme(element);

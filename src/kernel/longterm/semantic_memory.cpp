@@ -231,10 +231,11 @@ void SemanticMemory::TraceAdded(std::uint32_t object, StoreTerm attribute, Store
   uses_.observers.Print(line + ")\n");
 }
 
-void SemanticMemory::TraceRewritten(std::uint32_t object) {
-  if (!traced_) return;
+void SemanticMemory::Rewrite(std::uint32_t object) {
   TraceGone(object);
-  for (const Edge& edge : knowledge_->OrderedEdgesAt(object)) TraceAdded(object, edge.attribute, edge.value);
+  const std::vector<Edge> edges = knowledge_->OrderedEdgesAt(object);
+  for (const Edge& edge : edges) RemoveEdge(object, edge.attribute, edge.value);
+  for (const Edge& edge : edges) AddEdge(object, edge.attribute, edge.value);
 }
 
 // Keeping -------------------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -104,8 +105,8 @@ class SemanticMemory final : public MemoryModule {
 
   /// Shows additions and removals as text (`trace --smem`).
   void SetTrace(bool on) { traced_ = on; }
-  /// Says that all augmentations of an object go, and those that it has now came, if that is shown.
-  void TraceRewritten(std::uint32_t object);
+  /// Makes all augmentations of an object anew: they are the youngest then.
+  void Rewrite(std::uint32_t object);
 
   // The journal -----------------------------------------------------------------------------------------------------
 
@@ -171,8 +172,9 @@ class SemanticMemory final : public MemoryModule {
   void Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
             std::uint32_t object);
   bool AddMath(Symbol object, Cue& cue);
-  /// The object that an identifier is stored in.
-  std::uint32_t Store(Symbol id, bool as_new);
+  /// The object that an identifier is stored in. With `made_new`, it and its children get new objects, whatever they
+  /// are linked to: those that one command made, by identifier. Who had no link is linked to what it got.
+  std::uint32_t Store(Symbol id, std::map<std::uint32_t, std::uint32_t>* made_new);
   /// Adds an object's augmentations, and those of its children to the command's depth, to what will be installed.
   Symbol Retrieve(GoalLevel level, std::uint32_t object);
   StoreTerm TermOf(Symbol constant);
