@@ -579,7 +579,7 @@ const LongTerm& Agent::long_term() const {
 std::size_t Agent::MemoryBytes() const {
   return sizeof(Engine) + engine_->symbols.MemoryBytes() + engine_->memory.MemoryBytes() +
          engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes() +
-         engine_->long_term.MemoryBytes() + engine_->chunker.explanations().MemoryBytes() + engine_->learned_rule_bytes;
+         engine_->modules.MemoryBytes() + engine_->learned_rule_bytes;
 }
 
 std::size_t Agent::SharedMemoryBytes() const {

@@ -44,8 +44,8 @@ ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
 # Who reaches others through it. All else gets what it uses from whoever makes it, and names it; nobody comes to this list.
 USERS_OF_ENGINE = {"kernel/agent.cpp"} | {
     f"kernel/decide/{name}.cpp"
-    for name in ("agent_rules", "decision", "elaboration", "element_events", "engine", "firing", "goal_changes", "goal_dependency_set",
-                 "handle_check", "invariants", "preference_changes", "rule_context", "rule_sharing", "run_control", "slot_decision")
+    for name in ("agent_rules", "decision", "elaboration", "engine", "firing", "goal_changes", "handle_check", "invariants",
+                 "preference_changes", "rule_context", "run_control")
 }
 TEST = re.compile(r"(_test|_fixture|/random_agents|/random_rules)\.(h|cpp)$")
 ONLY_IN = {

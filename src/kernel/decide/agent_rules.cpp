@@ -25,7 +25,7 @@ ProductionId AgentRules::Find(std::string_view name) const {
 
 AgentRules::Outcome AgentRules::Add(const ProductionPtr& rule) {
   const LoadOutcome outcome = engine_.agent.AddProduction(rule, true);
-  engine_.StopIfBroken();
+  engine_.run.StopIfBroken();
   return {outcome.production, outcome.loaded};
 }
 
@@ -44,7 +44,7 @@ void AgentRules::NoteAdded(ProductionId id, const ProductionPtr& production) {
   engine_.rules.Add(id, engine_.NameOf(*production), production->type);
   if (!running) engine_.rules_changed = true;  // What an agent learns is its own.
   engine_.interrupts.erase(id);
-  engine_.reinforcement.RuleAdded(id, *production);
+  engine_.modules.RuleAdded(id, *production);
   if (engine_.rete.matches().HasInterrupting()) engine_.run.TellInterrupts();
   engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(engine_.agent, id); });
 }
@@ -53,13 +53,12 @@ void AgentRules::Excise(ProductionId id) {
   if (Index(id) >= engine_.productions.size() || !engine_.productions[Index(id)].Is(ProductionRecord::kLive)) return;
   engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(engine_.agent, id); });
   const ProductionPtr rule = engine_.rete.production(id);
-  engine_.reinforcement.RuleExcised(id);
+  engine_.modules.RuleExcised(id);
   ProductionRecord& record = engine_.productions[Index(id)];
   if (record.Is(ProductionRecord::kLearned)) engine_.learned_rule_bytes -= LearnedBytes(*rule);
   record.Set(ProductionRecord::kLive, false);
   engine_.rules.Remove(id, engine_.NameOf(*rule), rule->type);
   engine_.rules_changed = true;
-  engine_.chunker.RuleExcised(id);
   if (engine_.run.running()) {
     LeaveMatch(id);
   } else {

@@ -141,7 +141,7 @@ bool Decision::DecideGoal(GoalLevel level) {
   }
   const Candidate& winner = Pick(outcome);
   if (is_told) TellReason(goal, outcome, winner.value, forced);
-  if (engine_.reinforcement.learning()) engine_.reinforcement.OperatorChosen(level, outcome.candidates, winner);
+  if (engine_.modules.Wants(ModuleHook::kChoices)) engine_.modules.OperatorChosen(level, outcome.candidates, winner);
   if (level > 1) engine_.selections.OperatorSelected(level, winner.value, static_cast<bool>(forced));
   Install(level, winner, forced);
   return true;
@@ -172,7 +172,7 @@ void Decision::Install(GoalLevel level, const Candidate& winner, Symbol forced) 
   engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
   // The element outlives a preference that goes while another one still proposes the operator.
   engine_.preferences.AddReference(winner.preference);
-  if (engine_.reinforcement.learning()) engine_.reinforcement.OperatorInstalled(level, winner.value);
+  if (engine_.modules.Wants(ModuleHook::kChoices)) engine_.modules.OperatorInstalled(level, winner.value);
   if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
     engine_.forced_operator.clear();
   }

@@ -117,7 +117,7 @@ void Elaboration::Run(bool apply) {
 }
 
 void Elaboration::PreferencePhase(bool apply) {
-  if (!engine_.long_term.empty()) engine_.long_term.RulesFire();
+  if (engine_.modules.Wants(ModuleHook::kRulesFire)) engine_.modules.RulesFire();
   GoalLevel change_level = active_;
   bool first_pass = true;
   if (active_ == 0) {
@@ -211,7 +211,7 @@ void Elaboration::AssertNew() {
       }
       const bool asserted = !never && engine_.preferences.Assert(p);
       if (asserted) {
-        if (engine_.long_term.Wants(ModuleHook::kAsserted)) engine_.long_term.Asserted(p);
+        if (engine_.modules.Wants(ModuleHook::kAsserted)) engine_.modules.Asserted(p);
       } else {
 #ifdef SOARBOX_CHECK_INVARIANTS
         if (!never) engine_.CheckSupported(preference);
@@ -252,7 +252,7 @@ void Elaboration::Retract(MatchId match) {
   }
   engine_.rete.matches().Release(match);
   engine_.instantiations[id].match = MatchId::kNone;
-  if (engine_.reinforcement.apoptosis().on()) engine_.reinforcement.MatchEnded(engine_.instantiations[id].production);
+  if (engine_.modules.Wants(ModuleHook::kMatches)) engine_.modules.MatchEnded(engine_.instantiations[id].production);
   engine_.instantiations[id].held = false;
   engine_.preferences.FreeIfUnused(id);
 }

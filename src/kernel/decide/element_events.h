@@ -5,13 +5,37 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
+struct AgentCounters;
+class Descriptions;
+class GoalDependencySets;
+class GoalStack;
+class InputLink;
+class Modules;
+class Observers;
+class RunControl;
+class SymbolTable;
+class WorkingMemory;
 
 /// Passes on to the parts of an agent what working memory tells of elements: to goal dependency sets, the input link,
-/// learning, long-term memory, and those who observe the agent.
+/// modules, and those who observe the agent.
 class ElementEvents final : public ElementListener {
  public:
-  explicit ElementEvents(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    const SymbolTable& symbols;
+    const WorkingMemory& memory;
+    const GoalStack& goals;
+    AgentCounters& counters;
+    const Observers& observers;
+    Modules& modules;
+    InputLink& input;
+    const Descriptions& descriptions;
+    GoalDependencySets& gds;
+    RunControl& run;
+  };
+  explicit ElementEvents(const Uses& uses) : uses_(uses) {}
 
   void AttributeUsed(Symbol attribute) override;
   void DependencyLost(WmeId wme) override;
@@ -25,7 +49,7 @@ class ElementEvents final : public ElementListener {
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
 
  private:
-  Engine& engine_;
+  Uses uses_;
 };
 
 }  // namespace soarbox::kernel

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <new>
 #include <utility>
@@ -20,7 +21,7 @@ Engine::Engine(Agent& owner, std::string agent_name)
       rete(symbols, memory.wmes()),
       observers(owner),
       rule_changes(*this),
-      element_events(*this),
+      element_events({owner, symbols, memory, goals, counters, observers, modules, input, descriptions, gds, run}),
       changes(memory, links, rete, output_marks, element_events),
       input(symbols, memory, changes),
       output(memory, output_marks),
@@ -30,20 +31,20 @@ Engine::Engine(Agent& owner, std::string agent_name)
       selections({memory, goals, preferences}),
       chunker({owner,       symbols,         memory,    goals,       instantiations, rete,      productions,  changes,
                preferences, goal_changes,    firing,    run,         selections,     justifier, descriptions, settings,
-               counters,    expected_values, observers, rule_changes}),
+               counters,    expected_values, observers, rule_changes,   modules}),
       justifier({owner, memory, goals, instantiations, rete, changes, preferences, firing, chunker, descriptions,
                  settings, counters, observers, rule_changes}),
       reinforcement({owner, symbols, memory, goals, instantiations, rete, settings, counters, exploration,
-                     expected_values, productions, observers, rule_changes}),
+                     expected_values, productions, observers, rule_changes, modules}),
       descriptions({memory, instantiations, rete, justifier}),
-      slot_decision(*this),
-      gds(*this),
+      slot_decision({memory, changes, preferences, gds, decision}),
+      gds({owner, memory, goals, instantiations, firing, goal_changes, descriptions, observers}),
       goal_changes(*this),
       decision(*this),
       elaboration(*this),
       run(*this),
       long_term({owner, symbols, memory, goals, instantiations, rete, observers, counters, changes, preferences, firing,
-                 chunker, elaboration, run, output, justifier, long_term}) {
+                 chunker, elaboration, run, output, justifier, goal_changes, modules, long_term}) {
   rete.OnMixedSupport([this](ProductionId production) {
     const std::string rule(rete.production(production)->name);
     observers.Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +
@@ -96,19 +97,16 @@ void Engine::Sweep() {
   });
   for (GoalLevel level = 1; level <= goals.depth(); ++level) mark(goals.at(level).id);
   instantiations.ForEach([&](const Instantiation& instantiation) { mark(instantiation.goal); });
-  justifier.ForEachLiteral(mark);
-  reinforcement.ForEachSymbol(mark);
-  chunker.singletons().ForEachSymbol(mark);
   input.Mark(mark);
   output.Mark(mark);
-  if (!long_term.empty()) long_term.Mark(mark);
+  modules.Mark(std::ref(mark));
   const std::size_t identifiers_before = memory.identifier_count(), constants_before = symbols.UnpinnedCount();
   for (std::uint32_t index = 0; index < memory.identifier_limit(); ++index) {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     if (marks[index] != 0 || !memory.identifier(id).live) continue;
     input.IdentifierGone(id);
     output_marks.Unmark(id);
-    if (!long_term.empty()) long_term.IdentifierFreed(id);
+    if (modules.Wants(ModuleHook::kIdentifiers)) modules.IdentifierFreed(id);
     memory.FreeIdentifier(id);
   }
   symbols.Sweep();
@@ -121,7 +119,7 @@ void Engine::Sweep() {
 // Beginning -----------------------------------------------------------------------------------------------------------
 
 void Engine::Initialize(bool announce) {
-  long_term.BeforeInit();
+  modules.BeforeInit();
   if (!run.broken()) goal_changes.TakeAllApart();
   justifier.ExciseAll();
   rete.Clear();
@@ -129,8 +127,6 @@ void Engine::Initialize(bool announce) {
   instantiations.Clear();
   selections.Clear();
   justifier.Clear();
-  reinforcement.Initialized();
-  chunker.Clear();
   preferences.Clear();
   changes.Clear();
   links.Clear();
@@ -155,11 +151,7 @@ void Engine::Initialize(bool announce) {
   goal_changes.MakeIoLinks();
   input.Reset(goal_changes.input_link());
   elaboration.ApplyWorkingMemoryChanges();
-  long_term.AfterInit();
-}
-
-void Engine::StopIfBroken() const {
-  if (run.broken()) throw std::bad_alloc();
+  modules.AfterInit();
 }
 
 void Engine::StopIfOutgrown() const {

@@ -12,6 +12,7 @@
 #include "kernel/decide/agent_rules.h"
 #include "kernel/decide/agent_settings.h"
 #include "kernel/decide/decision.h"
+#include "kernel/decide/descriptions.h"
 #include "kernel/decide/elaboration.h"
 #include "kernel/decide/element_events.h"
 #include "kernel/decide/exploration.h"
@@ -19,6 +20,7 @@
 #include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_dependency_set.h"
 #include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/modules.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/preference_semantics.h"
@@ -30,7 +32,6 @@
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/learn/chunker.h"
-#include "kernel/learn/descriptions.h"
 #include "kernel/learn/justification.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/learn/selection_knowledge.h"
@@ -75,6 +76,7 @@ struct Engine {
   bool rules_changed = false;                        ///< Since they were last offered for sharing.
 
   // What happens, in the order of the cycle.
+  Modules modules;
   ElementEvents element_events;
   WmeChanges changes;
   InputLink input;
@@ -125,10 +127,7 @@ struct Engine {
   /// Empties everything but the rules and makes the first state; tells observers of it if `announce` is set.
   void Initialize(bool announce);
   /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
-  /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did
-  /// something that took all memory: the matches are gone, nothing can go on with them.
-  void StopIfBroken() const;
-  /// The same if the agent has grown beyond AgentSettings::most_memory_bytes.
+  /// Ends the run at hand (by std::bad_alloc) if the agent has grown beyond AgentSettings::most_memory_bytes.
   void StopIfOutgrown() const;
   void CheckAfterPhase() const;
   /// In such builds: aborts unless a preference that was left out is one that the top state has already.

@@ -259,7 +259,7 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
   const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
   const Symbol result = kernel::Evaluate(engine_.context, value.function_index(), arguments);
   argument_stack_.resize(base);
-  engine_.StopIfBroken();
+  engine_.run.StopIfBroken();
   return result;
 }
 

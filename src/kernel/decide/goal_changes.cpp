@@ -69,12 +69,11 @@ Goal& GoalChanges::PushGoal() {
 void GoalChanges::AddMemoryLinks(Goal& goal) {
   goal.reward_link = AddModule(goal.id, words::kRewardLink, 'R');
   goal.epmem = AddMemoryLink(goal.id, words::kEpmem, 'E');
-  goal.epmem.present_id =
-      AddSlotWme(goal.epmem.link, words::kPresentId, engine_.symbols.Integer(engine_.long_term.present_id));
+  goal.epmem.present_id = AddSlotWme(goal.epmem.link, words::kPresentId, engine_.symbols.Integer(present_id_));
   goal.smem = AddMemoryLink(goal.id, words::kSmem, 'L');
   // After the others: an object's slots are shown newest first.
   goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
-  if (engine_.long_term.Wants(ModuleHook::kStates)) engine_.long_term.StateMade(goal.level);
+  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateMade(goal.level);
 }
 
 void GoalChanges::MakeTopState() {
@@ -108,7 +107,6 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   const bool multiple = impasse == ImpasseType::kTie || impasse == ImpasseType::kConflict;
   AddArchitecture(goal.id, words::kChoices, multiple ? words::kMultiple : words::kNone);
   AddArchitecture(goal.id, words::kQuiescence, words::kT);
-  engine_.chunker.NoteSubstate(goal.level);
   if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
   if (engine_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
@@ -155,7 +153,8 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   goal.items = kept_items_;
   // Soar counts a firing of its own behind each item.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
-  engine_.chunker.NoteItems(goal.level, firings);
+  const bool told = engine_.modules.Wants(ModuleHook::kStates);
+  if (told) engine_.modules.ItemsMade(goal.level, firings);
   engine_.instantiations.SkipSerials(firings);
   std::uint32_t firing = 0;
   const auto add = [&](Symbol attribute, Symbol value) {
@@ -166,7 +165,10 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
     const bool present = std::any_of(kept_items_.begin(), kept_items_.end(), [&](WmeId item) {
       return memory.wme(item).attribute == attribute && memory.wme(item).value == value;
     });
-    if (!present) engine_.chunker.NoteItem(add(attribute, value), firing);
+    if (!present) {
+      const WmeId item = add(attribute, value);
+      if (told) engine_.modules.ItemMade(item, firing);
+    }
     ++firing;
   };
   for (const Candidate& candidate : candidates) add_item(words::kItem, candidate.value);
@@ -211,7 +213,7 @@ void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
 
 void GoalChanges::RemoveBottom() {
   const Goal& goal = engine_.goals.bottom();
-  if (engine_.reinforcement.learning()) engine_.reinforcement.GoalEnds(goal.level);
+  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateEnds(goal.level);
   engine_.run.GoalRemoved(goal.id);
   TakeBottomApart();
 }
@@ -243,10 +245,9 @@ void GoalChanges::TakeBottomApart() {
   WorkingMemory& memory = engine_.memory;
   Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
   engine_.selections.GoalRemoved(goal.level);
-  engine_.chunker.GoalRemoved(goal.id);
   engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
-  if (engine_.long_term.Wants(ModuleHook::kStates)) engine_.long_term.StateRemoved(goal.level);
+  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateRemoved(goal.level);
   const SlotId slot = goal.operator_slot;
   engine_.preferences.RemoveSelected(slot);
   ForEachItemInRemovalOrder(goal, [&](WmeId item) { engine_.changes.Remove(item); });

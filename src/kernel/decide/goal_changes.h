@@ -38,6 +38,9 @@ class GoalChanges {
   /// Removes what an identifier that no goal reaches owns.
   void CollectGarbage(Symbol id);
 
+  /// What ^epmem.present-id of states says that are made from now on: the number of the next episode.
+  void SetPresentId(std::int64_t number) { present_id_ = number; }
+
   Symbol input_link() const { return input_link_; }
   Symbol output_link() const { return output_link_; }
 
@@ -55,6 +58,7 @@ class GoalChanges {
 
   Engine& engine_;
   Symbol input_link_, output_link_;
+  std::int64_t present_id_ = 1;
   std::vector<WmeId> kept_items_;
 };
 

@@ -3,21 +3,27 @@
 
 #include <algorithm>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/descriptions.h"
+#include "kernel/decide/firing.h"
+#include "kernel/decide/goal_changes.h"
+#include "kernel/decide/goal_stack.h"
+#include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/observers.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 
 void GoalDependencySets::NoteNewFact(WmeId wme) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = uses_.memory;
   // A result belongs to the state above: it rests on its justification.
   const PreferenceId maker = memory.record(wme).preference;
   if (maker == PreferenceId::kNone) return;
   const GoalLevel level = memory.preference(maker).level;
-  if (!memory.preference(maker).o_supported || level < 2 || level > engine_.goals.depth()) return;
+  if (!memory.preference(maker).o_supported || level < 2 || level > uses_.goals.depth()) return;
   // As in Soar 9.6.3 only the first such fact counts: what later ones rest on is never added. With it counts what else
   // the state's rules made in its slot before, whatever the value.
-  if (engine_.goals.at(level).has_gds) return;
-  engine_.goals.at(level).has_gds = true;
+  if (uses_.goals.at(level).has_gds) return;
+  uses_.goals.at(level).has_gds = true;
   for (PreferenceId p = maker; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (memory.preference(p).level == level) Queue(memory.preference(p).instantiation);
   }
@@ -33,22 +39,22 @@ void GoalDependencySets::NoteNewFact(WmeId wme) {
 }
 
 void GoalDependencySets::Queue(InstantiationId id) {
-  Instantiation& instantiation = engine_.instantiations[id];
+  Instantiation& instantiation = uses_.instantiations[id];
   if (instantiation.in_gds) return;
   instantiation.in_gds = true;
   queue_.push_back(id);
 }
 
 void GoalDependencySets::Collect(InstantiationId id) {
-  const WorkingMemory& memory = engine_.memory;
-  const GoalLevel level = engine_.instantiations[id].level;
-  if (level > engine_.goals.depth() || !engine_.goals.at(level).has_gds) return;
-  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+  const WorkingMemory& memory = uses_.memory;
+  const GoalLevel level = uses_.instantiations[id].level;
+  if (level > uses_.goals.depth() || !uses_.goals.at(level).has_gds) return;
+  for (const ConditionTrace& trace : uses_.instantiations.Trace(id)) {
     const WmeRecord& record = memory.record(trace.wme);
     if (record.removing || !memory.wme(trace.wme).live) continue;
     PreferenceId maker = record.preference;
     if (maker == PreferenceId::kNone && trace.level >= level) {
-      const WmeId proposal = engine_.goal_changes.ProposalOfItem(trace.wme);
+      const WmeId proposal = uses_.goal_changes.ProposalOfItem(trace.wme);
       AddMember(proposal != WmeId::kNone ? proposal : trace.wme, level);
       continue;
     }
@@ -57,7 +63,7 @@ void GoalDependencySets::Collect(InstantiationId id) {
       continue;
     }
     // A fact of this goal that is not held by o-support passes its own dependencies on.
-    const PreferenceId local = engine_.firing.CloneAtLevel(maker, level);
+    const PreferenceId local = uses_.firing.CloneAtLevel(maker, level);
     if (local != PreferenceId::kNone) maker = local;
     if (memory.preference(maker).o_supported) continue;
     const Symbol value = memory.wme(trace.wme).value;
@@ -70,38 +76,38 @@ void GoalDependencySets::Collect(InstantiationId id) {
 }
 
 void GoalDependencySets::AddMember(WmeId wme, GoalLevel level) {
-  WmeRecord& record = engine_.memory.mutable_record(wme);
+  WmeRecord& record = uses_.memory.mutable_record(wme);
   if (record.gds != 0 && record.gds <= level) return;
-  if (record.gds != 0 && record.gds != kGoalOfGdsGone) std::erase(engine_.goals.at(record.gds).gds, wme);
+  if (record.gds != 0 && record.gds != kGoalOfGdsGone) std::erase(uses_.goals.at(record.gds).gds, wme);
   record.gds = level;
-  engine_.goals.at(level).gds.push_back(wme);
-  if (engine_.observers.Wants(Event::kGds)) {
-    const GoalInfo goal = engine_.descriptions.Describe(engine_.goals.at(level));
-    const WmeInfo info = engine_.descriptions.Describe(wme);
-    engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsAdded(engine_.agent, goal, info); });
+  uses_.goals.at(level).gds.push_back(wme);
+  if (uses_.observers.Wants(Event::kGds)) {
+    const GoalInfo goal = uses_.descriptions.Describe(uses_.goals.at(level));
+    const WmeInfo info = uses_.descriptions.Describe(wme);
+    uses_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsAdded(uses_.agent, goal, info); });
   }
 }
 
 void GoalDependencySets::MemberLeaves(WmeId wme) {
-  const GoalLevel level = engine_.memory.record(wme).gds;
-  if (level == 0 || level > engine_.goals.depth()) return;
-  if (engine_.observers.Wants(Event::kGds)) {
-    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.at(level));
-    const WmeInfo member = engine_.descriptions.Describe(wme);
-    engine_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(engine_.agent, info, member); });
+  const GoalLevel level = uses_.memory.record(wme).gds;
+  if (level == 0 || level > uses_.goals.depth()) return;
+  if (uses_.observers.Wants(Event::kGds)) {
+    const GoalInfo info = uses_.descriptions.Describe(uses_.goals.at(level));
+    const WmeInfo member = uses_.descriptions.Describe(wme);
+    uses_.observers.Notify(Event::kGds, [&](Observer& o) { o.OnGdsViolation(uses_.agent, info, member); });
   }
-  engine_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
+  uses_.goal_changes.RemoveFrom(level, GoalRemoval::kGdsChange);
 }
 
 void GoalDependencySets::Forget(WmeId wme) {
-  WmeRecord& record = engine_.memory.mutable_record(wme);
-  if (record.gds != 0 && record.gds <= engine_.goals.depth()) std::erase(engine_.goals.at(record.gds).gds, wme);
+  WmeRecord& record = uses_.memory.mutable_record(wme);
+  if (record.gds != 0 && record.gds <= uses_.goals.depth()) std::erase(uses_.goals.at(record.gds).gds, wme);
   record.gds = 0;
 }
 
 void GoalDependencySets::GoalRemoved(GoalLevel level) {
-  Goal& goal = engine_.goals.at(level);
-  for (const WmeId wme : goal.gds) engine_.memory.mutable_record(wme).gds = kGoalOfGdsGone;
+  Goal& goal = uses_.goals.at(level);
+  for (const WmeId wme : goal.gds) uses_.memory.mutable_record(wme).gds = kGoalOfGdsGone;
   goal.gds.clear();
   goal.has_gds = false;
 }

@@ -9,7 +9,14 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Agent;
+class Descriptions;
+class Firing;
+class GoalChanges;
+class GoalStack;
+class InstantiationTable;
+class Observers;
+class WorkingMemory;
 
 /// Goal dependency sets (Soar manual 2.7.1): for each substate the elements of higher states that its first o-supported
 /// fact rests on. When one of them leaves, the substate goes.
@@ -17,7 +24,18 @@ struct Engine;
 /// An element belongs to at most one set: that of the highest goal that needs it.
 class GoalDependencySets {
  public:
-  explicit GoalDependencySets(Engine& engine) : engine_(engine) {}
+  /// What it uses of the agent.
+  struct Uses {
+    Agent& agent;
+    WorkingMemory& memory;
+    GoalStack& goals;
+    InstantiationTable& instantiations;
+    const Firing& firing;
+    GoalChanges& goal_changes;
+    const Descriptions& descriptions;
+    const Observers& observers;
+  };
+  explicit GoalDependencySets(const Uses& uses) : uses_(uses) {}
 
   /// An element was made for a preference: if an o-supported preference of a substate is behind it, what that rests on
   /// enters the substate's set.
@@ -34,7 +52,7 @@ class GoalDependencySets {
   void AddMember(WmeId wme, GoalLevel level);
   void Queue(InstantiationId instantiation);
 
-  Engine& engine_;
+  Uses uses_;
   std::vector<InstantiationId> queue_, exploring_;
 };
 

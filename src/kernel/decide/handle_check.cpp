@@ -127,7 +127,7 @@ class HandleCheck {
                 "a condition takes another preference for its element's maker");
       }
     });
-    engine_.long_term.ForEachHeld([&](PreferenceId held) {
+    engine_.modules.ForEachHeld([&](PreferenceId held) {
       RequireLive(held, "an answer of long-term memory");
       ++references_[held.record];
     });

@@ -8,7 +8,10 @@
 #include <mutex>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/production_record.h"
+#include "kernel/decide/rule_directory.h"
+#include "kernel/match/rete.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -33,23 +36,23 @@ Store& TheStore() {
 
 }  // namespace
 
-void ShareRules(Engine& engine) {
-  if (engine.rules.loading_order().empty()) return;
-  const Key key{engine.symbols.Digest(), engine.rete.NetworkDigest()};
+void ShareRules(SymbolTable& symbols, Rete& rete, RuleDirectory& rules, std::vector<ProductionRecord>& productions) {
+  if (rules.loading_order().empty()) return;
+  const Key key{symbols.Digest(), rete.NetworkDigest()};
   Store& store = TheStore();
   const std::lock_guard<std::mutex> lock(store.mutex);
   // Only the store holds it: the agents that shared it have gone.
   std::erase_if(store.entries, [](const auto& entry) { return entry.second.network.use_count() == 1; });
   const auto found = store.entries.find(key);
   if (found == store.entries.end()) {
-    store.entries.emplace(key, SharedRules{engine.symbols.Freeze(), engine.rete.network(), engine.rules});
+    store.entries.emplace(key, SharedRules{symbols.Freeze(), rete.network(), rules});
     return;
   }
-  if (engine.rete.network() == found->second.network) return;
+  if (rete.network() == found->second.network) return;
   // The network's handles mean something only with the constants that they were made with.
-  if (engine.symbols.Adopt(found->second.symbols) && engine.rete.AdoptNetwork(found->second.network)) {
-    engine.rules.Adopt(found->second.directory);
-    engine.productions.shrink_to_fit();
+  if (symbols.Adopt(found->second.symbols) && rete.AdoptNetwork(found->second.network)) {
+    rules.Adopt(found->second.directory);
+    productions.shrink_to_fit();
   }
 }
 

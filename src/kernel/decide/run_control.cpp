@@ -33,7 +33,7 @@ void RunControl::EndPhase(Phase next) {
   phase_ = next;
   CountPhase(engine_);
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(engine_.agent, ended); });
-  engine_.StopIfBroken();
+  StopIfBroken();
   if (next == Phase::kInput) engine_.SweepSymbols();
   engine_.CheckAfterPhase();
 }
@@ -61,7 +61,7 @@ bool RunControl::ElaboratePhase(bool apply) {
   }
   if (next == Elaboration::Next::kElaborate) {
     elaboration.Run(apply);
-    if (engine_.long_term.Wants(ModuleHook::kAfterElaboration)) engine_.long_term.AfterElaboration();
+    if (engine_.modules.Wants(ModuleHook::kAfterElaboration)) engine_.modules.AfterElaboration();
     next = elaboration.Determine(apply);
   }
   if (next == Elaboration::Next::kElaborate) return false;
@@ -80,7 +80,7 @@ void RunControl::DecidePhase() {
     const std::uint64_t number = engine_.counters.decision_phases;
     engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(engine_.agent, info, number); });
   }
-  if (engine_.long_term.Wants(ModuleHook::kAfterDecision)) engine_.long_term.AfterDecision();
+  if (engine_.modules.Wants(ModuleHook::kAfterDecision)) engine_.modules.AfterDecision();
   EndPhase(Phase::kApply);
 }
 
@@ -88,8 +88,8 @@ void RunControl::OutputPhase() {
   BeginPhase();
   output_changed_ = engine_.output.Collect();
   if (output_changed_) engine_.observers.Notify(Event::kOutput, [&](Observer& o) { o.OnOutput(engine_.agent); });
-  if (engine_.long_term.Wants(ModuleHook::kOutput)) engine_.long_term.Output(output_changed_);
-  if (engine_.reinforcement.apoptosis().on()) engine_.reinforcement.CycleEnds();
+  if (engine_.modules.Wants(ModuleHook::kOutput)) engine_.modules.Output(output_changed_);
+  if (engine_.modules.Wants(ModuleHook::kOutputEnd)) engine_.modules.OutputEnd();
   AgentCounters& counters = engine_.counters;
   ++counters.decision_cycles;
   const std::uint64_t changes = counters.wme_additions + counters.wme_removals - cycle_wme_changes_;
@@ -175,14 +175,14 @@ bool RunControl::Stop() {
     halt_requested_ = false;
     halted_ = true;
     if (in_middle_) CountPhase(engine_);  // It does not end any more.
-    if (engine_.reinforcement.learning()) engine_.reinforcement.Halted();
+    if (engine_.modules.Wants(ModuleHook::kHalt)) engine_.modules.Halted();
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
     return true;
   }
   if (goal_stack_limit_) {
     goal_stack_limit_ = false;
     ended_ = limit_reached_ = true;
-    if (engine_.reinforcement.learning()) engine_.reinforcement.Halted();
+    if (engine_.modules.Wants(ModuleHook::kHalt)) engine_.modules.Halted();
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
     return true;
   }
@@ -216,7 +216,7 @@ bool RunControl::Stop() {
 RunControl::Start RunControl::Begin() {
   if (engine_.rules_changed) {
     engine_.rules_changed = false;
-    ShareRules(engine_);
+    ShareRules(engine_.symbols, engine_.rete, engine_.rules, engine_.productions);
   }
   running_ = true;
   ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = by_phase_ = false;

@@ -3,7 +3,12 @@
 
 #include <algorithm>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/decision.h"
+#include "kernel/decide/goal_dependency_set.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/memory/large_slots.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -59,29 +64,29 @@ void SlotDecision::AddValue(Symbol value, PreferenceId preference) {
 // Ordinary slots ------------------------------------------------------------------------------------------------------
 
 void SlotDecision::DecideChangedSlots() {
-  std::vector<SlotId>& changed = engine_.preferences.changed_slots();
+  std::vector<SlotId>& changed = uses_.preferences.changed_slots();
   while (!changed.empty()) {
     const SlotId id = changed.back();
     changed.pop_back();
-    Slot& slot = engine_.memory.mutable_slot(id);
+    Slot& slot = uses_.memory.mutable_slot(id);
     if (!slot.live || !slot.changed) continue;
     slot.changed = false;
     const PreferenceId only = slot.acceptable;
     if (slot.others == PreferenceId::kNone &&
-        (only == PreferenceId::kNone || engine_.memory.preference(only).next_in_slot == PreferenceId::kNone)) {
+        (only == PreferenceId::kNone || uses_.memory.preference(only).next_in_slot == PreferenceId::kNone)) {
       DecideSingle(id, only);
-    } else if (LargeSlot* const large = engine_.memory.Large(id); large != nullptr && !large->all_changed) {
+    } else if (LargeSlot* const large = uses_.memory.Large(id); large != nullptr && !large->all_changed) {
       DecideLarge(id, *large);
     } else {
       Decide(id);
     }
     if (slot.is_large) [[unlikely]]
-      engine_.memory.Large(id)->Settle(slot.others != PreferenceId::kNone);
+      uses_.memory.Large(id)->Settle(slot.others != PreferenceId::kNone);
   }
 }
 
 void SlotDecision::Decide(SlotId slot_id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   const Slot& slot = memory.slot(slot_id);
   ResetValues();
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -99,7 +104,7 @@ void SlotDecision::Decide(SlotId slot_id) {
     next = memory.record(wme).next;
     const std::uint32_t place = FindValue(memory.wme(wme).value);
     if (place == kNowhere) {
-      engine_.changes.Lose(wme);
+      uses_.changes.Lose(wme);
     } else {
       values_[place].present = true;
       memory.mutable_record(wme).preference = values_[place].preference;
@@ -109,12 +114,12 @@ void SlotDecision::Decide(SlotId slot_id) {
   for (std::size_t n = values_.size(); n-- > 0;) {
     if (!values_[n].present) MakeElement(slot_id, values_[n]);
   }
-  if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+  if (memory.SlotIsEmpty(slot_id)) uses_.preferences.empty_slots().push_back(slot_id);
 }
 
 // The same as Decide, for the values that changed.
 void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   const Slot& slot = memory.slot(slot_id);
   changed_ = large.changed;
   std::sort(changed_.begin(), changed_.end(), [](Symbol a, Symbol b) { return a.bits() < b.bits(); });
@@ -141,25 +146,25 @@ void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
   }
   std::sort(lost_.begin(), lost_.end(),
             [&](WmeId a, WmeId b) { return memory.wme(a).timetag > memory.wme(b).timetag; });
-  for (const WmeId wme : lost_) engine_.changes.Lose(wme);
+  for (const WmeId wme : lost_) uses_.changes.Lose(wme);
   std::sort(values_.begin(), values_.end(), [&](const Value& a, const Value& b) {
     const Preference& p = memory.preference(a.preference);
     const Preference& q = memory.preference(b.preference);
     return p.level != q.level ? p.level > q.level : p.stamp < q.stamp;
   });
   for (const Value& value : values_) MakeElement(slot_id, value);
-  if (memory.SlotIsEmpty(slot_id)) engine_.preferences.empty_slots().push_back(slot_id);
+  if (memory.SlotIsEmpty(slot_id)) uses_.preferences.empty_slots().push_back(slot_id);
 }
 
 void SlotDecision::MakeElement(SlotId slot_id, const Value& value) {
-  const Slot& slot = engine_.memory.slot(slot_id);
+  const Slot& slot = uses_.memory.slot(slot_id);
   const WmeId wme =
-      engine_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
-  if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
+      uses_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
+  if (slot.substate_facts != 0) uses_.gds.NoteNewFact(wme);
 }
 
 void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   const Symbol value = only == PreferenceId::kNone ? Symbol() : memory.preference(only).value;
   const Slot& slot = memory.slot(slot_id);
   bool present = false;
@@ -171,32 +176,32 @@ void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
       present = true;
       record.preference = only;
     } else {
-      engine_.changes.Lose(wme);
+      uses_.changes.Lose(wme);
     }
   }
   if (value) {
     if (!present) MakeElement(slot_id, {value, only, false});
   } else if (slot.wmes == WmeId::kNone && slot.acceptable_wmes == WmeId::kNone) {
-    engine_.preferences.empty_slots().push_back(slot_id);
+    uses_.preferences.empty_slots().push_back(slot_id);
   }
 }
 
 // Operator slots ------------------------------------------------------------------------------------------------------
 
 void SlotDecision::UpdateAcceptables() {
-  std::vector<SlotId>& changed = engine_.preferences.changed_acceptables();
+  std::vector<SlotId>& changed = uses_.preferences.changed_acceptables();
   // The slot that was the last to begin changing comes first. Removing an operator may add slots of the states below.
   while (!changed.empty()) {
     const SlotId slot = changed.back();
     changed.pop_back();
-    const Slot& record = engine_.memory.slot(slot);
+    const Slot& record = uses_.memory.slot(slot);
     if (record.live && (record.is_operator || record.acceptable_wmes != WmeId::kNone)) UpdateAcceptables(slot);
-    engine_.memory.mutable_slot(slot).acceptables_changed = false;
+    uses_.memory.mutable_slot(slot).acceptables_changed = false;
   }
 }
 
 void SlotDecision::UpdateAcceptables(SlotId slot_id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = uses_.memory;
   ResetValues();
   const Slot& slot = memory.slot(slot_id);
   // Required ones enter first.
@@ -216,23 +221,23 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
       continue;
     }
     if (slot.wmes != WmeId::kNone && memory.wme(slot.wmes).value == memory.wme(wme).value) {
-      engine_.decision.RemoveOperator(memory.level(slot.id), OperatorRemoval::kProposalGone, wme);
+      uses_.decision.RemoveOperator(memory.level(slot.id), OperatorRemoval::kProposalGone, wme);
     }
-    engine_.changes.Lose(wme);
+    uses_.changes.Lose(wme);
   }
   if (!memory.identifier(slot.id).is_goal) {
     // The goal has gone: what is left is an ordinary slot without anything.
     memory.mutable_slot(slot_id).is_operator = false;
     memory.mutable_slot(slot_id).changed = false;
-    engine_.preferences.empty_slots().push_back(slot_id);
+    uses_.preferences.empty_slots().push_back(slot_id);
     return;
   }
   const std::size_t count = values_.size();
   for (std::size_t n = 0; n < count; ++n) {
     if (values_[n].present) continue;
     const Value value = values_[n];
-    const WmeId wme = engine_.changes.AddAcceptable(slot_id, value.value, value.preference);
-    if (slot.substate_facts != 0) engine_.gds.NoteNewFact(wme);
+    const WmeId wme = uses_.changes.AddAcceptable(slot_id, value.value, value.preference);
+    if (slot.substate_facts != 0) uses_.gds.NoteNewFact(wme);
   }
 }
 

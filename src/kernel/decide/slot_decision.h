@@ -10,14 +10,26 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+class Decision;
+class GoalDependencySets;
 struct LargeSlot;
+class PreferenceChanges;
+class WmeChanges;
+class WorkingMemory;
 
 /// Turns preferences into elements once per working memory phase: ordinary slots get every acceptable value that is not
 /// rejected; operator slots get the elements of their acceptable and required values (their decision comes later).
 class SlotDecision {
  public:
-  explicit SlotDecision(Engine& engine) : engine_(engine) { values_.reserve(8); }
+  /// What it uses of the agent.
+  struct Uses {
+    WorkingMemory& memory;
+    WmeChanges& changes;
+    PreferenceChanges& preferences;
+    GoalDependencySets& gds;
+    Decision& decision;
+  };
+  explicit SlotDecision(const Uses& uses) : uses_(uses) { values_.reserve(8); }
 
   /// Decides all changed ordinary slots, the one that changed last first.
   [[gnu::flatten]] void DecideChangedSlots();
@@ -49,7 +61,7 @@ class SlotDecision {
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
   static constexpr std::size_t kLinearLimit = 8;
 
-  Engine& engine_;
+  Uses uses_;
   std::vector<Value> values_;
   std::vector<Symbol> excluded_;
   std::vector<Symbol> changed_;       ///< Scratch of DecideLarge.

@@ -1,6 +1,7 @@
 list(APPEND SOARBOX_KERNEL_SOURCES
   decide/agent_rules.cpp
   decide/decision.cpp
+  decide/descriptions.cpp
   decide/elaboration.cpp
   decide/element_events.cpp
   decide/engine.cpp
@@ -12,6 +13,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/handle_check.cpp
   decide/instantiation_table.cpp
   decide/invariants.cpp
+  decide/modules.cpp
   decide/preference_changes.cpp
   decide/preference_semantics.cpp
   decide/rule_context.cpp
@@ -20,7 +22,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/run_control.cpp
   decide/slot_decision.cpp)
 soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp decide/rule_sharing_test.cpp)
-soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp decide/decision_trace_test.cpp)
+soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp decide/decision_trace_test.cpp decide/modules_test.cpp)
 soarbox_kernel_test(kernel_allocation_test SOURCES decide/allocation_test.cpp)
 soarbox_kernel_test(kernel_random_agents_test SOURCES decide/random_agents.cpp decide/random_agents_test.cpp match/naive_matcher.cpp)
 soarbox_kernel_test(kernel_failing_allocation_test SOURCES decide/failing_allocation_test.cpp)

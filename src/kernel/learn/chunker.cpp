@@ -8,14 +8,15 @@
 #include "kernel/base/words.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/agent_settings.h"
+#include "kernel/decide/descriptions.h"
 #include "kernel/decide/firing.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/modules.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/rule_changes.h"
 #include "kernel/decide/run_control.h"
-#include "kernel/learn/descriptions.h"
 #include "kernel/learn/justification.h"
 #include "kernel/learn/selection_knowledge.h"
 #include "kernel/match/rete.h"
@@ -38,7 +39,9 @@ Chunker::Chunker(const Uses& uses)
                reader_, analysis_),
       log_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.rete, uses.counters, uses.descriptions,
             *this, statistics_},
-           reader_, analysis_, builder_) {}
+           reader_, analysis_, builder_) {
+  uses_.modules.Attach(*this, Modules::kLast);
+}
 
 Chunker::~Chunker() = default;
 
@@ -47,11 +50,22 @@ void Chunker::ModeChanged() {
   if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
   notes_elements_ = settings_.learning() && settings_.automatic_singletons;
   uses_.changes.TellOfAttributes(notes_elements_);
+  AskForHooks();
+}
+
+void Chunker::AskForHooks() {
+  ModuleHooks hooks = 0;
+  if (settings_.learning() || !dont_learn_.empty() || !force_learn_.empty() || !item_firings_.empty()) {
+    hooks = static_cast<ModuleHooks>(ModuleHook::kStates);
+  }
+  if (notes_elements_) hooks = hooks | ModuleHook::kAttributes;
+  uses_.modules.SetHooks(*this, hooks);
 }
 
 void Chunker::SetLearning(Symbol state, bool learn) {
   std::vector<Symbol>& states = learn ? force_learn_ : dont_learn_;
   if (std::ranges::find(states, state) == states.end()) states.push_back(state);
+  AskForHooks();
 }
 
 void Chunker::RuleExcised(ProductionId rule) {
@@ -59,12 +73,18 @@ void Chunker::RuleExcised(ProductionId rule) {
   uses_.justifier.ForgetDuplicates(rule);
 }
 
-void Chunker::GoalRemoved(Symbol state) {
+void Chunker::StateRemoved(GoalLevel level) {
+  const Symbol state = uses_.goals.at(level).id;
   std::erase(dont_learn_, state);
   std::erase(force_learn_, state);
 }
 
-void Chunker::Clear() {
+void Chunker::Mark(const std::function<void(Symbol)>& mark) {
+  uses_.justifier.ForEachLiteral(mark);
+  singletons_.ForEachSymbol(mark);
+}
+
+void Chunker::AfterInit() {
   dont_learn_.clear();
   force_learn_.clear();
   results_.Clear();
@@ -76,14 +96,14 @@ void Chunker::Clear() {
   next_identity_ = 1;
   next_number_ = 0;
   statistics_ = {};
+  AskForHooks();
 }
 
 // Identities ----------------------------------------------------------------------------------------------------------
 
-void Chunker::NoteSubstate(GoalLevel level) {
-  uses_.goals.at(level).learned_below = false;
+void Chunker::StateMade(GoalLevel level) {
   if (level == 2) item_firings_.clear();
-  if (!settings_.learning()) return;
+  if (!settings_.learning() || level < 2) return;
   uses_.goals.at(level).has_identities = true;
   if (level == 2) next_identity_ = 1;
   if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
@@ -99,14 +119,14 @@ void Chunker::CountCreated(GoalLevel level, std::uint32_t count) {
   identities_of_level_[level] += count;
 }
 
-void Chunker::NoteItems(GoalLevel level, std::uint32_t count) {
+void Chunker::ItemsMade(GoalLevel level, std::uint32_t firings) {
   if (!settings_.learning()) return;
   first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
-  CountCreated(level, 2 * count);
-  statistics_.identities_propagated += 3 * count;
+  CountCreated(level, 2 * firings);
+  statistics_.identities_propagated += 3 * firings;
 }
 
-void Chunker::NoteItem(WmeId item, std::uint32_t index) {
+void Chunker::ItemMade(WmeId item, std::uint32_t index) {
   if (settings_.learning()) item_firings_[item] = {first_item_.serial + index, first_item_.identity + 2 * index};
 }
 

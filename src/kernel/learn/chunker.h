@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/module.h"
 #include "kernel/learn/backtrace.h"
 #include "kernel/learn/explanation.h"
 #include "kernel/learn/explanation_log.h"
@@ -31,6 +34,7 @@ class GoalChanges;
 class GoalStack;
 class InstantiationTable;
 class Justifier;
+class Modules;
 class Observers;
 class PreferenceChanges;
 class ProductionRecord;
@@ -48,7 +52,7 @@ class WorkingMemory;
 ///
 /// The stages, each with a file of its own: results, backtrace, identity_analysis, rule_builder (conditions, actions,
 /// repair), and entering the rule here.
-class Chunker {
+class Chunker final : public Module {
  public:
   /// What it uses of the agent.
   struct Uses {
@@ -72,9 +76,10 @@ class Chunker {
     const ExpectedValues& expected_values;
     const Observers& observers;
     RuleChanges& rule_changes;
+    Modules& modules;
   };
   explicit Chunker(const Uses& uses);
-  ~Chunker();
+  ~Chunker() override;
 
   const LearnSettings& settings() const { return settings_; }
   /// For `chunk`. Call ModeChanged after `mode` or `automatic_singletons` changed.
@@ -97,22 +102,13 @@ class Chunker {
   [[gnu::noinline]] void NoteSelection(InstantiationId id);
   /// The number of an identity that is no rule's: the name of a substate or of its superstate.
   std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
-  /// A substate was made.
-  void NoteSubstate(GoalLevel level);
-  /// The impasse of a substate got its items, `count` of them: each stands for a firing that names its state and its
-  /// operator.
-  void NoteItems(GoalLevel level, std::uint32_t count);
   /// The firing behind an item.
   struct ItemFiring {
     std::uint32_t serial = 0;
     std::uint32_t identity = 0;  ///< The number of the operator's; 0 for none.
   };
-  /// An item that was not there before; `index` of those that NoteItems counted last.
-  void NoteItem(WmeId item, std::uint32_t index);
   /// Null for items that came while nothing was to be learned.
   const ItemFiring* FiringOfItem(WmeId item) const;
-  /// An element came into working memory; for singletons. (WmeChanges tells of elements while that is wanted.)
-  void NoteElement(Symbol attribute) { singletons_.Note(attribute); }
   /// How many identities the substate of a level has had.
   std::uint32_t IdentitiesCreated(GoalLevel level) const {
     return level < identities_of_level_.size() ? identities_of_level_[level] : 0;
@@ -123,9 +119,6 @@ class Chunker {
   void SetLearning(Symbol state, bool learn);
   std::vector<Symbol> forced_states() const { return force_learn_; }
   std::vector<Symbol> excluded_states() const { return dont_learn_; }
-  void GoalRemoved(Symbol state);
-  /// A learned rule leaves.
-  void RuleExcised(ProductionId rule);
   /// What a learned rule was learned from: the name of the first rule, and how often rules were learned from rules.
   struct Origin {
     std::string base;
@@ -134,9 +127,22 @@ class Chunker {
   Origin OriginOf(InstantiationId firing) const;
   std::size_t learned_count() const { return learned_.size(); }
   LearnedRules LearnedBySource() const;
-  void Clear();
+
+  // Module
+  void StateMade(GoalLevel level) override;
+  /// Each item stands for a firing that names its state and its operator.
+  void ItemsMade(GoalLevel level, std::uint32_t firings) override;
+  void ItemMade(WmeId item, std::uint32_t index) override;
+  void StateRemoved(GoalLevel level) override;
+  /// For singletons.
+  void AttributeUsed(Symbol attribute) override { singletons_.Note(attribute); }
+  void RuleExcised(ProductionId rule) override;
+  void AfterInit() override;
+  void Mark(const std::function<void(Symbol)>& mark) override;
+  std::size_t MemoryBytes() const override { return log_.MemoryBytes(); }
 
  private:
+  void AskForHooks();
   InstantiationId Learn(InstantiationId base);
   /// `made`: none if it was a duplicate.
   InstantiationId CountJustification(InstantiationId made);

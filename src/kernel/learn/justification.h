@@ -12,6 +12,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/descriptions.h"
 #include "kernel/decide/instantiation.h"
 #include "kernel/learn/chunker.h"
 #include "kernel/learn/explanation.h"
@@ -43,7 +44,7 @@ class WorkingMemory;
 /// The elements are found by following each condition of the rule that fired back to the preference that made its
 /// element, down to elements of higher states. Nothing like a rule is built: the matcher only keeps a fixed match of
 /// the elements (Rete::AddFixedMatch), or, if negated conditions matter, matches the literal conditions.
-class Justifier {
+class Justifier final : public JustificationNames {
  public:
   /// What it uses of the agent.
   struct Uses {
@@ -117,7 +118,7 @@ class Justifier {
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
   /// "justify1"; valid until the next justification is made.
-  std::string_view Name(std::uint32_t index) const;
+  std::string_view Name(std::uint32_t index) const override;
   /// Indices of the live records, oldest first.
   std::vector<std::uint32_t> Live() const;
   /// Takes one out of the match, so that its results are retracted; false if there is none of this name.

@@ -9,6 +9,7 @@
 #include "kernel/decide/exploration.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
+#include "kernel/decide/modules.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/production_record.h"
 #include "kernel/decide/rule_changes.h"
@@ -35,7 +36,9 @@ Reinforcement::Reinforcement(const Uses& uses)
     : uses_(uses),
       values_(uses.symbols),
       choices_({uses.symbols, uses.memory, uses.goals, uses.counters, uses.exploration}),
-      templates_({uses.symbols, uses.memory, uses.expected_values, uses.rule_changes}) {}
+      templates_({uses.symbols, uses.memory, uses.expected_values, uses.rule_changes}) {
+  uses_.modules.Attach(*this, Modules::kLast);
+}
 
 void Reinforcement::Set(const RlSettings& settings) {
   if (settings_.learning && !settings.learning) {
@@ -43,6 +46,10 @@ void Reinforcement::Set(const RlSettings& settings) {
   }
   settings_ = settings;
   apoptosis_.Set(settings);
+  ModuleHooks hooks = 0;
+  if (settings_.learning) hooks |= ModuleHook::kChoices | ModuleHook::kStates | ModuleHook::kHalt;
+  if (apoptosis_.on()) hooks |= ModuleHook::kMatches | ModuleHook::kOutputEnd;
+  uses_.modules.SetHooks(*this, hooks);
 }
 
 Reinforcement::GoalRecord& Reinforcement::Record(GoalLevel level) {
@@ -176,7 +183,7 @@ void Reinforcement::OperatorInstalled(GoalLevel level, Symbol op) {
   ++record.gap;
 }
 
-void Reinforcement::GoalEnds(GoalLevel level) {
+void Reinforcement::StateEnds(GoalLevel level) {
   if (level > 1) {
     Collect(level);
     Update(level, {.value = 0, .from_rules = true, .expected = false});
@@ -208,7 +215,11 @@ void Reinforcement::RuleExcised(ProductionId rule) {
   values_.Forget(rule);
 }
 
-void Reinforcement::Initialized() {
+void Reinforcement::Mark(const std::function<void(Symbol)>& mark) {
+  values_.ForEach([&](const RlValue& value) { mark(value.value); });
+}
+
+void Reinforcement::AfterInit() {
   for (GoalRecord& record : goals_) Forget(record);
   choices_.Begin(1);
   apoptosis_.Clear();
@@ -230,7 +241,7 @@ void Reinforcement::MatchEnded(ProductionId rule) {
   if (IsUnused(rule)) apoptosis_.Used(rule);
 }
 
-void Reinforcement::CycleEnds() {
+void Reinforcement::OutputEnd() {
   for (const ProductionId rule : apoptosis_.EndDecision()) {
     const MatchSet& matches = uses_.rete.matches();
     bool matched = false;

@@ -7,6 +7,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/module.h"
 #include "kernel/decide/preference_semantics.h"
 #include "kernel/learn/apoptosis.h"
 #include "kernel/learn/choice_graph.h"
@@ -24,6 +25,7 @@ struct ExplorationSettings;
 struct Goal;
 class GoalStack;
 class InstantiationTable;
+class Modules;
 class Observers;
 class ProductionRecord;
 class Rete;
@@ -43,9 +45,8 @@ struct RlStatistics {
 /// goal's previous operator move towards reward plus the discounted value of the new one. Then the rules that speak for
 /// the new one are noted. Reward is what (reward-link ^reward.value) says: numbers, all summed.
 ///
-/// Each call is a hook of the cycle and is made only while learning() is true. Belongs to one agent; shared rules and
-/// networks are only read.
-class Reinforcement {
+/// Belongs to one agent; shared rules and networks are only read.
+class Reinforcement final : public Module {
  public:
   /// What it uses of the agent.
   struct Uses {
@@ -62,6 +63,7 @@ class Reinforcement {
     const std::vector<ProductionRecord>& productions;
     const Observers& observers;
     RuleChanges& rule_changes;
+    Modules& modules;
   };
   explicit Reinforcement(const Uses& uses);
 
@@ -77,31 +79,23 @@ class Reinforcement {
   RlTemplates& templates() { return templates_; }
   const Apoptosis& apoptosis() const { return apoptosis_; }
 
-  /// The decision procedure has a winner, and no impasse. Before states below go.
-  void OperatorChosen(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner);
-  /// The winner stands in its slot.
-  void OperatorInstalled(GoalLevel level, Symbol op);
-  /// A substate is about to go: nothing follows, so only its reward counts.
-  void GoalEnds(GoalLevel level);
-  /// (halt): the episode ends in all goals.
-  void Halted();
-
-  // Also while learning is off.
-
-  /// A rule has been loaded.
-  void RuleAdded(ProductionId rule, const Production& production);
-  void RuleExcised(ProductionId rule);
-  /// A match of a rule that fired holds no more. Only while apoptosis is on.
-  [[gnu::noinline]] void MatchEnded(ProductionId rule);
-  /// The output phase: learned rules that nobody uses go. Only while apoptosis is on.
-  void CycleEnds();
-  /// init-soar: goals are forgotten, values stay.
-  void Initialized();
-  /// The symbols that learned values hold.
-  template <typename Mark>
-  void ForEachSymbol(Mark&& mark) {
-    values_.ForEach([&](const RlValue& value) { mark(value.value); });
-  }
+  // Module. While learning is on:
+  void OperatorChosen(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner) override;
+  void OperatorInstalled(GoalLevel level, Symbol op) override;
+  /// Nothing follows in a substate that goes, so only its reward counts.
+  void StateEnds(GoalLevel level) override;
+  /// The episode ends in all goals.
+  void Halted() override;
+  // While apoptosis is on:
+  void MatchEnded(ProductionId rule) override;
+  /// Learned rules that nobody uses go.
+  void OutputEnd() override;
+  // Always:
+  void RuleAdded(ProductionId rule, const Production& production) override;
+  void RuleExcised(ProductionId rule) override;
+  /// Goals are forgotten, values stay.
+  void AfterInit() override;
+  void Mark(const std::function<void(Symbol)>& mark) override;
 
  private:
   /// How much a rule shares in the next update.

@@ -2,7 +2,6 @@ list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/backtrace.cpp
   learn/choice_graph.cpp
   learn/chunker.cpp
-  learn/descriptions.cpp
   learn/draft_tests.cpp
   learn/explained_rule.cpp
   learn/explanation_log.cpp

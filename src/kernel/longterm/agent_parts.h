@@ -8,9 +8,11 @@ struct AgentCounters;
 class Chunker;
 class Elaboration;
 class Firing;
+class GoalChanges;
 class GoalStack;
 class InstantiationTable;
 class LongTerm;
+class Modules;
 class Observers;
 class Justifier;
 class OutputLink;
@@ -40,6 +42,8 @@ struct AgentParts {
   const RunControl& run;
   const OutputLink& output;
   const Justifier& justifier;
+  GoalChanges& goal_changes;
+  Modules& modules;
   LongTerm& long_term;
 };
 

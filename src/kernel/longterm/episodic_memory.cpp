@@ -9,6 +9,7 @@
 #include "kernel/base/words.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/elaboration.h"
+#include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/observers.h"
 #include "kernel/io/output_link.h"
@@ -93,7 +94,7 @@ Result<void> EpisodicMemory::TryOpen() {
   }
   Result<void> result = opener_(*this);
   opened_ = result.ok();
-  if (opened_) uses_.long_term.present_id = store_.last() + std::int64_t{1};
+  if (opened_) uses_.goal_changes.SetPresentId(store_.last() + std::int64_t{1});
   return result;
 }
 
@@ -185,8 +186,9 @@ void EpisodicMemory::Respond() {
 
 /// Puts the number of the next episode on every state's link.
 void EpisodicMemory::ShowTime() {
-  uses_.long_term.present_id = store_.last() + std::int64_t{1};
-  const Symbol time = uses_.symbols.Integer(uses_.long_term.present_id);
+  const std::int64_t next = store_.last() + std::int64_t{1};
+  uses_.goal_changes.SetPresentId(next);
+  const Symbol time = uses_.symbols.Integer(next);
   for (std::size_t level = 1; level <= uses_.goals.depth(); ++level) {
     MemoryLink& link = uses_.goals.at(static_cast<GoalLevel>(level)).epmem;
     if (uses_.memory.wme(link.present_id).value == time) continue;
@@ -209,7 +211,7 @@ void EpisodicMemory::StateRemoved(GoalLevel level) {
 void EpisodicMemory::BeforeInit() {
   Close();
   if (continues_ && settings_.learning) EnsureOpen();
-  uses_.long_term.present_id = store_.last() + std::int64_t{1};
+  uses_.goal_changes.SetPresentId(store_.last() + std::int64_t{1});
 }
 
 void EpisodicMemory::AfterInit() {

@@ -12,6 +12,7 @@
 #include "diagnostics/result.h"
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/module.h"
 #include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/episode_commands.h"
 #include "kernel/longterm/episode_recorder.h"
@@ -19,7 +20,6 @@
 #include "kernel/longterm/episode_store.h"
 #include "kernel/longterm/episode_terms.h"
 #include "kernel/longterm/episodic_settings.h"
-#include "kernel/longterm/memory_module.h"
 
 namespace soarbox::kernel {
 
@@ -33,7 +33,7 @@ class LongTerm;
 ///
 /// Episodes live in memory and go with init-soar. Who wants them to outlive the process gives an Opener: it is called
 /// when the memory is used first, and again after it was closed.
-class EpisodicMemory final : public MemoryModule {
+class EpisodicMemory final : public Module {
  public:
   explicit EpisodicMemory(const AgentParts& parts);
   ~EpisodicMemory() override;

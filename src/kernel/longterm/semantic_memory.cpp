@@ -25,7 +25,7 @@ constexpr std::uint32_t kWorthSharing = 64;
 }  // namespace
 
 SemanticMemory& SemanticMemory::Of(LongTerm& long_term) {
-  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kSemantic)) {
+  if (Module* const known = long_term.module(LongTerm::ModuleKind::kSemantic)) {
     return static_cast<SemanticMemory&>(*known);
   }
   auto made = std::make_unique<SemanticMemory>(long_term);

@@ -14,6 +14,7 @@
 #include "diagnostics/result.h"
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/module.h"
 #include "kernel/longterm/activations.h"
 #include "kernel/longterm/agent_parts.h"
 #include "kernel/longterm/attribute_symbols.h"
@@ -21,7 +22,6 @@
 #include "kernel/longterm/installer.h"
 #include "kernel/longterm/knowledge.h"
 #include "kernel/longterm/link_weights.h"
-#include "kernel/longterm/memory_module.h"
 #include "kernel/longterm/semantic_command.h"
 #include "kernel/longterm/semantic_query.h"
 #include "kernel/longterm/smem_settings.h"
@@ -47,7 +47,7 @@ struct SmemCounters {
 ///
 /// The knowledge lives in memory. Who wants it to outlive the process gives a Journal (journal.h), which is told of
 /// every change.
-class SemanticMemory final : public MemoryModule {
+class SemanticMemory final : public Module {
  public:
   /// The semantic memory of an agent; made if there is none.
   static SemanticMemory& Of(LongTerm& long_term);
@@ -140,7 +140,7 @@ class SemanticMemory final : public MemoryModule {
   void NoteText(std::string_view text, Lti next_number);
   bool shares() const { return shared_; }
 
-  // MemoryModule
+  // Module
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
   void AfterElaboration() override;
   void Output(bool output_changed) override;

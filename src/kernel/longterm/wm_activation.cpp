@@ -25,7 +25,7 @@ constexpr double kWithoutHistory = 2.718281828459045;
 }  // namespace
 
 WmActivation& WmActivation::Of(LongTerm& long_term) {
-  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kActivation)) {
+  if (Module* const known = long_term.module(LongTerm::ModuleKind::kActivation)) {
     return static_cast<WmActivation&>(*known);
   }
   auto made = std::make_unique<WmActivation>(long_term);
@@ -50,7 +50,8 @@ void WmActivation::SettingsChanged() {
     return;
   }
   long_term_.SetHooks(LongTerm::ModuleKind::kActivation,
-                      ModuleHook::kFlush | ModuleHook::kAsserted | ModuleHook::kOutput | ModuleHook::kOutputEnd);
+                      ModuleHook::kRulesFire | ModuleHook::kFlush | ModuleHook::kAsserted | ModuleHook::kOutput |
+                          ModuleHook::kOutputEnd);
 }
 
 std::uint64_t WmActivation::now() const {
@@ -191,7 +192,7 @@ void WmActivation::TellOfLink(WmeId wme) {
   const Wme& element = uses_.memory.wme(wme);
   const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
   if (!element.value.IsIdentifier() || linked[element.id.index()] == 0 || linked[element.value.index()] == 0) return;
-  MemoryModule* const semantic = long_term_.module(LongTerm::ModuleKind::kSemantic);
+  Module* const semantic = long_term_.module(LongTerm::ModuleKind::kSemantic);
   if (semantic == nullptr) return;
   static_cast<SemanticMemory&>(*semantic).LinkUsed(linked[element.id.index()], linked[element.value.index()], now());
 }
@@ -305,14 +306,7 @@ void WmActivation::NoteAnswer(InstantiationId answer, std::span<const WmeId> com
   answers_.push_back(std::move(noted));
 }
 
-void WmActivation::RulesFire(LongTerm& long_term) {
-  if (MemoryModule* const known = long_term.module(LongTerm::ModuleKind::kActivation)) {
-    static_cast<WmActivation&>(*known).CountUses();
-  }
-}
-
-void WmActivation::CountUses() {
-  if (!settings_.activation) return;
+void WmActivation::RulesFire() {
   const MatchSet& matches = uses_.rete.matches();
   for (const MatchSet::List list : {MatchSet::List::kIAssertions, MatchSet::List::kOAssertions}) {
     for (const PendingMatch& match : matches.Pending(list)) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/decide/module.h"
 #include "kernel/longterm/agent_parts.h"
-#include "kernel/longterm/memory_module.h"
 
 namespace soarbox::kernel {
 
@@ -41,7 +41,7 @@ struct WmaSettings {
 ///
 /// Forgetting retracts the preferences of elements whose activation is below the threshold, at the end of the output
 /// phase.
-class WmActivation final : public MemoryModule {
+class WmActivation final : public Module {
  public:
   static constexpr std::size_t kHistory = 10;
 
@@ -65,10 +65,6 @@ class WmActivation final : public MemoryModule {
   WmaSettings& mutable_settings() { return settings_; }
   void SettingsChanged();
 
-  /// To be called when rules are about to fire, if the agent has long-term memory at all: the match set holds each
-  /// match that waits, those that wait for the apply phase included.
-  static void RulesFire(LongTerm& long_term);
-
   /// A module made the elements of `answer` with o-support from what was there: the elements of a command, and three
   /// links of the architecture that lead to it and to its answer.
   void NoteAnswer(InstantiationId answer, std::span<const WmeId> command);
@@ -83,7 +79,9 @@ class WmActivation final : public MemoryModule {
   /// The decision cycle that is under way.
   std::uint64_t now() const;
 
-  // MemoryModule
+  // Module
+  /// Counts the uses of what each waiting match of the match set tested, those that wait for the apply phase included.
+  void RulesFire() override;
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
   void Asserted(PreferenceId preference) override;
   void Output(bool output_changed) override;
@@ -93,7 +91,6 @@ class WmActivation final : public MemoryModule {
   std::size_t MemoryBytes() const override;
 
  private:
-  void CountUses();
   double ActivationAt(const History& history, std::uint64_t cycle) const;
   /// The sum of uses * age^decay_rate.
   double StrengthAt(const History& history, std::uint64_t cycle) const;

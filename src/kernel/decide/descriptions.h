@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "kernel/base/ids.h"
@@ -11,9 +12,16 @@ namespace soarbox::kernel {
 
 struct Goal;
 class InstantiationTable;
-class Justifier;
 class Rete;
 class WorkingMemory;
+
+/// Knows the names of justifications, which are no rules of the match.
+class JustificationNames {
+ public:
+  virtual ~JustificationNames() = default;
+  /// `index`: Instantiation::justification.
+  virtual std::string_view Name(std::uint32_t index) const = 0;
+};
 
 /// Elements, goals and firings as observers and explanations get them: values instead of handles.
 class Descriptions {
@@ -22,7 +30,7 @@ class Descriptions {
     const WorkingMemory& memory;
     const InstantiationTable& instantiations;
     const Rete& rete;
-    const Justifier& justifier;
+    const JustificationNames& justifications;
   };
   explicit Descriptions(const Uses& uses) : uses_(uses) {}
 

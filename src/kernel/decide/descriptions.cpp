@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "kernel/learn/descriptions.h"
+#include "kernel/decide/descriptions.h"
 
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
-#include "kernel/learn/justification.h"
 #include "kernel/match/rete.h"
 #include "kernel/memory/working_memory.h"
 
@@ -26,7 +25,7 @@ Symbol Descriptions::OperatorOf(const Goal& goal) const {
 std::string_view Descriptions::ProductionName(InstantiationId id) const {
   const Instantiation& instantiation = uses_.instantiations[id];
   if (instantiation.justification != Instantiation::kNoJustification) {
-    return uses_.justifier.Name(instantiation.justification);
+    return uses_.justifications.Name(instantiation.justification);
   }
   if (instantiation.production == ProductionId::kNone) return kNoRule;
   const ProductionPtr& rule = uses_.rete.production(instantiation.production);
