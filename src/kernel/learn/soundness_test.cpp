@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Whatever is learned must be right, and that needs no other kernel to compare with: rules that were learned in one
-// world are put alone into others, where they may give only what the substate gives there.
+// world are put alone into others, where they may give only what the substate gives there. The others are drawn, or hold
+// nothing but what one learned rule asks for.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -10,6 +12,7 @@
 
 #include "kernel/agent.h"
 #include "kernel/learn/learn_settings.h"
+#include "kernel/rules/draft.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::kernel {
@@ -148,16 +151,67 @@ std::set<std::string> Results(const Agent& agent) {
   return found;
 }
 
+/// What stands between the braces of a rule.
+std::string Body(const Agent& agent, ProductionId id) {
+  const std::string text = PrintProduction(agent.symbols(), agent.production(id));
+  const std::size_t open = text.find('{'), close = text.rfind('}');
+  return text.substr(open + 1, close - open - 1);
+}
+
 std::vector<std::string> LearnedRules(const Agent& agent) {
   std::vector<std::string> bodies;
   for (const ProductionId id : agent.Productions()) {
-    if (agent.production(id).type != ProductionType::kChunk) continue;
-    const std::string text = PrintProduction(agent.symbols(), agent.production(id));
-    const std::size_t open = text.find('{'), close = text.rfind('}');
-    bodies.push_back(text.substr(open + 1, close - open - 1));
+    if (agent.production(id).type == ProductionType::kChunk) bodies.push_back(Body(agent, id));
   }
   return bodies;
 }
+
+/// Draws worlds that hold nothing but what a learned rule asks for: an object for each of its identifiers, a value for
+/// each of its other variables. Whether the values pass the rule's comparisons is left to chance.
+class WorldOfRule {
+ public:
+  WorldOfRule(const SymbolTable& symbols, const Production& rule, std::mt19937& random)
+      : symbols_(symbols), rule_(rule), random_(random) {
+    for (const Condition& condition : rule.conditions) {
+      if (condition.kind != ConditionKind::kPositive) continue;
+      objects_.insert(Name(condition.id));
+      if (Name(condition.attribute) == "operator") operators_.insert(Name(condition.value));
+    }
+  }
+
+  std::string Draw() {
+    std::map<std::string, std::string> drawn;
+    const std::string state = Name(rule_.conditions.front().id);
+    const auto shown = [&](const std::string& name, const std::string& attribute) -> std::string {
+      if (name == state) return "<s>";
+      if (name.front() != '<') return name;
+      if (objects_.contains(name)) return "<of-" + name.substr(1);
+      std::string& value = drawn[name];
+      if (value.empty()) value = attribute != "color" ? std::to_string(random_() % 6) : random_() % 2 == 0 ? "red" : "blue";
+      return value;
+    };
+    std::string text = "world (state <s> ^superstate nil) --> (<s> ^drawn yes)";
+    for (const Condition& condition : rule_.conditions) {
+      if (condition.kind != ConditionKind::kPositive) continue;
+      const std::string id = Name(condition.id), attribute = Name(condition.attribute);
+      if (attribute == "operator" || operators_.contains(id)) continue;  // The operator is proposed in each world.
+      text += " (" + shown(id, {}) + " ^" + attribute + " " + shown(Name(condition.value), attribute) + ")";
+    }
+    return text;
+  }
+
+ private:
+  std::string Name(const Test& test) const {
+    const Symbol symbol = EqualitySymbol(test);
+    // What is not equated with anything is named after its place.
+    return symbol ? ToString(symbols_, symbol) : "<free" + std::to_string(&test - &rule_.conditions.front().id) + ">";
+  }
+
+  const SymbolTable& symbols_;
+  const Production& rule_;
+  std::mt19937& random_;
+  std::set<std::string> objects_, operators_;
+};
 
 std::string Listed(const std::set<std::string>& all) {
   std::string text;
@@ -165,37 +219,47 @@ std::string Listed(const std::set<std::string>& all) {
   return text;
 }
 
-TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
-  constexpr std::uint32_t kMethods = 800;
+std::string Shown(const std::vector<std::string>& rules) {
+  std::string text;
+  for (const std::string& rule : rules) text += "sp {" + rule + "}\n";
+  return text;
+}
+
+void LearnAlways(Agent& agent) {
+  agent.ChangeLearning([](LearnSettings& settings) {
+    settings.mode = LearnMode::kAlways;
+    settings.max_duplicates = 100;
+  });
+}
+
+void RunIn(Agent& agent, const std::string& world, const std::vector<std::string>& rules) {
   constexpr int kDecisions = 5;
+  ASSERT_TRUE(agent.LoadProduction(world).loaded) << world;
+  ASSERT_TRUE(agent.LoadProduction(kPropose).loaded);
+  for (const std::string& rule : rules) ASSERT_TRUE(agent.LoadProduction(rule).loaded) << rule;
+  agent.Run(RunUnit::kDecision, kDecisions);
+  ASSERT_EQ(agent.CheckInvariants(), "") << Shown(rules);
+}
+
+TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
+  constexpr std::uint32_t kMethods = 4000;
   std::size_t learned = 0, given = 0, missing = 0;
   for (std::uint32_t seed = 1; seed <= kMethods; ++seed) {
     MethodMaker maker(seed);
     const std::string world = maker.World();
     const std::vector<std::string> method = maker.Method();
-    std::string all;
-    for (const std::string& rule : method) all += "sp {" + rule + "}\n";
-    const auto run = [&](Agent& agent, const std::string& where, const std::vector<std::string>& rules) {
-      ASSERT_TRUE(agent.LoadProduction(where).loaded) << where;
-      ASSERT_TRUE(agent.LoadProduction(kPropose).loaded);
-      for (const std::string& rule : rules) ASSERT_TRUE(agent.LoadProduction(rule).loaded) << rule;
-      agent.Run(RunUnit::kDecision, kDecisions);
-      ASSERT_EQ(agent.CheckInvariants(), "") << all;
-    };
+    const std::string all = Shown(method);
     Agent teacher("teacher");
-    teacher.ChangeLearning([](LearnSettings& settings) {
-      settings.mode = LearnMode::kAlways;
-      settings.max_duplicates = 100;
-    });
-    run(teacher, world, method);
+    LearnAlways(teacher);
+    RunIn(teacher, world, method);
     if (testing::Test::HasFatalFailure()) return;
     const std::vector<std::string> rules = LearnedRules(teacher);
     learned += rules.size();
     for (int round = 0; round < 3; ++round) {
       const std::string other = round == 0 ? world : maker.World();
       Agent slow("slow"), fast("fast");
-      run(slow, other, method);
-      run(fast, other, rules);
+      RunIn(slow, other, method);
+      RunIn(fast, other, rules);
       if (testing::Test::HasFatalFailure()) return;
       const std::set<std::string> right = Results(slow), found = Results(fast);
       given += found.size();
@@ -216,6 +280,52 @@ TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
   EXPECT_GT(learned, kMethods / 2);
   EXPECT_GT(given, kMethods);
   EXPECT_EQ(missing, 0u);
+}
+
+TEST(LearnedRules, GiveWhatTheSubstateGivesWhereNothingIsThereButTheirConditions) {
+  constexpr std::uint32_t kMethods = 4000;
+  constexpr int kDraws = 12;
+  std::size_t learned = 0, tried = 0;
+  for (std::uint32_t seed = 1; seed <= kMethods; ++seed) {
+    MethodMaker maker(seed);
+    std::mt19937 random(seed);
+    const std::string world = maker.World();
+    const std::vector<std::string> method = maker.Method();
+    Agent teacher("teacher");
+    LearnAlways(teacher);
+    RunIn(teacher, world, method);
+    if (testing::Test::HasFatalFailure()) return;
+    for (const ProductionId id : teacher.Productions()) {
+      const Production& rule = teacher.production(id);
+      if (rule.type != ProductionType::kChunk) continue;
+      ++learned;
+      const std::vector<std::string> alone = {Body(teacher, id)};
+      WorldOfRule conditions(teacher.symbols(), rule, random);
+      std::set<std::string> found;
+      std::string drawn;
+      for (int draw = 0; draw < kDraws && found.empty(); ++draw) {
+        drawn = conditions.Draw();
+        Agent fast("fast");
+        RunIn(fast, drawn, alone);
+        if (testing::Test::HasFatalFailure()) return;
+        found = Results(fast);
+      }
+      if (found.empty()) continue;  // The values never passed its comparisons.
+      ++tried;
+      Agent slow("slow");
+      RunIn(slow, drawn, method);
+      if (testing::Test::HasFatalFailure()) return;
+      const std::set<std::string> right = Results(slow);
+      for (const std::string& result : found) {
+        ASSERT_TRUE(right.contains(result)) << "seed " << seed << ": " << result << "\nright:\n"
+                                            << Listed(right) << drawn << "\n"
+                                            << Shown(method) << "learned:\n"
+                                            << alone.front();
+      }
+    }
+  }
+  EXPECT_GT(learned, kMethods / 2);
+  EXPECT_GT(tried, learned / 10 * 9);
 }
 
 }  // namespace
