@@ -150,24 +150,13 @@ void Chunker::NoteFiring(InstantiationId id) {
   instantiation.has_identities = true;
   instantiation.first_identity = next_identity_;
   reader_.BeginAnalysis();
-  const IdentityPlan& plan = reader_.Plan(id);
-  std::uint32_t created = 0;
-  for (const std::uint16_t place : plan.first) {
-    const FiringReader::Source source = reader_.SourceOf(id, place);
-    created += source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture;
-  }
-  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
-    const std::uint16_t identity_class = plan.of_field[place];
-    if (identity_class == IdentityPlan::kLiteral || plan.first[identity_class] == place) continue;
-    const FiringReader::Source source = reader_.SourceOf(id, static_cast<std::uint16_t>(place));
-    if (source == FiringReader::Source::kMaker || source == FiringReader::Source::kItem) {
-      ++statistics_.identities_blocked;
-    }
-  }
+  const FiringReader::Counts counts = reader_.CountIdentities(id);
   const Production* const rule = reader_.Rule(id);
+  std::uint32_t created = counts.created;
   if (rule != nullptr) created += static_cast<std::uint32_t>(rule->new_identifiers.size());
+  statistics_.identities_blocked += counts.blocked;
   CountCreated(instantiation.level, created);
-  statistics_.identities_propagated += created + reader_.SuperstateLinksOf(id);
+  statistics_.identities_propagated += created + counts.superstate_links;
   reader_.EndAnalysis();
 }
 

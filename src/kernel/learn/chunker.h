@@ -181,7 +181,7 @@ class Chunker final : public Module {
   std::vector<std::uint32_t>
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
   std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.
-  ItemFiring first_item_;                               ///< Of those that NoteItems counted last.
+  ItemFiring first_item_;                               ///< Of those that ItemsMade told of last.
   std::vector<std::uint32_t> identities_of_level_;
   std::uint64_t cycle_ = ~std::uint64_t{0};
   std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;

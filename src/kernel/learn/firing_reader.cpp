@@ -2,6 +2,7 @@
 #include "kernel/learn/firing_reader.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "kernel/base/words.h"
 #include "kernel/decide/goal_changes.h"
@@ -25,16 +26,27 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
   known.positives.clear();
   known.carries_tests = false;
   known.may_test_superstate.clear();
+  known.link_classes.clear();
   known.terms.clear();
+  known.given.clear();
   known.plan = rule == nullptr ? nullptr : std::make_unique<IdentityPlan>(IdentityPlan::Of(*rule));
   if (rule == nullptr) return known;
+  const IdentityPlan& plan = *known.plan;
+  known.positives.reserve(plan.of_field.size() / 3u);
   for (const Condition& condition : rule->conditions) {
     if (condition.kind != ConditionKind::kPositive) continue;
+    const std::size_t number = known.positives.size();
     const Symbol attribute = EqualitySymbol(condition.attribute);
     if (!attribute.IsConstant() || attribute == words::kSuperstate) {
-      known.may_test_superstate.push_back(static_cast<std::uint16_t>(known.positives.size()));
+      known.may_test_superstate.push_back(static_cast<std::uint16_t>(number));
+      for (const Field part : {Field::kId, Field::kValue}) known.link_classes.push_back(plan.ClassOf(number, part));
     }
     Tested& tested = known.positives.emplace_back();
+    for (std::size_t place = 3 * number; place < 3 * number + 3; ++place) {
+      if (plan.of_field[place] == IdentityPlan::kLiteral) continue;
+      const auto bit = static_cast<std::uint8_t>(1u << (place - 3 * number));
+      (plan.first[plan.of_field[place]] == place ? tested.first : tested.later) |= bit;
+    }
     tested.condition = &condition;
     std::uint8_t field = 1;
     for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
@@ -47,8 +59,13 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
   }
   for (const Action& action : rule->actions) {
     for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
-      known.terms.push_back(TermOf(*value, *known.plan));
+      known.terms.push_back(TermOf(*value, plan));
     }
+    std::uint8_t given = 0;
+    for (std::size_t part = 0; part < 4; ++part) {
+      if (known.terms[known.terms.size() - 4 + part].kind == Term::Kind::kClass) given |= 1u << part;
+    }
+    known.given.push_back(given);
   }
   return known;
 }
@@ -91,10 +108,8 @@ bool FiringReader::CarriesTests(InstantiationId firing) {
          !uses_.justifier.record(instantiation.justification).tests.empty();
 }
 
-const IdentityPlan& FiringReader::Plan(InstantiationId firing) {
+const IdentityPlan& FiringReader::UncommonPlan(InstantiationId firing) {
   const Instantiation& instantiation = uses_.instantiations[firing];
-  if (instantiation.production != ProductionId::kNone && !instantiation.copied) [[likely]]
-    return *KnownOf(instantiation.production).plan;
   if (instantiation.justification != Instantiation::kNoJustification) {
     return *uses_.justifier.record(instantiation.justification).plan;
   }
@@ -324,12 +339,53 @@ bool FiringReader::IsOfSuperstateLink(InstantiationId firing, std::uint16_t iden
   return false;
 }
 
-std::uint32_t FiringReader::SuperstateLinksOf(InstantiationId firing) {
-  const GoalLevel level = uses_.instantiations[firing].level;
-  if (level < 2 || level > uses_.goals.depth() || !uses_.goals.at(level).has_identities) return 0;
-  return static_cast<std::uint32_t>(
-      std::ranges::count_if(uses_.instantiations.Trace(firing),
-                            [&](const ConditionTrace& trace) { return IsSuperstateLink(trace.wme, level); }));
+std::uint8_t FiringReader::GivenBy(PreferenceId preference_id) {
+  const Preference& preference = uses_.memory.preference(preference_id);
+  const Instantiation& maker = uses_.instantiations[preference.instantiation];
+  if (maker.has_identities && !maker.copied && maker.production != ProductionId::kNone) [[likely]] {
+    const Known& known = KnownOf(maker.production);
+    if (preference.action < known.given.size()) return known.given[preference.action];
+  }
+  std::uint8_t given = 0;
+  for (const Part part : {Part::kId, Part::kAttribute, Part::kValue}) {
+    const Term::Kind kind = TermOf(preference_id, part).kind;
+    if (kind == Term::Kind::kClass || kind == Term::Kind::kSymbol) given |= 1u << static_cast<unsigned>(part);
+  }
+  return given;
+}
+
+FiringReader::Counts FiringReader::CountIdentities(InstantiationId firing) {
+  const Instantiation& instantiation = uses_.instantiations[firing];
+  const GoalLevel level = instantiation.level;
+  const Symbol state = level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities
+                           ? uses_.goals.at(level).id
+                           : Symbol();
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
+  const std::span<const Tested> tested = KnownOf(instantiation.production).positives;  // Stays where it is.
+  Counts counts;
+  for (std::size_t n = 0; n < tested.size(); ++n) {
+    const ConditionTrace& trace = traces[n];
+    const unsigned first = tested[n].first, later = tested[n].later;
+    if (trace.preference == PreferenceId::kNone) {
+      if (!state || uses_.memory.wme(trace.wme).id != state) {
+        counts.created += static_cast<std::uint32_t>(std::popcount(first));
+        continue;
+      }
+      // Of the state itself, as the architecture made it.
+      counts.superstate_links += IsSuperstateLink(trace.wme, level);
+      for (unsigned bits = first; bits != 0; bits &= bits - 1) {
+        const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
+        const Source source = SourceOf(firing, place);
+        counts.created += source == Source::kOwn || source == Source::kArchitecture;
+      }
+      continue;
+    }
+    if ((first | later) == 0) continue;
+    const unsigned given = trace.inherits ? GivenBy(trace.preference) : 0;
+    counts.created += static_cast<std::uint32_t>(std::popcount(first & ~given));
+    counts.blocked += static_cast<std::uint32_t>(std::popcount(later & given));
+  }
+  return counts;
 }
 
 FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_t place) {
@@ -355,30 +411,46 @@ FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_
   return Source::kOwn;
 }
 
+inline bool FiringReader::MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class) {
+  if (instantiation.production == ProductionId::kNone || instantiation.copied) [[unlikely]]
+    return true;
+  for (const std::uint16_t link : KnownOf(instantiation.production).link_classes) {
+    if (link == identity_class) return true;
+  }
+  return false;
+}
+
 IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t identity_class) {
   for (;;) {
-    const IdentityGraph::Key own{uses_.instantiations[firing].serial, identity_class};
+    const Instantiation& instantiation = uses_.instantiations[firing];
+    const IdentityGraph::Key own{instantiation.serial, identity_class};
     const IdentityPlan& plan = Plan(firing);
     if (identity_class >= plan.bound()) return own;
-    if (IdentityGraph::Key link; IsOfSuperstateLink(firing, identity_class, link)) return link;
+    if (IdentityGraph::Key link;
+        MayBeOfLink(instantiation, identity_class) && IsOfSuperstateLink(firing, identity_class, link)) {
+      return link;
+    }
     const std::uint16_t place = plan.first[identity_class];
     const ConditionTrace& trace = uses_.instantiations.Trace(firing)[place / 3u];
     const Part part = static_cast<Part>(place % 3u);
+    if (trace.preference != PreferenceId::kNone) {
+      if (!trace.inherits) return own;
+      const Term term = TermOf(trace.preference, part);
+      if (term.kind == Term::Kind::kSymbol) return OfSymbol(term.symbol);
+      if (term.kind != Term::Kind::kClass) return own;
+      firing = uses_.memory.preference(trace.preference).instantiation;
+      identity_class = term.identity_class;
+      continue;
+    }
     switch (SourceOf(firing, place)) {
+      case Source::kSuperstate:
+        return SuperstateLink(instantiation.level, part);
+      case Source::kItem:
+        return part == Part::kId ? SuperstateLink(instantiation.level, part) : Item(trace.wme);
       case Source::kOwn:
       case Source::kArchitecture:
+      case Source::kMaker:
         return own;
-      case Source::kSuperstate:
-        return SuperstateLink(uses_.instantiations[firing].level, part);
-      case Source::kItem:
-        return part == Part::kId ? SuperstateLink(uses_.instantiations[firing].level, part) : Item(trace.wme);
-      case Source::kMaker: {
-        const Term term = TermOf(trace.preference, part);
-        if (term.kind == Term::Kind::kSymbol) return OfSymbol(term.symbol);
-        firing = uses_.memory.preference(trace.preference).instantiation;
-        identity_class = term.identity_class;
-        break;
-      }
     }
   }
 }

@@ -10,6 +10,7 @@
 
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
+#include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/rule_context.h"
 #include "kernel/learn/identity_graph.h"
 #include "kernel/learn/identity_plan.h"
@@ -41,11 +42,18 @@ class FiringReader {
 
   /// The rule that fired, or null for justifications and the architecture. Readable also after it was excised.
   const Production* Rule(InstantiationId firing);
-  const IdentityPlan& Plan(InstantiationId firing);
+  const IdentityPlan& Plan(InstantiationId firing) {
+    const Instantiation& instantiation = uses_.instantiations[firing];
+    if (instantiation.production != ProductionId::kNone && !instantiation.copied) [[likely]]
+      return *KnownOf(instantiation.production).plan;
+    return UncommonPlan(firing);
+  }
   /// A positive condition of the rule that fired.
   struct Tested {
     const Condition* condition = nullptr;
     std::uint8_t carried = 0;  ///< Bit n: field n asks for more than which value it is.
+    std::uint8_t first = 0;    ///< Bit n: field n is the first place of its class,
+    std::uint8_t later = 0;    ///< or a later one.
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
@@ -88,8 +96,6 @@ class FiringReader {
   static WmeId ItemOf(IdentityGraph::Key key) { return static_cast<WmeId>(key.place); }
   static IdentityGraph::Key OfSymbol(Symbol symbol) { return {kSymbolKey, symbol.bits()}; }
   bool IsSuperstateLink(WmeId wme, GoalLevel level) const;
-  /// How many conditions of a firing test the superstate link of its state.
-  std::uint32_t SuperstateLinksOf(InstantiationId firing);
   /// What they test there names the substate and its superstate, wherever else the class occurs: the key of these, if
   /// the class is one of them.
   bool IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key);
@@ -97,6 +103,13 @@ class FiringReader {
   /// How the first place of a class comes by its identity.
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
+  struct Counts {
+    std::uint32_t created = 0;           ///< Classes of conditions whose identity is the firing's own.
+    std::uint32_t blocked = 0;           ///< Later places of a class whose element was made with an identity.
+    std::uint32_t superstate_links = 0;  ///< Conditions that test the superstate link of the firing's state.
+  };
+  /// Of the firing of a rule that copied nothing.
+  Counts CountIdentities(InstantiationId firing);
 
   /// The firing copied objects. To learning, the copy is the original: what is said of it is said of that.
   void NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied);
@@ -131,6 +144,11 @@ class FiringReader {
   /// The rule's, and behind it what the firing copied.
   [[gnu::noinline]] IdentityPlan PlanWithCopied(InstantiationId firing);
   [[gnu::noinline]] Term TermOfCopier(const Preference& preference, Part part);
+  [[gnu::noinline]] const IdentityPlan& UncommonPlan(InstantiationId firing);
+  /// Whether IsOfSuperstateLink need be asked.
+  bool MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class);
+  /// Which parts of the action that made a preference give an identity: bit n for part n.
+  std::uint8_t GivenBy(PreferenceId preference);
 
   Uses uses_;
   struct Known {
@@ -139,7 +157,9 @@ class FiringReader {
     std::vector<Tested> positives;
     bool carries_tests = false;                      ///< One of them does.
     std::vector<std::uint16_t> may_test_superstate;  ///< Those that may match the superstate link.
+    std::vector<std::uint16_t> link_classes;         ///< The classes of the identifiers and values of these.
     std::vector<Term> terms;                         ///< What its actions say, four for each.
+    std::vector<std::uint8_t> given;                 ///< For each action: bit n if part n has a class.
     std::uint32_t analysis = 0;                      ///< The last one that looked at the rule.
   };
   const Known& KnownOf(ProductionId production) {

@@ -45,6 +45,17 @@ IdentityGraph::Node IdentityAnalysis::OfField(InstantiationId firing, std::size_
   return OfClass(firing, reader_.Plan(firing).ClassOf(condition, field));
 }
 
+void IdentityAnalysis::OfCondition(const Explanation::Ground& ground, std::array<IdentityGraph::Node, 3>& out) {
+  if (ground.firing == InstantiationId::kNone || !uses_.instantiations[ground.firing].has_identities) {
+    for (const Field field : kFields) out[static_cast<std::size_t>(field)] = OfGround(ground, field);
+    return;
+  }
+  const std::uint16_t* const classes = reader_.Plan(ground.firing).of_field.data() + 3u * ground.condition;
+  for (std::size_t field = 0; field < 3; ++field) {
+    out[field] = classes[field] == IdentityPlan::kLiteral ? IdentityGraph::kNone : OfClass(ground.firing, classes[field]);
+  }
+}
+
 IdentityGraph::Node IdentityAnalysis::OfTerm(const Said& term, InstantiationId firing) {
   if (term.kind == Said::Kind::kClass) return OfClass(firing, term.identity_class);
   if (term.kind == Said::Kind::kSymbol) return graph_.Of(FiringReader::OfSymbol(term.symbol));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -68,6 +69,8 @@ class IdentityAnalysis {
   /// The number that an identity had before it was joined with others.
   std::uint32_t NumberOfOwn(IdentityGraph::Node node);
   IdentityGraph::Node OfGround(const Explanation::Ground& ground, Field field);
+  /// The same for id, attribute and value.
+  void OfCondition(const Explanation::Ground& ground, std::array<IdentityGraph::Node, 3>& out);
 
  private:
   /// As OfClass, without a look at what is known already.

@@ -124,9 +124,9 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
     made.wme = ground.wme;
     made.ground = n;
     made.draft->tests_acceptable = wme.acceptable;
+    analysis_.OfCondition(ground, made.nodes);
     for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-      const IdentityGraph::Node node = analysis_.OfGround(ground, field);
-      made.nodes[static_cast<std::size_t>(field)] = node;
+      const IdentityGraph::Node node = made.nodes[static_cast<std::size_t>(field)];
       FieldOf(*made.draft, field) = MakeTest(TestKind::kEqual, Meaning(node, kernel::FieldOf(wme, field)));
     }
     made_.push_back(made);
