@@ -123,9 +123,13 @@ void ReteState::Prime(std::uint32_t child) {
   if (network->node(parent).kind == NodeKind::kMemory || network->node(parent).kind == NodeKind::kAnchors) {
     return;  // A join emits when it gets children.
   }
-  for (const Emission& emission : Emissions(parent)) {
+  std::vector<Emission> all = std::exchange(primed, {});
+  all.clear();
+  AddEmissions(parent, all);
+  for (const Emission& emission : all) {
     Left(child, emission.first, emission.second);
   }
+  primed = std::move(all);
 }
 
 void ReteState::RemoveTokens(std::uint32_t node) {

@@ -618,12 +618,17 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
   const std::uint32_t* const ids = only_ids.data();
   const NodeState* const states = nodes.data();
   for (std::uint32_t next = first; next != kNil;) {
+    // Most of them end here.
+    std::uint32_t wanted = ids[next];
+    while (wanted != id && wanted != 0) {
+      next = states[next].next_right;
+      if (next == kNil) {
+        return;
+      }
+      wanted = ids[next];
+    }
     const std::uint32_t index = next;
     next = states[index].next_right;
-    const std::uint32_t wanted = ids[index];
-    if (wanted != id && wanted != 0) {
-      continue;
-    }
     const Node& node = network->node(index);
     if (((place - node.filter.lowest) & known) > node.filter.range) {
       continue;

@@ -17,6 +17,11 @@ std::vector<std::uint32_t> ReteState::TokensByAge(std::uint32_t node) const {
 /// What a node has emitted and not withdrawn, newest first.
 std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const {
   std::vector<Emission> emissions;
+  AddEmissions(index, emissions);
+  return emissions;
+}
+
+void ReteState::AddEmissions(std::uint32_t index, std::vector<Emission>& emissions) const {
   const Node& node = network->node(index);
   switch (node.kind) {
     case NodeKind::kRoot:
@@ -81,7 +86,6 @@ std::vector<ReteState::Emission> ReteState::Emissions(std::uint32_t index) const
     case NodeKind::kGuard:
       break;
   }
-  return emissions;
 }
 
 /// The owners, oldest first, for which (parent, wme), emitted by a join of the conjunction, is a partial match.

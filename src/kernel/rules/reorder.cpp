@@ -181,6 +181,7 @@ class ListReorderer {
     std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
     std::int64_t expected = 1;     ///< Of positive ones: values under the attribute, if that is known.
     std::int64_t cost = 0;         ///< As long as no more of `needs` is bound.
+    std::uint64_t age = 0;         ///< Of positive ones: how new their constants are, the attribute's first.
     Set needs;                     ///< Its variables; of negated conditions those that positive ones of this list bind.
   };
 
@@ -213,6 +214,7 @@ class ListReorderer {
       waiting.fields[2] = EqualityVariable(condition.value);
       if (waiting.positive) {
         waiting.expected = ExpectedUnder(condition.attribute);
+        waiting.age = std::uint64_t{StampOf(condition.attribute)} << 32 | StampOf(condition.value);
         AddVariable(positive_values_, waiting.fields[2]);
         for (const std::uint32_t field : waiting.fields) {
           AddVariable(positive_variables_, field);
@@ -457,12 +459,6 @@ class ListReorderer {
     return symbol.IsConstant() ? symbols_.Stamp(symbol) : 0;
   }
 
-  /// True if `candidate` goes before `incumbent`, everything else being equal.
-  bool NewerConstants(const ConditionDraft& incumbent, const ConditionDraft& candidate) const {
-    const std::uint32_t a = StampOf(incumbent.attribute), b = StampOf(candidate.attribute);
-    return a < b || (a == b && StampOf(incumbent.value) < StampOf(candidate.value));
-  }
-
   /// Which of the waiting conditions to take next.
   std::size_t Choose() {
     if (count_ == 1 && warned_) {
@@ -500,17 +496,19 @@ class ListReorderer {
       best = LookAhead(incumbent, cheapest, tied);
     }
     for (std::size_t i = 1; i < tied; ++i) {
-      const ConditionDraft& held = *waiting_[incumbent]->condition;
-      const ConditionDraft& candidate = *waiting_[tied_[i]]->condition;
-      const bool held_positive = waiting_[incumbent]->positive;
-      const bool positive = waiting_[tied_[i]]->positive;
+      const Waiting& held = *waiting_[incumbent];
+      const Waiting& candidate = *waiting_[tied_[i]];
+      const bool newer = held.age < candidate.age;
       bool replace = false;
       if (look_ahead) {
+        if (best == 1 && !newer) {
+          continue;  // Nothing can be cheaper.
+        }
         const std::int64_t ahead = LookAhead(tied_[i], cheapest, tied);
-        replace = ahead < best || (ahead == best && held_positive && positive && NewerConstants(held, candidate));
+        replace = ahead < best || (ahead == best && held.positive && candidate.positive && newer);
         best = replace ? ahead : best;
       } else {
-        replace = held_positive && (!positive || NewerConstants(held, candidate));
+        replace = held.positive && (!candidate.positive || newer);
       }
       if (replace) {
         incumbent = tied_[i];
