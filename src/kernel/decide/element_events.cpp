@@ -43,8 +43,8 @@ void ElementEvents::FirstWasLost(WmeId lost) {
   const Wme& wme = uses_.memory.wme(lost);
   const auto text = [&](Symbol symbol) { return ToString(uses_.symbols, symbol); };
   uses_.observers.Warn(WarningKind::kAddedAndRemoved, "(" + std::to_string(wme.timetag) + ": " + text(wme.id) + " ^" +
-                                                            text(wme.attribute) + " " + text(wme.value) +
-                                                            (wme.acceptable ? " +)" : ")"));
+                                                          text(wme.attribute) + " " + text(wme.value) +
+                                                          (wme.acceptable ? " +)" : ")"));
 }
 
 void ElementEvents::Entered(WmeId wme) {

@@ -6,8 +6,7 @@
 namespace soarbox::kernel {
 
 void Modules::Attach(Module& module, int place) {
-  const auto next =
-      std::ranges::find_if(modules_, [&](const Attached& attached) { return attached.place > place; });
+  const auto next = std::ranges::find_if(modules_, [&](const Attached& attached) { return attached.place > place; });
   modules_.insert(next, {&module, place, 0});
 }
 

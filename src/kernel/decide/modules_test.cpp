@@ -72,9 +72,10 @@ TEST(Modules, AreCalledInTheOrderOfTheirPlacesAndOnlyWhereTheyAsked) {
 
 TEST(Modules, HearOfEachPlaceOfTheCycle) {
   Agent agent("host");
-  for (const char* rule : {"go (state <s> ^superstate nil -^done) --> (<s> ^operator.name go)",
-                           "done (state <s> ^superstate <t> ^impasse no-change) (<t> ^operator.name go) --> (<t> ^done yes)",
-                           "end (state <s> ^done yes) --> (halt)"}) {
+  for (const char* rule :
+       {"go (state <s> ^superstate nil -^done) --> (<s> ^operator.name go)",
+        "done (state <s> ^superstate <t> ^impasse no-change) (<t> ^operator.name go) --> (<t> ^done yes)",
+        "end (state <s> ^done yes) --> (halt)"}) {
     ASSERT_TRUE(agent.LoadProduction(rule).loaded) << rule;
   }
   Calls calls;
@@ -110,8 +111,9 @@ TEST(Modules, HearOfEachPlaceOfTheCycle) {
 
 TEST(Modules, HearWhenMatchesAndStatesEnd) {
   Agent agent("host");
-  for (const char* rule : {"go (state <s> ^superstate nil -^done) --> (<s> ^operator.name go)",
-                           "done (state <s> ^superstate <t> ^impasse no-change) (<t> ^operator.name go) --> (<t> ^done yes)"}) {
+  for (const char* rule :
+       {"go (state <s> ^superstate nil -^done) --> (<s> ^operator.name go)",
+        "done (state <s> ^superstate <t> ^impasse no-change) (<t> ^operator.name go) --> (<t> ^done yes)"}) {
     ASSERT_TRUE(agent.LoadProduction(rule).loaded) << rule;
   }
   Calls calls;

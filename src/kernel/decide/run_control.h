@@ -60,8 +60,8 @@ class RunControl {
   /// Memory ran out in the middle of something: the agent counts as running for ever, so that nothing changes it.
   void BreakDown() { broken_ = running_ = halted_ = true; }
   bool broken() const { return broken_; }
-  /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did something
-  /// that took all memory: the matches are gone, nothing can go on with them.
+  /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did
+  /// something that took all memory: the matches are gone, nothing can go on with them.
   void StopIfBroken() const {
     if (broken_) throw std::bad_alloc();
   }

@@ -158,8 +158,7 @@ void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
 
 void SlotDecision::MakeElement(SlotId slot_id, const Value& value) {
   const Slot& slot = uses_.memory.slot(slot_id);
-  const WmeId wme =
-      uses_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
+  const WmeId wme = uses_.changes.Add(WmeKind::kSlot, slot.id, slot.attribute, value.value, slot_id, value.preference);
   if (slot.substate_facts != 0) uses_.gds.NoteNewFact(wme);
 }
 

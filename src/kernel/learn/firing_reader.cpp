@@ -57,6 +57,11 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
     }
     known.carries_tests = known.carries_tests || tested.carried != 0;
   }
+  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
+    if (std::ranges::find(known.link_classes, plan.of_field[place]) != known.link_classes.end()) continue;
+    Tested& tested = known.positives[place / 3];
+    tested.follows = static_cast<std::uint8_t>(tested.follows | (tested.first & (1u << place % 3)));
+  }
   for (const Action& action : rule->actions) {
     for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
       known.terms.push_back(TermOf(*value, plan));
@@ -354,8 +359,32 @@ std::uint8_t FiringReader::GivenBy(PreferenceId preference_id) {
   return given;
 }
 
+/// Of a justification, field by field.
+FiringReader::Counts FiringReader::CountUncommonIdentities(InstantiationId firing) {
+  const IdentityPlan& plan = Plan(firing);
+  const GoalLevel level = uses_.instantiations[firing].level;
+  Counts counts;
+  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
+    const std::uint16_t identity_class = plan.of_field[place];
+    if (identity_class == IdentityPlan::kLiteral) continue;
+    const Source source = SourceOf(firing, static_cast<std::uint16_t>(place));
+    if (plan.first[identity_class] == place) {
+      counts.created += source == Source::kOwn || source == Source::kArchitecture;
+    } else {
+      counts.blocked += source == Source::kMaker;
+    }
+  }
+  if (level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities) {
+    for (const ConditionTrace& trace : uses_.instantiations.Trace(firing)) {
+      counts.superstate_links += IsSuperstateLink(trace.wme, level);
+    }
+  }
+  return counts;
+}
+
 FiringReader::Counts FiringReader::CountIdentities(InstantiationId firing) {
   const Instantiation& instantiation = uses_.instantiations[firing];
+  if (instantiation.production == ProductionId::kNone) return CountUncommonIdentities(firing);
   const GoalLevel level = instantiation.level;
   const Symbol state = level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities
                            ? uses_.goals.at(level).id

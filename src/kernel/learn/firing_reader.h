@@ -54,6 +54,7 @@ class FiringReader {
     std::uint8_t carried = 0;  ///< Bit n: field n asks for more than which value it is.
     std::uint8_t first = 0;    ///< Bit n: field n is the first place of its class,
     std::uint8_t later = 0;    ///< or a later one.
+    std::uint8_t follows = 0;  ///< Bit n: field n is the first place of its class, and no superstate link is another.
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
@@ -100,6 +101,14 @@ class FiringReader {
   /// the class is one of them.
   bool IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key);
 
+  /// Bit n: the class of field n of a condition has the identity that the element's maker gave it, if it gave it one.
+  std::uint8_t FollowsMaker(InstantiationId firing, std::uint16_t condition) {
+    const Instantiation& instantiation = uses_.instantiations[firing];
+    if (instantiation.production == ProductionId::kNone || instantiation.copied) return 0;
+    if (!uses_.instantiations.Trace(firing)[condition].inherits) return 0;
+    return KnownOf(instantiation.production).positives[condition].follows;
+  }
+
   /// How the first place of a class comes by its identity.
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
@@ -108,7 +117,7 @@ class FiringReader {
     std::uint32_t blocked = 0;           ///< Later places of a class whose element was made with an identity.
     std::uint32_t superstate_links = 0;  ///< Conditions that test the superstate link of the firing's state.
   };
-  /// Of the firing of a rule that copied nothing.
+  /// Of a firing that has copied nothing.
   Counts CountIdentities(InstantiationId firing);
 
   /// The firing copied objects. To learning, the copy is the original: what is said of it is said of that.
@@ -147,6 +156,7 @@ class FiringReader {
   [[gnu::noinline]] const IdentityPlan& UncommonPlan(InstantiationId firing);
   /// Whether IsOfSuperstateLink need be asked.
   bool MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class);
+  [[gnu::noinline]] Counts CountUncommonIdentities(InstantiationId firing);
   /// Which parts of the action that made a preference give an identity: bit n for part n.
   std::uint8_t GivenBy(PreferenceId preference);
 

@@ -52,7 +52,8 @@ void IdentityAnalysis::OfCondition(const Explanation::Ground& ground, std::array
   }
   const std::uint16_t* const classes = reader_.Plan(ground.firing).of_field.data() + 3u * ground.condition;
   for (std::size_t field = 0; field < 3; ++field) {
-    out[field] = classes[field] == IdentityPlan::kLiteral ? IdentityGraph::kNone : OfClass(ground.firing, classes[field]);
+    out[field] =
+        classes[field] == IdentityPlan::kLiteral ? IdentityGraph::kNone : OfClass(ground.firing, classes[field]);
   }
 }
 
@@ -100,6 +101,7 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
   if (!uses_.instantiations[link.firing].has_identities) return;
   const InstantiationId maker = uses_.memory.preference(link.maker).instantiation;
   const IdentityPlan& plan = reader_.Plan(link.firing);
+  const unsigned follows = reader_.FollowsMaker(link.firing, link.condition);
   for (const Field field : kFields) {
     const Said made = reader_.TermOf(link.maker, static_cast<Part>(field));
     if (made.kind == Said::Kind::kUnknown) return;
@@ -108,6 +110,7 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
     switch (made.kind) {
       case Said::Kind::kClass:
       case Said::Kind::kSymbol:
+        if ((follows >> static_cast<unsigned>(field) & 1u) != 0) break;  // They are one from the beginning.
         if (tests_constant) {
           Literalize(link.firing, OfTerm(made, maker), JoinReason::kConstantTested);
         } else {

@@ -43,7 +43,8 @@ class ClassTable {
     return slots_[slot];
   }
   void Grow() {
-    const std::vector<Entry> old = std::exchange(slots_, std::vector<Entry>(std::max<std::size_t>(32, 2 * slots_.size())));
+    const std::vector<Entry> old =
+        std::exchange(slots_, std::vector<Entry>(std::max<std::size_t>(32, 2 * slots_.size())));
     for (const Entry& entry : old) {
       if (entry.variable) Find(entry.variable) = entry;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Whatever is learned must be right, and that needs no other kernel to compare with: rules that were learned in one
-// world are put alone into others, where they may give only what the substate gives there. The others are drawn, or hold
-// nothing but what one learned rule asks for.
+// world are put alone into others, where they may give only what the substate gives there. The others are drawn, or
+// hold nothing but what one learned rule asks for.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -187,7 +187,8 @@ class WorldOfRule {
       if (name.front() != '<') return name;
       if (objects_.contains(name)) return "<of-" + name.substr(1);
       std::string& value = drawn[name];
-      if (value.empty()) value = attribute != "color" ? std::to_string(random_() % 6) : random_() % 2 == 0 ? "red" : "blue";
+      if (value.empty())
+        value = attribute != "color" ? std::to_string(random_() % 6) : random_() % 2 == 0 ? "red" : "blue";
       return value;
     };
     std::string text = "world (state <s> ^superstate nil) --> (<s> ^drawn yes)";

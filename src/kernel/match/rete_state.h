@@ -220,7 +220,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   // rete_query.cpp
   using Emission = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<Emission> Emissions(std::uint32_t node) const;
-  void AddEmissions(std::uint32_t node, std::vector<Emission>& out) const;
+  void AddEmissions(std::uint32_t node, std::vector<Emission> & out) const;
   std::vector<Emission> primed;  ///< Room for Prime.
   std::vector<std::uint32_t> TokensByAge(std::uint32_t node) const;
 
