@@ -5,8 +5,8 @@
 //
 //   learning_scale agents/learning-scale.soar
 //
-// Only the public SML client interface is used, so the same source builds against any library that offers it. The phases
-// are functions with C names, so that an instruction-counting profiler can be told to count inside one of them.
+// Only the public SML client interface is used, so the same source builds against any library that offers it. The
+// phases are functions with C names, so that an instruction-counting profiler can be told to count inside one of them.
 
 #include <cstdio>
 #include <cstdlib>
@@ -56,7 +56,8 @@ void measure(sml::Agent* agent, const char* phase, Run run) {
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const int decisions = agent->GetDecisionCycleCounter() - decisions_before;
   const double after = resident_mb();
-  if (agent->GetRunState() != sml::sml_RUNSTATE_HALTED) std::fprintf(stderr, "%s: the tasks were not finished\n", phase);
+  if (agent->GetRunState() != sml::sml_RUNSTATE_HALTED)
+    std::fprintf(stderr, "%s: the tasks were not finished\n", phase);
   std::printf(
       "{\"phase\": \"%s\", \"decisions\": %d, \"cpu_seconds\": %.3f, \"decisions_per_second\": %.0f, "
       "\"tasks_per_second\": %.0f, \"learned_rules\": %d, \"resident_mb\": %.1f, \"grown_mb\": %.1f}\n",

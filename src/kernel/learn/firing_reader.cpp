@@ -371,7 +371,7 @@ FiringReader::Counts FiringReader::CountUncommonIdentities(InstantiationId firin
     if (plan.first[identity_class] == place) {
       counts.created += source == Source::kOwn || source == Source::kArchitecture;
     } else {
-      counts.blocked += source == Source::kMaker;
+      counts.blocked += source == Source::kMaker || source == Source::kItem;
     }
   }
   if (level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities) {
@@ -406,6 +406,10 @@ FiringReader::Counts FiringReader::CountIdentities(InstantiationId firing) {
         const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
         const Source source = SourceOf(firing, place);
         counts.created += source == Source::kOwn || source == Source::kArchitecture;
+      }
+      for (unsigned bits = later; bits != 0; bits &= bits - 1) {
+        const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
+        counts.blocked += SourceOf(firing, place) == Source::kItem;
       }
       continue;
     }

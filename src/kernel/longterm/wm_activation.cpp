@@ -49,9 +49,9 @@ void WmActivation::SettingsChanged() {
     long_term_.SetHooks(LongTerm::ModuleKind::kActivation, 0);
     return;
   }
-  long_term_.SetHooks(LongTerm::ModuleKind::kActivation,
-                      ModuleHook::kRulesFire | ModuleHook::kFlush | ModuleHook::kAsserted | ModuleHook::kOutput |
-                          ModuleHook::kOutputEnd);
+  long_term_.SetHooks(LongTerm::ModuleKind::kActivation, ModuleHook::kRulesFire | ModuleHook::kFlush |
+                                                             ModuleHook::kAsserted | ModuleHook::kOutput |
+                                                             ModuleHook::kOutputEnd);
 }
 
 std::uint64_t WmActivation::now() const {
