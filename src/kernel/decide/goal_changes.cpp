@@ -237,7 +237,12 @@ class Silence {
 
 void GoalChanges::TakeAllApart() {
   const Silence silence(engine_.observers, engine_.agent);
-  while (!engine_.goals.empty()) TakeBottomApart();
+  while (!engine_.goals.empty()) {
+    // Substates end as they do while the agent runs: their rewards count.
+    const Goal& goal = engine_.goals.bottom();
+    if (engine_.reinforcement.learning() && goal.level > 1) engine_.reinforcement.GoalEnds(goal.level);
+    TakeBottomApart();
+  }
   engine_.elaboration.ApplyBufferedChanges();
 }
 
