@@ -20,7 +20,8 @@ class RuleChanges {
     ProductionId production = ProductionId::kNone;  ///< The rule, or the one that it duplicates.
     bool loaded = false;
   };
-  /// Adds a rule that a template makes and matches it, in place of one of its name. Throws std::bad_alloc if that broke the agent down.
+  /// Adds a rule that a template makes and matches it, in place of one of its name. Throws std::bad_alloc if that broke
+  /// the agent down.
   virtual Outcome Add(const ProductionPtr& rule) = 0;
   /// Whoever put the rule into the match has done so.
   virtual void NoteAdded(ProductionId production, const ProductionPtr& rule) = 0;
