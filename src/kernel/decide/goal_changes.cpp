@@ -239,8 +239,8 @@ void GoalChanges::TakeAllApart() {
   const Silence silence(engine_.observers, engine_.agent);
   while (!engine_.goals.empty()) {
     // Substates end as they do while the agent runs: their rewards count.
-    const Goal& goal = engine_.goals.bottom();
-    if (engine_.reinforcement.learning() && goal.level > 1) engine_.reinforcement.GoalEnds(goal.level);
+    const GoalLevel level = engine_.goals.bottom().level;
+    if (level > 1 && engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateEnds(level);
     TakeBottomApart();
   }
   engine_.elaboration.ApplyBufferedChanges();
