@@ -255,6 +255,15 @@ std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string
   return problems;
 }
 
+std::vector<Diagnostic> WarningsOfRules(const fs::path& rules, const std::vector<fs::path>& folders) {
+  Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(LookingOver(folders));
+  if (!host) return {};
+  Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("check", rules);
+  if (!loaded) return {};
+  std::erase_if(loaded->problems, [](const Diagnostic& problem) { return problem.severity != Severity::kWarning; });
+  return std::move(loaded->problems);
+}
+
 std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name) {
   if (const auto problem = script::CheckSyntax(text, name)) return {*problem};
   return {};

@@ -20,7 +20,12 @@ std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& fil
 
 /// What is wrong with a text of rules, with lines and columns in it. `name` is what it is called in the messages.
 std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name);
-/// The same of a Lua script.
+/// What is no error in a rule file and the files that it sources, and still is likely a mistake: what our own kernel
+/// warns of. For kernels that warn of nothing. `folders` is what the files may read.
+std::vector<Diagnostic> WarningsOfRules(const std::filesystem::path& rules,
+                                        const std::vector<std::filesystem::path>& folders);
+
+/// What is wrong with a Lua script, as with a text of rules.
 std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name);
 
 }  // namespace soarbox::sim

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagnostics/read_text.h"
+#include "sim/check.h"
 #include "sim/live_edits.h"
 #include "sim/minds.h"
 #include "sim/odd_characters.h"
@@ -86,7 +87,12 @@ void Minds::TellSlips() {
   for (Mind& mind : minds_) {
     if (mind.gone || mind.lost || !looked_over_.insert(mind.rules).second) continue;
     const std::string& name = world_.FindAgent(mind.agent)->name();
-    for (Diagnostic& slip : FindSlips(mind, {}, beside)) {
+    std::vector<Diagnostic> slips = FindSlips(mind, {}, beside);
+    // What our own kernel warns of when it loads rules, another one does not.
+    if (!host_.settings().remote_host.empty())
+      for (Diagnostic& warning : WarningsOfRules(mind.rules, host_.settings().folders))
+        slips.push_back(std::move(warning));
+    for (Diagnostic& slip : slips) {
       if (!reported_.insert(Format(slip)).second) continue;
       Event event;
       event.kind = EventKind::kDiagnostic;

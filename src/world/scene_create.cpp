@@ -14,7 +14,7 @@ constexpr float kTextureRepeat_m = 2.0f;
 constexpr float kLightRange_m = 30.0f;
 
 // Sizes below zero, and those that are no numbers, count as zero.
-float Size(float metres) {
+float LengthOf(float metres) {
   return std::isfinite(metres) ? std::clamp(metres, 0.0f, 1e6f) : 0.0f;
 }
 
@@ -59,15 +59,15 @@ NodeId Scene::CreatePlane(NodeId parent, float length_m, float width_m) {
 void Scene::ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile) {
   node.content = NodeContent::kDrawable;
   node.drawable.shape = ShapeKind::kBox;
-  node.drawable.size = {Size(width_m), Size(height_m), Size(length_m)};
+  node.drawable.size = {LengthOf(width_m), LengthOf(height_m), LengthOf(length_m)};
   node.drawable.material = "White";
   if (IsFinite(u_tile) && IsFinite(v_tile)) node.drawable.texture_repeats = {u_tile, v_tile, 1};
   node.bounds = Around(node.drawable.size / 2);
 }
 
 void Scene::ShapeCapsule(Node& node, float height_m, float radius_m) {
-  const float radius = Size(radius_m);
-  const float height = std::max(Size(height_m), 2 * radius);
+  const float radius = LengthOf(radius_m);
+  const float height = std::max(LengthOf(height_m), 2 * radius);
   node.content = NodeContent::kDrawable;
   node.drawable.shape = ShapeKind::kCapsule;
   node.drawable.size = {radius, height, 0};
@@ -90,7 +90,7 @@ void Scene::ShapeMesh(Node& node, std::string_view mesh) {
 }
 
 void Scene::ShapePlane(Node& node, float length_m, float width_m) {
-  const float length = Size(length_m), width = Size(width_m);
+  const float length = LengthOf(length_m), width = LengthOf(width_m);
   node.content = NodeContent::kDrawable;
   node.drawable.shape = ShapeKind::kPlane;
   node.drawable.size = {width, 0, length};
@@ -102,14 +102,14 @@ void Scene::ShapePlane(Node& node, float length_m, float width_m) {
 NodeId Scene::CreateCircle(NodeId parent, float radius_m) {
   Node node;
   node.content = NodeContent::kRing;
-  node.drawable.size = {Size(radius_m), 0, 0};
+  node.drawable.size = {LengthOf(radius_m), 0, 0};
   node.drawable.material = "White";
-  node.bounds = Around({Size(radius_m) + kThin_m, kThin_m, Size(radius_m) + kThin_m});
+  node.bounds = Around({LengthOf(radius_m) + kThin_m, kThin_m, LengthOf(radius_m) + kThin_m});
   return Add(parent, std::move(node));
 }
 
 NodeId Scene::CreateCylinder(NodeId parent, float height_m, float radius_m) {
-  const float radius = Size(radius_m), height = Size(height_m);
+  const float radius = LengthOf(radius_m), height = LengthOf(height_m);
   Node node;
   node.content = NodeContent::kDrawable;
   node.drawable.shape = ShapeKind::kCylinder;

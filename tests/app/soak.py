@@ -27,15 +27,16 @@ LIMIT_S = 1500
 
 
 def all_names():
-    """What is there to be run: each scenario's folder or file, and each lesson."""
+    """What is there to be run: each scenario's folder or file, each lesson that grades, and each that is read."""
     names = []
     for folder in sorted((REPOSITORY / "scenarios").iterdir()):
         if (folder / "Sandbox.lua").exists() or (folder / "scenario.toml").exists():
             names.append(folder.name)
     names.append("soar_skirmish/skirmish_100")
-    for folder in sorted((REPOSITORY / "docs" / "lessons").iterdir()):
-        if (folder / "scenario.toml").exists() or (folder / "Sandbox.lua").exists():
-            names.append(str(folder))
+    for lessons in (REPOSITORY / "lessons", REPOSITORY / "docs" / "lessons"):
+        for folder in sorted(lessons.iterdir()):
+            if (folder / "scenario.toml").exists() or (folder / "Sandbox.lua").exists():
+                names.append(str(folder))
     return names
 
 

@@ -199,6 +199,13 @@ sp {hero*apply*end
 }
 """
 
+# One rule with conditions that multiply.
+TOWER = ("multi-attributes disk 6\nsp {done\n   (state <s> ^holds" + "".join(f" <h{n}>" for n in range(1, 7)) + ")\n"
+         + "".join(f"   (<h{n}> ^disk <d{n}>)\n" for n in range(1, 7)) + "".join(f"   (<d{n}> ^name {n})\n" for n in range(1, 7))
+         + "-->\n   (<s> ^done yes)\n}\n"
+         "sp {make (state <s> ^superstate nil) --> (<s> ^holds <h>) (<h> ^disk <d>) (<d> ^name 1)}\n"
+         "sp {told (state <s> ^done yes) --> (write |done|)}\n")
+
 
 class Typos(ScenarioCase):
     def test_are_told_where_they_are_with_what_was_meant_and_nothing_besides(self):
@@ -228,14 +235,8 @@ class Typos(ScenarioCase):
 
     def test_traps_that_a_kernel_sees_in_good_rules_are_told_before_and_in_a_run(self):
         """Conditions that multiply, and a number that falls between two proposals."""
-        numbers = range(1, 7)
-        tower = ("multi-attributes disk 6\nsp {done\n   (state <s> ^holds" + "".join(f" <h{n}>" for n in numbers) + ")\n"
-                 + "".join(f"   (<h{n}> ^disk <d{n}>)\n" for n in numbers) + "".join(f"   (<d{n}> ^name {n})\n" for n in numbers)
-                 + "-->\n   (<s> ^done yes)\n}\n"
-                 "sp {make (state <s> ^superstate nil) --> (<s> ^holds <h>) (<h> ^disk <d>) (<d> ^name 1)}\n"
-                 "sp {told (state <s> ^done yes) --> (write |done|)}\n")
         gap = GOOD + GOOD.split("sp {hero*apply")[0].replace("propose*go", "propose*rest").replace("> 10", "< 10")
-        for name, rules, line, message in (("tower", tower, 2, "tests ^holds 6 times"), ("gap", gap, 14, "exactly 10")):
+        for name, rules, line, message in (("tower", TOWER, 2, "tests ^holds 6 times"), ("gap", gap, 14, "exactly 10")):
             file = self.write(name + ".soar", rules)
             run = Run("check", file, "--json")
             told = [json.loads(line) for line in run.out.splitlines()]

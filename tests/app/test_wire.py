@@ -13,6 +13,7 @@ import unittest
 
 from protocol_client import Client, Refused, debugger_attach, debugger_start, frame
 from soarbox_command import COMMAND, run_json
+from test_soar_typos import TOWER
 
 
 # One small decision and one command with a parameter for each new reading; finished commands are taken back.
@@ -115,6 +116,19 @@ class RemoteMinds(Case):
         self.assertEqual(near.of("end"), far.of("end"))
         with Client(port) as client:
             self.assertEqual(client.agents(), [])
+
+    def test_rules_that_multiply_are_told_of_wherever_the_kernel_is(self):
+        port = free_port()
+        self.start_kernel(port)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "tower.soar").write_text(TOWER, encoding="utf-8")
+            (folder / "scenario.toml").write_text('[[agent]]\nrules = "tower.soar"\n' * 2, encoding="utf-8")
+            run = run_json(folder, "--seconds", 1, "--kernel", f"127.0.0.1:{port}")
+        self.assertEqual(run.code, 0, run.err)
+        told = [event["diagnostic"] for event in run.of("diagnostic")]
+        told = [warning["line"] for warning in told if "tests ^holds 6 times" in warning["message"]]
+        self.assertEqual(told, [2], run.out)
 
     def test_a_host_loop_gives_the_same_commands_over_a_socket_as_in_process(self):
         port = free_port()
