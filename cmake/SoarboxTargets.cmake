@@ -163,7 +163,7 @@ if(SOARBOX_PRECOMPILE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${SOARBOX_CCACHE}")
   endif()
   # GCC 12 takes what it precompiled for no system header and then warns of impossible bounds in std::string.
-  target_compile_options(soarbox_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds>)
+  target_compile_options(soarbox_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-stringop-overread>)
   file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/headers/program.cpp" CONTENT "int main() {}\n")
   add_library(soarbox_library_headers STATIC EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/headers/program.cpp")
   target_link_libraries(soarbox_library_headers PRIVATE soarbox_options)

@@ -57,10 +57,10 @@ std::vector<NamedRule> RandomRules(std::mt19937& random) {
 }
 
 /// What was decided, by names: the impasse and those that are left.
-struct Outcome {
+struct TrialResult {
   mind::Impasse impasse = mind::Impasse::kNone;
   std::set<std::string> left;
-  friend bool operator==(const Outcome&, const Outcome&) = default;
+  friend bool operator==(const TrialResult&, const TrialResult&) = default;
 };
 
 class ReasonsFuzz : public ::testing::Test {
@@ -79,8 +79,8 @@ class ReasonsFuzz : public ::testing::Test {
     return MakeInspector(*agent_)->Operators("S1").decision.value_or(mind::Decision());
   }
 
-  static Outcome OutcomeOf(const mind::Decision& decision) {
-    Outcome outcome;
+  static TrialResult OutcomeOf(const mind::Decision& decision) {
+    TrialResult outcome;
     outcome.impasse = decision.impasse;
     for (const mind::Decision::Chance& chance : decision.left) outcome.left.insert(decision.operators[chance.op].name);
     return outcome;
@@ -113,7 +113,7 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
     } else if (decision.selected != mind::Decision::kNoOperator) {
       EXPECT_FALSE(tell::WhySelected(decision).empty());
     }
-    const Outcome outcome = OutcomeOf(decision);
+    const TrialResult outcome = OutcomeOf(decision);
     for (const mind::Decision::Drop& drop : decision.drops) {
       std::set<std::string> named;
       for (std::uint32_t k = drop.first; k < drop.first + drop.count; ++k)
