@@ -58,12 +58,14 @@ int main(int argc, char** argv) {
               static_cast<unsigned long long>(knowledge.edge_count()),
               static_cast<double>(knowledge.MemoryBytes()) / 1e6);
 
+  LinkWeights weights(settings);
   RecordWriter image;
-  const double written = Seconds([&] { records::WriteImage(image, knowledge, activations); });
+  const double written = Seconds([&] { records::WriteImage(image, knowledge, activations, weights); });
   Knowledge again;
   Activations active(settings);
+  LinkWeights read_weights(settings);
   bool read_well = false;
-  const double read = Seconds([&] { read_well = records::ReadImage(image.bytes(), again, active); });
+  const double read = Seconds([&] { read_well = records::ReadImage(image.bytes(), again, active, read_weights); });
   std::printf("image: %.0f MB, written in %.2f s, read in %.2f s%s\n", static_cast<double>(image.bytes().size()) / 1e6,
               written, read, read_well ? "" : " (WRONG)");
 
@@ -92,7 +94,6 @@ int main(int argc, char** argv) {
     cue.elements[1].math = MathTest::kMax;
     return cue;
   });
-  LinkWeights weights(settings);
   Spreading spreading(settings, weights);
   std::map<std::uint32_t, double> sources;
   for (std::uint32_t n = 0; n < 20; ++n) sources[static_cast<std::uint32_t>(random() % objects)] = 1;

@@ -198,6 +198,17 @@ std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& 
 Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds) {
   Grade grade;
   const fs::path rules = rules_folder / lesson.rules;
+  // A folder that came from somebody else shows nothing that lies elsewhere.
+  std::error_code error;
+  if (const fs::path real = fs::canonical(rules, error);
+      !error && real.parent_path() != fs::canonical(rules_folder, error)) {
+    Diagnostic problem;
+    problem.file = rules.string();
+    problem.message = "this is a link to a file outside the lesson's folder";
+    problem.hint = "put the file itself there";
+    grade.problems.push_back(std::move(problem));
+    return grade;
+  }
   for (Diagnostic& problem : sim::CheckFiles({rules}))
     if (problem.severity == Severity::kError) grade.problems.push_back(std::move(problem));
   if (!grade.problems.empty()) return grade;

@@ -64,6 +64,8 @@ class StrangersLesson(strangers_folder.StrangersFolder):
                 self.assertTrue((lesson / RULES).is_symlink(), done.out)
                 done = self.check("grade", [COMMAND, "learn", "check", "2", "--folder", self.folder])
                 self.assertNotEqual(done.code, 0, done.out)
+                if os.path.isfile(target):
+                    self.assertIn("a link to a file outside the lesson's folder", done.out)
 
     def test_a_pipe_in_the_place_of_the_rules_is_refused(self):
         lesson = self.begin()
