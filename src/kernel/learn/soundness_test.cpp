@@ -18,6 +18,12 @@
 namespace soarbox::kernel {
 namespace {
 
+#ifdef SOARBOX_CHECK_INVARIANTS
+constexpr std::uint32_t kMethods = 400;  // Each phase of each agent is checked, with sanitizers.
+#else
+constexpr std::uint32_t kMethods = 4000;
+#endif
+
 /// Draws worlds, and methods to solve a task in a substate: chains of local copies that meet in one rule, constants,
 /// comparisons, disjunctions, sums, tests of what is absent above. It leaves out what makes rules too general by
 /// nature, in Soar 9.6.3 as here: what is absent in the substate itself, comparisons with computed values, and results
@@ -243,7 +249,6 @@ void RunIn(Agent& agent, const std::string& world, const std::vector<std::string
 }
 
 TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
-  constexpr std::uint32_t kMethods = 4000;
   std::size_t learned = 0, given = 0, missing = 0;
   for (std::uint32_t seed = 1; seed <= kMethods; ++seed) {
     MethodMaker maker(seed);
@@ -284,7 +289,6 @@ TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
 }
 
 TEST(LearnedRules, GiveWhatTheSubstateGivesWhereNothingIsThereButTheirConditions) {
-  constexpr std::uint32_t kMethods = 4000;
   constexpr int kDraws = 12;
   std::size_t learned = 0, tried = 0;
   for (std::uint32_t seed = 1; seed <= kMethods; ++seed) {
