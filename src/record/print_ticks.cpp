@@ -29,7 +29,7 @@ void PrintMind(const MindRecord& mind, std::ostream& out) {
   }
   for (std::size_t i = 0; i < words.commands.size(); ++i) {
     const std::string rule = Aside(words.command_rules[i]);
-    out << "    " << mind.agent << "  commands " << words.commands[i] << (rule.empty() ? "" : " by") << rule << '\n';
+    out << "    " << mind.agent << "  commands " << words.commands[i] << (rule.empty() ? "" : " by" + rule) << '\n';
   }
 }
 
