@@ -99,7 +99,7 @@ int CollectGarbage(lua_State* state) {
   const char* what = luaL_optstring(state, 1, "collect");
   if (std::string_view(what) == "count")
     return luaL_argerror(state, 1, "the amount of memory is not available: it can differ from run to run");
-  if (std::string_view(what) == "collect") lua_gc(state, LUA_GCCOLLECT, 0);
+  if (std::string_view(what) == "collect") LuaMachine::Of(state).CollectGarbage();
   lua_pushinteger(state, 0);
   return 1;
 }

@@ -19,6 +19,10 @@ constexpr std::uint64_t kCountInterval = 1000;
 constexpr std::size_t kBytesPerInstruction = 64;
 /// A call costs this much even if it does nothing.
 constexpr std::uint64_t kCallPrice = 100;
+/// A machine grows by this much at least before its garbage is collected.
+constexpr std::size_t kLeastGrowth_bytes = std::size_t{32} << 10;
+/// Looking through so many bytes takes the time of one instruction.
+constexpr std::size_t kCollectedBytesPerInstruction = 4;
 /// Of the processor's cache.
 constexpr std::size_t kLine_bytes = 64;
 
@@ -48,7 +52,10 @@ LuaMachine::LuaMachine(MachineSetup setup)
   if (status != 0) {
     lua_close(state_);
     state_ = nullptr;
+    return;
   }
+  lua_gc(state_, LUA_GCSTOP, 0);
+  SetCollectionPoint();
 }
 
 LuaMachine::~LuaMachine() {
@@ -74,7 +81,32 @@ void LuaMachine::FetchState() const {
 void* LuaMachine::Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size) {
   LuaMachine& self = *static_cast<LuaMachine*>(machine);
   if (new_size > old_size) self.Charge((new_size - old_size) / kBytesPerInstruction);
-  return self.memory_.Reallocate(block, old_size, new_size);
+  void* const allocated = self.memory_.Reallocate(block, old_size, new_size);
+  if (self.collect_at_bytes_ != 0 && self.memory_.used_bytes() >= self.collect_at_bytes_ && !self.collection_due_) {
+    self.collection_due_ = true;
+    lua_sethook(self.state_, OnCount, LUA_MASKCOUNT, 1);
+  }
+  return allocated;
+}
+
+void LuaMachine::CollectGarbage() {
+  memory_.BeginCollection();
+  lua_gc(state_, LUA_GCCOLLECT, 0);
+  memory_.EndCollection();
+  // A collection starts Lua's own collector again.
+  lua_gc(state_, LUA_GCSTOP, 0);
+  SetCollectionPoint();
+}
+
+void LuaMachine::SetCollectionPoint() {
+  // Near the limit it comes sooner: what is garbage should not make a script fail. Growing by as much as there is pays
+  // for looking through it; growing by less does not.
+  const std::size_t used = memory_.used_bytes();
+  const std::size_t room = memory_.limit_bytes() - std::min(used, memory_.limit_bytes());
+  const std::size_t growth = std::max(std::min(used, room / 2), kLeastGrowth_bytes);
+  collect_at_bytes_ = used + growth;
+  collection_price_ = (used - std::min(used, growth)) / kCollectedBytesPerInstruction;
+  collection_due_ = false;
 }
 
 LuaMachine& LuaMachine::Of(lua_State* state) {
@@ -136,7 +168,7 @@ ScriptError LuaMachine::TakeError(int status) {
             : "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) +
                   " KB of memory";
     // What the script held is garbage now; without this the next call would fail at once.
-    lua_gc(state_, LUA_GCCOLLECT, 0);
+    CollectGarbage();
   } else if (!error) {
     const char* message = lua_tostring(state_, -1);
     error = DescribeMessage(message ? message : "unknown error", script(), path());
@@ -150,11 +182,17 @@ void LuaMachine::ArmBudget() {
   world_bound_ = armed_ < setup_.limits.instructions;
   instructions_left_ = armed_;
   nested_calls_ = 0;
-  lua_sethook(state_, OnCount, LUA_MASKCOUNT, kCountInterval);
+  lua_sethook(state_, OnCount, LUA_MASKCOUNT, collection_due_ ? 1 : kCountInterval);
 }
 
 void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
   LuaMachine& machine = Of(state);
+  if (machine.collection_due_) {
+    // What was counted since the last time is not known; half of it is as likely as not.
+    machine.Charge(kCountInterval / 2 + machine.collection_price_);
+    machine.CollectGarbage();
+    lua_sethook(state, OnCount, LUA_MASKCOUNT, machine.instructions_left_ > 0 ? kCountInterval : 1);
+  }
   if (machine.instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {
     machine.instructions_left_ -= kCountInterval;
     return;

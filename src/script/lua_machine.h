@@ -69,6 +69,11 @@ struct MachineSetup {
 /// The just-in-time compiler stays off: compiled loops do not pass the instruction count, so an endless loop could not
 /// be stopped, and what gets compiled depends on more than the script. The interpreter alone is deterministic.
 ///
+/// So is the collection of garbage, because the machine says when: all of it at once, at the first instruction after
+/// the memory has doubled since the last time. Lua's own collector works in small steps, in the order of a hash that
+/// differs from process to process, so what a script holds at some moment, and when it reaches a limit, would differ,
+/// too.
+///
 /// All that runs Lua goes through a protected call; errors come back as values. One thread at a time.
 class LuaMachine {
  public:
@@ -134,6 +139,9 @@ class LuaMachine {
   /// Raises the Lua error that ends a call whose budget is used up.
   void RaiseOutOfBudget(lua_State* state);
 
+  /// Frees what nothing refers to.
+  void CollectGarbage();
+
   /// Makes each call of each machine that is under way, or begins later, end with an error as soon as it can: the
   /// process is to end. May be called from a signal's handler.
   static void InterruptAll();
@@ -167,6 +175,7 @@ class LuaMachine {
   std::optional<ScriptError> RunProtected(RawBody body, void* data);
   ScriptError TakeError(int status);
   void ArmBudget();
+  void SetCollectionPoint();
   static void* Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size);
   bool PushGlobalFunction(lua_State* state, const char* name);
   static void PushKept(lua_State* state, int reference);
@@ -185,8 +194,11 @@ class LuaMachine {
   int depth_ = 0;                                   // Of protected calls within each other.
   std::set<std::string> loading_;
   std::uint64_t instructions_left_ = 0;
-  std::uint64_t armed_ = 0;   // What the present call began with.
-  bool world_bound_ = false;  // The world's budget allowed it less than its own.
+  std::uint64_t armed_ = 0;             // What the present call began with.
+  std::size_t collect_at_bytes_ = 0;    // The next collection is due when so much is used; 0: not yet.
+  std::uint64_t collection_price_ = 0;  // In instructions.
+  bool collection_due_ = false;         // The next instruction begins with it.
+  bool world_bound_ = false;            // The world's budget allowed it less than its own.
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;
   std::optional<ScriptError> error_;  // From the message handler.

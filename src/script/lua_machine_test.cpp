@@ -316,5 +316,54 @@ TEST_F(MachineTest, AFileIsParsedOnceForAllMachinesAndKeepsItsLines) {
   }
 }
 
+// Each machine hashes texts in its own way, as each process does.
+TEST_F(MachineTest, GarbageGoesAtTheSameInstructionInEachMachine) {
+  constexpr std::string_view kScript = R"lua(
+    local weak = setmetatable({}, {__mode = "v"})
+    local kept, seen = {}, {}
+    for i = 1, 30000 do
+      local text = "text " .. i * 7919 % 10007 .. string.rep("x", i % 40)
+      weak[#weak + 1] = {text}
+      if i % 97 == 0 then kept[#kept + 1] = {text, {i}} end
+      if i % 1000 == 0 then
+        local alive = 0
+        for _ in pairs(weak) do alive = alive + 1 end
+        seen[#seen + 1] = alive
+      end
+    end
+    local set, order = {}, {}
+    for _, entry in ipairs(kept) do set[entry] = entry[2][1] end
+    for i = 1, 300 do set[{}] = i end
+    for _, value in pairs(set) do order[#order + 1] = value end
+    print(table.concat(seen, " "), table.concat(order, " ")))lua";
+  std::string first;
+  std::size_t first_bytes = 0;
+  for (int machine = 0; machine < 8; ++machine) {
+    Start({});
+    const std::string printed = Run(kScript);
+    if (machine == 0) {
+      first = printed;
+      first_bytes = machine_->memory().used_bytes();
+      EXPECT_EQ(printed.rfind("error", 0), std::string::npos) << printed;
+      EXPECT_LT(first_bytes, std::size_t{4} << 20) << "nothing was collected";
+    }
+    EXPECT_EQ(printed, first);
+    EXPECT_EQ(machine_->memory().used_bytes(), first_bytes);
+  }
+}
+
+TEST_F(MachineTest, GarbageDoesNotMakeAScriptReachItsLimit) {
+  MachineLimits limits;
+  limits.memory_bytes = std::size_t{4} << 20;
+  Start(limits);
+  // Two megabytes stay, and a hundred go.
+  EXPECT_EQ(Run(R"lua(
+    local kept, length = {}, 0
+    for i = 1, 2000 do kept[i] = string.rep("k", 1000) .. i end
+    for i = 1, 100000 do length = length + #(string.rep("g", 1000) .. i) end
+    print(#kept, length > 1e8))lua"),
+            "2000\ttrue");
+}
+
 }  // namespace
 }  // namespace soarbox::script

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 #include <new>
+#include <utility>
 
 #include "script/script_pages.h"
 #include "script/world_budget.h"
@@ -61,9 +63,26 @@ void* ScriptMemory::Take(std::size_t size_class) {
 }
 
 void ScriptMemory::GiveBack(void* block, std::size_t size_class) {
+  auto& list = (collecting_ ? waiting_ : free_)[size_class];
   auto* free_block = static_cast<FreeBlock*>(block);
-  free_block->next = free_[size_class];
-  free_[size_class] = free_block;
+  free_block->next = list;
+  list = free_block;
+}
+
+void ScriptMemory::EndCollection() {
+  collecting_ = false;
+  for (std::size_t size_class = 0; size_class < kClasses; ++size_class)
+    if (waiting_[size_class] != nullptr) PutInOrder(size_class);
+}
+
+void ScriptMemory::PutInOrder(std::size_t size_class) {
+  std::vector<std::pair<std::uint64_t, FreeBlock*>> blocks;
+  for (FreeBlock* block = waiting_[size_class]; block != nullptr; block = block->next)
+    blocks.emplace_back(OrderOf(block), block);
+  waiting_[size_class] = nullptr;
+  // The first in order is taken first.
+  std::sort(blocks.begin(), blocks.end(), std::greater<>());
+  for (const auto& [order, block] : blocks) GiveBack(block, size_class);
 }
 
 ScriptMemory::~ScriptMemory() {

@@ -31,6 +31,11 @@ class ScriptMemory {
   /// The place of a block in the order of this memory; 0 for addresses that are not of this memory.
   std::uint64_t OrderOf(const void* address) const;
 
+  /// Between these two, blocks that are freed wait. Lua frees texts in the order of a hash that differs from process to
+  /// process; at the end all of them are put in order, so that what is taken later lies at the same places.
+  void BeginCollection() { collecting_ = true; }
+  void EndCollection();
+
   std::size_t used_bytes() const { return used_bytes_; }
   std::size_t limit_bytes() const { return limit_bytes_; }
   /// True if the last refusal was the world's: this memory is below its own limit.
@@ -54,15 +59,18 @@ class ScriptMemory {
   static std::size_t SizeOfClass(std::size_t size_class);
   void* Take(std::size_t size_class);
   void GiveBack(void* block, std::size_t size_class);
+  void PutInOrder(std::size_t size_class);
 
   std::size_t limit_bytes_;
   WorldBudget* world_;
   std::size_t reserved_bytes_ = 0;  ///< In chunks.
   bool world_refused_ = false;
   std::size_t used_bytes_ = 0;
+  bool collecting_ = false;
   std::array<FreeBlock*, kClasses> free_{};
-  std::vector<Chunk> chunks_;  // In the order of their making.
-  std::byte* next_ = nullptr;  // The unused rest of the newest shared chunk.
+  std::array<FreeBlock*, kClasses> waiting_{};  ///< Freed in the present collection.
+  std::vector<Chunk> chunks_;                   // In the order of their making.
+  std::byte* next_ = nullptr;                   // The unused rest of the newest shared chunk.
   std::size_t rest_ = 0;
   std::size_t next_chunk_size_ = std::size_t{32} * 1024;
 };
