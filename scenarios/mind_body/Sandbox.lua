@@ -27,6 +27,7 @@ end
 
 function Sandbox_Initialize(sandbox)
     LevelWorld_Initialize(sandbox, Vector.new(34, 26, -22), Vector.new(-142, 42, 155));
+    print("F4 calls a soldier, F8 sends all home; 1 stand idle, 2 shoot, 3 walk, 4 die, 5 change the stance");
 end
 
 function Sandbox_Update(sandbox)
