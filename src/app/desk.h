@@ -144,20 +144,20 @@ class Desk {
   // What the panels show (desk_contents.cpp).
   void Refresh(viewer::Viewer& viewer);
   void FillMoment(viewer::PanelContents& contents);
-  void FillMind(viewer::Viewer& viewer, sim::Inspector& mind);
+  void FillMind(viewer::Viewer& viewer, explain::Inspector& mind);
   /// The minds that are looked at side by side.
   void FillBeside(viewer::PanelContents& contents, bool watches, bool minds);
   /// What can be opened, and where a text stands that is searched everywhere.
-  void FillOffers(viewer::Viewer& viewer, sim::Inspector* mind);
+  void FillOffers(viewer::Viewer& viewer, explain::Inspector* mind);
   /// The rule that is looked at as its author wrote it.
   void FillRuleText(viewer::PanelContents& contents);
   /// What bodies do now.
   void FillActivities(viewer::PanelContents& contents);
-  void FillWhy(viewer::PanelContents& contents, sim::Inspector* mind);
+  void FillWhy(viewer::PanelContents& contents, explain::Inspector* mind);
   /// Gives where everybody was in the old future.
   std::vector<viewer::Ghost> FillFutures(viewer::PanelContents& contents);
-  void FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind);
-  void FillLearning(viewer::PanelContents& contents, sim::Inspector* mind);
+  void FillLongTerm(viewer::PanelContents& contents, explain::Inspector* mind);
+  void FillLearning(viewer::PanelContents& contents, explain::Inspector* mind);
   /// Adds what the selected agent remembers of the episode that is looked at.
   void AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
                      std::vector<viewer::Ghost>& ghosts) const;

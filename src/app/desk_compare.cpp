@@ -78,7 +78,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
   contents.minds.clear();
   if (!watches && !minds) return;
   sim::Simulation* const world = Looked();
-  const auto inspect = [&](const std::string& agent) -> std::unique_ptr<sim::Inspector> {
+  const auto inspect = [&](const std::string& agent) -> std::unique_ptr<explain::Inspector> {
     if (world != nullptr) return world->HasMind(agent) ? world->Inspect(agent) : nullptr;
     return recording_ != nullptr && HasReadOn() ? recorded_.Inspect(agent) : nullptr;
   };
@@ -86,7 +86,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
     for (const std::string& what : watches_) contents.watches.push_back({what, {}});
   }
   for (const std::string& agent : contents.beside) {
-    const std::unique_ptr<sim::Inspector> mind = inspect(agent);
+    const std::unique_ptr<explain::Inspector> mind = inspect(agent);
     for (viewer::WatchRow& row : contents.watches) {
       viewer::WatchRow::Cell cell;
       cell.agent = agent;
@@ -127,7 +127,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
 void Desk::FillRuleText(viewer::PanelContents& contents) {
   contents.rule_text.clear();
   if (!contents.rule || Live() == nullptr) return;
-  const sim::RuleFact& rule = contents.rule->rule;
+  const explain::RuleFact& rule = contents.rule->rule;
   if (rule.type != "user" && rule.type != "default") return;
   for (const sim::WatchedFile& file : debugger::FilesOf(*Live(), agent_)) {
     if (!file.is_rules) continue;
@@ -161,9 +161,9 @@ Desk::Awaited Desk::MindNow(const std::string& agent) {
   now.agent = agent;
   now.since_tick = past_.last_tick();
   sim::Simulation* const live = Live();
-  const std::unique_ptr<sim::Inspector> mind = live != nullptr ? live->Inspect(agent) : nullptr;
+  const std::unique_ptr<explain::Inspector> mind = live != nullptr ? live->Inspect(agent) : nullptr;
   if (mind == nullptr) return {};
-  for (const sim::StateFact& state : mind->Stack()) {
+  for (const explain::StateFact& state : mind->Stack()) {
     if (!state.operator_id.empty()) {
       now.operators += now.operators.empty() ? "" : ", ";
       now.operators +=

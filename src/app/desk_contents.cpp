@@ -169,7 +169,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
     if (const record::MindRecord* mind = record::FindMind(*shown, agent_))
       changes_ = debugger::MemoryChanges(mind->events);
   }
-  std::unique_ptr<sim::Inspector> mind = world != nullptr && contents.has_mind ? world->Inspect(agent_) : nullptr;
+  std::unique_ptr<explain::Inspector> mind = world != nullptr && contents.has_mind ? world->Inspect(agent_) : nullptr;
   contents.not_available.clear();
   contents.past_note.clear();
   if (world == nullptr && recording_ != nullptr) {
@@ -200,7 +200,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   viewer.SetGhosts(std::move(ghosts));
 }
 
-void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
+void Desk::FillMind(viewer::Viewer& viewer, explain::Inspector& mind) {
   viewer::PanelContents& contents = viewer.panel_contents();
   const auto visible = [&](PanelId panel) { return viewer.panel_visible(panel); };
   if (visible(PanelId::kMind)) {
@@ -221,7 +221,7 @@ void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
     contents.objects.clear();
     for (const std::string& id : open_objects_) contents.objects[id] = debugger::LookAtObject(mind, id, changes_);
     contents.story = timetag_ != 0 ? debugger::LookAtElement(mind, timetag_) : std::nullopt;
-    contents.found = search_.empty() ? std::vector<sim::ElementFact>{} : debugger::SearchMemory(mind, search_, 200);
+    contents.found = search_.empty() ? std::vector<explain::ElementFact>{} : debugger::SearchMemory(mind, search_, 200);
     if (!visible(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
   }
   if (visible(PanelId::kRules)) {
@@ -239,7 +239,7 @@ void Desk::FillMind(viewer::Viewer& viewer, sim::Inspector& mind) {
   if (visible(PanelId::kPlots)) contents.plottable = debugger::Plottable(mind);
 }
 
-void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
+void Desk::FillWhy(viewer::PanelContents& contents, explain::Inspector* mind) {
   contents.why = {};
   sim::Simulation* world = Looked();
   if (agent_.empty() || (world == nullptr && mind == nullptr)) return;
@@ -284,13 +284,13 @@ void Desk::FillWhy(viewer::PanelContents& contents, sim::Inspector* mind) {
   why.answer = debugger::WhyNameOrError(*world, agent_, why_.what);
 }
 
-void Desk::FillLongTerm(viewer::PanelContents& contents, sim::Inspector* mind) {
+void Desk::FillLongTerm(viewer::PanelContents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.long_term = debugger::LookAtLongTerm(*mind, known_search_);
   contents.episode = debugger::LookAtEpisode(*mind, episode_);
 }
 
-void Desk::FillLearning(viewer::PanelContents& contents, sim::Inspector* mind) {
+void Desk::FillLearning(viewer::PanelContents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.learning = debugger::LookAtLearning(*mind, {}, contents.learning_log, past_.shown_tick());
   contents.learned_rule = debugger::LookAtLearnedRule(*mind, learned_rule_, contents.learning_log, past_.shown_tick());

@@ -88,7 +88,7 @@ void FindInFile(const std::string& file, std::string_view text, bool is_rules, s
 
 }  // namespace
 
-void Desk::FillOffers(viewer::Viewer& viewer, sim::Inspector* mind) {
+void Desk::FillOffers(viewer::Viewer& viewer, explain::Inspector* mind) {
   viewer::PanelContents& contents = viewer.panel_contents();
   constexpr auto kEvery = std::chrono::seconds(2);
   if (Clock::now() - read_recent_ > kEvery) {
@@ -112,7 +112,7 @@ void Desk::FillOffers(viewer::Viewer& viewer, sim::Inspector* mind) {
   for (const sim::WatchedFile& file : files)
     FindInFile(file.file.string(), searched_, file.is_rules, contents.places, file.is_rules ? in_rules : in_scripts);
   if (mind != nullptr) {
-    for (const sim::ElementFact& element : debugger::SearchMemory(*mind, searched_, kMostOfKind)) {
+    for (const explain::ElementFact& element : debugger::SearchMemory(*mind, searched_, kMostOfKind)) {
       FoundPlace place;
       place.kind = FoundPlace::Kind::kMemory;
       place.title = "(" + element.id + " ^" + element.attribute + " " + element.value + ")";

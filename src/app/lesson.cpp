@@ -13,12 +13,12 @@
 
 #include "app/run_session.h"
 #include "diagnostics/read_text.h"
+#include "explain/rule_text.h"
 #include "mission/cast.h"
 #include "mission/conditions.h"
 #include "mission/read_mission.h"
 #include "mission/sentences.h"
 #include "sim/check.h"
-#include "sim/rule_text.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::app {
@@ -45,7 +45,7 @@ std::string Filled(std::string hint, const mission::Verdict& verdict) {
 /// The rules of a text by their names, without blanks that mean nothing.
 std::map<std::string, std::string> RulesOf(const std::string& text) {
   std::map<std::string, std::string> rules;
-  std::istringstream words(sim::BlankComments(text));
+  std::istringstream words(explain::BlankComments(text));
   std::string* rule = nullptr;
   for (std::string word; words >> word;) {
     if (word == "sp" || word == "gp") {

@@ -16,11 +16,11 @@
 #include "debugger/json.h"
 #include "debugger/lesson.h"
 #include "debugger/why.h"
+#include "explain/learning_facts.h"
 #include "mission/cast.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
-#include "sim/learning_facts.h"
 #include "sim/scenario_file.h"
 #include "sim/simulation.h"
 
@@ -81,17 +81,17 @@ Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options,
   return std::move(rerun->simulation);
 }
 
-bool Names(const sim::WhyNode& account, const std::string& rule) {
+bool Names(const explain::WhyNode& account, const std::string& rule) {
   return account.link == rule ||
-         std::ranges::any_of(account.below, [&](const sim::WhyNode& below) { return Names(below, rule); });
+         std::ranges::any_of(account.below, [&](const explain::WhyNode& below) { return Names(below, rule); });
 }
 
 /// Of the learned rules that the account names, where they come from.
-void PrintOrigins(const sim::Simulation& world, const std::string& agent, const sim::WhyNode& account) {
-  const std::unique_ptr<sim::Inspector> mind = world.Inspect(agent);
-  auto* const source = dynamic_cast<sim::LearningSource*>(mind.get());
+void PrintOrigins(const sim::Simulation& world, const std::string& agent, const explain::WhyNode& account) {
+  const std::unique_ptr<explain::Inspector> mind = world.Inspect(agent);
+  auto* const source = dynamic_cast<explain::LearningSource*>(mind.get());
   if (source == nullptr) return;
-  for (const sim::LessonFact& lesson : source->Lessons()) {
+  for (const explain::LessonFact& lesson : source->Lessons()) {
     if (!Names(account, lesson.rule)) continue;
     const std::optional<debugger::WhyNode> origin = debugger::OriginOf(*mind, lesson.rule);
     if (origin) std::cout << "  " << lesson.rule << " was\n" << debugger::ToText(*origin, 2);
@@ -114,7 +114,7 @@ int Why(const WhyOptions& options) {
   for (const auto& seen : world.Snapshot().agents) names.push_back(seen.name);
   for (std::size_t i = 0; agent.empty() && i < names.size(); ++i)
     if (world.Why(names[i])) agent = names[i];
-  const std::optional<sim::WhyNode> account = world.Why(agent);
+  const std::optional<explain::WhyNode> account = world.Why(agent);
   if (!account) {
     Diagnostic problem;
     problem.message =
@@ -138,7 +138,7 @@ int Why(const WhyOptions& options) {
       return kOk;
     }
     std::cout << account->text << '\n';
-    for (const sim::WhyNode& reason : account->below) std::cout << debugger::ToText(reason);
+    for (const explain::WhyNode& reason : account->below) std::cout << debugger::ToText(reason);
     PrintOrigins(world, agent, *account);
     return kOk;
   }

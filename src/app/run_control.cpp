@@ -10,9 +10,9 @@ namespace {
 
 /// The operator of the lowest state that has one, "seek (O3)"; or the impasse in which it stands.
 std::string WhatItIsAbout(sim::Simulation& simulation, const std::string& agent) {
-  const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent);
+  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
   if (mind == nullptr) return {};
-  const std::vector<sim::StateFact> stack = mind->Stack();
+  const std::vector<explain::StateFact> stack = mind->Stack();
   for (auto state = stack.rbegin(); state != stack.rend(); ++state) {
     if (state->operator_id.empty()) continue;
     return state->operator_name.empty() ? state->operator_id : state->operator_name + " (" + state->operator_id + ")";
@@ -21,9 +21,9 @@ std::string WhatItIsAbout(sim::Simulation& simulation, const std::string& agent)
 }
 
 std::string StandsIn(sim::Simulation& simulation, const std::string& agent) {
-  const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent);
+  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
   if (mind == nullptr) return {};
-  const std::vector<sim::StateFact> stack = mind->Stack();
+  const std::vector<explain::StateFact> stack = mind->Stack();
   if (stack.size() < 2) return {};
   return stack.back().attribute + " " + stack.back().impasse;
 }
@@ -81,7 +81,7 @@ void StepMind(RunControl& control, RunSession& session, viewer::Viewer& viewer, 
   const Result<std::string> answer = simulation.Command(name, "run -p 1 --self");
   if (!answer) return viewer.Tell(answer.error().message);
   std::string next;
-  if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(name)) next = mind->Mind().phase;
+  if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(name)) next = mind->Mind().phase;
   viewer.Tell(name + ": one phase" + (next.empty() ? "" : ", next is " + next) +
               "; the world is paused and takes its commands in the next tick");
 }

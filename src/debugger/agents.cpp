@@ -89,13 +89,13 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
     row.has_mind = time != times_us.end();
     if (!row.has_mind) continue;
     row.decide_us = time->second;
-    const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent.name);
+    const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent.name);
     if (mind == nullptr) {
       row.failed = true;
       continue;
     }
     row.decisions = mind->Mind().decisions;
-    for (const sim::StateFact& state : mind->Stack()) {
+    for (const explain::StateFact& state : mind->Stack()) {
       row.state = state.level == 1 ? state.id : state.id + " (" + state.attribute + " " + state.impasse + ")";
       if (!state.operator_id.empty()) row.op = NameAndId(state.operator_name, state.operator_id);
     }

@@ -48,7 +48,7 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
   }
   if (const auto* element = std::get_if<mind::ElementChanged>(&event);
       point.kind == BreakKind::kElement && element != nullptr && element->added) {
-    const sim::ElementFact fact = FactOf(*element);
+    const explain::ElementFact fact = FactOf(*element);
     if (IsLike(fact, point.what)) return Describe(fact) + " came";
   }
   if (const auto* made = std::get_if<mind::StateMade>(&event);
@@ -88,7 +88,7 @@ std::optional<BreakKind> BreakKindNamed(std::string_view name) {
   return static_cast<BreakKind>(at - std::begin(kKinds));
 }
 
-bool IsLike(const sim::ElementFact& element, std::string_view pattern) {
+bool IsLike(const explain::ElementFact& element, std::string_view pattern) {
   std::istringstream words{std::string(pattern)};
   std::string word, id = "*", attribute = "*", value = "*";
   int place = 0;
@@ -154,8 +154,8 @@ std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation) {
       if (!point.agent.empty() && point.agent != report.agent) continue;
       std::optional<std::string> cause = CauseIn(point, report.events);
       if (point.kind == BreakKind::kMatch) {
-        const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(report.agent);
-        const std::optional<sim::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
+        const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(report.agent);
+        const std::optional<explain::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
         const bool matches = match && !match->failing;
         bool& before = matched_[{point.number, report.agent}];
         if (matches && !before) cause = "rule " + point.what + " matches";

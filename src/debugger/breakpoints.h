@@ -65,7 +65,7 @@ class Breakpoints {
 };
 
 /// Whether an element is like "ID ^ATTRIBUTE VALUE [+]"; parts may be left out or hold *.
-bool IsLike(const sim::ElementFact& element, std::string_view pattern);
+bool IsLike(const explain::ElementFact& element, std::string_view pattern);
 
 std::string ToText(const std::vector<Breakpoint>& list);
 Json ToJson(const std::vector<Breakpoint>& list);

@@ -61,7 +61,7 @@ void Console::Run(sim::Simulation& simulation, const std::string& line) {
   Keep(ConsoleLine::Kind::kError, tick, answer.error().message);
   if (!answer.error().hint.empty()) Keep(ConsoleLine::Kind::kHint, tick, answer.error().hint);
   if (answer.error().message.find("did you mean") != std::string::npos) return;
-  if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent_)) {
+  if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent_)) {
     if (const std::vector<std::string> near = NearMisses(*mind, line); !near.empty())
       Keep(ConsoleLine::Kind::kHint, tick, "did you mean " + Joined(near) + "?");
   }
@@ -101,7 +101,7 @@ std::string Console::Newer(const std::string& typed) {
   return place_ < history_.size() ? history_[place_] : typed_;
 }
 
-Completion Complete(sim::Inspector& mind, std::string_view line) {
+Completion Complete(explain::Inspector& mind, std::string_view line) {
   Completion completion;
   const std::size_t blank = line.find_last_of(" \t;\n");
   completion.begin = blank == std::string_view::npos ? 0 : blank + 1;
@@ -112,7 +112,7 @@ Completion Complete(sim::Inspector& mind, std::string_view line) {
       for (const std::string_view command : kCommands)
         if (command.starts_with(word)) completion.words.emplace_back(command);
     } else {
-      for (const sim::RuleFact& rule : mind.Rules())
+      for (const explain::RuleFact& rule : mind.Rules())
         if (rule.name.starts_with(word)) completion.words.push_back(rule.name);
     }
   }
@@ -125,7 +125,7 @@ Completion Complete(sim::Inspector& mind, std::string_view line) {
   return completion;
 }
 
-std::vector<std::string> NearMisses(sim::Inspector& mind, std::string_view line) {
+std::vector<std::string> NearMisses(explain::Inspector& mind, std::string_view line) {
   std::vector<std::string> near;
   std::istringstream words{std::string(line)};
   std::string command, word;
@@ -136,10 +136,10 @@ std::vector<std::string> NearMisses(sim::Inspector& mind, std::string_view line)
         !nearest.empty())
       near.emplace_back(nearest);
   }
-  const std::vector<sim::RuleFact> rules = mind.Rules();
+  const std::vector<explain::RuleFact> rules = mind.Rules();
   constexpr std::size_t kShortest = 4;  // Shorter words are like too much.
   while (words >> word) {
-    const bool is_rule = std::ranges::any_of(rules, [&](const sim::RuleFact& rule) { return rule.name == word; });
+    const bool is_rule = std::ranges::any_of(rules, [&](const explain::RuleFact& rule) { return rule.name == word; });
     if (is_rule || word.size() < kShortest || word[0] == '-') continue;
     for (std::string& rule : NearRules(mind, word)) near.push_back(std::move(rule));
   }

@@ -60,10 +60,10 @@ struct Completion {
   std::vector<std::string> words;  ///< Sorted; empty: nothing is known.
   std::string common;              ///< What all have in common: what the Tab key adds stands in it.
 };
-Completion Complete(sim::Inspector& mind, std::string_view line);
+Completion Complete(explain::Inspector& mind, std::string_view line);
 
 /// Commands and rules that are spelt like a word of this line; empty if none is.
-std::vector<std::string> NearMisses(sim::Inspector& mind, std::string_view line);
+std::vector<std::string> NearMisses(explain::Inspector& mind, std::string_view line);
 
 std::string ToText(const std::deque<ConsoleLine>& lines);
 Json ToJson(const std::deque<ConsoleLine>& lines);

@@ -22,17 +22,17 @@ std::size_t Width(std::string_view text) {
 
 }  // namespace
 
-std::string Describe(const sim::ElementFact& element) {
+std::string Describe(const explain::ElementFact& element) {
   return element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +" : "");
 }
 
-std::string Describe(const sim::MakerFact& maker) {
+std::string Describe(const explain::MakerFact& maker) {
   switch (maker.kind) {
-    case sim::MakerFact::Kind::kInput:
+    case explain::MakerFact::Kind::kInput:
       return "input";
-    case sim::MakerFact::Kind::kArchitecture:
+    case explain::MakerFact::Kind::kArchitecture:
       return "the architecture";
-    case sim::MakerFact::Kind::kRule:
+    case explain::MakerFact::Kind::kRule:
       break;
   }
   return "rule " + maker.rule + (maker.o_supported ? " (o-support)" : " (i-support)");
@@ -43,7 +43,7 @@ std::string NameAndId(std::string_view name, std::string_view id) {
   return std::string(name) + " (" + std::string(id) + ")";
 }
 
-Json ToJson(const sim::ElementFact& element) {
+Json ToJson(const explain::ElementFact& element) {
   Json json;
   json["timetag"] = element.timetag;
   json["id"] = element.id;
@@ -54,16 +54,16 @@ Json ToJson(const sim::ElementFact& element) {
   return json;
 }
 
-Json ToJson(const sim::MakerFact& maker) {
+Json ToJson(const explain::MakerFact& maker) {
   Json json;
-  using Kind = sim::MakerFact::Kind;
+  using Kind = explain::MakerFact::Kind;
   json["kind"] = maker.kind == Kind::kRule ? "rule" : maker.kind == Kind::kInput ? "input" : "architecture";
   if (maker.kind != Kind::kRule) return json;
   json["rule"] = maker.rule;
   json["support"] = maker.o_supported ? "o" : "i";
   json["level"] = maker.level;
   json["elements"] = Json::array();
-  for (const sim::ElementFact& element : maker.elements) json["elements"].push_back(ToJson(element));
+  for (const explain::ElementFact& element : maker.elements) json["elements"].push_back(ToJson(element));
   return json;
 }
 

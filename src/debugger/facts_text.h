@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "debugger/json.h"
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -16,14 +16,14 @@ inline constexpr std::string_view kNotAvailable = "not available there";
 inline constexpr std::string_view kNotRecorded = "not recorded";
 
 /// "S1 ^color red", "S1 ^operator O1 +".
-std::string Describe(const sim::ElementFact& element);
+std::string Describe(const explain::ElementFact& element);
 /// "rule propose*move (o-support)", "input", "the architecture".
-std::string Describe(const sim::MakerFact& maker);
+std::string Describe(const explain::MakerFact& maker);
 /// "seek (O1)", "O1", or nothing.
 std::string NameAndId(std::string_view name, std::string_view id);
 
-Json ToJson(const sim::ElementFact& element);
-Json ToJson(const sim::MakerFact& maker);
+Json ToJson(const explain::ElementFact& element);
+Json ToJson(const explain::MakerFact& maker);
 
 /// Rows as columns of equal width, the first row as their titles.
 std::string Table(const std::vector<std::vector<std::string>>& rows);

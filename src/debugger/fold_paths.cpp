@@ -67,18 +67,18 @@ std::string WithoutGiven(const std::string& value) {
 
 }  // namespace
 
-sim::MatchFacts FoldPaths(sim::MatchFacts facts) {
+explain::MatchFacts FoldPaths(explain::MatchFacts facts) {
   std::vector<std::optional<Parts>> all;
   std::map<std::string, std::size_t> uses;
-  for (const sim::ConditionFact& condition : facts.conditions) {
+  for (const explain::ConditionFact& condition : facts.conditions) {
     all.push_back(TakeApart(condition.text));
     if (all.back()) ++uses[all.back()->id];
   }
   std::map<std::string, std::pair<std::string, std::string>> paths;  // A given name: whose attribute, and which path.
-  std::vector<sim::ConditionFact> folded;
+  std::vector<explain::ConditionFact> folded;
   std::optional<std::size_t> failing;
   for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
-    sim::ConditionFact& condition = facts.conditions[i];
+    explain::ConditionFact& condition = facts.conditions[i];
     const bool is_failing = facts.failing == i;
     if (const std::optional<Parts>& found = all[i]) {
       Parts parts = *found;

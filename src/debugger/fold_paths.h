@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -11,6 +11,6 @@ namespace soarbox::debugger {
 ///
 /// becomes (<s> ^io.input-link.health < 10) again, without the variables that nobody wrote. Where a rule stops in the
 /// middle of a path, the path ends there. All else stays; `failing` counts what is left.
-sim::MatchFacts FoldPaths(sim::MatchFacts facts);
+explain::MatchFacts FoldPaths(explain::MatchFacts facts);
 
 }  // namespace soarbox::debugger

@@ -8,21 +8,21 @@ namespace {
 
 using ::testing::ElementsAre;
 
-std::vector<std::string> Texts(const sim::MatchFacts& facts) {
+std::vector<std::string> Texts(const explain::MatchFacts& facts) {
   std::vector<std::string> texts;
-  for (const sim::ConditionFact& condition : facts.conditions) texts.push_back(condition.text);
+  for (const explain::ConditionFact& condition : facts.conditions) texts.push_back(condition.text);
   return texts;
 }
 
-sim::MatchFacts PathFacts(const std::vector<std::string>& texts, std::optional<std::size_t> failing) {
-  sim::MatchFacts facts;
+explain::MatchFacts PathFacts(const std::vector<std::string>& texts, std::optional<std::size_t> failing) {
+  explain::MatchFacts facts;
   for (const std::string& text : texts) facts.conditions.push_back({text, text.front() == '-', 1});
   facts.failing = failing;
   return facts;
 }
 
 TEST(FoldedPaths, AreThoseThatTheAuthorWrote) {
-  const sim::MatchFacts folded =
+  const explain::MatchFacts folded =
       FoldPaths(PathFacts({"(state <s> ^superstate nil)", "(<s> ^io <i*1>)", "(<i*1> ^input-link <i*2>)",
                            "(<i*2> ^self <s*1>)", "(<s*1> ^health { < 10 <h*1> })"},
                           4));
@@ -31,7 +31,7 @@ TEST(FoldedPaths, AreThoseThatTheAuthorWrote) {
 }
 
 TEST(FoldedPaths, EndWhereTheRuleStops) {
-  const sim::MatchFacts folded = FoldPaths(
+  const explain::MatchFacts folded = FoldPaths(
       PathFacts({"(<s> ^io <i*1>)", "(<i*1> ^input-link <i*2>)", "(<i*2> ^enemy <e*1>)", "(<e*1> ^name <n>)"}, 2));
   EXPECT_THAT(Texts(folded), ElementsAre("(<s> ^io.input-link.enemy)", "(<s> ^io.input-link.enemy.name <n>)"));
   EXPECT_EQ(folded.failing, 0U);

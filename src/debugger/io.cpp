@@ -25,7 +25,7 @@ CommandRow CommandOf(const MemoryRow& row) {
   }
   command.id = row.element.value;
   for (const MemoryRow& below : row.below) {
-    const sim::ElementFact& element = below.element;
+    const explain::ElementFact& element = below.element;
     if (element.attribute == "status") {
       command.status = element.value;
     } else if (element.attribute == "progress") {
@@ -47,8 +47,8 @@ std::string ParametersOf(const CommandRow& command) {
 
 }  // namespace
 
-IoView LookAtIo(sim::Inspector& mind, const MemoryChanges& changes) {
-  const sim::MindFacts facts = mind.Mind();
+IoView LookAtIo(explain::Inspector& mind, const MemoryChanges& changes) {
+  const explain::MindFacts facts = mind.Mind();
   IoView view;
   view.input = LookAtObject(mind, facts.input_link, changes, kDepth);
   view.output = LookAtObject(mind, facts.output_link, changes, kDepth);

@@ -7,7 +7,7 @@
 
 #include "debugger/json.h"
 #include "debugger/memory.h"
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -27,7 +27,7 @@ struct IoView {
   std::vector<CommandRow> commands;  ///< Newest first.
 };
 
-IoView LookAtIo(sim::Inspector& mind, const MemoryChanges& changes = {});
+IoView LookAtIo(explain::Inspector& mind, const MemoryChanges& changes = {});
 
 std::string ToText(const IoView& view);
 Json ToJson(const IoView& view);

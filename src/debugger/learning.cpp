@@ -41,7 +41,7 @@ void LookAtLog(const LearningLog& log, std::uint64_t until, std::string_view tex
     if (Wanted(row, text)) view.rules.push_back(std::move(row));
   }
   for (const auto& [rule, points] : log.values()) {
-    sim::NumberFact number;
+    explain::NumberFact number;
     number.rule = rule;
     for (const auto& [tick, value] : points) {
       if (tick > until) break;
@@ -63,9 +63,10 @@ void LookAtLog(const LearningLog& log, std::uint64_t until, std::string_view tex
 
 }  // namespace
 
-LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const LearningLog* log, std::uint64_t until) {
+LearningView LookAtLearning(explain::Inspector& mind, std::string_view text, const LearningLog* log,
+                            std::uint64_t until) {
   LearningView view;
-  auto* const source = dynamic_cast<sim::LearningSource*>(&mind);
+  auto* const source = dynamic_cast<explain::LearningSource*>(&mind);
   if (source == nullptr) {
     if (log != nullptr && !log->empty()) {
       LookAtLog(*log, until, text, view);
@@ -73,12 +74,12 @@ LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const L
     } else {
       view.note = "what it has learned: " + std::string(Absence(mind));
     }
-    std::ranges::stable_sort(view.numbers, std::ranges::greater(), &sim::NumberFact::value);
+    std::ranges::stable_sort(view.numbers, std::ranges::greater(), &explain::NumberFact::value);
     return view;
   }
-  std::map<std::string, const sim::LessonFact*, std::less<>> lessons;
-  const std::vector<sim::LessonFact> told = source->Lessons();
-  for (const sim::LessonFact& lesson : told) lessons[lesson.rule] = &lesson;
+  std::map<std::string, const explain::LessonFact*, std::less<>> lessons;
+  const std::vector<explain::LessonFact> told = source->Lessons();
+  for (const explain::LessonFact& lesson : told) lessons[lesson.rule] = &lesson;
   const auto add = [&](LearnedRuleRow row) {
     if (const auto lesson = lessons.find(row.name); lesson != lessons.end()) {
       row.source = lesson->second->state + ": " + ImpasseOf(*lesson->second);
@@ -88,14 +89,14 @@ LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const L
     TellWhen(log, until, row);
     if (Wanted(row, text)) view.rules.push_back(std::move(row));
   };
-  for (const sim::RuleFact& rule : mind.Rules()) {
+  for (const explain::RuleFact& rule : mind.Rules()) {
     if (rule.type != "chunk") continue;
     LearnedRuleRow row;
     row.name = rule.name;
     row.firings = rule.firings;
     add(std::move(row));
   }
-  for (const sim::LessonFact& lesson : told) {
+  for (const explain::LessonFact& lesson : told) {
     if (!lessons.contains(lesson.rule)) continue;
     LearnedRuleRow row;
     row.name = lesson.rule;
@@ -103,15 +104,15 @@ LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const L
     add(std::move(row));
   }
   std::ranges::reverse(view.rules);
-  sim::LearningFacts facts = source->Learning();
+  explain::LearningFacts facts = source->Learning();
   view.by_reward = facts.by_reward;
   view.last_reward = facts.last_reward;
   view.total_reward = facts.total_reward;
   view.learners = facts.numbers.size();
-  for (sim::NumberFact& number : facts.numbers) {
+  for (explain::NumberFact& number : facts.numbers) {
     if (number.rule.find(text) != std::string::npos) view.numbers.push_back(std::move(number));
   }
-  std::ranges::stable_sort(view.numbers, std::ranges::greater(), &sim::NumberFact::value);
+  std::ranges::stable_sort(view.numbers, std::ranges::greater(), &explain::NumberFact::value);
   if (!view.by_reward && view.learners > 0) {
     view.note = "reinforcement learning is off: rl --set learning on";
   } else if (view.by_reward && view.learners == 0) {
@@ -120,7 +121,7 @@ LearningView LookAtLearning(sim::Inspector& mind, std::string_view text, const L
   return view;
 }
 
-LearnedRuleView LookAtLearnedRule(sim::Inspector& mind, const std::string& rule, const LearningLog* log,
+LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& rule, const LearningLog* log,
                                   std::uint64_t until) {
   LearnedRuleView view;
   if (rule.empty()) return view;
@@ -152,7 +153,7 @@ std::string ToText(const LearningView& view) {
     text += fmt::format("reward: {:g} at the last decision, {:g} in all\n", view.last_reward, view.total_reward);
     text += fmt::format("{:>12} {:>8}  {}\n", "number", "updates", "rule");
   }
-  for (const sim::NumberFact& number : view.numbers) {
+  for (const explain::NumberFact& number : view.numbers) {
     text += fmt::format("{:>12.6f} {:>8}  {}\n", number.value, number.updates, number.rule);
   }
   if (!view.rules.empty()) text += fmt::format("{:>12} {:>8}  {}\n", "", "firings", "learned rule");
@@ -172,7 +173,7 @@ Json ToJson(const LearningView& view) {
   json["last_reward"] = view.last_reward;
   json["total_reward"] = view.total_reward;
   json["numbers"] = Json::array();
-  for (const sim::NumberFact& number : view.numbers) {
+  for (const explain::NumberFact& number : view.numbers) {
     Json one;
     one["rule"] = number.rule;
     one["value"] = number.value;

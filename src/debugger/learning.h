@@ -10,8 +10,8 @@
 #include "debugger/json.h"
 #include "debugger/learning_log.h"
 #include "debugger/why.h"
-#include "sim/inspector.h"
-#include "sim/learning_facts.h"
+#include "explain/inspector.h"
+#include "explain/learning_facts.h"
 
 namespace soarbox::debugger {
 
@@ -29,15 +29,15 @@ struct LearnedRuleRow {
 struct LearningView {
   bool by_reward = false;  ///< Reinforcement learning is on.
   double last_reward = 0, total_reward = 0;
-  std::size_t learners = 0;              ///< Rules that can learn by reward, whatever is shown of them.
-  std::vector<sim::NumberFact> numbers;  ///< The highest first.
-  std::vector<LearnedRuleRow> rules;     ///< The newest first.
-  std::string note;                      ///< What a reader should know: nothing learns, not told there.
+  std::size_t learners = 0;                  ///< Rules that can learn by reward, whatever is shown of them.
+  std::vector<explain::NumberFact> numbers;  ///< The highest first.
+  std::vector<LearnedRuleRow> rules;         ///< The newest first.
+  std::string note;                          ///< What a reader should know: nothing learns, not told there.
 };
 
 /// Of the rules with this text in their names, or in what they are good for. `log`: what was learned when, up to
 /// `until`; of a recorded mind that is not simulated again all comes from there.
-LearningView LookAtLearning(sim::Inspector& mind, std::string_view text = {}, const LearningLog* log = nullptr,
+LearningView LookAtLearning(explain::Inspector& mind, std::string_view text = {}, const LearningLog* log = nullptr,
                             std::uint64_t until = ~std::uint64_t{0});
 
 /// Why a learned rule is as it is; where it fired since, by ticks.
@@ -47,7 +47,7 @@ struct LearnedRuleView {
   std::vector<std::uint64_t> fired;
   std::string fired_note;  ///< Why no tick is known; empty: some are.
 };
-LearnedRuleView LookAtLearnedRule(sim::Inspector& mind, const std::string& rule, const LearningLog* log,
+LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& rule, const LearningLog* log,
                                   std::uint64_t until = ~std::uint64_t{0});
 
 std::string ToText(const LearningView& view);

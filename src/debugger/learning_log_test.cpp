@@ -165,7 +165,7 @@ TEST_F(Lessons, FollowWhatALearnedRuleMadeBackToTheSubstate) {
   EXPECT_EQ(why->kind, "learned");
   const auto mind = Mind();
   std::uint64_t timetag = 0;
-  for (const sim::ElementFact& element : mind->ElementsOf("S1")) {
+  for (const explain::ElementFact& element : mind->ElementsOf("S1")) {
     if (element.attribute == "cost" && element.value == "75") timetag = element.timetag;
   }
   const std::string origin = ToText(WhyElement(*mind, timetag));
@@ -185,7 +185,7 @@ TEST_F(Lessons, OfARecordingAreToldBeforeItIsSimulatedAgain) {
     models.Add(Tick());
     minds.Add(record_);
   }
-  const std::unique_ptr<sim::Inspector> mind = minds.Inspect("hero");
+  const std::unique_ptr<explain::Inspector> mind = minds.Inspect("hero");
   const LearningLog& log = models.learning["hero"];
   const LearningView view = LookAtLearning(*mind, {}, &log);
   ASSERT_EQ(view.rules.size(), 1u);
@@ -213,10 +213,10 @@ TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
 }
 
 TEST(PurposeOf, PutsActionsIntoWords) {
-  sim::LessonFact lesson;
+  explain::LessonFact lesson;
   const auto action = [](const char* id, const char* attribute, const char* value, const char* sign,
                          const char* other) {
-    sim::TripleFact fact;
+    explain::TripleFact fact;
     fact.id = id;
     fact.attribute = attribute;
     fact.value = value;

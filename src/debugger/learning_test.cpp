@@ -7,7 +7,7 @@
 
 #include "debugger/mind_fixture.h"
 #include "debugger/plots.h"
-#include "sim/command_inspector.h"
+#include "explain/command_inspector.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -80,7 +80,8 @@ TEST_F(LearningPanel, NumbersAndRewardCanBePlotted) {
 }
 
 TEST(LearningFacts, AreReadFromWhatAKernelPrints) {
-  const std::vector<sim::NumberFact> numbers = sim::ReadNumbers("b*new  2.000000 -1.250000\na*old  0.000000 2\n");
+  const std::vector<explain::NumberFact> numbers =
+      explain::ReadNumbers("b*new  2.000000 -1.250000\na*old  0.000000 2\n");
   ASSERT_EQ(numbers.size(), 2u);
   EXPECT_EQ(numbers[0].rule, "a*old");
   EXPECT_EQ(numbers[1].updates, 2u);

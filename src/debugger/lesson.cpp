@@ -9,9 +9,9 @@
 namespace soarbox::debugger {
 namespace {
 
-using sim::FiringFact;
-using sim::LessonFact;
-using sim::TripleFact;
+using explain::FiringFact;
+using explain::LessonFact;
+using explain::TripleFact;
 
 constexpr std::size_t kMostFirings = 200;  ///< That are told of one rule.
 
@@ -129,8 +129,8 @@ std::string Misgivings(const LessonFact& lesson) {
   return text;
 }
 
-sim::LearningSource* SourceOf(sim::Inspector& mind) {
-  return dynamic_cast<sim::LearningSource*>(&mind);
+explain::LearningSource* SourceOf(explain::Inspector& mind) {
+  return dynamic_cast<explain::LearningSource*>(&mind);
 }
 
 }  // namespace
@@ -198,11 +198,11 @@ WhyNode TellLesson(const LessonFact& lesson) {
   return root;
 }
 
-std::optional<WhyNode> WhyLearned(sim::Inspector& mind, std::string_view rule) {
-  if (sim::LearningSource* const source = SourceOf(mind)) {
+std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rule) {
+  if (explain::LearningSource* const source = SourceOf(mind)) {
     if (const std::optional<LessonFact> lesson = source->Lesson(rule)) return TellLesson(*lesson);
   }
-  for (const sim::RuleFact& known : mind.Rules()) {
+  for (const explain::RuleFact& known : mind.Rules()) {
     if (known.name != rule || known.type != "chunk") continue;
     WhyNode root{known.name + ": a learned rule", "learned", known.name, {}};
     root.below.push_back({mind.TellsAll() ? "how it was learned is not known: it was loaded, or learned before anybody "
@@ -216,8 +216,8 @@ std::optional<WhyNode> WhyLearned(sim::Inspector& mind, std::string_view rule) {
   return std::nullopt;
 }
 
-std::optional<WhyNode> OriginOf(sim::Inspector& mind, std::string_view rule) {
-  sim::LearningSource* const source = SourceOf(mind);
+std::optional<WhyNode> OriginOf(explain::Inspector& mind, std::string_view rule) {
+  explain::LearningSource* const source = SourceOf(mind);
   if (source == nullptr || rule.empty()) return std::nullopt;
   if (const std::optional<LessonFact> lesson = source->Lesson(rule)) return TellOrigin(*lesson);
   return std::nullopt;

@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t kMostRows = 2'000;
 
 /// What an object is: "state", "operator seek", or its ^name or ^type.
-std::string AboutObject(const std::vector<sim::ElementFact>& elements) {
+std::string AboutObject(const std::vector<explain::ElementFact>& elements) {
   std::string name, type;
   bool is_state = false;
-  for (const sim::ElementFact& element : elements) {
+  for (const explain::ElementFact& element : elements) {
     if (element.attribute == "superstate") is_state = true;
     if (element.attribute == "name" && !element.is_object) name = element.value;
     if (element.attribute == "type" && !element.is_object) type = element.value;
@@ -28,15 +28,15 @@ std::string AboutObject(const std::vector<sim::ElementFact>& elements) {
 
 class TreeReader {
  public:
-  TreeReader(sim::Inspector& mind, const MemoryChanges& changes) : mind_(mind), changes_(changes) {}
+  TreeReader(explain::Inspector& mind, const MemoryChanges& changes) : mind_(mind), changes_(changes) {}
 
   std::vector<MemoryRow> Read(std::string_view id, std::size_t depth, std::string* about, bool* exists) {
     std::vector<MemoryRow> rows;
-    const std::vector<sim::ElementFact> elements = mind_.ElementsOf(id);
+    const std::vector<explain::ElementFact> elements = mind_.ElementsOf(id);
     opened_.insert(std::string(id));
     if (about != nullptr) *about = AboutObject(elements);
     if (exists != nullptr) *exists = !elements.empty();
-    for (const sim::ElementFact& element : elements) {
+    for (const explain::ElementFact& element : elements) {
       if (++count_ > kMostRows) break;
       MemoryRow& row = rows.emplace_back();
       row.element = element;
@@ -53,7 +53,7 @@ class TreeReader {
   bool is_cut() const { return count_ > kMostRows; }
 
  private:
-  sim::Inspector& mind_;
+  explain::Inspector& mind_;
   const MemoryChanges& changes_;
   std::set<std::string> opened_;
   std::size_t count_ = 0;
@@ -83,7 +83,7 @@ Json RowsToJson(const std::vector<MemoryRow>& rows) {
 
 }  // namespace
 
-sim::ElementFact FactOf(const mind::ElementChanged& element) {
+explain::ElementFact FactOf(const mind::ElementChanged& element) {
   return {element.timetag,    std::string(element.id), std::string(element.attribute), std::string(element.value),
           element.acceptable, element.is_object};
 }
@@ -98,7 +98,8 @@ MemoryChanges::MemoryChanges(const mind::EventLog& events) {
   });
 }
 
-MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const MemoryChanges& changes, std::size_t depth) {
+MemoryObject LookAtObject(explain::Inspector& mind, std::string_view id, const MemoryChanges& changes,
+                          std::size_t depth) {
   MemoryObject object;
   object.id = id;
   TreeReader reader(mind, changes);
@@ -111,8 +112,8 @@ MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const Memor
   return object;
 }
 
-std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t timetag) {
-  const std::optional<sim::ElementFact> element = mind.Element(timetag);
+std::optional<ElementStory> LookAtElement(explain::Inspector& mind, std::uint64_t timetag) {
+  const std::optional<explain::ElementFact> element = mind.Element(timetag);
   if (!element) return std::nullopt;
   ElementStory story;
   story.element = *element;
@@ -122,7 +123,7 @@ std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t ti
   return story;
 }
 
-std::vector<sim::ElementFact> SearchMemory(sim::Inspector& mind, std::string_view text, std::size_t most) {
+std::vector<explain::ElementFact> SearchMemory(explain::Inspector& mind, std::string_view text, std::size_t most) {
   return mind.Search(text, most);
 }
 
@@ -144,11 +145,11 @@ Json ToJson(const MemoryObject& object) {
 
 std::string ToText(const ElementStory& story) {
   std::string text = "(" + std::to_string(story.element.timetag) + ": " + Describe(story.element) + ")\n";
-  for (const sim::MakerFact& maker : story.makers) {
+  for (const explain::MakerFact& maker : story.makers) {
     text += "  made by " + Describe(maker) + "\n";
-    for (const sim::ElementFact& element : maker.elements) text += "    from " + Describe(element) + "\n";
+    for (const explain::ElementFact& element : maker.elements) text += "    from " + Describe(element) + "\n";
   }
-  for (const sim::TesterFact& tester : story.testers) {
+  for (const explain::TesterFact& tester : story.testers) {
     text += "  tested by " + tester.rule + ", condition " + std::to_string(tester.condition + 1) +
             (tester.negated ? " (negated)" : "") + (tester.matches ? ", which matches" : "") + "\n";
   }
@@ -159,9 +160,9 @@ Json ToJson(const ElementStory& story) {
   Json json = ToJson(story.element);
   if (!story.note.empty()) json["note"] = story.note;
   json["made_by"] = Json::array();
-  for (const sim::MakerFact& maker : story.makers) json["made_by"].push_back(ToJson(maker));
+  for (const explain::MakerFact& maker : story.makers) json["made_by"].push_back(ToJson(maker));
   json["tested_by"] = Json::array();
-  for (const sim::TesterFact& tester : story.testers) {
+  for (const explain::TesterFact& tester : story.testers) {
     json["tested_by"].push_back(Json{{"rule", tester.rule},
                                      {"condition", tester.condition + 1},
                                      {"negated", tester.negated},

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "debugger/json.h"
+#include "explain/inspector.h"
 #include "mind/event_log.h"
-#include "sim/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -24,18 +24,18 @@ class MemoryChanges {
   explicit MemoryChanges(const mind::EventLog& events);
 
   bool WasAdded(std::uint64_t timetag) const { return added_.contains(timetag); }
-  const std::map<std::uint64_t, sim::ElementFact>& added() const { return added_; }
+  const std::map<std::uint64_t, explain::ElementFact>& added() const { return added_; }
   /// Elements that were there before the tick and are gone.
-  const std::map<std::uint64_t, sim::ElementFact>& removed() const { return removed_; }
+  const std::map<std::uint64_t, explain::ElementFact>& removed() const { return removed_; }
 
  private:
-  std::map<std::uint64_t, sim::ElementFact> added_, removed_;
+  std::map<std::uint64_t, explain::ElementFact> added_, removed_;
 };
 
-sim::ElementFact FactOf(const mind::ElementChanged& element);
+explain::ElementFact FactOf(const mind::ElementChanged& element);
 
 struct MemoryRow {
-  sim::ElementFact element;
+  explain::ElementFact element;
   std::string about;  ///< Of an object: its ^name or ^type, if it has one.
   Change change = Change::kNone;
   std::vector<MemoryRow> below;  ///< Of trees: the object's elements.
@@ -51,21 +51,21 @@ struct MemoryObject {
 };
 
 /// `depth`: how many levels of objects are opened; 1: this one alone. An object opens once.
-MemoryObject LookAtObject(sim::Inspector& mind, std::string_view id, const MemoryChanges& changes = {},
+MemoryObject LookAtObject(explain::Inspector& mind, std::string_view id, const MemoryChanges& changes = {},
                           std::size_t depth = 1);
 
 /// Everything about one element.
 struct ElementStory {
-  sim::ElementFact element;
-  std::vector<sim::MakerFact> makers;    ///< Who put it there; several rules may agree.
-  std::vector<sim::TesterFact> testers;  ///< Rules that test it.
+  explain::ElementFact element;
+  std::vector<explain::MakerFact> makers;    ///< Who put it there; several rules may agree.
+  std::vector<explain::TesterFact> testers;  ///< Rules that test it.
   std::string note;
 };
 /// Nothing if there is no element with this time tag.
-std::optional<ElementStory> LookAtElement(sim::Inspector& mind, std::uint64_t timetag);
+std::optional<ElementStory> LookAtElement(explain::Inspector& mind, std::uint64_t timetag);
 
 /// Elements with this text anywhere in memory, by time tag.
-std::vector<sim::ElementFact> SearchMemory(sim::Inspector& mind, std::string_view text, std::size_t most = 500);
+std::vector<explain::ElementFact> SearchMemory(explain::Inspector& mind, std::string_view text, std::size_t most = 500);
 
 std::string ToText(const MemoryObject& object);
 Json ToJson(const MemoryObject& object);

@@ -49,7 +49,7 @@ class MindFixture : public ::testing::Test {
     return record_;
   }
 
-  std::unique_ptr<sim::Inspector> Mind() { return simulation_->Inspect("hero"); }
+  std::unique_ptr<explain::Inspector> Mind() { return simulation_->Inspect("hero"); }
 
   static void Write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 

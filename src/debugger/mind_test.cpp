@@ -104,7 +104,7 @@ TEST_F(Debugger, MemoryTellsWhoMadeAnElementAndWhoTestsIt) {
   EXPECT_EQ(story->makers[0].rule, "hero*elaborate");
   EXPECT_FALSE(story->makers[0].elements.empty());
   std::map<std::string, bool> testers;
-  for (const sim::TesterFact& tester : story->testers) testers[tester.rule] = tester.matches;
+  for (const explain::TesterFact& tester : story->testers) testers[tester.rule] = tester.matches;
   EXPECT_EQ(testers, (std::map<std::string, bool>{
                          {"hero*propose*walk", true}, {"hero*propose*rest", true}, {"hero*never", false}}));
   EXPECT_FALSE(LookAtElement(*mind, 999'999).has_value());
@@ -123,7 +123,7 @@ TEST_F(Debugger, MemoryIsATreeThatCanBeSearchedAndMarksWhatIsNew) {
   ASSERT_NE(vigour, state.rows.end());
   EXPECT_EQ(vigour->change, Change::kAdded);
   EXPECT_THAT(ToText(state), HasSubstr("^health 100"));
-  const std::vector<sim::ElementFact> found = SearchMemory(*mind, "vigour");
+  const std::vector<explain::ElementFact> found = SearchMemory(*mind, "vigour");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].value, "100");
 }

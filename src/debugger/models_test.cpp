@@ -55,8 +55,8 @@ TEST(Syntax, AnyTextEndsAndLeavesNothingOut) {
 
 // Operators -----------------------------------------------------------------------------------------------------------
 
-sim::PreferenceFact Preference(std::string type, std::string value, std::string referent = {}) {
-  sim::PreferenceFact fact;
+explain::PreferenceFact Preference(std::string type, std::string value, std::string referent = {}) {
+  explain::PreferenceFact fact;
   fact.maker.rule = type + "*" + value;
   fact.type = std::move(type);
   fact.value = std::move(value);
@@ -64,8 +64,8 @@ sim::PreferenceFact Preference(std::string type, std::string value, std::string 
   return fact;
 }
 
-sim::OperatorFacts Facts(std::string selected, std::vector<sim::PreferenceFact> preferences) {
-  sim::OperatorFacts facts;
+explain::OperatorFacts Facts(std::string selected, std::vector<explain::PreferenceFact> preferences) {
+  explain::OperatorFacts facts;
   facts.state = "S1";
   facts.selected = std::move(selected);
   facts.preferences = std::move(preferences);
@@ -83,8 +83,8 @@ TEST(Operators, WithoutTheProceduresAccountNoReasonIsMadeUp) {
 }
 
 TEST(Operators, TheDropsOfADecisionStandWithTheirRules) {
-  sim::OperatorFacts facts = Facts("O1", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
-                                          Preference("reject", "O2"), Preference("worst", "O3")});
+  explain::OperatorFacts facts = Facts("O1", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
+                                              Preference("reject", "O2"), Preference("worst", "O3")});
   mind::Decision& decision = facts.decision.emplace();
   decision.operators = {{"O1", ""}, {"O2", ""}, {"O3", ""}};
   decision.preferences = {{mind::PreferenceKind::kAcceptable, 0, mind::Decision::kNoOperator, 0, "p1"},
@@ -120,8 +120,8 @@ TEST(Operators, TheDropsOfADecisionStandWithTheirRules) {
 }
 
 TEST(Operators, AChoiceByChanceTellsItsProbability) {
-  sim::OperatorFacts facts = Facts("O2", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
-                                          Preference("numeric", "O1", "3"), Preference("numeric", "O2", "1")});
+  explain::OperatorFacts facts = Facts("O2", {Preference("acceptable", "O1"), Preference("acceptable", "O2"),
+                                              Preference("numeric", "O1", "3"), Preference("numeric", "O2", "1")});
   facts.candidates = {{"O1", "", 3, 0.75}, {"O2", "", 1, 0.25}};
   const OperatorsView view = View(facts);
   EXPECT_EQ(view.rows[0].value, 3);
@@ -140,7 +140,7 @@ TEST(Memory, WhatCameAndWentWithinATickIsNoChange) {
   EXPECT_FALSE(changes.WasAdded(5));
   EXPECT_TRUE(changes.WasAdded(6));
   ASSERT_EQ(changes.removed().size(), 1u);
-  EXPECT_EQ(changes.removed().at(3), (sim::ElementFact{3, "S1", "|two words|", "O3", true, true}));
+  EXPECT_EQ(changes.removed().at(3), (explain::ElementFact{3, "S1", "|two words|", "O3", true, true}));
 }
 
 // Ticks ---------------------------------------------------------------------------------------------------------------
@@ -329,7 +329,7 @@ TEST(Messages, AreReadFromEventsAndOrders) {
 }
 
 TEST(Breakpoints, PatternsOfElements) {
-  const sim::ElementFact element{7, "S1", "operator", "O12", true, true};
+  const explain::ElementFact element{7, "S1", "operator", "O12", true, true};
   for (const char* yes : {"^operator *", "S1 ^operator", "S* ^op* O1*", "* ^operator * +", "^operator O12 +"})
     EXPECT_TRUE(IsLike(element, yes)) << yes;
   for (const char* no : {"^op", "S2 ^operator", "^operator O1", "^operator O12x"})

@@ -17,7 +17,7 @@
 namespace soarbox::debugger {
 namespace {
 
-using sim::PreferenceFact;
+using explain::PreferenceFact;
 using tell::Say;
 using tell::Situation;
 
@@ -147,13 +147,13 @@ std::string WithoutZeros(std::string number) {
 /// What each operator has besides its name, by attribute: "north", or "W1 (north)" for an object with a name.
 using Features = std::map<std::string, std::string>;
 
-Features FeaturesOf(sim::Inspector& mind, const std::string& op) {
+Features FeaturesOf(explain::Inspector& mind, const std::string& op) {
   Features features;
-  for (const sim::ElementFact& element : mind.ElementsOf(op)) {
+  for (const explain::ElementFact& element : mind.ElementsOf(op)) {
     if (element.attribute == "name") continue;
     std::string value = element.value;
     if (element.is_object) {
-      for (const sim::ElementFact& below : mind.ElementsOf(element.value))
+      for (const explain::ElementFact& below : mind.ElementsOf(element.value))
         if (below.attribute == "name" && !below.is_object) value += " (" + below.value + ")";
     }
     std::string& told = features[element.attribute];
@@ -163,7 +163,7 @@ Features FeaturesOf(sim::Inspector& mind, const std::string& op) {
 }
 
 /// Operators of one name are told apart by those attributes in which they differ.
-void TellApart(sim::Inspector& mind, OperatorsView& view) {
+void TellApart(explain::Inspector& mind, OperatorsView& view) {
   constexpr std::size_t kMostOperators = 24, kMostAttributes = 3;
   std::map<std::string, std::vector<OperatorRow*>> by_name;
   for (OperatorRow& row : view.rows)
@@ -219,7 +219,7 @@ std::string Describe(const PreferenceFact& preference) {
   return text.substr(text.find_first_not_of(' '));  // Who made it may not be told.
 }
 
-OperatorsView View(const sim::OperatorFacts& facts) {
+OperatorsView View(const explain::OperatorFacts& facts) {
   OperatorsView view;
   view.state = facts.state;
   view.selected = facts.selected;
@@ -230,7 +230,7 @@ OperatorsView View(const sim::OperatorFacts& facts) {
     row.proposed = row.proposed || preference.type == "acceptable" || preference.type == "require";
     row.preferences.push_back(preference);
   }
-  for (const sim::CandidateFact& candidate : facts.candidates) {
+  for (const explain::CandidateFact& candidate : facts.candidates) {
     OperatorRow& row = RowOf(view, candidate.id, candidate.name);
     const bool has_value =
         std::ranges::any_of(row.preferences, [](const PreferenceFact& p) { return p.type == "numeric"; });
@@ -245,12 +245,12 @@ OperatorsView View(const sim::OperatorFacts& facts) {
   return view;
 }
 
-OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state) {
+OperatorsView LookAtOperators(explain::Inspector& mind, std::string_view state) {
   std::string wanted(state);
-  sim::OperatorFacts facts;
+  explain::OperatorFacts facts;
   if (wanted.empty()) {
     // The lowest state that has any.
-    const std::vector<sim::StateFact> stack = mind.Stack();
+    const std::vector<explain::StateFact> stack = mind.Stack();
     if (!stack.empty()) wanted = stack.front().id;
     for (auto at = stack.rbegin(); at != stack.rend(); ++at) {
       facts = mind.Operators(at->id);
@@ -284,7 +284,8 @@ std::string ToText(const OperatorsView& view) {
     text += "\n";
     for (const PreferenceFact& preference : row.preferences) {
       text += "    " + preference.sign + "  " + Describe(preference) + "\n";
-      for (const sim::ElementFact& element : preference.maker.elements) text += "         " + Describe(element) + "\n";
+      for (const explain::ElementFact& element : preference.maker.elements)
+        text += "         " + Describe(element) + "\n";
     }
   }
   return text + (view.note.empty() ? "" : view.note + "\n");

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "debugger/json.h"
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -28,7 +28,7 @@ struct OperatorRow {
   std::optional<DroppedBy> dropped;   ///< By the decision procedure.
   std::optional<double> value;        ///< Numeric, of those that could be chosen.
   std::optional<double> probability;  ///< 0 to 1.
-  std::vector<sim::PreferenceFact> preferences;
+  std::vector<explain::PreferenceFact> preferences;
 };
 
 /// Operators of one state, and why one of them won or none did.
@@ -42,14 +42,14 @@ struct OperatorsView {
 };
 
 /// An empty `state`: the lowest one with operators.
-OperatorsView LookAtOperators(sim::Inspector& mind, std::string_view state = {});
+OperatorsView LookAtOperators(explain::Inspector& mind, std::string_view state = {});
 /// Facts of a state as a view. What the decision procedure said is told; where it is missing, nothing takes its place.
-OperatorsView View(const sim::OperatorFacts& facts);
+OperatorsView View(const explain::OperatorFacts& facts);
 
 /// "move-to (O1) ^waypoint north".
 std::string Title(const OperatorRow& row);
 /// "rule r makes it better than rest (O3)", in words.
-std::string Describe(const sim::PreferenceFact& preference);
+std::string Describe(const explain::PreferenceFact& preference);
 
 std::string ToText(const OperatorsView& view);
 Json ToJson(const OperatorsView& view);

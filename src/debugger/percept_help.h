@@ -4,13 +4,13 @@
 #include <string>
 #include <string_view>
 
-#include "sim/vocabulary.h"
+#include "vocabulary/vocabulary.h"
 
 namespace soarbox::debugger {
 
 /// The row of the table of percepts for a path from the input link; keys in it ("waypoint#east.distance") do not count.
 /// Null for what scripts and scenarios add.
-const sim::PerceptRow* PerceptOf(std::string_view path);
+const vocabulary::PerceptRow* PerceptOf(std::string_view path);
 
 /// "How far it is away, in m, 0 to 100": what a percept means; empty if the table does not have it.
 std::string DescribePercept(std::string_view path);

@@ -11,8 +11,8 @@
 
 #include "debugger/learning_log.h"
 #include "debugger/percept_help.h"
-#include "sim/learning_facts.h"
-#include "sim/rule_text.h"
+#include "explain/learning_facts.h"
+#include "explain/rule_text.h"
 #include "tell/mind_words.h"
 
 namespace soarbox::debugger {
@@ -27,7 +27,7 @@ std::optional<double> Number(std::string_view text) {
 
 bool IsMemoryPath(std::string_view what) {
   const std::size_t dot = what.find('.');
-  return dot != std::string_view::npos && sim::IsIdentifier(what.substr(0, dot));
+  return dot != std::string_view::npos && explain::IsIdentifier(what.substr(0, dot));
 }
 
 constexpr std::string_view kLearned = "learned:";
@@ -37,27 +37,27 @@ bool IsLearning(std::string_view what) {
 }
 
 /// What reward has brought so far, or made of a rule's number.
-std::optional<double> Learned(sim::Inspector& mind, std::string_view what) {
-  auto* const source = dynamic_cast<sim::LearningSource*>(&mind);
+std::optional<double> Learned(explain::Inspector& mind, std::string_view what) {
+  auto* const source = dynamic_cast<explain::LearningSource*>(&mind);
   if (source == nullptr) return std::nullopt;
-  const sim::LearningFacts facts = source->Learning();
+  const explain::LearningFacts facts = source->Learning();
   if (what == "reward") return facts.total_reward;
-  const auto number = std::ranges::find(facts.numbers, what.substr(kLearned.size()), &sim::NumberFact::rule);
+  const auto number = std::ranges::find(facts.numbers, what.substr(kLearned.size()), &explain::NumberFact::rule);
   if (number == facts.numbers.end()) return std::nullopt;
   return number->value;
 }
 
 /// The first number at the end of a way like "S1.io.input-link.speed".
-std::optional<double> Follow(sim::Inspector& mind, std::string_view path) {
+std::optional<double> Follow(explain::Inspector& mind, std::string_view path) {
   std::size_t dot = path.find('.');
   std::string id(path.substr(0, dot));
   while (dot != std::string_view::npos) {
     path.remove_prefix(dot + 1);
     dot = path.find('.');
     const std::string_view attribute = path.substr(0, dot);
-    const std::vector<sim::ElementFact> elements = mind.ElementsOf(id);
+    const std::vector<explain::ElementFact> elements = mind.ElementsOf(id);
     const auto at = std::ranges::find_if(
-        elements, [&](const sim::ElementFact& e) { return e.attribute == attribute && !e.acceptable; });
+        elements, [&](const explain::ElementFact& e) { return e.attribute == attribute && !e.acceptable; });
     if (at == elements.end()) return std::nullopt;
     if (dot == std::string_view::npos) return Number(at->value);
     id = at->value;
@@ -77,14 +77,14 @@ struct PathNames {
   std::optional<std::string> percept;
 };
 
-void NumbersBelow(sim::Inspector& mind, const std::string& id, const PathNames& path, int depth,
+void NumbersBelow(explain::Inspector& mind, const std::string& id, const PathNames& path, int depth,
                   std::vector<std::string>& paths) {
   constexpr std::size_t kMostPaths = 500;
-  const std::vector<sim::ElementFact> elements = mind.ElementsOf(id);
-  for (const sim::ElementFact& element : elements) {
+  const std::vector<explain::ElementFact> elements = mind.ElementsOf(id);
+  for (const explain::ElementFact& element : elements) {
     if (paths.size() >= kMostPaths) return;
     PathNames name{path.memory + "." + element.attribute, std::nullopt};
-    const bool is_alone = std::ranges::count(elements, element.attribute, &sim::ElementFact::attribute) == 1;
+    const bool is_alone = std::ranges::count(elements, element.attribute, &explain::ElementFact::attribute) == 1;
     if (path.percept && is_alone)
       name.percept = path.percept->empty() ? element.attribute : *path.percept + "." + element.attribute;
     const std::string& shown = name.percept ? *name.percept : name.memory;
@@ -202,7 +202,7 @@ void Plots::Sample(const sim::Simulation& simulation) {
       if (times != times_.end() && times->second.back().tick == simulation.tick())
         Point(series, simulation.tick(), times->second.back().value);
     } else if (IsMemoryPath(series.what) || IsLearning(series.what)) {
-      const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(series.agent);
+      const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(series.agent);
       if (mind == nullptr) continue;
       const std::optional<double> value =
           IsLearning(series.what) ? Learned(*mind, series.what) : Follow(*mind, series.what);
@@ -221,7 +221,7 @@ void PlotHistory::Add(const record::TickRecord& tick) {
   std::optional<double> value;
   if (is_memory_) {
     mind_.Add(tick);
-    if (const std::unique_ptr<sim::Inspector> mind = mind_.Inspect(agent_)) value = Follow(*mind, what_);
+    if (const std::unique_ptr<explain::Inspector> mind = mind_.Inspect(agent_)) value = Follow(*mind, what_);
   } else {
     if (const record::MindRecord* mind = record::FindMind(tick, agent_))
       record::ApplyPercepts(mind->events, percepts_[agent_]);
@@ -236,22 +236,22 @@ std::string PlotTitle(std::string_view what) {
   if (what == "fired") return "rules fired per tick";
   if (what == "decide_us") return "decision time (\xc2\xb5s)";
   std::string title(what);
-  const sim::PerceptRow* row = PerceptOf(what);
+  const vocabulary::PerceptRow* row = PerceptOf(what);
   if (row != nullptr && !row->unit.empty()) title.append(" (").append(row->unit).append(")");
   return title;
 }
 
-std::vector<std::string> Plottable(sim::Inspector& mind) {
+std::vector<std::string> Plottable(explain::Inspector& mind) {
   std::vector<std::string> paths = {"health", "speed", "decisions", "fired", "decide_us"};
-  const sim::MindFacts facts = mind.Mind();
+  const explain::MindFacts facts = mind.Mind();
   constexpr int kDepth = 4;
   if (!facts.input_link.empty()) NumbersBelow(mind, facts.input_link, {facts.input_link, std::string()}, kDepth, paths);
-  for (const sim::StateFact& state : mind.Stack())
-    for (const sim::ElementFact& element : mind.ElementsOf(state.id))
+  for (const explain::StateFact& state : mind.Stack())
+    for (const explain::ElementFact& element : mind.ElementsOf(state.id))
       if (!element.is_object && Number(element.value)) paths.push_back(state.id + "." + element.attribute);
   constexpr std::size_t kMostNumbers = 200;
-  if (auto* const source = dynamic_cast<sim::LearningSource*>(&mind)) {
-    const sim::LearningFacts learning = source->Learning();
+  if (auto* const source = dynamic_cast<explain::LearningSource*>(&mind)) {
+    const explain::LearningFacts learning = source->Learning();
     if (!learning.numbers.empty()) paths.push_back("reward");
     for (std::size_t n = 0; n < std::min(learning.numbers.size(), kMostNumbers); ++n) {
       paths.push_back(std::string(kLearned) + learning.numbers[n].rule);

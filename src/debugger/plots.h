@@ -89,7 +89,7 @@ class PlotHistory {
 std::string PlotTitle(std::string_view what);
 
 /// Paths that can be plotted of an agent now: what is always there, numbers among its percepts, numbers of its states.
-std::vector<std::string> Plottable(sim::Inspector& mind);
+std::vector<std::string> Plottable(explain::Inspector& mind);
 
 std::string ToText(const std::vector<PlotSeries>& series);
 Json ToJson(const std::vector<PlotSeries>& series);

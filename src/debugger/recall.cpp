@@ -43,9 +43,9 @@ RecallLog RecallLog::Until(std::uint64_t tick) const {
   return until;
 }
 
-LongTermView LookAtLongTerm(sim::Inspector& mind, const std::string& text, std::size_t most) {
+LongTermView LookAtLongTerm(explain::Inspector& mind, const std::string& text, std::size_t most) {
   LongTermView view;
-  auto* const source = dynamic_cast<sim::LongTermSource*>(&mind);
+  auto* const source = dynamic_cast<explain::LongTermSource*>(&mind);
   if (source == nullptr) {
     view.note = "what it knows and remembers: " + std::string(Absence(mind));
     return view;
@@ -57,11 +57,11 @@ LongTermView LookAtLongTerm(sim::Inspector& mind, const std::string& text, std::
   return view;
 }
 
-EpisodeView LookAtEpisode(sim::Inspector& mind, std::size_t number) {
+EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number) {
   EpisodeView view;
-  auto* const source = dynamic_cast<sim::LongTermSource*>(&mind);
+  auto* const source = dynamic_cast<explain::LongTermSource*>(&mind);
   if (source == nullptr || number == 0) return view;
-  const std::vector<sim::RememberedFact> facts = source->Episode(number);
+  const std::vector<explain::RememberedFact> facts = source->Episode(number);
   if (facts.empty()) return view;
   view.number = number;
   // Objects in the order in which they are reached; each has the path that led to it first.
@@ -69,7 +69,7 @@ EpisodeView LookAtEpisode(sim::Inspector& mind, std::size_t number) {
   std::map<std::uint32_t, std::string> ways;  // The attribute that leads there.
   std::map<std::uint32_t, std::map<std::string, std::string>> values;
   std::map<std::uint32_t, std::map<std::string, std::uint32_t>> links;
-  for (const sim::RememberedFact& fact : facts) {
+  for (const explain::RememberedFact& fact : facts) {
     const auto path = paths.find(fact.object);
     const std::string here = (path == paths.end() ? std::string("?.") : path->second) + fact.attribute;
     if (fact.is_object) {
@@ -114,11 +114,11 @@ void TellRecalls(const RecallLog& log, WhyNode& answer) {
 std::string ToText(const LongTermView& view) {
   std::string text;
   if (!view.note.empty()) text += view.note + "\n";
-  const sim::LongTermFacts& facts = view.facts;
+  const explain::LongTermFacts& facts = view.facts;
   if (facts.semantic || facts.objects > 0) {
     text += fmt::format("semantic memory{}: {} objects, {} augmentations\n", facts.semantic ? "" : " (off)",
                         facts.objects, facts.augmentations);
-    for (const sim::KnownObjectFact& object : facts.known) {
+    for (const explain::KnownObjectFact& object : facts.known) {
       text += fmt::format("{:>8} {:>9.3f} {:>6}  {}\n", "@" + std::to_string(object.number), object.activation,
                           object.uses, object.text);
     }
@@ -137,7 +137,7 @@ Json ToJson(const LongTermView& view) {
   json["augmentations"] = view.facts.augmentations;
   json["episodes"] = view.facts.episodes;
   json["known"] = Json::array();
-  for (const sim::KnownObjectFact& object : view.facts.known) {
+  for (const explain::KnownObjectFact& object : view.facts.known) {
     Json one;
     one["number"] = object.number;
     one["activation"] = object.activation;

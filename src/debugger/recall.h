@@ -11,9 +11,9 @@
 
 #include "debugger/json.h"
 #include "debugger/why.h"
+#include "explain/inspector.h"
+#include "explain/memory_facts.h"
 #include "record/tick_record.h"
-#include "sim/inspector.h"
-#include "sim/memory_facts.h"
 
 namespace soarbox::debugger {
 
@@ -53,12 +53,12 @@ struct RememberedThing {
 
 /// What an agent has in long-term memory.
 struct LongTermView {
-  sim::LongTermFacts facts;
+  explain::LongTermFacts facts;
   std::string note;  ///< What a reader should know: nothing is switched on, not told there.
 };
 
 /// Of known objects with this text.
-LongTermView LookAtLongTerm(sim::Inspector& mind, const std::string& text = {}, std::size_t most = 200);
+LongTermView LookAtLongTerm(explain::Inspector& mind, const std::string& text = {}, std::size_t most = 200);
 
 /// An episode as lines: "self.position.x 3", and the things in it that have a place.
 struct EpisodeView {
@@ -66,7 +66,7 @@ struct EpisodeView {
   std::vector<std::string> lines;
   std::vector<RememberedThing> things;
 };
-EpisodeView LookAtEpisode(sim::Inspector& mind, std::size_t number);
+EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number);
 
 /// Adds what was recalled last to an answer of *Why*: what came, for which question, and why that.
 void TellRecalls(const RecallLog& log, WhyNode& answer);

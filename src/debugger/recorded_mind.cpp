@@ -33,7 +33,7 @@ class MindReader {
   void operator()(const mind::StateMade& made) {
     Keep(made.level - 1);
     Assume(made.level - 1);
-    sim::StateFact state;
+    explain::StateFact state;
     state.level = made.level;
     state.id = made.id;
     state.impasse = tell::ReasonName(made.reason);
@@ -105,7 +105,7 @@ class MindReader {
   /// there, whatever they are called.
   void Assume(int levels) {
     while (static_cast<int>(mind_.stack.size()) < levels) {
-      sim::StateFact& state = mind_.stack.emplace_back();
+      explain::StateFact& state = mind_.stack.emplace_back();
       state.level = static_cast<int>(mind_.stack.size());
       state.id = state.level == 1 ? "S1" : "?";
       state.impasse = state.level == 1 ? "none" : "?";
@@ -126,17 +126,17 @@ std::optional<mind::Decision> DecisionOf(const RecordedMind::Account* account) {
   return account == nullptr || account->decision.empty() ? std::nullopt : mind::Unpack(account->decision);
 }
 
-const RecordedMind::Account* AccountOf(const RecordedMind& mind, const sim::StateFact& state) {
+const RecordedMind::Account* AccountOf(const RecordedMind& mind, const explain::StateFact& state) {
   const auto found = mind.accounts.find(state.level);
   return found == mind.accounts.end() ? nullptr : &found->second;
 }
 
 /// A preference of a decision as the inspectors of living minds give it.
-sim::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision::Preference& preference) {
+explain::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision::Preference& preference) {
   constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
       {"acceptable", "+"}, {"require", "!"}, {"reject", "-"},      {"prohibit", "~"}, {"best", ">"}, {"worst", "<"},
       {"better", ">"},     {"worse", "<"},   {"indifferent", "="}, {"numeric", "="},  {"equal", "="}};
-  sim::PreferenceFact fact;
+  explain::PreferenceFact fact;
   const auto& [type, sign] = kKinds[static_cast<std::size_t>(preference.kind)];
   fact.type = type;
   fact.sign = sign;
@@ -147,17 +147,17 @@ sim::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision:
     fact.other_name = decision.operators[preference.referent].name;
   }
   if (preference.kind == mind::PreferenceKind::kNumeric) fact.referent = tell::ValueText(preference.number);
-  fact.maker.kind = preference.rule.empty() ? sim::MakerFact::Kind::kArchitecture : sim::MakerFact::Kind::kRule;
+  fact.maker.kind = preference.rule.empty() ? explain::MakerFact::Kind::kArchitecture : explain::MakerFact::Kind::kRule;
   fact.maker.rule = preference.rule;
   return fact;
 }
 
-class RecordInspector final : public sim::Inspector {
+class RecordInspector final : public explain::Inspector {
  public:
   explicit RecordInspector(const RecordedMind& mind) : mind_(mind) {
-    const sim::ElementFact* io = FindElement("S1", "io");
-    const sim::ElementFact* input = io == nullptr ? nullptr : FindElement(io->value, kInput);
-    const sim::ElementFact* output = io == nullptr ? nullptr : FindElement(io->value, kOutput);
+    const explain::ElementFact* io = FindElement("S1", "io");
+    const explain::ElementFact* input = io == nullptr ? nullptr : FindElement(io->value, kInput);
+    const explain::ElementFact* output = io == nullptr ? nullptr : FindElement(io->value, kOutput);
     // Soar itself makes the links when an agent is made, before anybody takes notes; they are always called so. Where
     // memory itself is not recorded, percepts and commands stand in for what is on them.
     const bool has_memory = !mind.elements.empty();
@@ -169,8 +169,8 @@ class RecordInspector final : public sim::Inspector {
 
   bool TellsAll() const override { return false; }
 
-  sim::MindFacts Mind() override {
-    sim::MindFacts facts;
+  explain::MindFacts Mind() override {
+    explain::MindFacts facts;
     facts.decisions = mind_.decisions;
     facts.firings = mind_.fired;
     facts.elements = mind_.elements.size();
@@ -180,20 +180,20 @@ class RecordInspector final : public sim::Inspector {
     return facts;
   }
 
-  std::vector<sim::StateFact> Stack() override { return mind_.stack; }
+  std::vector<explain::StateFact> Stack() override { return mind_.stack; }
 
-  std::vector<sim::ElementFact> ElementsOf(std::string_view id) override {
-    std::vector<sim::ElementFact> found;
+  std::vector<explain::ElementFact> ElementsOf(std::string_view id) override {
+    std::vector<explain::ElementFact> found;
     for (const auto& [timetag, element] : mind_.elements)
       if (element.id == id) found.push_back(WithKind(element));
-    std::ranges::stable_sort(found, {}, &sim::ElementFact::attribute);
+    std::ranges::stable_sort(found, {}, &explain::ElementFact::attribute);
     if (found.empty() && input_ == kInput) AddPercepts(id, found);
     if (found.empty() && output_ == kOutput) AddCommands(id, found);
     return found;
   }
 
-  std::vector<sim::ElementFact> Search(std::string_view text, std::size_t most) override {
-    std::vector<sim::ElementFact> found;
+  std::vector<explain::ElementFact> Search(std::string_view text, std::size_t most) override {
+    std::vector<explain::ElementFact> found;
     for (const auto& [timetag, element] : mind_.elements) {
       if (found.size() >= most) break;
       if (element.attribute.find(text) != std::string::npos || element.value.find(text) != std::string::npos ||
@@ -203,18 +203,18 @@ class RecordInspector final : public sim::Inspector {
     return found;
   }
 
-  std::optional<sim::ElementFact> Element(std::uint64_t timetag) override {
+  std::optional<explain::ElementFact> Element(std::uint64_t timetag) override {
     const auto at = mind_.elements.find(timetag);
     return at == mind_.elements.end() ? std::nullopt : std::optional(WithKind(at->second));
   }
 
-  std::vector<sim::MakerFact> MakersOf(std::uint64_t) override { return {}; }
-  std::vector<sim::TesterFact> TestersOf(std::uint64_t) override { return {}; }
+  std::vector<explain::MakerFact> MakersOf(std::uint64_t) override { return {}; }
+  std::vector<explain::TesterFact> TestersOf(std::uint64_t) override { return {}; }
 
   /// Candidates stand in memory, if that is recorded; what else speaks for or against them does not.
-  sim::OperatorFacts Operators(std::string_view state) override {
-    sim::OperatorFacts facts;
-    for (const sim::StateFact& level : mind_.stack) {
+  explain::OperatorFacts Operators(std::string_view state) override {
+    explain::OperatorFacts facts;
+    for (const explain::StateFact& level : mind_.stack) {
       if (level.id == state) {
         facts.state = level.id;
         facts.selected = level.operator_id;
@@ -228,16 +228,16 @@ class RecordInspector final : public sim::Inspector {
     if (facts.state.empty() || facts.decision) return facts;
     for (const auto& [timetag, element] : mind_.elements) {
       if (element.id != state || element.attribute != "operator" || element.value == facts.selected) continue;
-      const sim::ElementFact* name = FindElement(element.value, "name");
+      const explain::ElementFact* name = FindElement(element.value, "name");
       if (element.acceptable) Propose(facts, element.value, name == nullptr ? std::string{} : name->value);
     }
     return facts;
   }
 
-  std::vector<sim::RuleFact> Rules() override {
-    std::vector<sim::RuleFact> rules;
+  std::vector<explain::RuleFact> Rules() override {
+    std::vector<explain::RuleFact> rules;
     for (const auto& [name, firings] : mind_.firings) {
-      sim::RuleFact& rule = rules.emplace_back();
+      explain::RuleFact& rule = rules.emplace_back();
       rule.name = name;
       rule.type = "user";
       rule.firings = firings;
@@ -245,18 +245,18 @@ class RecordInspector final : public sim::Inspector {
     return rules;
   }
   std::string RuleSource(std::string_view) override { return {}; }
-  std::optional<sim::MatchFacts> Match(std::string_view) override { return std::nullopt; }
+  std::optional<explain::MatchFacts> Match(std::string_view) override { return std::nullopt; }
   std::vector<std::string> Complete(std::string_view) override { return {}; }
 
  private:
-  const sim::ElementFact* FindElement(std::string_view id, std::string_view attribute) const {
+  const explain::ElementFact* FindElement(std::string_view id, std::string_view attribute) const {
     for (const auto& [timetag, element] : mind_.elements)
       if (element.id == id && element.attribute == attribute) return &element;
     return nullptr;
   }
 
   /// What the decision procedure said when it last decided in this state.
-  void Decided(sim::OperatorFacts& facts, const sim::StateFact& state) const {
+  void Decided(explain::OperatorFacts& facts, const explain::StateFact& state) const {
     facts.decision = DecisionOf(AccountOf(mind_, state));
     if (!facts.decision) return;
     const mind::Decision& decision = *facts.decision;
@@ -269,8 +269,8 @@ class RecordInspector final : public sim::Inspector {
     }
   }
 
-  static void Propose(sim::OperatorFacts& facts, const std::string& id, const std::string& name) {
-    sim::PreferenceFact& preference = facts.preferences.emplace_back();
+  static void Propose(explain::OperatorFacts& facts, const std::string& id, const std::string& name) {
+    explain::PreferenceFact& preference = facts.preferences.emplace_back();
     preference.type = "acceptable";
     preference.sign = "+";
     preference.value = id;
@@ -278,14 +278,14 @@ class RecordInspector final : public sim::Inspector {
   }
 
   /// A value is an object if something is known of it.
-  sim::ElementFact WithKind(sim::ElementFact element) const {
+  explain::ElementFact WithKind(explain::ElementFact element) const {
     const auto is_of = [&](const auto& entry) { return entry.second.id == element.value; };
     element.is_object = std::ranges::any_of(mind_.elements, is_of);
     return element;
   }
 
   /// Percepts below a path ("input-link": all) as elements; a part of a path serves as identifier.
-  void AddPercepts(std::string_view id, std::vector<sim::ElementFact>& found) const {
+  void AddPercepts(std::string_view id, std::vector<explain::ElementFact>& found) const {
     const std::string prefix = id == kInput ? std::string{} : std::string(id) + ".";
     std::uint64_t number = 0;
     for (const auto& [path, value] : mind_.percepts) {
@@ -293,7 +293,7 @@ class RecordInspector final : public sim::Inspector {
       if (!path.starts_with(prefix)) continue;
       const std::string rest = path.substr(prefix.size());
       const std::size_t dot = rest.find('.');
-      sim::ElementFact element{number, std::string(id), rest.substr(0, dot), record::TextOf(value), false, false};
+      explain::ElementFact element{number, std::string(id), rest.substr(0, dot), record::TextOf(value), false, false};
       if (dot != std::string::npos) {
         element.value = prefix + element.attribute;
         element.is_object = true;
@@ -303,7 +303,7 @@ class RecordInspector final : public sim::Inspector {
     }
   }
 
-  void AddCommands(std::string_view id, std::vector<sim::ElementFact>& found) const {
+  void AddCommands(std::string_view id, std::vector<explain::ElementFact>& found) const {
     std::uint64_t number = 1'000'000;
     for (const RecordedMind::Command& command : mind_.commands) {
       --number;  // The newest has the highest time tag.
@@ -354,16 +354,16 @@ const RecordedMind* RecordedMinds::Find(std::string_view agent) const {
   return at == minds_.end() ? nullptr : &at->second;
 }
 
-std::unique_ptr<sim::Inspector> RecordedMinds::Inspect(std::string_view agent) const {
+std::unique_ptr<explain::Inspector> RecordedMinds::Inspect(std::string_view agent) const {
   const RecordedMind* mind = Find(agent);
   return mind == nullptr ? nullptr : std::make_unique<RecordInspector>(*mind);
 }
 
-std::string_view Absence(const sim::Inspector& mind) {
+std::string_view Absence(const explain::Inspector& mind) {
   return dynamic_cast<const RecordInspector*>(&mind) != nullptr ? kNotRecorded : kNotAvailable;
 }
 
-std::string MemoryAbsence(const sim::Inspector& mind) {
+std::string MemoryAbsence(const explain::Inspector& mind) {
   const auto* recorded = dynamic_cast<const RecordInspector*>(&mind);
   if (recorded == nullptr) return {};
   if (recorded->mind().level != record::Level::kAll)
@@ -373,11 +373,11 @@ std::string MemoryAbsence(const sim::Inspector& mind) {
   return {};
 }
 
-void TellRecorded(const sim::Inspector& mind, OperatorsView& view) {
+void TellRecorded(const explain::Inspector& mind, OperatorsView& view) {
   const auto* recorded = dynamic_cast<const RecordInspector*>(&mind);
   if (recorded == nullptr) return;
   const RecordedMind::Account* account = nullptr;
-  for (const sim::StateFact& state : recorded->mind().stack)
+  for (const explain::StateFact& state : recorded->mind().stack)
     if (state.id == view.state) account = AccountOf(recorded->mind(), state);
   if (DecisionOf(account)) return;
   view.note = "preferences: " + std::string(kNotRecorded);
@@ -422,7 +422,7 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     below = &root.below.emplace_back(NodeOf(mind.commands.front()));
   }
   bool has_operator = false;
-  for (const sim::StateFact& state : mind.stack) {
+  for (const explain::StateFact& state : mind.stack) {
     const RecordedMind::Account* account = AccountOf(mind, state);
     const std::optional<mind::Decision> decision = DecisionOf(account);
     if (state.operator_id.empty()) {

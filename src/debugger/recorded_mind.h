@@ -13,11 +13,11 @@
 
 #include "debugger/operators.h"
 #include "debugger/why.h"
+#include "explain/inspector.h"
 #include "mind/decision.h"
 #include "record/header.h"
 #include "record/percept_values.h"
 #include "record/tick_record.h"
-#include "sim/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -34,7 +34,7 @@ struct RecordedMind {
 
   record::Level level = record::Level::kDecisions;
   bool is_whole = true;  ///< Known since the beginning of its run.
-  std::vector<sim::StateFact> stack;
+  std::vector<explain::StateFact> stack;
   /// Why an operator was selected in a state, or none was.
   struct Account {
     std::string decision;  ///< Packed (mind/decision_codec.h); may be empty.
@@ -42,9 +42,9 @@ struct RecordedMind {
   };
   std::map<int, Account> accounts;  ///< By level of the stack.
   record::PerceptValues percepts;
-  std::map<std::uint64_t, sim::ElementFact> elements;  ///< Level::kAll, by time tag.
-  std::map<std::string, std::uint64_t> firings;        ///< Level::kAll, by rule.
-  std::deque<Command> commands;                        ///< Newest first.
+  std::map<std::uint64_t, explain::ElementFact> elements;  ///< Level::kAll, by time tag.
+  std::map<std::string, std::uint64_t> firings;            ///< Level::kAll, by rule.
+  std::deque<Command> commands;                            ///< Newest first.
   std::uint64_t decisions = 0, fired = 0;
   bool halted = false;
 };
@@ -67,7 +67,7 @@ class RecordedMinds {
   const RecordedMind* Find(std::string_view agent) const;
   /// The same to look at as at a living mind; valid as long as this, until the next Add. What is not recorded is
   /// empty, and the views say so.
-  std::unique_ptr<sim::Inspector> Inspect(std::string_view agent) const;
+  std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
 
  private:
   record::Level level_;
@@ -78,13 +78,13 @@ class RecordedMinds {
 };
 
 /// What a view says of that which this mind does not tell: "not available there", or of a recorded one "not recorded".
-std::string_view Absence(const sim::Inspector& mind);
+std::string_view Absence(const explain::Inspector& mind);
 /// Why a view of a recorded mind's memory or rules is empty, and what to do; empty for others, and where they are
 /// recorded.
-std::string MemoryAbsence(const sim::Inspector& mind);
+std::string MemoryAbsence(const explain::Inspector& mind);
 
 /// Takes out of a view of operators what a recording cannot know, and puts the recorded reason in; others stay.
-void TellRecorded(const sim::Inspector& mind, OperatorsView& view);
+void TellRecorded(const explain::Inspector& mind, OperatorsView& view);
 
 /// How a command went and which rule gave it; nothing if none of that name is recorded.
 std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_view name);

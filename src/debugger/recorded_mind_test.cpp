@@ -45,9 +45,9 @@ class RecordedMindTest : public MindFixture {
   }
 };
 
-std::vector<std::string> Attributes(const std::vector<sim::ElementFact>& elements) {
+std::vector<std::string> Attributes(const std::vector<explain::ElementFact>& elements) {
   std::vector<std::string> names;
-  for (const sim::ElementFact& element : elements)
+  for (const explain::ElementFact& element : elements)
     names.push_back(element.attribute + (element.acceptable ? " +" : ""));
   std::ranges::sort(names);
   return names;
@@ -55,7 +55,7 @@ std::vector<std::string> Attributes(const std::vector<sim::ElementFact>& element
 
 TEST_F(RecordedMindTest, AtLevelAllItHasTheStackAndTheMemoryOfTheLivingMind) {
   const RecordedMinds minds = Record(4, record::Level::kAll);
-  const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero"), living = Mind();
+  const std::unique_ptr<explain::Inspector> recorded = minds.Inspect("hero"), living = Mind();
   ASSERT_TRUE(recorded != nullptr && living != nullptr);
   ASSERT_EQ(recorded->Stack().size(), living->Stack().size());
   for (std::size_t i = 0; i < living->Stack().size(); ++i) {
@@ -80,7 +80,7 @@ TEST_F(RecordedMindTest, AtLevelAllItHasTheStackAndTheMemoryOfTheLivingMind) {
 
 TEST_F(RecordedMindTest, AtLevelDecisionsItHasPerceptsAndCommandsAndSaysThatMemoryIsNotThere) {
   const RecordedMinds minds = Record(4, record::Level::kDecisions);
-  const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");
+  const std::unique_ptr<explain::Inspector> recorded = minds.Inspect("hero");
   ASSERT_NE(recorded, nullptr);
   const std::string io = ToText(LookAtIo(*recorded));
   EXPECT_THAT(io, HasSubstr("^health 100"));
@@ -134,10 +134,10 @@ TEST(RecordedMinds, AValueIsOneValueWhateverStandsInIt) {
       0, "say", {}, {{0, false, "text", std::string_view("go ^fast")}, {0, false, "loud", std::string_view("yes")}}});
   RecordedMinds minds;
   minds.Add(tick);
-  const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");
-  const std::vector<sim::ElementFact> commands = recorded->ElementsOf("output-link");
+  const std::unique_ptr<explain::Inspector> recorded = minds.Inspect("hero");
+  const std::vector<explain::ElementFact> commands = recorded->ElementsOf("output-link");
   ASSERT_EQ(commands.size(), 1u);
-  const std::vector<sim::ElementFact> parameters = recorded->ElementsOf(commands.front().value);
+  const std::vector<explain::ElementFact> parameters = recorded->ElementsOf(commands.front().value);
   ASSERT_EQ(parameters.size(), 2u);
   EXPECT_EQ(parameters[0].attribute, "text");
   EXPECT_EQ(parameters[0].value, "go ^fast");
@@ -152,7 +152,7 @@ TEST(RecordedMinds, ARecordingThatBeginsInTheMiddleOfARunSaysSo) {
   mind.events.Add(mind::OperatorSelected{3, "O9", "aim", {}});
   RecordedMinds minds(record::Level::kAll);
   minds.Add(tick);
-  const std::unique_ptr<sim::Inspector> recorded = minds.Inspect("hero");
+  const std::unique_ptr<explain::Inspector> recorded = minds.Inspect("hero");
   ASSERT_NE(recorded, nullptr);
   EXPECT_EQ(recorded->Stack().size(), 3u);
   EXPECT_THAT(MemoryAbsence(*recorded), HasSubstr("middle of the run"));

@@ -12,7 +12,7 @@
 namespace soarbox::debugger {
 namespace {
 
-bool IsIn(RuleSet set, const sim::RuleFact& rule) {
+bool IsIn(RuleSet set, const explain::RuleFact& rule) {
   switch (set) {
     case RuleSet::kAll:
       return true;
@@ -26,15 +26,15 @@ bool IsIn(RuleSet set, const sim::RuleFact& rule) {
   return true;
 }
 
-std::string PlaceOf(const sim::RuleFact& rule) {
+std::string PlaceOf(const explain::RuleFact& rule) {
   return rule.file.empty() ? std::string() : rule.file + ":" + std::to_string(rule.line);
 }
 
 /// "^color of S1 is blue, green": elements of one identifier and attribute together.
-std::string ListSeen(const std::vector<sim::ElementFact>& seen) {
+std::string ListSeen(const std::vector<explain::ElementFact>& seen) {
   constexpr std::size_t kMostShown = 4;
   std::vector<std::pair<std::string, std::string>> groups;
-  for (const sim::ElementFact& element : seen) {
+  for (const explain::ElementFact& element : seen) {
     const std::string key = "^" + element.attribute + " of " + element.id + " is ";
     const std::string value = element.value + (element.acceptable ? " +" : "");
     const auto at = std::ranges::find(groups, key, &std::pair<std::string, std::string>::first);
@@ -58,7 +58,7 @@ Json TokensToJson(const std::vector<Token>& tokens, const std::string& source) {
   return list;
 }
 
-Json RuleToJson(const sim::RuleFact& rule) {
+Json RuleToJson(const explain::RuleFact& rule) {
   Json json;
   json["name"] = rule.name;
   json["type"] = rule.type;
@@ -73,18 +73,18 @@ Json RuleToJson(const sim::RuleFact& rule) {
 
 }  // namespace
 
-std::vector<sim::RuleFact> ListRules(sim::Inspector& mind, std::string_view filter, RuleSet set) {
-  std::vector<sim::RuleFact> rules = mind.Rules();
-  std::erase_if(rules, [&](const sim::RuleFact& rule) {
+std::vector<explain::RuleFact> ListRules(explain::Inspector& mind, std::string_view filter, RuleSet set) {
+  std::vector<explain::RuleFact> rules = mind.Rules();
+  std::erase_if(rules, [&](const explain::RuleFact& rule) {
     return !IsIn(set, rule) || !Passes(filter, rule.name + " " + rule.file + " " + rule.documentation);
   });
   return rules;
 }
 
-std::string Explain(const sim::MatchFacts& facts) {
+std::string Explain(const explain::MatchFacts& facts) {
   if (!facts.failing) return facts.complete == 1 ? "matches" : fmt::format("matches {} times", facts.complete);
   const std::size_t place = *facts.failing;
-  const sim::ConditionFact& condition = facts.conditions[place];
+  const explain::ConditionFact& condition = facts.conditions[place];
   std::string text = fmt::format("stops at condition {} of {}, {}", place + 1, facts.conditions.size(), condition.text);
   if (condition.negated) {
     if (!facts.seen.empty()) return text + ": " + ListSeen(facts.seen);
@@ -95,8 +95,8 @@ std::string Explain(const sim::MatchFacts& facts) {
   return text + ": what there is hangs on something else: " + Describe(facts.candidates.front());
 }
 
-std::optional<PartialMatch> LookAtMatch(sim::Inspector& mind, std::string_view rule) {
-  std::optional<sim::MatchFacts> facts = mind.Match(rule);
+std::optional<PartialMatch> LookAtMatch(explain::Inspector& mind, std::string_view rule) {
+  std::optional<explain::MatchFacts> facts = mind.Match(rule);
   if (!facts) return std::nullopt;
   PartialMatch match;
   match.sentence = Explain(*facts);
@@ -104,11 +104,11 @@ std::optional<PartialMatch> LookAtMatch(sim::Inspector& mind, std::string_view r
   return match;
 }
 
-std::optional<RuleView> LookAtRule(sim::Inspector& mind, std::string_view rule) {
+std::optional<RuleView> LookAtRule(explain::Inspector& mind, std::string_view rule) {
   std::optional<PartialMatch> match = LookAtMatch(mind, rule);
   if (!match) return std::nullopt;
   RuleView view;
-  for (sim::RuleFact& fact : mind.Rules())
+  for (explain::RuleFact& fact : mind.Rules())
     if (fact.name == match->facts.rule) view.rule = std::move(fact);
   if (view.rule.name.empty()) view.rule.name = rule;
   view.source = mind.RuleSource(rule);
@@ -117,10 +117,10 @@ std::optional<RuleView> LookAtRule(sim::Inspector& mind, std::string_view rule) 
   return view;
 }
 
-std::vector<std::string> NearRules(sim::Inspector& mind, std::string_view rule, std::size_t most) {
-  const std::vector<sim::RuleFact> rules = mind.Rules();
+std::vector<std::string> NearRules(explain::Inspector& mind, std::string_view rule, std::size_t most) {
+  const std::vector<explain::RuleFact> rules = mind.Rules();
   std::vector<std::string_view> names;
-  for (const sim::RuleFact& fact : rules) names.push_back(fact.name);
+  for (const explain::RuleFact& fact : rules) names.push_back(fact.name);
   std::vector<std::string> near;
   while (near.size() < most) {
     const std::string_view next = Suggest(rule, names);
@@ -150,9 +150,9 @@ void Coverage::Add(std::uint64_t tick, const record::MindRecord& mind) {
   });
 }
 
-void Coverage::Look(sim::Inspector& mind) {
+void Coverage::Look(explain::Inspector& mind) {
   order_.clear();
-  for (const sim::RuleFact& rule : mind.Rules()) {
+  for (const explain::RuleFact& rule : mind.Rules()) {
     order_.push_back(rule.name);
     Row& row = At(rule.name);
     row.firings = std::max(row.firings, rule.firings);
@@ -161,7 +161,7 @@ void Coverage::Look(sim::Inspector& mind) {
       row.stops_at.clear();
       continue;
     }
-    const std::optional<sim::MatchFacts> facts = mind.Match(rule.name);
+    const std::optional<explain::MatchFacts> facts = mind.Match(rule.name);
     if (!facts) continue;
     row.conditions = facts->conditions.size();
     if (!facts->failing) {
@@ -181,16 +181,16 @@ std::vector<Coverage::Row> Coverage::rows() const {
   return rows;
 }
 
-std::string ToText(const std::vector<sim::RuleFact>& rules) {
+std::string ToText(const std::vector<explain::RuleFact>& rules) {
   std::vector<std::vector<std::string>> table = {{"rule", "fired", "matches", "type", "from"}};
-  for (const sim::RuleFact& rule : rules)
+  for (const explain::RuleFact& rule : rules)
     table.push_back({rule.name, std::to_string(rule.firings), std::to_string(rule.matches), rule.type, PlaceOf(rule)});
   return Table(table);
 }
 
-Json ToJson(const std::vector<sim::RuleFact>& rules) {
+Json ToJson(const std::vector<explain::RuleFact>& rules) {
   Json list = Json::array();
-  for (const sim::RuleFact& rule : rules) list.push_back(RuleToJson(rule));
+  for (const explain::RuleFact& rule : rules) list.push_back(RuleToJson(rule));
   return list;
 }
 
@@ -201,16 +201,16 @@ std::string ToText(const RuleView& view) {
                       view.rule.file.empty() ? "" : ", from " + PlaceOf(view.rule));
   text += view.match.sentence + "\n";
   for (std::size_t i = 0; i < view.match.facts.conditions.size(); ++i) {
-    const sim::ConditionFact& condition = view.match.facts.conditions[i];
+    const explain::ConditionFact& condition = view.match.facts.conditions[i];
     const bool behind = view.match.facts.failing && i > *view.match.facts.failing;
     const std::string count = view.match.facts.failing == i ? ">>>>"
                               : behind                      ? ""
                                                             : fmt::format("{}", condition.partial_matches);
     text += fmt::format("  {:>4} {}\n", count, condition.text);
   }
-  for (const std::vector<sim::ElementFact>& match : view.match.facts.matches) {
+  for (const std::vector<explain::ElementFact>& match : view.match.facts.matches) {
     text += "  match:";
-    for (const sim::ElementFact& element : match) text += " (" + Describe(element) + ")";
+    for (const explain::ElementFact& element : match) text += " (" + Describe(element) + ")";
     text += "\n";
   }
   return text;
@@ -224,13 +224,13 @@ Json ToJson(const RuleView& view) {
   json["complete"] = view.match.facts.complete;
   if (view.match.facts.failing) json["failing"] = *view.match.facts.failing + 1;
   json["conditions"] = Json::array();
-  for (const sim::ConditionFact& condition : view.match.facts.conditions) {
+  for (const explain::ConditionFact& condition : view.match.facts.conditions) {
     json["conditions"].push_back(
         Json{{"text", condition.text}, {"negated", condition.negated}, {"partial_matches", condition.partial_matches}});
   }
-  const auto elements = [](const std::vector<sim::ElementFact>& facts) {
+  const auto elements = [](const std::vector<explain::ElementFact>& facts) {
     Json list = Json::array();
-    for (const sim::ElementFact& element : facts) list.push_back(ToJson(element));
+    for (const explain::ElementFact& element : facts) list.push_back(ToJson(element));
     return list;
   };
   json["matches_now"] = Json::array();

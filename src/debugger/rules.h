@@ -10,36 +10,37 @@
 
 #include "debugger/json.h"
 #include "debugger/syntax.h"
+#include "explain/inspector.h"
 #include "record/tick_record.h"
-#include "sim/inspector.h"
 
 namespace soarbox::debugger {
 
 enum class RuleSet : std::uint8_t { kAll, kMatching, kFired, kNeverFired };
 
 /// Rules with each word of the text in their name, file or documentation, in the order of loading.
-std::vector<sim::RuleFact> ListRules(sim::Inspector& mind, std::string_view filter = {}, RuleSet set = RuleSet::kAll);
+std::vector<explain::RuleFact> ListRules(explain::Inspector& mind, std::string_view filter = {},
+                                         RuleSet set = RuleSet::kAll);
 
 /// How far a rule matches, with a sentence about the condition at which it stops.
 struct PartialMatch {
-  sim::MatchFacts facts;
+  explain::MatchFacts facts;
   std::string sentence;  ///< "stops at condition 2 of 3, (<s> ^color red): S1 ^color is blue"
 };
-std::optional<PartialMatch> LookAtMatch(sim::Inspector& mind, std::string_view rule);
+std::optional<PartialMatch> LookAtMatch(explain::Inspector& mind, std::string_view rule);
 /// The sentence alone.
-std::string Explain(const sim::MatchFacts& facts);
+std::string Explain(const explain::MatchFacts& facts);
 
 struct RuleView {
-  sim::RuleFact rule;
+  explain::RuleFact rule;
   std::string source;
   std::vector<Token> tokens;  ///< Of the source.
   PartialMatch match;
 };
 /// Nothing if there is none of this name.
-std::optional<RuleView> LookAtRule(sim::Inspector& mind, std::string_view rule);
+std::optional<RuleView> LookAtRule(explain::Inspector& mind, std::string_view rule);
 
 /// Rules whose names are like this one, most like first.
-std::vector<std::string> NearRules(sim::Inspector& mind, std::string_view rule, std::size_t most = 3);
+std::vector<std::string> NearRules(explain::Inspector& mind, std::string_view rule, std::size_t most = 3);
 
 /// Which rules of one agent took part in a run, from what was noted of its ticks (MindDetail::kAll) and from looks at
 /// its mind. Counts all that was added, also of futures that somebody left by going back.
@@ -57,7 +58,7 @@ class Coverage {
   /// What the agent did in a tick.
   void Add(std::uint64_t tick, const record::MindRecord& mind);
   /// Notes how far each rule that has not fired matches now. Costs a look at each of them.
-  void Look(sim::Inspector& mind);
+  void Look(explain::Inspector& mind);
   /// Rules that the last look saw, in the order of loading, then others that fired.
   std::vector<Row> rows() const;
 
@@ -68,8 +69,8 @@ class Coverage {
   std::map<std::string, Row> rows_;
 };
 
-std::string ToText(const std::vector<sim::RuleFact>& rules);
-Json ToJson(const std::vector<sim::RuleFact>& rules);
+std::string ToText(const std::vector<explain::RuleFact>& rules);
+Json ToJson(const std::vector<explain::RuleFact>& rules);
 std::string ToText(const RuleView& view);
 Json ToJson(const RuleView& view);
 std::string ToText(const std::vector<Coverage::Row>& rows);

@@ -15,9 +15,9 @@ const std::vector<std::string>& Phases() {
   return phases;
 }
 
-StackView LookAtStack(sim::Inspector& mind) {
+StackView LookAtStack(explain::Inspector& mind) {
   StackView view;
-  sim::MindFacts facts = mind.Mind();
+  explain::MindFacts facts = mind.Mind();
   if (!mind.TellsAll()) view.note = "phase and counts: " + std::string(Absence(mind));
   view.phase = std::move(facts.phase);
   view.within_phase = facts.within_phase;
@@ -28,7 +28,7 @@ StackView LookAtStack(sim::Inspector& mind) {
   view.firings = facts.firings;
   view.elements = facts.elements;
   view.rules = facts.rules;
-  for (sim::StateFact& state : mind.Stack()) {
+  for (explain::StateFact& state : mind.Stack()) {
     const std::string impasse = state.level == 1 ? "" : state.attribute + " " + state.impasse;
     view.levels.push_back(
         {state.level, std::move(state.id), impasse, std::move(state.operator_id), std::move(state.operator_name)});

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "debugger/json.h"
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -31,7 +31,7 @@ struct StackView {
 /// The phases of a decision cycle, in order.
 const std::vector<std::string>& Phases();
 
-StackView LookAtStack(sim::Inspector& mind);
+StackView LookAtStack(explain::Inspector& mind);
 
 std::string ToText(const StackView& view);
 Json ToJson(const StackView& view);

@@ -76,12 +76,12 @@ std::uint64_t WholeNumber(const std::string& text) {
   return read.ec == std::errc() && read.ptr == text.data() + text.size() ? number : 0;
 }
 
-Result<ViewText> ShowMemory(sim::Inspector& mind, const MemoryChanges& changes, const std::string& of) {
+Result<ViewText> ShowMemory(explain::Inspector& mind, const MemoryChanges& changes, const std::string& of) {
   if (of.starts_with('/')) {
-    const std::vector<sim::ElementFact> found = SearchMemory(mind, of.substr(1));
+    const std::vector<explain::ElementFact> found = SearchMemory(mind, of.substr(1));
     ViewText view;
     Json json = Json::array();
-    for (const sim::ElementFact& element : found) {
+    for (const explain::ElementFact& element : found) {
       view.text += "(" + std::to_string(element.timetag) + ": " + Describe(element) + ")\n";
       json.push_back(ToJson(element));
     }
@@ -95,14 +95,14 @@ Result<ViewText> ShowMemory(sim::Inspector& mind, const MemoryChanges& changes, 
     return Both(*story);
   }
   constexpr std::size_t kDepth = 3;
-  const std::vector<sim::StateFact> stack = mind.Stack();
+  const std::vector<explain::StateFact> stack = mind.Stack();
   const std::string id = of.empty() && !stack.empty() ? stack.front().id : of;
   const MemoryObject object = LookAtObject(mind, id, changes, kDepth);
   if (!object.exists) return Problem("there is no identifier '" + id + "' now", "states are: S1 and what is below it");
   return Both(object);
 }
 
-Result<ViewText> ShowLongTerm(sim::Inspector& mind, const RecallLog* log, const std::string& of) {
+Result<ViewText> ShowLongTerm(explain::Inspector& mind, const RecallLog* log, const std::string& of) {
   if (of.starts_with('#')) {
     const EpisodeView episode = LookAtEpisode(mind, static_cast<std::size_t>(WholeNumber(of.substr(1))));
     if (episode.number == 0) return Problem("there is no episode " + of.substr(1), "they are numbered from 1");
@@ -124,7 +124,7 @@ Result<ViewText> ShowLongTerm(sim::Inspector& mind, const RecallLog* log, const 
   return text;
 }
 
-Result<ViewText> ShowLearning(sim::Inspector& mind, const LearningLog* log, const std::string& of) {
+Result<ViewText> ShowLearning(explain::Inspector& mind, const LearningLog* log, const std::string& of) {
   if (of.starts_with('#')) {
     const LearnedRuleView rule = LookAtLearnedRule(mind, of.substr(1), log);
     if (!rule.name.empty()) return Both(rule);
@@ -143,7 +143,7 @@ Result<ViewText> ShowLearning(sim::Inspector& mind, const LearningLog* log, cons
   return text;
 }
 
-Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, sim::Inspector& mind,
+Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, explain::Inspector& mind,
                           const std::string& agent) {
   const std::string& of = request.of;
   const MemoryChanges changes = LastChanges(*source.simulation, agent);
@@ -167,7 +167,7 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   if (request.view == "rule") {
     if (const std::optional<RuleView> view = LookAtRule(mind, of)) return Both(*view);
     std::vector<std::string> names;
-    for (const sim::RuleFact& rule : mind.Rules()) names.push_back(rule.name);
+    for (const explain::RuleFact& rule : mind.Rules()) names.push_back(rule.name);
     return NoSuch("rule", of, names);
   }
   if (request.view == "coverage") {
@@ -200,7 +200,8 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
       if (source.recorded->Find(one.name) != nullptr) minds.push_back(one.name);
   }
   if (agent.empty() && !minds.empty()) agent = minds.front();
-  const std::unique_ptr<sim::Inspector> mind = source.recorded == nullptr ? nullptr : source.recorded->Inspect(agent);
+  const std::unique_ptr<explain::Inspector> mind =
+      source.recorded == nullptr ? nullptr : source.recorded->Inspect(agent);
   if (mind == nullptr) {
     return minds.empty() ? Problem("nothing is recorded of any mind",
                                    "record with --record-level decisions or all, or simulate the run again")
@@ -283,7 +284,7 @@ Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) 
   const std::string agent = request.agent.empty() && !minds.empty() ? minds.front() : request.agent;
   if (!view->needs_mind) return ShowRun(source, request, request.view == "timeline" ? request.agent : agent);
   if (source.simulation == nullptr) return ShowRecorded(source, request, request.agent);
-  const std::unique_ptr<sim::Inspector> mind = source.simulation->Inspect(agent);
+  const std::unique_ptr<explain::Inspector> mind = source.simulation->Inspect(agent);
   if (mind == nullptr) {
     return minds.empty() ? Problem("no agent of this run has a Soar mind", "")
                          : NoSuch("agent with a Soar mind named", agent, minds);

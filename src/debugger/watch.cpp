@@ -11,7 +11,7 @@
 #include "debugger/operators.h"
 #include "debugger/rules.h"
 #include "debugger/stack.h"
-#include "sim/rule_text.h"
+#include "explain/rule_text.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -33,20 +33,20 @@ std::string Upper(std::string id) {
 }
 
 /// An identifier that is written as "s1" or "S1", or by its role; empty: it is none.
-std::string IdOf(sim::Inspector& mind, const std::string& word) {
-  if (sim::IsIdentifier(Upper(word))) return Upper(word);
+std::string IdOf(explain::Inspector& mind, const std::string& word) {
+  if (explain::IsIdentifier(Upper(word))) return Upper(word);
   if (word != "<ts>" && word != "<s>" && word != "<o>") return {};
-  const std::vector<sim::StateFact> stack = mind.Stack();
+  const std::vector<explain::StateFact> stack = mind.Stack();
   if (stack.empty()) return {};
   if (word == "<ts>") return stack.front().id;
   if (word == "<s>") return stack.back().id;
-  const auto has_operator = [](const sim::StateFact& state) { return !state.operator_id.empty(); };
+  const auto has_operator = [](const explain::StateFact& state) { return !state.operator_id.empty(); };
   const auto state = std::find_if(stack.rbegin(), stack.rend(), has_operator);
   return state == stack.rend() ? std::string() : state->operator_id;
 }
 
 /// All values at the end of a path, each once and in the order of memory.
-std::string ValuesAt(sim::Inspector& mind, std::string_view path) {
+std::string ValuesAt(explain::Inspector& mind, std::string_view path) {
   const std::size_t first_dot = path.find('.');
   const std::string first(path.substr(0, first_dot));
   const std::string root = IdOf(mind, first);
@@ -60,7 +60,7 @@ std::string ValuesAt(sim::Inspector& mind, std::string_view path) {
     if (attribute.starts_with('^')) attribute.remove_prefix(1);
     std::vector<std::string> next;
     for (const std::string& id : at) {
-      for (const sim::ElementFact& element : mind.ElementsOf(id)) {
+      for (const explain::ElementFact& element : mind.ElementsOf(id)) {
         if (element.attribute != attribute || element.acceptable || next.size() >= kMostValues) continue;
         if (std::find(next.begin(), next.end(), element.value) == next.end()) next.push_back(element.value);
       }
@@ -73,7 +73,7 @@ std::string ValuesAt(sim::Inspector& mind, std::string_view path) {
   return text;
 }
 
-WatchValue Print(sim::Inspector& mind, const std::vector<std::string>& words) {
+WatchValue Print(explain::Inspector& mind, const std::vector<std::string>& words) {
   std::size_t depth = 1;
   std::string what;
   for (std::size_t i = 1; i < words.size(); ++i) {
@@ -111,7 +111,7 @@ std::string WatchFault(std::string_view what) {
   return words.size() > 1 ? "'" + words[0] + " ...' cannot be watched: " + kForms : std::string();
 }
 
-WatchValue LookAtWatch(sim::Inspector& mind, std::string_view what) {
+WatchValue LookAtWatch(explain::Inspector& mind, std::string_view what) {
   if (std::string fault = WatchFault(what); !fault.empty()) return {std::move(fault), true};
   const std::vector<std::string> words = WordsOf(what);
   if (words[0] == "print" || words[0] == "p") {

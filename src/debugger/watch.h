@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/inspector.h"
+#include "explain/inspector.h"
 
 namespace soarbox::debugger {
 
@@ -24,7 +24,7 @@ struct WatchValue {
 ///   preferences [ID]  the operators of a state, and why one of them won
 ///   matches RULE      how far a rule matches
 ///   stack             the goal stack
-WatchValue LookAtWatch(sim::Inspector& mind, std::string_view what);
+WatchValue LookAtWatch(explain::Inspector& mind, std::string_view what);
 
 /// What is wrong with a watch before any mind is asked, a sentence; empty: nothing.
 std::string WatchFault(std::string_view what);

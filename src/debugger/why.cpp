@@ -19,11 +19,11 @@ constexpr int kDepth = 4;  ///< How many rules an answer goes back.
 constexpr std::size_t kMostBelow = 12;
 
 /// What matters of a rule's elements: neither the ways to the links nor those that only lead on to another one.
-std::vector<sim::ElementFact> Telling(const std::vector<sim::ElementFact>& elements) {
+std::vector<explain::ElementFact> Telling(const std::vector<explain::ElementFact>& elements) {
   constexpr std::string_view kWays[] = {"superstate", "io", "input-link", "output-link"};
-  std::vector<sim::ElementFact> telling;
-  for (const sim::ElementFact& element : elements) {
-    const auto leads_to = [&](const sim::ElementFact& other) { return other.id == element.value; };
+  std::vector<explain::ElementFact> telling;
+  for (const explain::ElementFact& element : elements) {
+    const auto leads_to = [&](const explain::ElementFact& other) { return other.id == element.value; };
     const bool is_way = std::ranges::find(kWays, element.attribute) != std::end(kWays);
     const bool leads_on =
         element.is_object && element.attribute != "operator" && std::ranges::any_of(elements, leads_to);
@@ -35,16 +35,16 @@ std::vector<sim::ElementFact> Telling(const std::vector<sim::ElementFact>& eleme
 /// Follows elements back to where they come from; each is followed once.
 class Tracer {
  public:
-  explicit Tracer(sim::Inspector& mind) : mind_(mind) {}
+  explicit Tracer(explain::Inspector& mind) : mind_(mind) {}
 
-  WhyNode Element(const sim::ElementFact& element, int depth) {
+  WhyNode Element(const explain::ElementFact& element, int depth) {
     WhyNode node{Describe(element), "element", std::to_string(element.timetag), {}};
     if (depth <= 0 || !followed_.insert(element.timetag).second) return node;
-    for (const sim::MakerFact& maker : mind_.MakersOf(element.timetag)) {
-      if (maker.kind == sim::MakerFact::Kind::kInput) {
+    for (const explain::MakerFact& maker : mind_.MakersOf(element.timetag)) {
+      if (maker.kind == explain::MakerFact::Kind::kInput) {
         node.kind = "percept";
         node.text += " (perceived)";
-      } else if (maker.kind == sim::MakerFact::Kind::kArchitecture) {
+      } else if (maker.kind == explain::MakerFact::Kind::kArchitecture) {
         node.text += " (made by the architecture)";
       } else {
         node.below.push_back(Rule(maker, depth));
@@ -53,25 +53,26 @@ class Tracer {
     return node;
   }
 
-  WhyNode Rule(const sim::MakerFact& maker, int depth) {
+  WhyNode Rule(const explain::MakerFact& maker, int depth) {
     WhyNode node{Describe(maker), "rule", maker.rule, {}};
     if (maker.elements.empty() && maker.o_supported) node.text += ": it matched then, and what it made stays";
     if (std::optional<WhyNode> origin = OriginOf(mind_, maker.rule)) node.below.push_back(*std::move(origin));
-    for (const sim::ElementFact& element : Telling(maker.elements)) node.below.push_back(Element(element, depth - 1));
+    for (const explain::ElementFact& element : Telling(maker.elements))
+      node.below.push_back(Element(element, depth - 1));
     return node;
   }
 
-  WhyNode Preference(const sim::PreferenceFact& preference) {
+  WhyNode Preference(const explain::PreferenceFact& preference) {
     WhyNode node{Describe(preference), "preference", preference.maker.rule, {}};
     if (std::optional<WhyNode> origin = OriginOf(mind_, preference.maker.rule))
       node.below.push_back(*std::move(origin));
-    for (const sim::ElementFact& element : Telling(preference.maker.elements))
+    for (const explain::ElementFact& element : Telling(preference.maker.elements))
       node.below.push_back(Element(element, 2));
     return node;
   }
 
  private:
-  sim::Inspector& mind_;
+  explain::Inspector& mind_;
   std::set<std::uint64_t> followed_;
 };
 
@@ -82,8 +83,8 @@ struct FoundOperator {
 };
 
 /// In the lowest state whose preferences speak of it, by name or identifier.
-std::optional<FoundOperator> Find(sim::Inspector& mind, std::string_view op) {
-  const std::vector<sim::StateFact> stack = mind.Stack();
+std::optional<FoundOperator> Find(explain::Inspector& mind, std::string_view op) {
+  const std::vector<explain::StateFact> stack = mind.Stack();
   for (auto at = stack.rbegin(); at != stack.rend(); ++at) {
     OperatorsView view = LookAtOperators(mind, at->id);
     const auto row = std::ranges::find_if(
@@ -107,22 +108,22 @@ std::string CommandText(const CommandRow& command) {
 
 }  // namespace
 
-WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag) {
-  const std::optional<sim::ElementFact> element = mind.Element(timetag);
+WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag) {
+  const std::optional<explain::ElementFact> element = mind.Element(timetag);
   if (!element) return {"there is no element " + std::to_string(timetag) + " now", "reason", "", {}};
   WhyNode node = Tracer(mind).Element(*element, kDepth);
   if (!mind.TellsAll()) node.below.push_back({"which rule made it: " + std::string(Absence(mind)), "reason", "", {}});
   return node;
 }
 
-std::optional<WhyNode> WhyOperator(sim::Inspector& mind, std::string_view op) {
+std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op) {
   const std::optional<FoundOperator> found = Find(mind, op);
   if (!found) return std::nullopt;
   const auto& [view, row] = *found;
   WhyNode node{view.sentence, "operator", row.id, {}};
   if (!row.selected) node.text = Title(row) + ": " + row.verdict + ". " + view.sentence;
   Tracer tracer(mind);
-  for (const sim::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
+  for (const explain::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
   for (const OperatorRow& other : view.rows) {
     if (other.id == row.id || node.below.size() >= kMostBelow) continue;
     node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, "operator", other.id, {}});
@@ -130,11 +131,11 @@ std::optional<WhyNode> WhyOperator(sim::Inspector& mind, std::string_view op) {
   return node;
 }
 
-std::optional<WhyNode> WhyCommand(sim::Inspector& mind, std::string_view command) {
+std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view command) {
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
     WhyNode node{CommandText(row), "command", row.name, {}};
-    if (const std::optional<sim::ElementFact> element = mind.Element(row.timetag)) {
+    if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kDepth).below;
       if (!mind.TellsAll())
         node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), "reason", "", {}});
@@ -145,7 +146,7 @@ std::optional<WhyNode> WhyCommand(sim::Inspector& mind, std::string_view command
 }
 
 Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
-  if (const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent)) {
+  if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent)) {
     if (std::optional<WhyNode> command = WhyCommand(*mind, name)) return *std::move(command);
     if (std::optional<WhyNode> op = WhyOperator(*mind, name)) return *std::move(op);
     if (std::optional<WhyNode> learned = WhyLearned(*mind, name)) return *std::move(learned);
@@ -167,13 +168,13 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   std::optional<WhyNode> root = simulation.Why(agent);
   if (!root)
     return {"there is no agent " + std::string(agent) + " with a mind of rules", "agent", std::string(agent), {}};
-  const std::unique_ptr<sim::Inspector> mind = simulation.Inspect(agent);
+  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
   if (mind == nullptr || !mind->TellsAll()) return *std::move(root);
   for (WhyNode& node : root->below) {
     // The operators stand below the command that they led to; our own kernel tells more of them.
     if (node.kind == "command") {
       node.below.clear();
-      for (const sim::StateFact& state : mind->Stack())
+      for (const explain::StateFact& state : mind->Stack())
         if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) node.below.push_back(*std::move(op));
       if (node.below.empty()) {
         // What said it may still stand, with what it rested on.
@@ -187,7 +188,7 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
 
 std::string ToText(const WhyNode& node, std::size_t indent) {
   std::string text;
-  for (const std::string& line : sim::Lines(node, indent)) text += line + "\n";
+  for (const std::string& line : explain::Lines(node, indent)) text += line + "\n";
   return text;
 }
 

@@ -9,19 +9,19 @@
 
 #include "debugger/json.h"
 #include "diagnostics/result.h"
+#include "explain/why_node.h"
 #include "sim/simulation.h"
-#include "sim/why_node.h"
 
 namespace soarbox::debugger {
 
-using sim::WhyNode;
+using explain::WhyNode;
 
 /// Why an agent does what it does now: command, operators, preferences, elements, percepts.
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent);
 /// Why an operator is selected, or another one is not, by name or identifier; nothing if no preference speaks of it.
-std::optional<WhyNode> WhyOperator(sim::Inspector& mind, std::string_view op);
+std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op);
 /// Why a command stands on the output link; nothing if none of this name does.
-std::optional<WhyNode> WhyCommand(sim::Inspector& mind, std::string_view command);
+std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view command);
 /// Why, or why not, of any name: a command that stands, an operator that preferences speak of; of others what keeps the
 /// rules from saying, proposing or matching it (Simulation::WhyTopic), below a node of the kind "topic". Fails if they
 /// know nothing of that name.
@@ -29,7 +29,7 @@ Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std
 /// The same, with an error as the answer.
 WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std::string_view name);
 /// Where an element comes from, back to the percepts, some steps deep.
-WhyNode WhyElement(sim::Inspector& mind, std::uint64_t timetag);
+WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag);
 /// `indent`: steps of two blanks.
 std::string ToText(const WhyNode& node, std::size_t indent = 0);
 Json ToJson(const WhyNode& node);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "explain/inspector.h"
 #include "mission/sentences.h"
-#include "sim/inspector.h"
 #include "sim/simulation.h"
 
 namespace soarbox::mission {
@@ -49,16 +49,16 @@ std::vector<std::string> Account::Finish() {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
     if (inspector == nullptr) continue;
-    for (const sim::RuleFact& rule : inspector->Rules()) {
+    for (const explain::RuleFact& rule : inspector->Rules()) {
       if (FileName(rule.file) != settings_.file) continue;
       is_idle_one_of_them |= agent == idle_agent_;
       if (rule.firings > 0) continue;
-      const Result<std::vector<sim::WhyNode>> why = simulation_.WhyTopic(agent, rule.name);
+      const Result<std::vector<explain::WhyNode>> why = simulation_.WhyTopic(agent, rule.name);
       const std::string start = "rule " + rule.name + " ";
       if (!why) continue;
       std::vector<std::string> lines;
-      for (const sim::WhyNode& node : *why) {
-        const std::vector<std::string> more = sim::Lines(node, 0);
+      for (const explain::WhyNode& node : *why) {
+        const std::vector<std::string> more = explain::Lines(node, 0);
         lines.insert(lines.end(), more.begin(), more.end());
       }
       const auto line =

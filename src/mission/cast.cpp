@@ -11,7 +11,7 @@
 #include "diagnostics/read_text.h"
 #include "mission/conditions.h"
 #include "mission/read_mission.h"
-#include "sim/vocabulary.h"
+#include "vocabulary/vocabulary.h"
 
 namespace soarbox::mission {
 namespace {
@@ -95,17 +95,18 @@ class NameChecker {
     if (condition.row->key == Key::kCommand) {
       bool takes_place = false, is_known = true;
       for (const std::string& word : condition.words) {
-        const sim::CommandRow* row = sim::FindCommand(word);
+        const vocabulary::CommandRow* row = vocabulary::FindCommand(word);
         is_known &= row != nullptr;
         if (row == nullptr) continue;
-        for (const sim::ParameterRow& parameter : row->parameters) known.emplace_back(parameter.name);
-        takes_place |= row->place != sim::TakesPlace::kNo;
+        for (const vocabulary::ParameterRow& parameter : row->parameters) known.emplace_back(parameter.name);
+        takes_place |= row->place != vocabulary::TakesPlace::kNo;
       }
       if (takes_place || !is_known)
-        for (const sim::ParameterRow& parameter : sim::PlaceParameters()) known.emplace_back(parameter.name);
+        for (const vocabulary::ParameterRow& parameter : vocabulary::PlaceParameters())
+          known.emplace_back(parameter.name);
       if (!condition.reason.empty()) {
         std::vector<std::string> reasons = known;
-        for (const sim::ReasonRow& row : sim::Reasons()) reasons.emplace_back(row.name);
+        for (const vocabulary::ReasonRow& row : vocabulary::Reasons()) reasons.emplace_back(row.name);
         Need(check, condition.line, "reason", condition.reason, reasons);
       }
     }
@@ -116,8 +117,8 @@ class NameChecker {
 
   void LookAtPath(const Check& check, const Condition& condition, std::string_view path) {
     std::vector<std::string> known(cast_.all_words.begin(), cast_.all_words.end());
-    for (const sim::PerceptRow& row : sim::Percepts()) known.emplace_back(row.Attribute());
-    for (const sim::CommandRow& row : sim::Commands()) known.emplace_back(row.name);
+    for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) known.emplace_back(row.Attribute());
+    for (const vocabulary::CommandRow& row : vocabulary::Commands()) known.emplace_back(row.name);
     for (const char* own : {"io",     "input-link", "output-link", "reward-link", "reward",  "value",   "operator",
                             "name",   "superstate", "substate",    "smem",        "epmem",   "command", "result",
                             "status", "reason",     "type",        "success",     "failure", "svs"})
@@ -168,7 +169,7 @@ class NameChecker {
         return need("severity", {"error", "warning", "any"});
       case Names::kCommand: {
         std::vector<std::string> known(cast_.rule_words.begin(), cast_.rule_words.end());
-        for (const sim::CommandRow& row : sim::Commands()) known.emplace_back(row.name);
+        for (const vocabulary::CommandRow& row : vocabulary::Commands()) known.emplace_back(row.name);
         return Need(check, condition.line, "command", word, known);
       }
       case Names::kTopic:

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "explain/inspector.h"
+#include "explain/learning_facts.h"
 #include "mind/decision_codec.h"
 #include "mission/sentences.h"
 #include "sim/arena.h"
-#include "sim/inspector.h"
-#include "sim/learning_facts.h"
 #include "tell/decision_text.h"
 #include "tell/mind_words.h"
 #include "world/world.h"
@@ -255,7 +255,7 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
                         selected.level, std::string(selected.name.empty() ? selected.id : selected.name), {}, {}, {}};
                     if (wants_.insight) {
                       if (const auto inspector = simulation_.Inspect(facts.name)) {
-                        for (const sim::ElementFact& element : inspector->ElementsOf(selected.id))
+                        for (const explain::ElementFact& element : inspector->ElementsOf(selected.id))
                           chosen.with.emplace_back(element.attribute, element.value);
                       }
                     }
@@ -296,22 +296,22 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
                   [](const auto&) {}});
 }
 
-void FactGatherer::GatherRetrievals(sim::Inspector& inspector, const std::vector<sim::StateFact>& stack,
+void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::vector<explain::StateFact>& stack,
                                     AgentFacts& facts, Memory& memory) {
   // The answer to a command is an element below ^smem.result or ^epmem.result; a new one has a new time tag.
   constexpr std::pair<std::string_view, std::string_view> kMemories[] = {{"smem", "semantic"}, {"epmem", "episodic"}};
   const auto objects = [&](const std::string& id, std::string_view attribute) {
     std::vector<std::string> found;
-    for (const sim::ElementFact& element : inspector.ElementsOf(id))
+    for (const explain::ElementFact& element : inspector.ElementsOf(id))
       if (element.attribute == attribute && element.is_object) found.push_back(element.value);
     return found;
   };
   std::uint64_t newest = memory.answered_timetag;
-  for (const sim::StateFact& state : stack) {
+  for (const explain::StateFact& state : stack) {
     for (const auto& [link, name] : kMemories) {
       for (const std::string& memory_link : objects(state.id, link)) {
         for (const std::string& result : objects(memory_link, "result")) {
-          for (const sim::ElementFact& answer : inspector.ElementsOf(result)) {
+          for (const explain::ElementFact& answer : inspector.ElementsOf(result)) {
             if (answer.timetag <= memory.answered_timetag) continue;
             if (answer.attribute != "success" && answer.attribute != "failure") continue;
             newest = std::max(newest, answer.timetag);
@@ -325,44 +325,44 @@ void FactGatherer::GatherRetrievals(sim::Inspector& inspector, const std::vector
 }
 
 void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
-  const std::unique_ptr<sim::Inspector> inspector = simulation_.Inspect(facts.name);
+  const std::unique_ptr<explain::Inspector> inspector = simulation_.Inspect(facts.name);
   if (inspector == nullptr) return;
-  const sim::MindFacts mind = inspector->Mind();
+  const explain::MindFacts mind = inspector->Mind();
   facts.decisions = static_cast<double>(mind.decisions);
   facts.firings = static_cast<double>(mind.firings);
   facts.elements = static_cast<double>(mind.elements);
-  const std::vector<sim::StateFact> stack = inspector->Stack();
+  const std::vector<explain::StateFact> stack = inspector->Stack();
   facts.depth = static_cast<double>(stack.size());
   Memory& memory = memories_[agent];
   if (wants_.numbers) {
-    if (auto* const source = dynamic_cast<sim::LearningSource*>(inspector.get())) {
-      const sim::LearningFacts learning = source->Learning();
+    if (auto* const source = dynamic_cast<explain::LearningSource*>(inspector.get())) {
+      const explain::LearningFacts learning = source->Learning();
       facts.reward = learning.total_reward;
       facts.updates = 0;
-      for (const sim::NumberFact& number : learning.numbers) facts.updates += static_cast<double>(number.updates);
+      for (const explain::NumberFact& number : learning.numbers) facts.updates += static_cast<double>(number.updates);
       facts.values = static_cast<double>(learning.numbers.size());
     }
   }
   if (wants_.retrievals) GatherRetrievals(*inspector, stack, facts, memory);
   if (wants_.learned) {
     double reused = 0;
-    for (const sim::RuleFact& rule : inspector->Rules())
+    for (const explain::RuleFact& rule : inspector->Rules())
       if (rule.type == "chunk") reused += static_cast<double>(rule.firings);
     facts.reused = std::max(facts.reused, reused);
   }
   if (!memory.knows_rules || memory.rules != mind.rules) {
     // Rules that were learned and have gone again still count.
     double learned = 0;
-    for (const sim::RuleFact& rule : inspector->Rules()) learned += rule.type == "chunk" ? 1 : 0;
+    for (const explain::RuleFact& rule : inspector->Rules()) learned += rule.type == "chunk" ? 1 : 0;
     facts.learned = std::max(facts.learned, learned);
     memory.rules = mind.rules;
     memory.knows_rules = true;
   }
   facts.answered = 0;
   if (!mind.output_link.empty()) {
-    for (const sim::ElementFact& command : inspector->ElementsOf(mind.output_link)) {
+    for (const explain::ElementFact& command : inspector->ElementsOf(mind.output_link)) {
       if (!command.is_object) continue;
-      for (const sim::ElementFact& below : inspector->ElementsOf(command.value)) {
+      for (const explain::ElementFact& below : inspector->ElementsOf(command.value)) {
         if (below.attribute != "status" ||
             (below.value != "complete" && below.value != "error" && below.value != "interrupted"))
           continue;
@@ -385,15 +385,15 @@ void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
       const std::string_view attribute = path.substr(0, dot);
       std::vector<std::string> next;
       for (const std::string& id : at) {
-        for (const sim::ElementFact& element : inspector->ElementsOf(id)) {
+        for (const explain::ElementFact& element : inspector->ElementsOf(id)) {
           if (element.attribute != attribute || element.acceptable) continue;
           if (dot != std::string_view::npos) {
             if (element.is_object) next.push_back(element.value);
             continue;
           }
           char support = 'i';
-          for (const sim::MakerFact& maker : inspector->MakersOf(element.timetag))
-            if (maker.kind != sim::MakerFact::Kind::kRule || maker.o_supported) support = 'o';
+          for (const explain::MakerFact& maker : inspector->MakersOf(element.timetag))
+            if (maker.kind != explain::MakerFact::Kind::kRule || maker.o_supported) support = 'o';
           facts.found.push_back({i, element.value, support});
         }
       }

@@ -33,8 +33,8 @@ class FactGatherer {
   std::size_t IndexOf(std::string_view name) const;
 
   struct Memory;
-  static void GatherRetrievals(sim::Inspector& inspector, const std::vector<sim::StateFact>& stack, AgentFacts& facts,
-                               Memory& memory);
+  static void GatherRetrievals(explain::Inspector& inspector, const std::vector<explain::StateFact>& stack,
+                               AgentFacts& facts, Memory& memory);
 
   /// What a mind was about when the tick began, and what goes on.
   struct Memory {

@@ -194,14 +194,14 @@ std::vector<std::string> ReasonsFor(const Check& check, const std::string& agent
   if (agent.empty()) return lines;
   const std::string topic = TopicOf(check);
   if (!topic.empty()) {
-    if (const Result<std::vector<sim::WhyNode>> why = simulation.WhyTopic(agent, topic)) {
-      for (const sim::WhyNode& node : *why) {
-        const std::vector<std::string> more = sim::Lines(node, 1);
+    if (const Result<std::vector<explain::WhyNode>> why = simulation.WhyTopic(agent, topic)) {
+      for (const explain::WhyNode& node : *why) {
+        const std::vector<std::string> more = explain::Lines(node, 1);
         lines.insert(lines.end(), more.begin(), more.end());
       }
     }
   }
-  if (lines.empty()) lines = sim::AccountLines(simulation.Why(agent));
+  if (lines.empty()) lines = explain::AccountLines(simulation.Why(agent));
   if (lines.size() > kMostReasons) {
     lines.resize(kMostReasons);
     lines.emplace_back("...");

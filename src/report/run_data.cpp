@@ -247,10 +247,10 @@ class RunStory {
         Add(event.time_s, event.agent, event.news == "says" ? "message" : "news", event.news + " " + event.text);
         if (event.news == "dies")
           Moment(event.time_s, 1, event.agent, event.agent + " dies, " + event.text,
-                 sim::AccountLines(simulation_.Why(event.agent)));
+                 explain::AccountLines(simulation_.Why(event.agent)));
         if (event.news == "shoots" && !has_shot_)
           Moment(event.time_s, 4, event.agent, event.agent + " fires the first shot",
-                 sim::AccountLines(simulation_.Why(event.agent)));
+                 explain::AccountLines(simulation_.Why(event.agent)));
         has_shot_ |= event.news == "shoots";
         break;
       case sim::EventKind::kLog:
@@ -289,7 +289,7 @@ class RunStory {
       if (told_.insert(agent.name + "/" + event.word).second)
         Moment(facts.time_s, event.word == "tie" || event.word == "conflict" ? 2 : 5, agent.name,
                agent.name + " meets its first " + event.word + " impasse",
-               sim::AccountLines(simulation_.Why(agent.name)));
+               explain::AccountLines(simulation_.Why(agent.name)));
     }
   }
 
@@ -345,13 +345,13 @@ class RunStory {
 
   std::vector<Json> Rules(const std::string& agent) {
     std::vector<Json> list;
-    const std::unique_ptr<sim::Inspector> inspector = simulation_.Inspect(agent);
+    const std::unique_ptr<explain::Inspector> inspector = simulation_.Inspect(agent);
     if (inspector == nullptr) return list;
-    for (const sim::RuleFact& rule : inspector->Rules()) {
+    for (const explain::RuleFact& rule : inspector->Rules()) {
       Json& made = list.emplace_back(Json{{"name", rule.name}, {"firings", rule.firings}, {"type", rule.type}});
       if (!rule.file.empty()) made["file"] = fs::path(rule.file).filename().string() + ":" + std::to_string(rule.line);
       if (rule.firings > 0) continue;
-      const std::optional<sim::MatchFacts> match = inspector->Match(rule.name);
+      const std::optional<explain::MatchFacts> match = inspector->Match(rule.name);
       if (match && match->failing && *match->failing < match->conditions.size())
         made["stops"] =
             CutText("condition " + std::to_string(*match->failing + 1) + " of " +

@@ -25,13 +25,13 @@ float SpeedFactor(const std::string& stance) {
 }  // namespace
 
 double Running::Number(std::string_view name, double otherwise) const {
-  const Percept* given = Get(name);
+  const vocabulary::Percept* given = Get(name);
   return given != nullptr ? given->Number().value_or(otherwise) : otherwise;
 }
 
 std::string Running::Word(std::string_view name) const {
-  const Percept* given = Get(name);
-  return given != nullptr && !given->IsObject() ? DescribeValue(*given) : std::string();
+  const vocabulary::Percept* given = Get(name);
+  return given != nullptr && !given->IsObject() ? vocabulary::DescribeValue(*given) : std::string();
 }
 
 Actor::Actor(Arena& arena, world::World& world, world::EntityId id, BodyKind kind, bool is_scripted)
@@ -109,23 +109,25 @@ void Actor::End(const Running& command, Outcome::Status status, std::string_view
   outcome.command = command.said.name;
   outcome.reason = reason;
   if (text.empty()) text = WhichPlaces(command, reason);
-  if (const ReasonRow* row = FindReason(reason); row != nullptr && text.empty()) text = row->meaning;
+  if (const vocabulary::ReasonRow* row = vocabulary::FindReason(reason); row != nullptr && text.empty())
+    text = row->meaning;
   outcome.text = std::move(text);
   outcomes_.push_back(std::move(outcome));
 }
 
-void Actor::Begin(const SaidCommand& command) {
+void Actor::Begin(const vocabulary::SaidCommand& command) {
   Running started;
   started.said = command;
-  started.row = FindCommand(command.name);
+  started.row = vocabulary::FindCommand(command.name);
   if (!IsAlive()) return End(started, Outcome::Status::kError, "dead");
-  if (CommandFault fault = CheckCommand(command); !fault.ok()) {
+  if (vocabulary::CommandFault fault = vocabulary::CheckCommand(command); !fault.ok()) {
     End(started, Outcome::Status::kError, fault.reason, fault.text);
     outcomes_.back().parameter = fault.parameter;
     return;
   }
-  const BodyPart part = started.row->part;
-  if (part != BodyPart::kNone && part != BodyPart::kVoice && part != BodyPart::kPosture) {
+  const vocabulary::BodyPart part = started.row->part;
+  if (part != vocabulary::BodyPart::kNone && part != vocabulary::BodyPart::kVoice &&
+      part != vocabulary::BodyPart::kPosture) {
     for (const Running& other : running_)
       if (other.row->part == part) End(other, Outcome::Status::kInterrupted, {});
     std::erase_if(running_, [&](const Running& other) { return other.row->part == part; });
@@ -134,7 +136,7 @@ void Actor::Begin(const SaidCommand& command) {
     End(running_.front(), Outcome::Status::kInterrupted, {});
     running_.erase(running_.begin());
   }
-  if (part == BodyPart::kLegs) {
+  if (part == vocabulary::BodyPart::kLegs) {
     way_.status = command.name == "stop" ? "none" : "moving";
     way_.command = command.name;
     way_.remaining_m.reset();
@@ -145,7 +147,7 @@ void Actor::Begin(const SaidCommand& command) {
 void Actor::Cancel(std::uint64_t tag) {
   const auto at = std::find_if(running_.begin(), running_.end(), [&](const Running& r) { return r.said.tag == tag; });
   if (at == running_.end()) return;
-  if (at->row->part == BodyPart::kLegs) way_ = Way{};
+  if (at->row->part == vocabulary::BodyPart::kLegs) way_ = Way{};
   running_.erase(at);
 }
 
@@ -173,7 +175,7 @@ void Actor::Step() {
       continue;
     }
     const bool done = result.state == StepResult::State::kDone;
-    if (command.row->part == BodyPart::kLegs && command.said.name != "stop") {
+    if (command.row->part == vocabulary::BodyPart::kLegs && command.said.name != "stop") {
       way_.status = done ? "arrived" : "blocked";
       way_.remaining_m.reset();
     }
@@ -256,7 +258,7 @@ std::optional<Actor::Sighting> Actor::Find(world::EntityId agent, std::string_vi
 }
 
 std::optional<Actor::Place> Actor::FindPlace(const Running& command, std::string_view& reason) const {
-  if (const Percept* x = command.Get("x"), *z = command.Get("z"); x != nullptr && z != nullptr) {
+  if (const vocabulary::Percept* x = command.Get("x"), *z = command.Get("z"); x != nullptr && z != nullptr) {
     return Place{{static_cast<float>(*x->Number()), body_->Position().y, static_cast<float>(*z->Number())}};
   }
   if (command.Get("waypoint") != nullptr) {

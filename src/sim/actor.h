@@ -10,9 +10,9 @@
 
 #include "sim/bearing.h"
 #include "sim/body_kind.h"
-#include "sim/command_check.h"
 #include "sim/contacts.h"
 #include "sim/places.h"
+#include "vocabulary/command_check.h"
 #include "world/message_board.h"
 #include "world/weapon.h"
 #include "world/world.h"
@@ -59,8 +59,8 @@ struct Outcome {
 
 /// A command that a body is carrying out.
 struct Running {
-  SaidCommand said;
-  const CommandRow* row = nullptr;
+  vocabulary::SaidCommand said;
+  const vocabulary::CommandRow* row = nullptr;
   std::uint64_t ticks = 0;  ///< Steps done so far; 0 in the first.
   // What the conducts keep between steps.
   float start_m = 0, best_m = 0;
@@ -73,7 +73,7 @@ struct Running {
   std::uint64_t path_tick = 0;
   int told_tenths = -1;  ///< Progress reported last.
 
-  const Percept* Get(std::string_view name) const { return FindPercept(said.parameters, name); }
+  const vocabulary::Percept* Get(std::string_view name) const { return vocabulary::FindPercept(said.parameters, name); }
   double Number(std::string_view name, double otherwise) const;
   std::string Word(std::string_view name) const;
 };
@@ -110,7 +110,7 @@ class Actor {
 
   // Commands.
   /// Takes a command that a mind has said; a fault in it is an outcome. Others that hold the same part are interrupted.
-  void Begin(const SaidCommand& command);
+  void Begin(const vocabulary::SaidCommand& command);
   /// The rules have taken the command back: it is given up without an outcome.
   void Cancel(std::uint64_t tag);
   /// One tick: weapons, commands, legs.

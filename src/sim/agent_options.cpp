@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "sim/vocabulary.h"
+#include "vocabulary/vocabulary.h"
 
 namespace soarbox::sim {
 namespace {
@@ -119,9 +119,9 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
   if (name.starts_with("senses.only.")) {
     const std::string* text = std::get_if<std::string>(&value);
     if (text == nullptr) return WrongType("senses.only", "a list of names of senses");
-    if (FindSense(*text) == nullptr) {
+    if (vocabulary::FindSense(*text) == nullptr) {
       std::vector<std::string_view> names;
-      for (const SenseRow& row : Senses()) names.push_back(row.name);
+      for (const vocabulary::SenseRow& row : vocabulary::Senses()) names.push_back(row.name);
       const std::string_view near = Suggest(*text, names);
       return Bad("there is no sense '" + *text + "'",
                  near.empty() ? "docs/percepts.md lists the senses" : "did you mean '" + std::string(near) + "'?");

@@ -13,18 +13,18 @@
 
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
+#include "explain/odd_characters.h"
+#include "explain/reasons.h"
+#include "explain/rule_slips.h"
+#include "explain/rule_surroundings.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "sim/live_edits.h"
-#include "sim/odd_characters.h"
-#include "sim/reasons.h"
-#include "sim/rule_slips.h"
-#include "sim/rule_surroundings.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
 #include "sim/sourced_files.h"
-#include "sim/vocabulary.h"
 #include "sml_Client.h"
+#include "vocabulary/vocabulary.h"
 
 namespace soarbox::sim {
 namespace {
@@ -163,14 +163,14 @@ class Checker {
     problems.insert(problems.end(), slips.begin(), slips.end());
   }
 
-  const Surroundings& Around(const fs::path& folder) {
+  const explain::Surroundings& Around(const fs::path& folder) {
     const auto [at, is_new] = around_.try_emplace(folder);
-    if (is_new) at->second = LookAround(folder, folders_);
+    if (is_new) at->second = explain::LookAround(folder, folders_);
     return at->second;
   }
 
   /// Of the scenario files in a folder, or in the one above; a script beside them may make further places.
-  const KnownPlaces& PlacesBeside(const fs::path& folder) {
+  const explain::KnownPlaces& PlacesBeside(const fs::path& folder) {
     const auto [at, is_new] = places_.try_emplace(folder);
     if (!is_new) return at->second;
     std::error_code error;
@@ -200,29 +200,29 @@ class Checker {
     Result<SoarHost::Loaded> loaded = host_->CreateAgent("check-" + std::to_string(++count_), file);
     if (!loaded) return problems.push_back(loaded.error());
     problems.insert(problems.end(), loaded->problems.begin(), loaded->problems.end());
-    MindReasons reasons(*loaded->agent);
+    explain::MindReasons reasons(*loaded->agent);
     const bool complete = std::none_of(loaded->problems.begin(), loaded->problems.end(),
                                        [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
-    Lint(file, BlankComments(ReadText(file).value_or("")), reasons.rules(), complete);
+    Lint(file, explain::BlankComments(ReadText(file).value_or("")), reasons.rules(), complete);
   }
 
-  void Lint(const fs::path& file, const std::string& text, const std::vector<RuleText>& rules, bool complete) {
-    const Surroundings& around = Around(file.parent_path());
-    std::vector<RuleFile> files = {{file, text}};
+  void Lint(const fs::path& file, const std::string& text, const std::vector<explain::RuleText>& rules, bool complete) {
+    const explain::Surroundings& around = Around(file.parent_path());
+    std::vector<explain::RuleFile> files = {{file, text}};
     for (const fs::path& one : WithSourcedFiles(file, folders_))
-      if (one != file) files.push_back({one, BlankComments(ReadText(one).value_or(""))});
-    for (Diagnostic& twice : FindDuplicates(files)) problems.push_back(std::move(twice));
+      if (one != file) files.push_back({one, explain::BlankComments(ReadText(one).value_or(""))});
+    for (Diagnostic& twice : explain::FindDuplicates(files)) problems.push_back(std::move(twice));
     std::set<std::string> loaded;
-    for (const RuleText& rule : rules) loaded.insert(rule.name);
-    for (auto& [rule, warning] : FindOddCharacters({file, text}))
+    for (const explain::RuleText& rule : rules) loaded.insert(rule.name);
+    for (auto& [rule, warning] : explain::FindOddCharacters({file, text}))
       if (loaded.contains(rule)) problems.push_back(std::move(warning));
-    const KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
-                           around.has_database, complete};
-    for (const auto& slips :
-         {FindSlipsOfForm(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfWorld(rules, known.places)}) {
-      for (const Slip& slip : slips) {
+    const explain::KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
+                                    around.has_database, complete};
+    for (const auto& slips : {explain::FindSlipsOfForm(rules), explain::FindSlipsOfMeaning(rules, known),
+                              explain::FindSlipsOfWorld(rules, known.places)}) {
+      for (const explain::Slip& slip : slips) {
         if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
-        problems.push_back(PlaceSlip(slip, file, text));
+        problems.push_back(explain::PlaceSlip(slip, file, text));
       }
     }
   }
@@ -231,8 +231,8 @@ class Checker {
   std::vector<fs::path> folders_;
   std::unique_ptr<SoarHost> host_;
   int count_ = 0;
-  std::map<fs::path, Surroundings> around_;
-  std::map<fs::path, KnownPlaces> places_;
+  std::map<fs::path, explain::Surroundings> around_;
+  std::map<fs::path, explain::KnownPlaces> places_;
 };
 
 }  // namespace

@@ -56,8 +56,9 @@ StepResult Post(Actor& actor, Running& command, world::EntityId to) {
   message.to = to;
   message.team = actor.body().Team();
   message.about = command.Word("about");
-  for (const Percept& field : command.said.parameters) {
-    if (field.IsObject() || HoldsWord("to about status reason parameter progress", field.attribute)) continue;
+  for (const vocabulary::Percept& field : command.said.parameters) {
+    if (field.IsObject() || vocabulary::HoldsWord("to about status reason parameter progress", field.attribute))
+      continue;
     world::Message::Value value;
     if (const auto* text = field.Text()) {
       value = *text;
@@ -69,7 +70,7 @@ StepResult Post(Actor& actor, Running& command, world::EntityId to) {
     message.fields.push_back({field.attribute, std::move(value)});
   }
   std::string heard = to == world::kNoEntity ? "team " + message.team : actor.world().FindAgent(to)->name();
-  actor.arena().Tell(actor.id(), "says", "to " + heard + ": " + Describe(command.said.parameters));
+  actor.arena().Tell(actor.id(), "says", "to " + heard + ": " + vocabulary::Describe(command.said.parameters));
   actor.arena().board().Post(std::move(message), actor.world().tick());
   return StepResult::Done();
 }

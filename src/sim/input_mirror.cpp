@@ -193,11 +193,11 @@ void InputMirror::TellText(const Name& name, std::string_view value) {
   if (log_ != nullptr) Note(*slot);
 }
 
-void InputMirror::Word(const PerceptRow& row, std::string_view value, std::uint32_t key) {
+void InputMirror::Word(const vocabulary::PerceptRow& row, std::string_view value, std::uint32_t key) {
   TellText({&row, {}, key, Kind::kText}, value);
 }
 
-void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const ConstantValue& value) {
+void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const vocabulary::ConstantValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
     TellInteger({nullptr, attribute, key, Kind::kInteger}, *integer);
   } else if (const auto* number = std::get_if<double>(&value)) {
@@ -234,8 +234,8 @@ void InputMirror::Close() {
   open_.pop_back();
 }
 
-void InputMirror::ShowList(const PerceptList& list) {
-  for (const Percept& percept : list) {
+void InputMirror::ShowList(const vocabulary::PerceptList& list) {
+  for (const vocabulary::Percept& percept : list) {
     if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
       TellOther(percept.attribute, percept.key, *integer);
     } else if (const auto* number = std::get_if<double>(&percept.value)) {
@@ -244,13 +244,13 @@ void InputMirror::ShowList(const PerceptList& list) {
       TellOther(percept.attribute, percept.key, *text);
     } else {
       OpenNamed({nullptr, percept.attribute, percept.key, Kind::kObject});
-      ShowList(std::get<PerceptList>(percept.value));
+      ShowList(std::get<vocabulary::PerceptList>(percept.value));
       Close();
     }
   }
 }
 
-void InputMirror::Show(const PerceptList& wanted) {
+void InputMirror::Show(const vocabulary::PerceptList& wanted) {
   Begin();
   ShowList(wanted);
   End();

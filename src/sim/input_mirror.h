@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mind/event_log.h"
-#include "sim/percept.h"
-#include "sim/percept_sink.h"
+#include "vocabulary/percept.h"
+#include "vocabulary/percept_sink.h"
 
 namespace sml {
 class Agent;
@@ -30,27 +30,31 @@ namespace soarbox::sim {
 ///
 /// Invariant: what it keeps is what the client library was told last. Other elements on the input link (the thesis'
 /// ^distance) are not its own and stay. Owned by the agent's mind.
-class InputMirror final : public PerceptSink {
+class InputMirror final : public vocabulary::PerceptSink {
  public:
   explicit InputMirror(sml::Agent& agent);
   InputMirror(InputMirror&&) noexcept = default;
   InputMirror& operator=(InputMirror&&) noexcept = default;
 
   /// Makes the input link show what `tell(sink)` tells.
-  template <std::invocable<PerceptSink&> Tell>
+  template <std::invocable<vocabulary::PerceptSink&> Tell>
   void Show(Tell&& tell) {
     Begin();
-    tell(static_cast<PerceptSink&>(*this));
+    tell(static_cast<vocabulary::PerceptSink&>(*this));
     End();
   }
-  void Show(const PerceptList& wanted);
+  void Show(const vocabulary::PerceptList& wanted);
   /// The same by hand.
   void Begin();
   void End();
 
-  void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) override;
-  void Other(std::string_view attribute, const ConstantValue& value) override { TellOther(attribute, 0, value); }
-  void Open(const PerceptRow& row, std::uint32_t key = 0) override { OpenNamed({&row, {}, key, Kind::kObject}); }
+  void Word(const vocabulary::PerceptRow& row, std::string_view value, std::uint32_t key = 0) override;
+  void Other(std::string_view attribute, const vocabulary::ConstantValue& value) override {
+    TellOther(attribute, 0, value);
+  }
+  void Open(const vocabulary::PerceptRow& row, std::uint32_t key = 0) override {
+    OpenNamed({&row, {}, key, Kind::kObject});
+  }
   void Close() override;
 
   // For what comes at the end and goes at the beginning.
@@ -70,7 +74,7 @@ class InputMirror final : public PerceptSink {
   enum class Kind : std::uint8_t { kInteger, kFloat, kText, kObject };
   /// What an element is found by. One without a row goes by its name.
   struct Name {
-    const PerceptRow* row = nullptr;
+    const vocabulary::PerceptRow* row = nullptr;
     std::string_view other = {};
     std::uint32_t key = 0;
     Kind kind = Kind::kText;
@@ -88,7 +92,7 @@ class InputMirror final : public PerceptSink {
       std::vector<Slot>* below;  ///< Of an object; from slots_.
     };
     sml::WMElement* element = nullptr;  ///< Knows its attribute, and a text that is too long for this.
-    const PerceptRow* row = nullptr;
+    const vocabulary::PerceptRow* row = nullptr;
     std::uint32_t key = 0;
     Kind kind = Kind::kText;
     std::uint8_t size = 0;  ///< Of a text, or kLong.
@@ -106,16 +110,18 @@ class InputMirror final : public PerceptSink {
     std::size_t dropped = 0;      ///< So many in front of `next` are gone.
   };
 
-  void Integer(const PerceptRow& row, std::int64_t value) override {
+  void Integer(const vocabulary::PerceptRow& row, std::int64_t value) override {
     TellInteger({&row, {}, 0, Kind::kInteger}, value);
   }
-  void Float(const PerceptRow& row, double value) override { TellFloat({&row, {}, 0, Kind::kFloat}, value); }
+  void Float(const vocabulary::PerceptRow& row, double value) override {
+    TellFloat({&row, {}, 0, Kind::kFloat}, value);
+  }
   void TellInteger(const Name& name, std::int64_t value);
   void TellFloat(const Name& name, double value);
   void TellText(const Name& name, std::string_view value);
-  void TellOther(std::string_view attribute, std::uint32_t key, const ConstantValue& value);
+  void TellOther(std::string_view attribute, std::uint32_t key, const vocabulary::ConstantValue& value);
   void OpenNamed(const Name& name);
-  void ShowList(const PerceptList& list);
+  void ShowList(const vocabulary::PerceptList& list);
 
   Slot* Find(const Name& name);
   Slot* Insert(const Name& name, sml::WMElement* element);

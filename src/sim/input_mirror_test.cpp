@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/vocabulary_percepts.h"
 #include "sml_Client.h"
+#include "vocabulary/vocabulary_percepts.h"
 
 namespace soarbox::sim {
 namespace {
@@ -32,10 +32,10 @@ class InputMirrorTest : public testing::Test {
     return agent_->GetInputLink()->FindByAttribute(attribute, index)->GetTimeTag();
   }
   /// Tells somebody with a name and a range.
-  static void TellAgent(PerceptSink& sink, std::uint32_t key, std::string_view name, double range_m) {
-    sink.Open(RowOf("agent"), key);
-    sink.Word(RowOf("agent.name"), name);
-    sink.Number(RowOf("agent.range"), range_m);
+  static void TellAgent(vocabulary::PerceptSink& sink, std::uint32_t key, std::string_view name, double range_m) {
+    sink.Open(vocabulary::RowOf("agent"), key);
+    sink.Word(vocabulary::RowOf("agent.name"), name);
+    sink.Number(vocabulary::RowOf("agent.range"), range_m);
     sink.Close();
   }
 
@@ -45,8 +45,8 @@ class InputMirrorTest : public testing::Test {
 };
 
 TEST_F(InputMirrorTest, WhatIsToldAsItWasIsNotWrittenAgain) {
-  const auto tell = [](PerceptSink& sink) {
-    sink.Number(RowOf("time"), 1);
+  const auto tell = [](vocabulary::PerceptSink& sink) {
+    sink.Number(vocabulary::RowOf("time"), 1);
     TellAgent(sink, 3, "a name that is longer than sixteen letters", 2.5);
   };
   mirror_.Show(tell);
@@ -58,12 +58,12 @@ TEST_F(InputMirrorTest, WhatIsToldAsItWasIsNotWrittenAgain) {
 }
 
 TEST_F(InputMirrorTest, OnlyWhatDiffersIsWrittenAndObjectsKeepTheirIdentifiers) {
-  mirror_.Show([](PerceptSink& sink) {
+  mirror_.Show([](vocabulary::PerceptSink& sink) {
     TellAgent(sink, 3, "red", 2);
     TellAgent(sink, 4, "blue", 9);
   });
   const long long tag = TagOf("agent");
-  mirror_.Show([](PerceptSink& sink) {
+  mirror_.Show([](vocabulary::PerceptSink& sink) {
     TellAgent(sink, 3, "red", 3);
     TellAgent(sink, 4, "blue", 9);
   });
@@ -74,7 +74,7 @@ TEST_F(InputMirrorTest, OnlyWhatDiffersIsWrittenAndObjectsKeepTheirIdentifiers) 
 
 TEST_F(InputMirrorTest, SiblingsAreToldApartByTheirKeysInWhateverOrderTheyComeAndGo) {
   const auto tell = [this](std::vector<std::uint32_t> keys) {
-    mirror_.Show([&](PerceptSink& sink) {
+    mirror_.Show([&](vocabulary::PerceptSink& sink) {
       for (const std::uint32_t key : keys) TellAgent(sink, key, "n" + std::to_string(key), key);
     });
   };
@@ -108,11 +108,11 @@ TEST_F(InputMirrorTest, AQueueLosesItsFirstAndGetsNewOnesWhileTheRestStaysUntold
 }
 
 TEST_F(InputMirrorTest, AValueMayChangeItsType) {
-  const auto show = [this](Percept::Object list) { mirror_.Show(list); };
+  const auto show = [this](vocabulary::Percept::Object list) { mirror_.Show(list); };
   show({{"heat", 1, std::int64_t{3}}});
   show({{"heat", 1, 3.5}});
   EXPECT_EQ(Link(), "heat 3.5");
-  show({{"heat", 1, PerceptList{{"of", 0, std::string("oven")}}}});
+  show({{"heat", 1, vocabulary::PerceptList{{"of", 0, std::string("oven")}}}});
   EXPECT_EQ(Link(), "heat {of oven}");
   show({{"heat", 1, std::string("much")}, {"heat", 2, std::string("more")}});
   EXPECT_EQ(Link(), "heat much heat more");

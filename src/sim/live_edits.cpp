@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
+#include "explain/rule_text.h"
 #include "script/keep_state.h"
 #include "sim/check.h"
-#include "sim/rule_text.h"
 #include "sim/simulation.h"
 #include "sim/sourced_files.h"
 #include "sim/vet_rules.h"
@@ -71,7 +71,7 @@ std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
 
 SplitText SplitRules(std::string_view given) {
   SplitText split;
-  const std::string text = BlankComments(std::string(given));
+  const std::string text = explain::BlankComments(std::string(given));
   split.only_rules.reserve(text.size());
   for (const char c : text) split.only_rules += c == '\n' ? '\n' : ' ';
   for (std::size_t at = 0; at < text.size();) {

@@ -22,13 +22,13 @@ struct TickOfMind {
   std::vector<mind::Parameter> parameters;                   ///< Scratch.
 };
 
-void AddParameters(const PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
-  for (const Percept& percept : list) {
+void AddParameters(const vocabulary::PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
+  for (const vocabulary::Percept& percept : list) {
     if (parameters.size() >= mind::kMostParameters) return;
     mind::Parameter& parameter = parameters.emplace_back();
     parameter.depth = depth;
     parameter.attribute = percept.attribute;
-    if (const auto* below = std::get_if<PerceptList>(&percept.value)) {
+    if (const auto* below = std::get_if<vocabulary::PerceptList>(&percept.value)) {
       parameter.is_object = true;
       AddParameters(*below, depth + 1, parameters);
     } else if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
@@ -145,7 +145,7 @@ const mind::EventLog& MindLog::events() const {
   return listener_->tick.events;
 }
 
-void MindLog::NoteCommand(std::uint64_t timetag, std::string_view name, const PerceptList& parameters) {
+void MindLog::NoteCommand(std::uint64_t timetag, std::string_view name, const vocabulary::PerceptList& parameters) {
   TickOfMind& tick = listener_->tick;
   mind::CommandSaid said{timetag, name, {}, std::move(tick.parameters)};
   said.parameters.clear();

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "mind/event_log.h"
-#include "sim/percept.h"
+#include "vocabulary/percept.h"
 
 namespace sml {
 class Agent;
@@ -40,7 +40,7 @@ class MindLog {
   mind::EventLog& events();
   const mind::EventLog& events() const;
   /// A command came to the output link; the rule that made it is known by then.
-  void NoteCommand(std::uint64_t timetag, std::string_view name, const PerceptList& parameters);
+  void NoteCommand(std::uint64_t timetag, std::string_view name, const vocabulary::PerceptList& parameters);
   /// The operators chosen in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody tells.
   std::string Operators() const;
 

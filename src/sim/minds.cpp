@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "explain/reasons.h"
 #include "sim/directions.h"
-#include "sim/reasons.h"
 #include "sim/senses.h"
 #include "tell/sentences.h"
 
@@ -43,8 +43,8 @@ std::string NearMiss(const std::string& wanted, const std::vector<std::filesyste
 }
 
 /// "rule NAME: ..." apart.
-FailedRule Failed(const Diagnostic& problem) {
-  FailedRule failed;
+explain::FailedRule Failed(const Diagnostic& problem) {
+  explain::FailedRule failed;
   failed.place = std::filesystem::path(problem.file).filename().string() + ":" + std::to_string(problem.line);
   failed.problem = problem.message;
   constexpr std::string_view kRule = "rule ";
@@ -67,11 +67,11 @@ void NoteRow(const script::TableField& field, std::set<std::string>& names) {
 
 }  // namespace
 
-PerceptList ToPercepts(const script::Table& table) {
-  PerceptList list;
+vocabulary::PerceptList ToPercepts(const script::Table& table) {
+  vocabulary::PerceptList list;
   std::map<std::string, std::uint32_t> keys;
   for (const script::TableField& field : table) {
-    Percept& made = list.emplace_back();
+    vocabulary::Percept& made = list.emplace_back();
     made.attribute = field.name;
     made.key = ++keys[field.name];
     if (const auto* number = std::get_if<double>(&field.value)) {
@@ -90,9 +90,9 @@ PerceptList ToPercepts(const script::Table& table) {
   return list;
 }
 
-script::Table ToTable(const PerceptList& list) {
+script::Table ToTable(const vocabulary::PerceptList& list) {
   script::Table table;
-  for (const Percept& percept : list) {
+  for (const vocabulary::Percept& percept : list) {
     script::TableField& made = table.emplace_back();
     made.name = percept.attribute;
     if (const auto number = percept.Number()) {
@@ -100,7 +100,7 @@ script::Table ToTable(const PerceptList& list) {
     } else if (const auto* text = percept.Text()) {
       made.value = *text;
     } else {
-      made.value = ToTable(std::get<PerceptList>(percept.value));
+      made.value = ToTable(std::get<vocabulary::PerceptList>(percept.value));
     }
   }
   return table;
@@ -372,9 +372,9 @@ void Minds::Conclude(Mind& mind) {
   TellWritten(mind, body);
   if (TellBreakdown(mind, body)) return;
   if (!mind.soar.commands().empty()) {
-    const SaidCommand& said = mind.soar.commands().back();
+    const vocabulary::SaidCommand& said = mind.soar.commands().back();
     mind.last_said = said.name;
-    if (!said.parameters.empty()) mind.last_said.append(" ").append(Describe(said.parameters));
+    if (!said.parameters.empty()) mind.last_said.append(" ").append(vocabulary::Describe(said.parameters));
     mind.last_said_s = world_.time_s();
     mind.last_answer.clear();
   }
@@ -399,7 +399,7 @@ void Minds::Answer() {
       const bool is_error = outcome.status == Outcome::Status::kError;
       mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete");
       if (is_error && !outcome.text.empty()) mind.last_answer += ": " + outcome.text;
-      const CommandRow* row = FindCommand(outcome.command);
+      const vocabulary::CommandRow* row = vocabulary::FindCommand(outcome.command);
       if (!is_error && (row == nullptr || !row->lasting)) continue;
       // The same fault of the same command is told once; an author sees how often at the end of the run.
       if (is_error && ++mind.told[outcome.command + " " + outcome.reason + " " + outcome.parameter] > 1) continue;
@@ -454,7 +454,7 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
 
 void Minds::TellHalt(Mind& mind, const world::Agent& body) {
   if (std::exchange(mind.told_halt, true)) return;
-  const std::string why = MindReasons(mind.soar.agent()).WhyHalted();
+  const std::string why = explain::MindReasons(mind.soar.agent()).WhyHalted();
   Tell(EventKind::kGap, body, tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
 }
 
@@ -500,20 +500,20 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   event.kind = EventKind::kGap;
   event.agent = body.name();
   event.text = std::move(text);
-  event.reasons = MindReasons(mind.soar.agent(), FailedIn(mind.rules)).WhyIdle(KnownAttributes());
+  event.reasons = explain::MindReasons(mind.soar.agent(), FailedIn(mind.rules)).WhyIdle(KnownAttributes());
   if (mind.last_answer.find(" failed: ") != std::string::npos)
     event.reasons.insert(event.reasons.begin(), "its last command " + mind.last_answer);
   const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front();
   if (++mind.causes[cause] > 1) return;
   std::string percepts;
   if (mind.settings.has_distance) {
-    Percept distance;
+    vocabulary::Percept distance;
     distance.attribute = "distance";
     distance.value = static_cast<double>(mind.distance_squared_m2);
-    percepts = Describe({distance});
+    percepts = vocabulary::Describe({distance});
   }
   if (const Actor* actor = arena_.Find(mind.agent))
-    percepts += (percepts.empty() ? "" : " ") + Describe(AllPercepts(*actor));
+    percepts += (percepts.empty() ? "" : " ") + vocabulary::Describe(AllPercepts(*actor));
   if (!percepts.empty()) {
     constexpr std::size_t kShown = 600;
     event.reasons.push_back("it perceives " +
@@ -522,9 +522,9 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   report_(std::move(event));
 }
 
-std::vector<FailedRule> Minds::FailedIn(const std::filesystem::path& rules) const {
+std::vector<explain::FailedRule> Minds::FailedIn(const std::filesystem::path& rules) const {
   const auto failed = failed_.find(rules);
-  return failed == failed_.end() ? std::vector<FailedRule>() : failed->second;
+  return failed == failed_.end() ? std::vector<explain::FailedRule>() : failed->second;
 }
 
 std::set<std::string> Minds::KnownAttributes() {
@@ -533,9 +533,9 @@ std::set<std::string> Minds::KnownAttributes() {
     if (mind.gone) continue;
     const auto [at, is_new] = made_by_rules_.try_emplace(mind.rules);
     if (is_new) {
-      MindReasons reasons(mind.soar.agent());
-      for (const RuleText& rule : reasons.rules())
-        for (const RuleAttribute& action : rule.actions) at->second.insert(action.attribute);
+      explain::MindReasons reasons(mind.soar.agent());
+      for (const explain::RuleText& rule : reasons.rules())
+        for (const explain::RuleAttribute& action : rule.actions) at->second.insert(action.attribute);
     }
     known.insert(at->second.begin(), at->second.end());
   }
@@ -552,39 +552,39 @@ void Minds::TellCounts() {
   }
 }
 
-Result<std::vector<WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
+Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) {
     Diagnostic problem;
     problem.message = "there is no agent '" + std::string(agent) + "' with a mind";
     return problem;
   }
-  if (mind->gone) return std::vector<WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
-  return MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
+  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
+  return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
-std::optional<WhyNode> Minds::Why(std::string_view agent) {
+std::optional<explain::WhyNode> Minds::Why(std::string_view agent) {
   Mind* at = FindNamed(agent);
   if (at == nullptr) return std::nullopt;
   const world::Agent& body = *world_.FindAgent(at->agent);
   char text[160];
   std::snprintf(text, sizeof text, "%s at %.2f s", body.name().c_str(), world_.time_s());
-  WhyNode root{text, "agent", body.name(), {}};
-  const auto add = [&root](std::string line, const char* kind) -> WhyNode& {
-    return root.below.emplace_back(WhyNode{std::move(line), kind, "", {}});
+  explain::WhyNode root{text, "agent", body.name(), {}};
+  const auto add = [&root](std::string line, const char* kind) -> explain::WhyNode& {
+    return root.below.emplace_back(explain::WhyNode{std::move(line), kind, "", {}});
   };
   if (at->gone || body.Health() <= 0) {
     add(at->gone ? std::string(kHaltedForMemory) : std::string("is dead"), "reason");
     return root;
   }
-  MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
+  explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
   Actor* actor = arena_.Find(at->agent);
   const std::string command = at->last_said.substr(0, at->last_said.find(' '));
   std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
-  WhyNode& said = add(at->last_said.empty() ? std::string("has given no command")
-                                            : "command " + at->last_said + text +
-                                                  (at->last_answer.empty() ? "under way" : at->last_answer),
-                      "command");
+  explain::WhyNode& said = add(at->last_said.empty() ? std::string("has given no command")
+                                                     : "command " + at->last_said + text +
+                                                           (at->last_answer.empty() ? "under way" : at->last_answer),
+                               "command");
   said.link = command;
   said.below = reasons.OperatorTree(command);
   if (at->soar.Halted()) {
@@ -592,15 +592,16 @@ std::optional<WhyNode> Minds::Why(std::string_view agent) {
     if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
     add(std::move(halted), "reason");
   } else if (actor == nullptr || !actor->IsBusy()) {
-    WhyNode& idle = add("nothing is under way, because", "reason");
+    explain::WhyNode& idle = add("nothing is under way, because", "reason");
     for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
       idle.below.push_back({std::move(reason), "reason", "", {}});
   }
   if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2), "reason");
   if (actor != nullptr) {
-    WhyNode& perceives = add("perceives", "reason");
-    for (const Percept& percept : AllPercepts(*actor))
-      perceives.below.push_back({"^" + percept.attribute + " " + DescribeValue(percept), "percept", "", {}});
+    explain::WhyNode& perceives = add("perceives", "reason");
+    for (const vocabulary::Percept& percept : AllPercepts(*actor))
+      perceives.below.push_back(
+          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), "percept", "", {}});
   }
   return root;
 }

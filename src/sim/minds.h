@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "explain/failed_rule.h"
+#include "explain/rule_surroundings.h"
+#include "explain/why_node.h"
 #include "script/mind_factory.h"
 #include "script/script_table.h"
 #include "script/world_budget.h"
 #include "sim/agent_options.h"
 #include "sim/arena.h"
 #include "sim/event.h"
-#include "sim/failed_rule.h"
-#include "sim/rule_surroundings.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
-#include "sim/why_node.h"
 #include "sim/worker_pool.h"
 #include "world/world.h"
 
@@ -80,10 +80,10 @@ class Minds final : public script::MindFactory {
   /// Tells how often causes came up that were told once.
   void TellCounts();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  std::optional<WhyNode> Why(std::string_view agent);
+  std::optional<explain::WhyNode> Why(std::string_view agent);
   /// Why it says or does not say a command, selects or does not select an operator, or a rule matches or does not. An
   /// error if there is no such agent, or its rules know nothing of that name.
-  Result<std::vector<WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
+  Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
 
   /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
   /// idle.
@@ -157,10 +157,10 @@ class Minds final : public script::MindFactory {
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
   std::set<std::string> KnownAttributes();
-  std::vector<FailedRule> FailedIn(const std::filesystem::path& rules) const;
+  std::vector<explain::FailedRule> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
   /// What lies beside the rules, by folder, as it is now: minds of one world share their folders.
-  using Neighbours = std::map<std::filesystem::path, Surroundings>;
+  using Neighbours = std::map<std::filesystem::path, explain::Surroundings>;
   std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules, Neighbours& beside);
 
   world::World& world_;
@@ -194,11 +194,11 @@ class Minds final : public script::MindFactory {
   bool has_new_rules_ = false;                   ///< Minds were made whose rules may still have slips to report.
   std::set<std::filesystem::path> looked_over_;  ///< Files of rules whose slips were reported.
   /// Files of rules of which some did not load, and why.
-  std::map<std::filesystem::path, std::vector<FailedRule>> failed_;
+  std::map<std::filesystem::path, std::vector<explain::FailedRule>> failed_;
 };
 
 /// A script's table as percepts, and parameters as a script's table.
-PerceptList ToPercepts(const script::Table& table);
-script::Table ToTable(const PerceptList& list);
+vocabulary::PerceptList ToPercepts(const script::Table& table);
+script::Table ToTable(const vocabulary::PerceptList& list);
 
 }  // namespace soarbox::sim

@@ -3,41 +3,41 @@
 #include <algorithm>
 
 #include "diagnostics/read_text.h"
+#include "explain/odd_characters.h"
+#include "explain/reasons.h"
+#include "explain/rule_slips.h"
+#include "explain/rule_surroundings.h"
 #include "sim/check.h"
 #include "sim/live_edits.h"
 #include "sim/minds.h"
-#include "sim/odd_characters.h"
-#include "sim/reasons.h"
-#include "sim/rule_slips.h"
-#include "sim/rule_surroundings.h"
 #include "sim/sourced_files.h"
 
 namespace soarbox::sim {
 namespace {
 
-std::vector<RuleFile> FilesOf(const std::filesystem::path& rules, const Scenario& scenario) {
+std::vector<explain::RuleFile> FilesOf(const std::filesystem::path& rules, const Scenario& scenario) {
   const auto read = [](const std::filesystem::path& file) {
-    return RuleFile{file, BlankComments(ReadText(file).value_or(""))};
+    return explain::RuleFile{file, explain::BlankComments(ReadText(file).value_or(""))};
   };
-  std::vector<RuleFile> files = {read(rules)};
+  std::vector<explain::RuleFile> files = {read(rules)};
   for (const std::filesystem::path& file : WithSourcedFiles(rules, ReadableRuleFolders(scenario)))
     if (file != rules) files.push_back(read(file));
   return files;
 }
 
-Diagnostic Placed(const Slip& slip, const std::vector<RuleFile>& files) {
-  for (const RuleFile& file : files) {
-    Diagnostic warning = PlaceSlip(slip, file.file, file.text);
+Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile>& files) {
+  for (const explain::RuleFile& file : files) {
+    Diagnostic warning = explain::PlaceSlip(slip, file.file, file.text);
     if (warning.line != 0) return warning;
   }
-  return PlaceSlip(slip, {}, {});  // Typed.
+  return explain::PlaceSlip(slip, {}, {});  // Typed.
 }
 
 }  // namespace
 
 std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>& only, Neighbours& beside) {
-  MindReasons reasons(mind.soar.agent());
-  KnownWords known;
+  explain::MindReasons reasons(mind.soar.agent());
+  explain::KnownWords known;
   known.attributes = KnownAttributes();
   known.complete = !only.empty() || !failed_.contains(mind.rules);
   known.places.is_known = !mind.is_scripted;
@@ -48,17 +48,18 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   folders.push_back(mind.rules.parent_path());
   for (const std::filesystem::path& folder : folders) {
     const auto [at, is_new] = beside.try_emplace(folder);
-    if (is_new) at->second = LookAround(folder, {&folder, 1});
-    const Surroundings& around = at->second;
+    if (is_new) at->second = explain::LookAround(folder, {&folder, 1});
+    const explain::Surroundings& around = at->second;
     known.scripts.insert(around.lua_words.begin(), around.lua_words.end());
     known.attributes.insert(around.made_by_rules.begin(), around.made_by_rules.end());
     known.has_database |= around.has_database;
   }
-  std::vector<RuleFile> files = FilesOf(mind.rules, scenario_);
+  std::vector<explain::RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;
-  for (const auto& slips : {FindSlipsOfForm(reasons.rules()), FindSlipsOfMeaning(reasons.rules(), known),
-                            FindSlipsOfWorld(reasons.rules(), known.places)}) {
-    for (const Slip& slip : slips) {
+  for (const auto& slips :
+       {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfMeaning(reasons.rules(), known),
+        explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
+    for (const explain::Slip& slip : slips) {
       if (!only.empty() && !only.contains(slip.rule)) continue;
       Diagnostic warning = Placed(slip, files);
       if (!warning.file.empty()) warning.file = scenario_.Original(warning.file).string();
@@ -67,17 +68,17 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   }
   std::set<std::string> loaded = only;
   if (only.empty())
-    for (const RuleText& rule : reasons.rules()) loaded.insert(rule.name);
-  for (const RuleFile& file : files) {
-    for (auto& [rule, warning] : FindOddCharacters(file)) {
+    for (const explain::RuleText& rule : reasons.rules()) loaded.insert(rule.name);
+  for (const explain::RuleFile& file : files) {
+    for (auto& [rule, warning] : explain::FindOddCharacters(file)) {
       if (!loaded.contains(rule)) continue;
       warning.file = scenario_.Original(file.file).string();
       warnings.push_back(std::move(warning));
     }
   }
   if (!only.empty()) return warnings;
-  for (RuleFile& file : files) file.file = scenario_.Original(file.file);
-  for (Diagnostic& twice : FindDuplicates(files)) warnings.push_back(std::move(twice));
+  for (explain::RuleFile& file : files) file.file = scenario_.Original(file.file);
+  for (Diagnostic& twice : explain::FindDuplicates(files)) warnings.push_back(std::move(twice));
   return warnings;
 }
 

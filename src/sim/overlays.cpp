@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "sim/vocabulary.h"
+#include "vocabulary/vocabulary.h"
 
 namespace soarbox::sim {
 namespace {
@@ -53,7 +53,7 @@ void AddActor(const Actor& actor, AgentOverlay& out) {
   for (const Running& command : actor.running()) {
     if (command.row == nullptr) continue;
     // What the legs do says most of what an agent is about.
-    const bool is_of_legs = command.row->part == BodyPart::kLegs;
+    const bool is_of_legs = command.row->part == vocabulary::BodyPart::kLegs;
     if (out.doing.empty() || is_of_legs) out.doing = command.said.name;
     if (!is_of_legs) continue;
     out.path = command.path;

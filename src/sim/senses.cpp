@@ -9,11 +9,14 @@
 
 #include "sim/arena.h"
 #include "sim/directions.h"
-#include "sim/vocabulary_percepts.h"
+#include "vocabulary/vocabulary_percepts.h"
 #include "world/sight.h"
 
 namespace soarbox::sim {
 namespace {
+
+using vocabulary::PerceptSink;
+using vocabulary::RowOf;
 
 using world::Vec3;
 
@@ -443,8 +446,8 @@ void SenseSurroundings(const Actor& actor, PerceptSink& sink) {
   SensePlaces(actor, sink);
 }
 
-PerceptList AllPercepts(const Actor& actor) {
-  PerceptLister lister;
+vocabulary::PerceptList AllPercepts(const Actor& actor) {
+  vocabulary::PerceptLister lister;
   SenseOwnBody(actor, lister);
   SenseMessages(actor, lister);
   SenseSurroundings(actor, lister);

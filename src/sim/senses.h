@@ -3,14 +3,14 @@
 
 #include "sim/actor.h"
 #include "sim/input_mirror.h"
-#include "sim/percept_sink.h"
+#include "vocabulary/percept_sink.h"
 
 namespace soarbox::sim {
 
 /// What an actor perceives of its own body, of what is done to it and of its order: read in each tick.
-void SenseOwnBody(const Actor& actor, PerceptSink& sink);
+void SenseOwnBody(const Actor& actor, vocabulary::PerceptSink& sink);
 /// What others say to it: messages that are new enough.
-void SenseMessages(const Actor& actor, PerceptSink& sink);
+void SenseMessages(const Actor& actor, vocabulary::PerceptSink& sink);
 /// Makes the mirror show the same; only messages after number `last`, which is the last one of the call before, are
 /// looked at, and the others stay as they are until they are too old.
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
@@ -19,9 +19,9 @@ void NoticeOthers(Actor& actor);
 /// The same for things.
 void NoticeThings(Actor& actor);
 /// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
-void SenseSurroundings(const Actor& actor, PerceptSink& sink);
+void SenseSurroundings(const Actor& actor, vocabulary::PerceptSink& sink);
 /// All that it perceives, for people.
-PerceptList AllPercepts(const Actor& actor);
+vocabulary::PerceptList AllPercepts(const Actor& actor);
 /// Whether the surroundings are read in this tick. Actors take turns, so that no tick reads them all.
 bool IsSenseTick(const Actor& actor);
 /// Takes messages that came since the last tick: an order is kept until the next one.

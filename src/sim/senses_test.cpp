@@ -38,17 +38,17 @@ class SensesTest : public testing::Test {
     return Add(kind, name, team, z);
   }
   /// The watcher's ^agent objects.
-  PerceptList Seen() {
+  vocabulary::PerceptList Seen() {
     world_.BeginTick();
     world_.PrepareForReaders();
     NoticeOthers(*watcher_);
-    PerceptList seen;
-    for (const Percept& percept : AllPercepts(*watcher_))
+    vocabulary::PerceptList seen;
+    for (const vocabulary::Percept& percept : AllPercepts(*watcher_))
       if (percept.attribute == "agent") seen.push_back(percept);
     return seen;
   }
-  static std::string Word(const Percept& object, std::string_view attribute) {
-    return *FindPercept(std::get<PerceptList>(object.value), attribute)->Text();
+  static std::string Word(const vocabulary::Percept& object, std::string_view attribute) {
+    return *vocabulary::FindPercept(std::get<vocabulary::PerceptList>(object.value), attribute)->Text();
   }
 
   world::World world_;
@@ -62,7 +62,7 @@ TEST_F(SensesTest, OneFriendAndOneEnemyAreTheNearestOfThoseInViewAndAlive) {
   Add("far", "red", -20);
   Add("friend", "blue", 9);
   std::vector<std::string> nearest;
-  for (const Percept& seen : Seen())
+  for (const vocabulary::Percept& seen : Seen())
     if (Word(seen, "nearest") == "yes") nearest.push_back(Word(seen, "name"));
   EXPECT_EQ(nearest, (std::vector<std::string>{"near", "friend"}));
 }
@@ -75,7 +75,7 @@ TEST_F(SensesTest, NoMoreFriendsAndEnemiesArePerceivedThanTheSensesTakeInAndTheN
   Add("near", "red", -10);
   Add("mate", "blue", 30);
   std::vector<std::string> names;
-  for (const Percept& seen : Seen()) names.push_back(Word(seen, "name"));
+  for (const vocabulary::Percept& seen : Seen()) names.push_back(Word(seen, "name"));
   EXPECT_EQ(names, (std::vector<std::string>{"watcher", "near"}));
 }
 

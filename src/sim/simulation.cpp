@@ -72,7 +72,7 @@ struct Simulation::Impl final : script::ScriptListener {
   void ReportWarningsOfWorld();
   void ReportEnd(const std::string& reached);
   void ReportEndOfScripts();
-  void ReportCommand(Minds::Mind& mind, const world::Agent& body, const SaidCommand& command);
+  void ReportCommand(Minds::Mind& mind, const world::Agent& body, const vocabulary::SaidCommand& command);
   void ActByScript(world::EntityId id);
   /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
   void Act(world::EntityId id);
@@ -258,14 +258,15 @@ void Simulation::Impl::ReportWarningsOfWorld() {
   for (const Diagnostic& warning : world.TakeWarnings()) ReportDiagnostic(warning);
 }
 
-void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body, const SaidCommand& command) {
+void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body,
+                                     const vocabulary::SaidCommand& command) {
   if (mind.is_scripted && command.name == mind.last_command && !settings.every_command) return;
   mind.last_command = command.name;
   Event event;
   event.kind = EventKind::kCommand;
   event.agent = body.name();
   event.text = command.name;
-  event.parameters = Describe(command.parameters);
+  event.parameters = vocabulary::Describe(command.parameters);
   event.has_perceived = mind.settings.has_distance;
   event.perceived = mind.distance_squared_m2;
   event.position = body.Position();
@@ -277,7 +278,7 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
   Minds::Mind* mind = minds->Find(id);
   // One update per command, as the thesis has it; none in a gap.
   for (std::size_t i = 0; i < mind->soar.commands().size(); ++i) {
-    const SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
+    const vocabulary::SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
     body.SetLastCommand(command.name);
     ReportCommand(*mind, body, command);
     Outcome outcome;
@@ -308,7 +309,7 @@ void Simulation::Impl::Act(world::EntityId id) {
       ActByScript(id);
     } else if (Actor* actor = arena->Find(id); mind->decided && actor != nullptr) {
       for (const std::uint64_t tag : mind->soar.withdrawn()) actor->Cancel(tag);
-      for (const SaidCommand& command : mind->soar.commands()) {
+      for (const vocabulary::SaidCommand& command : mind->soar.commands()) {
         body.SetLastCommand(command.name);
         ReportCommand(*mind, body, command);
         actor->Begin(command);
@@ -471,10 +472,10 @@ const std::string& Simulation::AgentOfMind(std::size_t index) const {
 bool Simulation::HasMind(std::string_view agent) const {
   return impl_->minds->FindNamed(agent) != nullptr;
 }
-std::unique_ptr<Inspector> Simulation::Inspect(std::string_view agent) const {
+std::unique_ptr<explain::Inspector> Simulation::Inspect(std::string_view agent) const {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
   if (mind == nullptr || mind->lost || !impl_->soar->IsConnected()) return nullptr;
-  return MakeInspector(mind->soar.agent());
+  return explain::MakeInspector(mind->soar.agent());
 }
 bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
@@ -532,11 +533,11 @@ std::vector<WatchedFile> Simulation::Files() {
   return files;
 }
 
-std::optional<WhyNode> Simulation::Why(std::string_view agent) const {
+std::optional<explain::WhyNode> Simulation::Why(std::string_view agent) const {
   return impl_->minds->Why(agent);
 }
 
-Result<std::vector<WhyNode>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
+Result<std::vector<explain::WhyNode>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {
   return impl_->minds->WhyTopic(agent, topic);
 }
 

@@ -11,15 +11,15 @@
 #include <utility>
 
 #include "diagnostics/result.h"
+#include "explain/inspector.h"
+#include "explain/why_node.h"
 #include "script/world_budget.h"
 #include "sim/event.h"
 #include "sim/input.h"
-#include "sim/inspector.h"
 #include "sim/live_edits.h"
 #include "sim/mind_log.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
-#include "sim/why_node.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
@@ -100,7 +100,7 @@ class Simulation {
   bool HasMind(std::string_view agent) const;
   /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid
   /// until the next tick.
-  std::unique_ptr<Inspector> Inspect(std::string_view agent) const;
+  std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
   /// How much Mind() tells of this agent from the next tick on. The run is the same. False if it has no Soar mind.
   bool NoteMind(std::string_view agent, MindDetail detail);
 
@@ -128,9 +128,9 @@ class Simulation {
   /// The files that its minds and scripts were made from.
   std::vector<WatchedFile> Files();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  std::optional<WhyNode> Why(std::string_view agent) const;
+  std::optional<explain::WhyNode> Why(std::string_view agent) const;
   /// Why it does or does not say this command, select this operator or match this rule now.
-  Result<std::vector<WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
+  Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
   /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules) const;
   /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "sim/clarify_errors.h"
+#include "explain/clarify_errors.h"
 #include "sim/vet_rules.h"
 #include "sml_Client.h"
 
@@ -217,7 +217,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
     for (Diagnostic& trap : ParseDiagnostics(loaded.agent->GetLoadWarnings(), file))
       loaded.problems.push_back(std::move(trap));
   }
-  ClarifyErrors(loaded.problems);
+  explain::ClarifyErrors(loaded.problems);
   for (Diagnostic& problem : loaded.problems) {
     if (problem.file == absolute.string()) problem.file = file;
   }

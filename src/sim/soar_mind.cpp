@@ -20,17 +20,17 @@ constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
 
 /// What stands below an identifier of the output link. Links may go round in circles, and each way through them counts:
 /// `left` is taken down with each element that is read, and nothing is read beyond it.
-PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, int depth = 0) {
-  PerceptList list;
+vocabulary::PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, int depth = 0) {
+  vocabulary::PerceptList list;
   for (int i = 0; i < parent.GetNumberChildren(); ++i) {
     sml::WMElement* child = parent.GetChild(i);
     if (child == nullptr) continue;
     if (left == 0) break;
     --left;
-    Percept& read = list.emplace_back();
+    vocabulary::Percept& read = list.emplace_back();
     read.attribute = child->GetAttribute();
     if (sml::Identifier* object = child->ConvertToIdentifier()) {
-      read.value = depth < kDeepestParameter ? ReadBelow(*object, left, depth + 1) : PerceptList{};
+      read.value = depth < kDeepestParameter ? ReadBelow(*object, left, depth + 1) : vocabulary::PerceptList{};
     } else if (sml::IntElement* integer = child->ConvertToIntElement()) {
       read.value = static_cast<std::int64_t>(integer->GetValue());
     } else if (sml::FloatElement* number = child->ConvertToFloatElement()) {
@@ -119,9 +119,9 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
 #ifdef SOARBOX_OWN_KERNEL
   const CallBatch batch(*agent_);
 #endif
-  own_body_.Show([&](PerceptSink& sink) { SenseOwnBody(body, sink); });
+  own_body_.Show([&](vocabulary::PerceptSink& sink) { SenseOwnBody(body, sink); });
   HearMessages(body, heard_, messages_);
-  if (surroundings) surroundings_.Show([&](PerceptSink& sink) { SenseSurroundings(body, sink); });
+  if (surroundings) surroundings_.Show([&](vocabulary::PerceptSink& sink) { SenseSurroundings(body, sink); });
 }
 
 void SoarMind::Decide() {
@@ -150,7 +150,7 @@ void SoarMind::ReadOutput() {
       if (is_new) at = standing_.insert(at, Standing{tag});
       at->seen = true;
       if (!is_new) continue;
-      SaidCommand& said = commands_.emplace_back();
+      vocabulary::SaidCommand& said = commands_.emplace_back();
       said.tag = tag;
       said.name = child->GetAttribute();
       sml::Identifier* word = child->ConvertToIdentifier();
@@ -172,7 +172,7 @@ void SoarMind::ReadOutput() {
   });
 }
 
-void SoarMind::NoteSaid(const SaidCommand& said) {
+void SoarMind::NoteSaid(const vocabulary::SaidCommand& said) {
   log_.NoteCommand(said.tag, said.name, said.parameters);
 }
 

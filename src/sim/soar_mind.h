@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sim/actor.h"
-#include "sim/command_check.h"
 #include "sim/input_mirror.h"
 #include "sim/mind_log.h"
+#include "vocabulary/command_check.h"
 
 namespace sml {
 class Agent;
@@ -42,12 +42,12 @@ class SoarMind {
   void SetDistance(float distance_squared_m2);
   /// What the senses of its body tell; of its surroundings too, if they are read now.
   void Perceive(const Actor& body, bool surroundings);
-  void ShowRows(const PerceptList& percepts) { rows_.Show(percepts); }
+  void ShowRows(const vocabulary::PerceptList& percepts) { rows_.Show(percepts); }
 
   /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). What is new on the output
   /// link is in commands(), what went is in withdrawn().
   void Decide();
-  std::span<const SaidCommand> commands() const { return commands_; }
+  std::span<const vocabulary::SaidCommand> commands() const { return commands_; }
   std::span<const std::uint64_t> withdrawn() const { return withdrawn_; }
   /// Commands that stand on the output link now, answered or not.
   std::size_t standing() const { return standing_.size(); }
@@ -98,7 +98,7 @@ class SoarMind {
   }
   sml::Identifier* FindWord(std::uint64_t tag) const;
   void ReadOutput();
-  void NoteSaid(const SaidCommand& said);
+  void NoteSaid(const vocabulary::SaidCommand& said);
   void NoteOutcome(std::string_view command, const Outcome& outcome);
 
   sml::Agent* agent_;
@@ -106,7 +106,7 @@ class SoarMind {
   InputMirror own_body_, messages_, surroundings_, rows_;
   std::uint32_t heard_ = 0;  ///< The number of the last message that it was told.
   std::string answer_;       ///< The kernel's to the last run.
-  std::vector<SaidCommand> commands_;
+  std::vector<vocabulary::SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;
   std::vector<Standing> standing_;  ///< By tag; there are few at a time.
   MindLog log_;

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
-#include "sim/rule_text.h"
+#include "explain/rule_text.h"
 #include "sim/scenario.h"
 
 namespace soarbox::sim {
@@ -22,7 +22,7 @@ bool MayBeRead(const fs::path& file, std::span<const fs::path> readable) {
 void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::set<fs::path>& found) {
   constexpr std::size_t kMostFiles = 500;
   if (found.size() >= kMostFiles || !found.insert(file).second) return;
-  std::istringstream lines(BlankComments(ReadText(file).value_or("")));
+  std::istringstream lines(explain::BlankComments(ReadText(file).value_or("")));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string command, name;

@@ -18,21 +18,25 @@ ALLOWED = {
     # Facts about minds as types, and the words for them: neither knows the kernel.
     "mind": set(),
     "tell": {"mind"},
+    # What can be perceived and said, as data.
+    "vocabulary": {"diagnostics"},
     "journal": {"diagnostics", "kernel"},
     "cli": {"diagnostics", "kernel", "journal"},
     "sml": {"diagnostics", "kernel", "mind", "cli"},
+    # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
+    "explain": {"diagnostics", "mind", "tell", "vocabulary"},
     "world": {"diagnostics"},
     "script": {"diagnostics", "world"},
-    # sim reaches the kernel through the public client API only, so that an official Soar can take its place.
-    "sim": {"diagnostics", "mind", "tell", "world", "script"},
+    # So does sim.
+    "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
     "record": {"diagnostics", "mind", "tell", "world", "script", "sim"},
-    "mission": {"diagnostics", "mind", "tell", "world", "sim", "record"},
+    "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
-    "debugger": {"diagnostics", "mind", "tell", "world", "sim", "record"},
+    "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
-    "app": {"diagnostics", "kernel", "mind", "tell", "cli", "sml", "world", "script", "sim", "record", "mission", "sweep", "report", "debugger",
-            "viewer"},
+    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "script", "sim", "record", "mission", "sweep",
+            "report", "debugger", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]

@@ -106,7 +106,7 @@ void Finder::AddAnything(PanelFrame& frame, const std::vector<Action>& more, std
     add("command", std::string(info.title), std::string(info.keys),
         [&frame, command = info.command] { frame.Command(command); });
   for (const Action& action : more) add("command", action.title, action.detail, action.act);
-  for (const sim::RuleFact& rule : frame.contents.rules) {
+  for (const explain::RuleFact& rule : frame.contents.rules) {
     add("rule", rule.name, rule.file.empty() ? rule.type : NameOf(rule.file) + ":" + std::to_string(rule.line),
         [&frame, name = rule.name] {
           frame.Ask(RuleRequest{name});

@@ -185,8 +185,8 @@ struct PanelContents {
   debugger::OperatorsView operators;
   std::map<std::string, debugger::MemoryObject> objects;  ///< Those that are unfolded, by identifier.
   std::optional<debugger::ElementStory> story;
-  std::vector<sim::ElementFact> found;  ///< By the search of memory.
-  std::vector<sim::RuleFact> rules;
+  std::vector<explain::ElementFact> found;  ///< By the search of memory.
+  std::vector<explain::RuleFact> rules;
   std::optional<debugger::RuleView> rule;
   std::string rule_text;  ///< That rule as its author wrote it; empty if no file tells.
   std::string rule_file;  ///< Where it stands there.

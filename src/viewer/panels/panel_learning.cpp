@@ -229,8 +229,8 @@ class LearningPanel final : public Panel {
                   "rl --set learning on, and a rule whose only action is a numeric preference.");
       return;
     }
-    std::vector<const sim::NumberFact*> rows;
-    for (const sim::NumberFact& number : view.numbers) {
+    std::vector<const explain::NumberFact*> rows;
+    for (const explain::NumberFact& number : view.numbers) {
       if (HasPart(number.rule, filter_)) rows.push_back(&number);
     }
     if (rows.empty()) {
@@ -251,20 +251,22 @@ class LearningPanel final : public Panel {
   }
 
   /// Those that the user chose, or the ones that moved most often.
-  std::vector<std::string> Curves(const std::vector<const sim::NumberFact*>& rows) const {
+  std::vector<std::string> Curves(const std::vector<const explain::NumberFact*>& rows) const {
     if (!curves_.empty()) return curves_;
-    std::vector<const sim::NumberFact*> most;
-    for (const sim::NumberFact* number : rows) {
+    std::vector<const explain::NumberFact*> most;
+    for (const explain::NumberFact* number : rows) {
       if (number->updates > 0) most.push_back(number);
     }
-    const auto moved_more = [](const sim::NumberFact* a, const sim::NumberFact* b) { return a->updates > b->updates; };
+    const auto moved_more = [](const explain::NumberFact* a, const explain::NumberFact* b) {
+      return a->updates > b->updates;
+    };
     std::stable_sort(most.begin(), most.end(), moved_more);
     std::vector<std::string> names;
     for (std::size_t n = 0; n < std::min(most.size(), kMostCurves); ++n) names.push_back(most[n]->rule);
     return names;
   }
 
-  void DrawValueTable(PanelFrame& frame, const std::vector<const sim::NumberFact*>& rows,
+  void DrawValueTable(PanelFrame& frame, const std::vector<const explain::NumberFact*>& rows,
                       const std::vector<std::string>& curves) {
     if (!ImGui::BeginTable("values", 3, kLearningTable)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
@@ -273,7 +275,7 @@ class LearningPanel final : public Panel {
     ImGui::TableSetupColumn("Rule", 0, 5);
     ImGui::TableHeadersRow();
     double most = 1e-9;
-    for (const sim::NumberFact* number : rows) most = std::max(most, std::abs(number->value));
+    for (const explain::NumberFact* number : rows) most = std::max(most, std::abs(number->value));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()));
     while (clipper.Step()) {
@@ -283,7 +285,7 @@ class LearningPanel final : public Panel {
     ImGui::EndTable();
   }
 
-  void DrawValueRow(PanelFrame& frame, const sim::NumberFact& number, int row, double most,
+  void DrawValueRow(PanelFrame& frame, const explain::NumberFact& number, int row, double most,
                     const std::vector<std::string>& curves) {
     ImGui::PushID(row);
     ImGui::TableNextRow();

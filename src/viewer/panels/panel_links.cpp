@@ -86,7 +86,7 @@ class LinksPanel final : public Panel {
   void DrawPercept(PanelFrame& frame, const MemoryRow& row, const std::string& above, int depth) {
     constexpr int kDeepest = 12;
     if (depth > kDeepest || !IsWanted(row)) return;
-    const sim::ElementFact& element = row.element;
+    const explain::ElementFact& element = row.element;
     const std::string path = above.empty() ? element.attribute : above + "." + element.attribute;
     ImGui::PushID(static_cast<int>(element.timetag));
     const bool open = element.is_object && !row.below.empty();
@@ -109,7 +109,7 @@ class LinksPanel final : public Panel {
       Tooltip(debugger::DescribePercept(path));
       ImGui::SameLine(0, frame.Px(8));
       std::string value = ShortNumber(element.value);
-      const sim::PerceptRow* known = debugger::PerceptOf(path);
+      const vocabulary::PerceptRow* known = debugger::PerceptOf(path);
       if (known != nullptr && !known->unit.empty()) value.append(" ").append(known->unit);
       CutText(value, row.change == Change::kRemoved ? theme::kQuiet : theme::kText);
     }

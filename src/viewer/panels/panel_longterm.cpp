@@ -94,13 +94,13 @@ class LongTermPanel final : public Panel {
     ImGui::TableSetupColumn("What is known of it", 0, 8);
     ImGui::TableHeadersRow();
     double most = 1e-9;
-    for (const sim::KnownObjectFact& object : view.facts.known) most = std::max(most, std::abs(object.activation));
+    for (const explain::KnownObjectFact& object : view.facts.known) most = std::max(most, std::abs(object.activation));
     const std::uint64_t recalled = LastRecalled(frame);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(view.facts.known.size()));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const sim::KnownObjectFact& object = view.facts.known[static_cast<std::size_t>(i)];
+        const explain::KnownObjectFact& object = view.facts.known[static_cast<std::size_t>(i)];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ColoredText(object.number == recalled ? theme::kGood : theme::kVariable, "@" + std::to_string(object.number));

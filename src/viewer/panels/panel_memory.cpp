@@ -40,7 +40,7 @@ class MemoryPanel final : public Panel {
     if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
     std::string text;
     if (!search_.empty()) {
-      for (const sim::ElementFact& element : frame.contents.found)
+      for (const explain::ElementFact& element : frame.contents.found)
         text.append("(").append(debugger::Describe(element)).append(")\n");
       return text;
     }
@@ -120,7 +120,7 @@ class MemoryPanel final : public Panel {
 
   void DrawRow(PanelFrame& frame, const MemoryRow& row) {
     constexpr int kDeepest = 24;
-    const sim::ElementFact& element = row.element;
+    const explain::ElementFact& element = row.element;
     ImGui::PushID(static_cast<int>(element.timetag));
     bool open = false;
     const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - frame.Px(5);
@@ -183,12 +183,12 @@ class MemoryPanel final : public Panel {
     ColoredText(theme::kQuiet,
                 std::to_string(found.size()) + (found.size() == 200 ? " elements or more" : " elements"));
     ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
-    for (const sim::ElementFact& element : found) DrawElement(frame, element);
+    for (const explain::ElementFact& element : found) DrawElement(frame, element);
     ImGui::EndChild();
   }
 
   /// "(S1 ^io I1)" with its identifiers as links.
-  void DrawElement(PanelFrame& frame, const sim::ElementFact& element) {
+  void DrawElement(PanelFrame& frame, const explain::ElementFact& element) {
     ImGui::PushID(static_cast<int>(element.timetag));
     ColoredText(theme::kQuiet, "(");
     ImGui::SameLine(0, 0);
@@ -218,15 +218,15 @@ class MemoryPanel final : public Panel {
     if (is_told || !story.makers.empty()) Heading(frame, "Made by");
     if (is_told && story.makers.empty()) ColoredText(theme::kQuiet, "not known");
     int number = 0;
-    for (const sim::MakerFact& maker : story.makers) {
+    for (const explain::MakerFact& maker : story.makers) {
       ImGui::PushID(number++);
-      if (maker.kind == sim::MakerFact::Kind::kInput) {
+      if (maker.kind == explain::MakerFact::Kind::kInput) {
         ColoredText(theme::kGood, "the world: it is a percept");
-      } else if (maker.kind == sim::MakerFact::Kind::kArchitecture) {
+      } else if (maker.kind == explain::MakerFact::Kind::kArchitecture) {
         ColoredText(theme::kQuiet, "the architecture");
       } else {
         RuleLink(frame, maker.rule);
-        for (const sim::ElementFact& element : maker.elements) {
+        for (const explain::ElementFact& element : maker.elements) {
           ImGui::Indent();
           DrawElement(frame, element);
           ImGui::Unindent();
@@ -236,7 +236,7 @@ class MemoryPanel final : public Panel {
     }
     if (is_told || !story.testers.empty()) Heading(frame, "Tested by");
     if (is_told && story.testers.empty()) ColoredText(theme::kQuiet, "no rule");
-    for (const sim::TesterFact& tester : story.testers) {
+    for (const explain::TesterFact& tester : story.testers) {
       ImGui::PushID(number++);
       RuleLink(frame, tester.rule);
       ImGui::SameLine();
@@ -258,7 +258,7 @@ class MemoryPanel final : public Panel {
                               (value.size() > 1 && (value.front() == '-' || value.front() == '.')));
   }
 
-  static ImVec4 ValueColor(const sim::ElementFact& element) {
+  static ImVec4 ValueColor(const explain::ElementFact& element) {
     if (element.is_object) return theme::kVariable;
     return IsNumber(element.value) ? theme::kNumber : theme::kText;
   }

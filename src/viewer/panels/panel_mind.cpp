@@ -184,7 +184,7 @@ class MindPanel final : public Panel {
     ImGui::PopID();
   }
 
-  static void DrawPreference(PanelFrame& frame, const sim::PreferenceFact& preference, std::size_t number,
+  static void DrawPreference(PanelFrame& frame, const explain::PreferenceFact& preference, std::size_t number,
                              bool has_numbers) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

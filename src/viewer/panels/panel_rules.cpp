@@ -12,7 +12,7 @@
 namespace soarbox::viewer {
 namespace {
 
-std::string ElementText(const sim::ElementFact& element) {
+std::string ElementText(const explain::ElementFact& element) {
   return "(" + element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +)" : ")");
 }
 
@@ -45,8 +45,8 @@ class RulesPanel final : public Panel {
     if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
     if (frame.contents.rule) return debugger::ToText(*frame.contents.rule);
     if (set_ == kCoverage) return debugger::ToText(frame.contents.coverage);
-    std::vector<sim::RuleFact> rules;
-    for (const sim::RuleFact& rule : frame.contents.rules)
+    std::vector<explain::RuleFact> rules;
+    for (const explain::RuleFact& rule : frame.contents.rules)
       if (IsWanted(rule)) rules.push_back(rule);
     return rules.empty() ? std::string() : debugger::ToText(rules);
   }
@@ -54,15 +54,15 @@ class RulesPanel final : public Panel {
  private:
   static constexpr int kCoverage = 4;
 
-  bool IsWanted(const sim::RuleFact& rule) const {
+  bool IsWanted(const explain::RuleFact& rule) const {
     if (!HasPart(rule.name, filter_)) return false;
     return set_ == 0 || (set_ == 1 && rule.matches > 0) || (set_ == 2 && rule.firings > 0) ||
            (set_ == 3 && rule.firings == 0);
   }
 
   void DrawList(PanelFrame& frame) {
-    std::vector<const sim::RuleFact*> rules;
-    for (const sim::RuleFact& rule : frame.contents.rules) {
+    std::vector<const explain::RuleFact*> rules;
+    for (const explain::RuleFact& rule : frame.contents.rules) {
       if (IsWanted(rule)) rules.push_back(&rule);
     }
     if (rules.empty()) {
@@ -89,24 +89,24 @@ class RulesPanel final : public Panel {
       const bool up = specs->Specs[0].SortDirection == ImGuiSortDirection_Ascending;
       // Counts change while somebody aims at a row: the order rests under the mouse.
       if (ImGui::IsWindowHovered() && !specs->SpecsDirty && !order_.empty()) {
-        const auto place = [&](const sim::RuleFact* rule) {
+        const auto place = [&](const explain::RuleFact* rule) {
           const auto found = order_.find(rule->name);
           return found == order_.end() ? order_.size() : found->second;
         };
         std::stable_sort(rules.begin(), rules.end(),
-                         [&](const sim::RuleFact* a, const sim::RuleFact* b) { return place(a) < place(b); });
+                         [&](const explain::RuleFact* a, const explain::RuleFact* b) { return place(a) < place(b); });
       } else {
-        std::stable_sort(rules.begin(), rules.end(), [&](const sim::RuleFact* a, const sim::RuleFact* b) {
+        std::stable_sort(rules.begin(), rules.end(), [&](const explain::RuleFact* a, const explain::RuleFact* b) {
           const std::uint64_t x = by_fired ? a->firings : a->matches, y = by_fired ? b->firings : b->matches;
           return up ? x < y : y < x;
         });
         order_.clear();
-        for (const sim::RuleFact* rule : rules) order_.emplace(rule->name, order_.size());
+        for (const explain::RuleFact* rule : rules) order_.emplace(rule->name, order_.size());
       }
       ImGui::TableGetSortSpecs()->SpecsDirty = false;
     }
     if (const int step = ListStep(); step != 0) {
-      const auto is_chosen = [&](const sim::RuleFact* rule) {
+      const auto is_chosen = [&](const explain::RuleFact* rule) {
         return frame.contents.rule && frame.contents.rule->rule.name == rule->name;
       };
       const auto at = std::find_if(rules.begin(), rules.end(), is_chosen);
@@ -120,7 +120,7 @@ class RulesPanel final : public Panel {
     clipper.Begin(static_cast<int>(rules.size()));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const sim::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
+        const explain::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         DrawName(frame, rule.name, rule.matches > 0 ? theme::kGood : rule.firings > 0 ? theme::kText : theme::kQuiet);
@@ -176,7 +176,7 @@ class RulesPanel final : public Panel {
 
   void DrawRule(PanelFrame& frame, const debugger::RuleView& view) {
     ImGui::Separator();
-    const sim::RuleFact& rule = view.rule;
+    const explain::RuleFact& rule = view.rule;
     ImGui::PushFont(frame.fonts.bold);
     WrappedText(theme::kAccent, rule.name);
     ImGui::PopFont();
@@ -237,11 +237,11 @@ class RulesPanel final : public Panel {
       return;
     }
     // As its author wrote it.
-    const sim::MatchFacts facts = debugger::FoldPaths(match.facts);
+    const explain::MatchFacts facts = debugger::FoldPaths(match.facts);
     WrappedText(theme::kBad, debugger::Explain(facts));
     ImGui::PushFont(frame.fonts.mono);
     for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
-      const sim::ConditionFact& condition = facts.conditions[i];
+      const explain::ConditionFact& condition = facts.conditions[i];
       const bool is_failing = i == *facts.failing, is_behind = i > *facts.failing;
       const char* sign = is_failing ? "\xe2\x9c\x97 " : is_behind ? "  " : "\xe2\x9c\x93 ";
       ColoredText(
@@ -250,20 +250,20 @@ class RulesPanel final : public Panel {
                       : theme::kGood,
           sign + condition.text + (is_behind || is_failing ? "" : "  " + std::to_string(condition.partial_matches)));
     }
-    for (const sim::ElementFact& seen : facts.seen) ColoredText(theme::kWarn, "  there is " + ElementText(seen));
-    for (const sim::ElementFact& seen : facts.candidates)
+    for (const explain::ElementFact& seen : facts.seen) ColoredText(theme::kWarn, "  there is " + ElementText(seen));
+    for (const explain::ElementFact& seen : facts.candidates)
       ColoredText(theme::kWarn, "  would do, but does not fit the others: " + ElementText(seen));
     ImGui::PopFont();
   }
 
-  static void DrawMatches(PanelFrame& frame, const sim::MatchFacts& facts) {
+  static void DrawMatches(PanelFrame& frame, const explain::MatchFacts& facts) {
     if (facts.matches.empty()) return;
     Heading(frame, "Matches");
     ImGui::PushFont(frame.fonts.mono);
     int number = 0;
     for (const auto& match : facts.matches) {
       ColoredText(theme::kQuiet, "match " + std::to_string(++number));
-      for (const sim::ElementFact& element : match) ColoredText(theme::kText, "  " + ElementText(element));
+      for (const explain::ElementFact& element : match) ColoredText(theme::kText, "  " + ElementText(element));
     }
     ImGui::PopFont();
   }

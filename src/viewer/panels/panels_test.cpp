@@ -181,7 +181,7 @@ class PanelStage {
     lesson.grade = {"  yes  anna is greeted", "  no   once per visit"};
     lesson.next = "02-operators";
     contents.lesson = lesson;
-    const std::unique_ptr<sim::Inspector> mind = simulation->Inspect(agent);
+    const std::unique_ptr<explain::Inspector> mind = simulation->Inspect(agent);
     contents.has_mind = mind != nullptr;
     if (mind == nullptr) return;
     console_.emplace(agent);
@@ -598,7 +598,7 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
   recalls.Add(5, mind);
   PanelContents& contents = stage->contents;
   contents.recalls = &recalls;
-  sim::LongTermFacts& facts = contents.long_term.facts;
+  explain::LongTermFacts& facts = contents.long_term.facts;
   contents.long_term.note.clear();
   facts.semantic = facts.episodic = true;
   facts.objects = 5000;
@@ -696,7 +696,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   }
   ASSERT_FALSE(tick.minds.empty());
   minds.Add(tick);
-  const std::unique_ptr<sim::Inspector> mind = minds.Inspect("walker");
+  const std::unique_ptr<explain::Inspector> mind = minds.Inspect("walker");
   ASSERT_NE(mind, nullptr);
   PanelContents& contents = stage->contents;
   contents.moment.is_recording = true;

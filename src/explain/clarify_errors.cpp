@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "explain/clarify_errors.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "diagnostics/read_text.h"
+#include "explain/odd_characters.h"
+#include "explain/rule_text.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr std::size_t kNowhere = std::string::npos;
+
+struct SourceFile {
+  std::vector<std::string> lines;  ///< As they are.
+  std::vector<std::string> code;   ///< With comments blanked.
+
+  const std::string& Line(int number) const {
+    static const std::string kNone;
+    return number >= 1 && number <= static_cast<int>(lines.size()) ? lines[static_cast<std::size_t>(number) - 1]
+                                                                   : kNone;
+  }
+  const std::string& Code(int number) const {
+    static const std::string kNone;
+    return number >= 1 && number <= static_cast<int>(code.size()) ? code[static_cast<std::size_t>(number) - 1] : kNone;
+  }
+  int count() const { return static_cast<int>(lines.size()); }
+};
+
+std::vector<std::string> SplitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+SourceFile ReadSource(const std::string& file) {
+  const std::string text = ReadText(file).value_or("");
+  return {SplitLines(text), SplitLines(BlankComments(text))};
+}
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == kNowhere ? std::string() : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// "sp {" and "gp {" at the beginning of a line.
+bool BeginsRule(const std::string& line) {
+  return line.starts_with("sp {") || line.starts_with("sp{") || line.starts_with("gp {") || line.starts_with("gp{");
+}
+
+/// The name behind a rule's first bracket, in its line or the next; empty if there is none.
+std::string NameOfRule(const SourceFile& source, int line) {
+  for (int at = line; at <= line + 1; ++at) {
+    const std::string& text = source.Code(at);
+    const std::size_t begin = text.find_first_not_of(" \t", at == line ? text.find('{') + 1 : 0);
+    if (begin == kNowhere || text[begin] == '(') continue;
+    return text.substr(begin, text.find_first_of(" \t(", begin) - begin);
+  }
+  return {};
+}
+
+/// The line where the rule that holds a line begins; 0 if none does.
+int BeginOfRule(const SourceFile& source, int line) {
+  for (int at = std::min(line, source.count()); at >= 1; --at)
+    if (BeginsRule(source.Code(at))) return at;
+  return 0;
+}
+
+/// The line behind the rule that begins here: where the next one begins, or the end of the file.
+int EndOfRule(const SourceFile& source, int line) {
+  int at = line + 1;
+  while (at <= source.count() && !BeginsRule(source.Code(at))) ++at;
+  return at;
+}
+
+std::string Between(const std::string& text, std::string_view begin, std::string_view end) {
+  const std::size_t from = text.find(begin);
+  if (from == kNowhere) return {};
+  const std::size_t start = from + begin.size();
+  const std::size_t to = text.find(end, start);
+  return to == kNowhere ? std::string() : text.substr(start, to - start);
+}
+
+void PointAt(Diagnostic& problem, const SourceFile& source, int line, std::size_t column, std::size_t length) {
+  problem.line = line;
+  problem.column = static_cast<int>(column) + 1;
+  problem.excerpt = source.Line(line);
+  problem.excerpt_length = static_cast<int>(length);
+}
+
+/// "The file ends within the rule": which rule, and what of it is open.
+void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0) return;
+  const int end = EndOfRule(source, begin);
+  const std::string name = NameOfRule(source, begin);
+  problem.line = begin;
+  for (int at = begin; at < end; ++at) {
+    const std::string& text = source.Code(at);
+    if (std::count(text.begin(), text.end(), '|') % 2 == 0) continue;
+    problem.message = "rule " + name + ": the text that starts here with | has no closing |";
+    problem.hint = "close it with a second bar: |like this|";
+    return PointAt(problem, source, at, text.rfind('|'), text.size() - text.rfind('|'));
+  }
+  problem.message = "rule " + name + " is not closed: } is missing";
+  problem.hint = end <= source.count() ? "the next rule begins in line " + std::to_string(end) + "; put } before it"
+                                       : "put } at its end";
+}
+
+/// A line that is no command, outside of all rules.
+void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
+  const std::string line = Trimmed(source.Line(problem.line));
+  const std::string word = line.substr(0, line.find_first_of(" \t{"));
+  for (const char* mark : {"//", ";", "--", "/*", "%"}) {
+    if (!line.starts_with(mark) || line.starts_with("-->")) continue;
+    problem.message = std::string(mark) + " does not start a comment";
+    problem.hint = "comments start with #";
+    return PointAt(problem, source, problem.line, source.Line(problem.line).find(mark), std::string_view(mark).size());
+  }
+  if (line.starts_with('(') || line.starts_with("-->") || line.starts_with('}') || line.starts_with('^') ||
+      line.starts_with("-(") || line.starts_with("-{")) {
+    problem.message = "this line is outside any rule";
+    problem.hint = "a rule is written sp {name conditions --> actions}; look at the brackets before this line";
+    return;
+  }
+  if (line.find('{') != kNowhere && word != "sp" && word != "gp" && word.size() <= 6) {
+    problem.message = "expected sp { here" + (word.empty() ? std::string() : ", found '" + word + "'");
+    problem.hint = "a rule starts with sp {";
+    const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
+    PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
+    return;
+  }
+  const bool is_other_language = word == "if" || word == "when" || word == "then" || word == "rule";
+  if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
+}
+
+/// sp NAME without its bracket; all that stands behind is outside of a rule then.
+bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
+  const std::string& line = source.Code(problem.line);
+  if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
+  const std::string rest = Trimmed(line.substr(3));
+  if (rest.empty() || rest.front() == '{' || rest.front() == '"') return false;
+  if (rest.front() == '(') {
+    problem.message = "a rule begins with sp {, not with sp (";
+    problem.hint = "write sp {" + Trimmed(rest.substr(1));
+    PointAt(problem, source, problem.line, line.find('('), 1);
+    return true;
+  }
+  problem.message = "{ is missing after sp";
+  problem.hint = "write sp {" + rest;
+  PointAt(problem, source, problem.line, line.find(rest), rest.size());
+  return true;
+}
+
+/// The rule that begins here is closed, and more stands behind it: a bracket too many, or a rule in the same line.
+void ClarifyTail(Diagnostic& problem, const SourceFile& source) {
+  const std::string& first = source.Code(problem.line);
+  if (first.find('\r') != kNowhere) {
+    problem.message = "the lines of this file end with carriage returns alone";
+    problem.hint = "save it with the line endings of Unix or Windows";
+    return;
+  }
+  int depth = 0;
+  bool is_quoted = false;
+  for (int at = problem.line; at <= source.count(); ++at) {
+    const std::string& text = source.Code(at);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '|') is_quoted = !is_quoted;
+      if (is_quoted || (text[i] != '{' && text[i] != '}')) continue;
+      depth += text[i] == '{' ? 1 : -1;
+      if (depth > 0) continue;
+      const std::size_t next = text.find_first_not_of(" \t", i + 1);
+      if (next == kNowhere) return;
+      const std::string name = NameOfRule(source, problem.line);
+      problem.message = text[next] == '}'
+                            ? "rule " + name + " has one } too many"
+                            : "rule " + name + " is closed before this, and more follows in the same line";
+      problem.hint = text[next] == '}' ? "remove it" : "begin the next rule in a line of its own";
+      return PointAt(problem, source, at, next, 1);
+    }
+  }
+}
+
+bool BeginsComment(std::string_view found) {
+  return found.starts_with("//") || found.starts_with("/*") || found == ";" || found == "--";
+}
+
+/// Where an action should begin.
+std::string HintForAction(const std::string& found) {
+  if (BeginsComment(found)) return "comments start with #";
+  if (found == "-->") return "a rule has one --> only";
+  if (found == "else") return "there is no else: write another rule, with the opposite condition";
+  if (found == "halt" || found == "write" || found == "crlf")
+    return "write it between brackets: " +
+           (found == "write" ? std::string("(write |hello| (crlf))") : "(" + found + ")");
+  return {};
+}
+
+/// Where a value should be, in an action.
+std::string HintForValue(const std::string& found, const std::string& before) {
+  if (found == "{") return "braces join the tests of a condition; in an action, write the value alone";
+  if (found == "=") return "write the value directly after its ^attribute, without =";
+  if (found == ">" || found == ">=" || found == "<=" || found == "<>")
+    return "an action makes elements and compares nothing: write the value alone";
+  // "(state <s> ^operator <o> +)"
+  const std::size_t word = before.rfind("(state ");
+  if (found == "^" && word != kNowhere && before.find(')', word) == kNowhere)
+    return "the word state stands in conditions only: write (" + Trimmed(before.substr(word + 7)) + " ^...";
+  // "(<command ^waypoint": the variable has no end.
+  const std::size_t open = before.rfind('<');
+  if (found == "^" && open != kNowhere && before.find('>', open) == kNowhere) {
+    const std::string name = Trimmed(before.substr(open + 1));
+    if (!name.empty() && name.find(' ') == kNowhere) return "a variable ends with >: <" + name + ">";
+  }
+  return {};
+}
+
+/// Where a constant or a variable should be, in a condition.
+std::string HintForTest(const std::string& found, const std::string& before, const std::string& after) {
+  const char last = before.empty() ? ' ' : before.back();
+  if (found == ",") {
+    const bool is_decimal = std::isdigit(static_cast<unsigned char>(last)) != 0 && !after.empty() &&
+                            std::isdigit(static_cast<unsigned char>(after.front())) != 0;
+    return is_decimal ? "write a decimal point, not a comma" : "blanks separate what a rule tests, not commas";
+  }
+  if (found == "=" && last == '!') return "not equal is written <>";
+  if (found == "^" && last == '!') return "a negation is written with a minus: -^attribute value";
+  if (last == '!') return "not equal is written <>: <> " + found;
+  if (found == "^" && last == '^') return "write one ^ only";
+  if (found == "." && last == '^') return "the ^ comes first: ^io.input-link";
+  if (found == ".") {
+    const std::size_t begin = before.find_last_of(" \t(");
+    const std::string word = before.substr(begin == kNowhere ? 0 : begin + 1);
+    if (!word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0)
+      return "did you mean ^" + word + "?";
+  }
+  const std::string tests = Trimmed(before);
+  const std::size_t open = tests.rfind(" < ");
+  if (found == "^" && tests.ends_with(" >") && open != kNowhere)
+    return "a choice is written <<" + tests.substr(open + 2, tests.size() - open - 3) + ">>";
+  return {};
+}
+
+/// Where a condition should begin, or go on: words that join conditions in other languages.
+std::string HintForJoin(const std::string& found, bool is_within) {
+  if (found == "not" || found == "NOT")
+    return is_within ? "a negation is written with a minus: -^attribute value"
+                     : "a negation is written with a minus: -(<id> ^attribute value)";
+  if (found == "and" || found == "AND" || found == "&&") return "conditions stand one after another, without " + found;
+  if (found == "or" || found == "OR") return "write two rules, or a choice between values: << a b >>";
+  return {};
+}
+
+/// "sp {my first rule": the name ends at the blank. What was meant, in one word; empty if that is not it.
+std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, const std::string& found) {
+  const std::string& line = source.Code(problem.line);
+  if (!BeginsRule(line) || found.empty() || std::isalnum(static_cast<unsigned char>(found.front())) == 0) return {};
+  const std::size_t begin = line.find('{') + 1;
+  std::istringstream words(line.substr(begin, line.find('(', begin) - begin));
+  std::string name;
+  for (std::string word; words >> word;) name += (name.empty() ? "" : "*") + word;
+  return name;
+}
+
+/// A character that readers skip, in a rule that did not load: most likely why.
+bool ClarifyOddCharacter(Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0 || problem.severity != Severity::kError) return false;
+  for (int at = begin; at < EndOfRule(source, begin) && at <= problem.line; ++at) {
+    const std::size_t column = FindOddCharacter(source.Code(at));
+    if (column == kNowhere) continue;
+    OddCharacter odd = DescribeOddCharacter(source.Code(at), column);
+    if (odd.hint.ends_with("blank")) continue;  // It parts words as a blank does.
+    problem.message = "rule " + NameOfRule(source, begin) + ": " + odd.message;
+    problem.hint = std::move(odd.hint);
+    PointAt(problem, source, at, column, 1);
+    return true;
+  }
+  return false;
+}
+
+/// What the reader expected and what it found: forms of other languages and of haste.
+void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
+  const std::string found = Between(problem.message, "found '", "'");
+  if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
+    problem.hint = "write --> between the conditions and the actions";
+  if (found.empty()) return;
+  if (problem.message.find("expected ( to begin a condition") != kNowhere) {
+    if (const std::string name = NameOfWords(source, problem, found); !name.empty())
+      problem.hint = "a rule's name has no blanks: sp {" + name;
+  }
+  if (problem.message.starts_with("expected the rule's name")) problem.hint = "give it one: sp {scout*propose*go";
+  const std::string& line = source.Code(problem.line);
+  const std::size_t column = static_cast<std::size_t>(std::max(problem.column, 1)) - 1;
+  const char before = column > 0 && column <= line.size() ? line[column - 1] : ' ';
+  if (problem.message.find("or --> before the actions") != kNowhere) {
+    if (found.size() > 1 && found.find_first_not_of("-=>") == kNowhere)
+      problem.hint = "write --> between the conditions and the actions";
+    if (before == '[' || found.front() == '[') problem.hint = "write conditions between ( and )";
+    if (found == ")") problem.hint = "there is one ) too many before this";
+  }
+  if (problem.message.find("expected ^attribute") != kNowhere &&
+      std::isalpha(static_cast<unsigned char>(found[0])) != 0)
+    problem.hint = "did you mean ^" + found + "?";
+  if (found == ")" && problem.message.find("expected a value") != kNowhere)
+    problem.hint = "write a value after each ^attribute";
+  const std::string head = line.substr(0, std::min(column, line.size()));
+  const std::string tail = line.substr(std::min(column + found.size(), line.size()));
+  std::string hint;
+  if (problem.message.find("expected ( to begin an action") != kNowhere) hint = HintForAction(found);
+  if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
+  if (problem.message.find("or --> before the actions") != kNowhere) hint = HintForJoin(found, false);
+  if (problem.message.find("expected ^attribute") != kNowhere) hint = HintForJoin(found, true);
+  if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
+  const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The reader skips a semicolon.
+  if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
+      Trimmed(line).find_first_not_of("-> ") != kNowhere)
+    hint = "comments start with #";
+  if (!hint.empty()) {
+    problem.hint = std::move(hint);
+    return;
+  }
+  if (found[0] == '"') problem.hint = "write text between bars: |I am going|";
+  if (found == "<") problem.hint = "write a variable without blanks: <o>";
+  if (found != "^") return;
+  // "( <o> ^" where a value was expected: the bracket before it was never closed.
+  const std::size_t open = line.rfind('(', column);
+  if (open == kNowhere || line.find('<', open) > column) return;
+  for (int at = problem.line; at >= 1; --at) {
+    const std::string& text = source.Code(at);
+    const std::size_t last = text.find_last_not_of(" \t", at == problem.line && open > 0 ? open - 1 : kNowhere);
+    if (last == kNowhere || (at == problem.line && (open == 0 || last >= open))) continue;
+    if (text[last] == ')' || text.substr(0, last + 1).ends_with("-->")) return;
+    problem.message =
+        problem.message.substr(0, problem.message.find("expected")) + "a ) is missing at the end of this line";
+    problem.hint = "close each ( with a )";
+    return PointAt(problem, source, at, last, 1);
+  }
+}
+
+/// The actions of such a rule are read as conditions: whatever the reader stumbles over there comes of it.
+bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0 || problem.severity != Severity::kError) return false;
+  for (int at = begin; at < EndOfRule(source, begin); ++at)
+    if (source.Code(at).find("->") != kNowhere || source.Code(at).find("=>") != kNowhere) return false;
+  return true;
+}
+
+/// "constant sate stands where only a variable can match": the word state, or nearly.
+void ClarifyState(Diagnostic& problem) {
+  const std::string word = Between(problem.message, "constant ", " stands where");
+  if (word.empty()) return;
+  const std::size_t bracket = word.find('<');
+  if (bracket != kNowhere && bracket > 0) {
+    problem.hint = "a blank is missing: " + word.substr(0, bracket) + " " + word.substr(bracket);
+  } else if (!Suggest(word, {"state"}).empty()) {
+    problem.hint = "did you mean state?";
+  } else {
+    problem.hint = "write <" + word + "> for an object that other conditions lead to";
+  }
+}
+
+/// "the action (<op> ^name go +) uses a variable that no condition binds": which one, where, and which was meant.
+void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
+  const std::string action = Between(problem.message, "the action (", ")");
+  const std::vector<std::string> used = VariablesIn(action);
+  if (used.empty()) return;
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0) return;
+  const std::string name = NameOfRule(source, begin);
+  std::string conditions;
+  std::set<std::string> others;
+  int arrow = begin;
+  const int end = EndOfRule(source, begin);
+  for (int at = begin; at < end; ++at) {
+    for (std::string& variable : VariablesIn(source.Code(at))) others.insert(std::move(variable));
+    if (source.Code(at).find("-->") != kNowhere && arrow == begin) arrow = at;
+    if (arrow == begin) conditions += source.Code(at) + "\n";
+  }
+  const std::string& variable = used.front();
+  others.erase(variable);
+  for (int at = arrow; at < end; ++at) {
+    const std::size_t column = source.Code(at).find("(" + variable);
+    if (column == kNowhere) continue;
+    PointAt(problem, source, at, column + 1, variable.size());
+    break;
+  }
+  problem.message = "rule " + name + ": no condition binds " + variable + ", which this action is about";
+  const std::string_view near = Suggest(variable, {others.begin(), others.end()});
+  if (conditions.find("(state " + variable) == kNowhere && conditions.find("(state") == kNowhere) {
+    problem.hint = "the rule's first condition is missing: (state " + variable + " ^superstate nil ...)";
+  } else if (!near.empty()) {
+    problem.hint = "did you mean " + std::string(near) + "?";
+  } else {
+    problem.hint = "bind it in a condition, or let another action lead to it: (<s> ^attribute " + variable + ")";
+  }
+}
+
+}  // namespace
+
+void ClarifyErrors(std::vector<Diagnostic>& problems) {
+  std::map<std::string, SourceFile> files;
+  std::vector<Diagnostic> kept;
+  bool outside = false;  // The line before was told as outside of a rule already.
+  std::set<std::string> unbound_rules;
+  for (Diagnostic& problem : problems) {
+    if (problem.file.empty() || problem.line == 0) {
+      kept.push_back(std::move(problem));
+      continue;
+    }
+    const auto [at, is_new] = files.try_emplace(problem.file);
+    if (is_new) at->second = ReadSource(problem.file);
+    const SourceFile& source = at->second;
+    const std::string& text = problem.message;
+    const std::string word = Between(text + " ", "", " is read as a string");
+    // The reader's remark on a word that it has already stumbled over.
+    if (!word.empty() && !kept.empty() && kept.back().severity == Severity::kError &&
+        kept.back().line == problem.line && kept.back().file == problem.file)
+      continue;
+    const bool was_outside = std::exchange(outside, false);
+    if (text.starts_with("unexpected eof")) {
+      ClarifyUnclosed(problem, source);
+    } else if (text.starts_with("no such command") || text.find("argument allowed when printing") != kNowhere) {
+      ClarifyCommand(problem, source);
+      outside = text.find("outside any rule") != kNowhere;
+      if (outside && was_outside) continue;
+    } else if (text.starts_with("Syntax: sp {") && BeginsRule(source.Code(problem.line))) {
+      ClarifyTail(problem, source);
+    } else if (ClarifyMissingBrace(problem, source)) {
+      outside = true;
+    } else if (text.find("uses a variable that no condition binds") != kNowhere) {
+      const int begin = BeginOfRule(source, problem.line);
+      ClarifyUnbound(problem, source);
+      if (!unbound_rules.insert(problem.file + ":" + std::to_string(begin)).second &&
+          problem.hint.starts_with("the rule's"))
+        continue;
+      if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
+    } else if (!ClarifyOddCharacter(problem, source)) {
+      ClarifyState(problem);
+      ClarifyFound(problem, source);
+      if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";
+    }
+    kept.push_back(std::move(problem));
+  }
+  problems = std::move(kept);
+}
+
+}  // namespace soarbox::explain

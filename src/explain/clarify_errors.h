@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::explain {
+
+/// A kernel tells where its reader stumbled; this looks into the files at what a beginner most likely did there (a
+/// comment of another language, no } at a rule's end, a misshapen arrow) and says that instead. What one slip brings
+/// about in the lines behind it is dropped.
+void ClarifyErrors(std::vector<Diagnostic>& problems);
+
+}  // namespace soarbox::explain

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "explain/mind_view.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "explain/rule_text.h"
+#include "sml_Client.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr std::size_t kMostRules = 2000;
+constexpr std::size_t kMostFollowed = 50;  ///< Identifiers of one step of a path.
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+}
+
+/// The values behind each ^attribute in "(I2 ^attribute a ^attribute b)".
+void ReadValues(const std::string& text, const std::string& attribute, std::vector<std::string>& values) {
+  const std::string mark = " ^" + attribute + " ";
+  for (const std::string& line : Lines(text)) {
+    for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark, at + 1)) {
+      const std::string rest = line.substr(at + mark.size());
+      std::string value = Trimmed(rest.substr(0, std::min(rest.find(" ^"), rest.find_last_of(')'))));
+      if (value.ends_with(" +")) value.resize(value.size() - 2);
+      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
+    }
+  }
+}
+
+std::string Dotted(const std::vector<std::string>& path) {
+  std::string text = "^";
+  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ".") + path[i];
+  return text;
+}
+
+bool IsRelation(const std::string& word) {
+  return word == "<" || word == ">" || word == "<=" || word == ">=" || word == "<>" || word == "<=>" || word == "=";
+}
+
+/// <h*1>: a kernel made it up for a dot or a test; authors' own hold no star before a number.
+bool IsMadeUp(const std::string& variable) {
+  const std::size_t star = variable.rfind('*');
+  return star != std::string::npos && star + 2 < variable.size() &&
+         variable.find_first_not_of("0123456789", star + 1) == variable.size() - 1;
+}
+
+/// "{ > 50 <h*1> }" as its author wrote it, "> 50"; what it is compared with as the place where that lies.
+void ReadTests(const std::string& value, const std::map<std::string, std::vector<std::string>>& paths,
+               ConditionText& text) {
+  std::istringstream in(value);
+  std::vector<std::string> words;
+  bool relates = false;
+  for (std::string word, before; in >> word; before = word) {
+    relates |= IsRelation(word);
+    if (IsVariable(word) && IsRelation(before)) {
+      const auto path = paths.find(word);
+      // The path may be this condition's own, if another one binds the variable.
+      if (path != paths.end() && path->second != text.path) {
+        text.compared.push_back(path->second);
+        words.push_back(Dotted(path->second));
+        continue;
+      }
+    } else if (IsVariable(word) && (IsMadeUp(word) || relates)) {
+      continue;  // It only names the value.
+    }
+    words.push_back(word);
+  }
+  const bool braced = words.size() >= 2 && words.front() == "{" && words.back() == "}";
+  if (braced && words.size() <= 4) words = {words.begin() + 1, words.end() - 1};
+  for (const std::string& word : words) text.value += (text.value.empty() ? "" : " ") + word;
+}
+
+}  // namespace
+
+std::string MindView::Ask(const std::string& command) {
+  const char* answer = agent_.ExecuteCommandLine(command.c_str());
+  return answer == nullptr ? std::string() : answer;
+}
+
+const std::vector<RuleText>& MindView::rules() {
+  if (std::exchange(read_, true)) return rules_;
+  // Names first: `print --all` lists them, `print --full` shows one.
+  for (const std::string& line : Lines(Ask("print --all --user"))) {
+    const std::string name = Trimmed(line);
+    if (name.empty() || name.find(' ') != std::string::npos) continue;
+    std::vector<RuleText> read = ReadRules(Ask("print --full " + name));
+    rules_.insert(rules_.end(), read.begin(), read.end());
+    if (rules_.size() >= kMostRules) break;
+  }
+  return rules_;
+}
+
+const RuleText* MindView::FindRule(std::string_view name) {
+  for (const RuleText& rule : rules())
+    if (rule.name == name) return &rule;
+  return nullptr;
+}
+
+std::vector<StackEntry> MindView::Stack() {
+  std::vector<StackEntry> stack;
+  for (const std::string& line : Lines(Ask("print --stack"))) {
+    const bool is_state = line.find("==>S:") != std::string::npos;
+    const std::size_t at = is_state ? line.find("S:") : line.find("O:");
+    if (at == std::string::npos) continue;
+    StackEntry& entry = stack.emplace_back();
+    entry.is_state = is_state;
+    const std::string rest = Trimmed(line.substr(at + 2));
+    entry.id = rest.substr(0, rest.find(' '));
+    const std::size_t open = rest.find('('), close = rest.rfind(')');
+    if (open != std::string::npos && close != std::string::npos) entry.about = rest.substr(open + 1, close - open - 1);
+  }
+  return stack;
+}
+
+RuleMatch MindView::Match(const std::string& rule) {
+  RuleMatch match;
+  int depth = 0;
+  std::string group;
+  for (const std::string& line : Lines(Ask("matches " + rule))) {
+    std::string text = Trimmed(line);
+    if (text.empty()) continue;
+    if (text.find("complete match") != std::string::npos) break;
+    const bool fails = text.starts_with(">>>>");
+    if (fails) text = Trimmed(text.substr(4));
+    const bool is_counted = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
+    if (is_counted) text = Trimmed(text.substr(text.find_first_not_of("0123456789")));
+    if (text.starts_with("-{")) {
+      ++depth;
+    } else if (text.starts_with('}')) {
+      if (--depth > 0) continue;
+      ++match.total;
+      if (fails && match.failing.empty()) {
+        match.failing = group;
+        match.is_group = true;
+      } else if (match.failing.empty()) {
+        ++match.matched;
+      }
+      group.clear();
+    } else if (depth > 0) {
+      group += text + " ";
+    } else {
+      ++match.total;
+      if (fails && match.failing.empty()) {
+        match.failing = text;
+      } else if (is_counted && match.failing.empty()) {
+        ++match.matched;
+      }
+    }
+  }
+  return match;
+}
+
+bool MindView::HasFired(const std::string& rule) {
+  // " 3:  rule"
+  std::istringstream in(Ask("production firing-counts " + rule));
+  std::uint64_t count = 0;
+  return !(in >> count) || count > 0;
+}
+
+std::uint64_t MindView::Firings(const std::string& rule) {
+  std::istringstream in(Ask("production firing-counts " + rule));
+  std::uint64_t count = 0;
+  return in >> count ? count : 0;
+}
+
+bool MindView::IsPending(const std::string& rule) {
+  for (const std::string& line : Lines(Ask("matches --assertions"))) {
+    std::istringstream in(line);
+    for (std::string word; in >> word;)
+      if (word == rule) return true;
+  }
+  return false;
+}
+
+std::vector<Preference> MindView::Preferences(const std::string& state, bool with_elements) {
+  std::vector<Preference> found;
+  std::string section;
+  for (const std::string& line :
+       Lines(Ask("preferences " + state + " operator --names" + (with_elements ? " --wmes" : "")))) {
+    const std::string text = Trimmed(line);
+    constexpr std::string_view kTag = "WME with time tag ";
+    if (text.starts_with("selection prob")) break;
+    if (text.starts_with("Preferences for")) continue;
+    if (text.ends_with("s:") && text.find('(') == std::string::npos) {
+      section = text.substr(0, text.size() - 2);
+    } else if (text.starts_with("From ")) {
+      if (!found.empty() && found.back().rule.empty()) found.back().rule = text.substr(5);
+    } else if (text.starts_with(kTag)) {
+      if (!found.empty()) found.back().elements.push_back(text.substr(kTag.size()));
+    } else if (const std::size_t open = text.find(" ("); open != std::string::npos && !section.empty()) {
+      Preference& preference = found.emplace_back();
+      preference.section = section;
+      preference.operator_id = text.substr(0, open);
+      preference.name = text.substr(open + 2, text.find(')') - open - 2);
+      preference.text = Trimmed(text.substr(0, text.find(" :")));
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> MindView::ValuesOf(const std::string& attribute) {
+  std::vector<std::string> values;
+  ReadValues(Ask("print {(* ^" + attribute + " *)}"), attribute, values);
+  return values;
+}
+
+std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::vector<std::string>& path) {
+  std::vector<std::string> at = {id};
+  for (const std::string& attribute : path) {
+    std::vector<std::string> next;
+    for (std::size_t i = 0; i < at.size() && i < kMostFollowed; ++i)
+      if (IsIdentifier(at[i])) ReadValues(Ask("print --exact (" + at[i] + " ^" + attribute + " *)"), attribute, next);
+    at = std::move(next);
+  }
+  return at;
+}
+
+std::vector<std::string> MindView::Elements(const Preference& preference) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> found;
+  for (const std::string& tag : preference.elements) {
+    if (found.size() >= kMost) break;
+    // "(12: S1 ^io I1)", the element alone.
+    std::string text = Trimmed(Ask("print --internal " + tag));
+    const std::string mark = "(" + tag + ": ";
+    const std::size_t begin = text.find(mark);
+    if (begin == std::string::npos) continue;
+    text = "(" + text.substr(begin + mark.size(), text.find(')', begin) - begin - mark.size()) + ")";
+    if (std::find(found.begin(), found.end(), text) == found.end()) found.push_back(std::move(text));
+  }
+  return found;
+}
+
+std::string MindView::DescribeOperator(const std::string& id) {
+  std::string text = Trimmed(Ask("print " + id));
+  if (!text.starts_with("(" + id) || !text.ends_with(')')) return id;
+  text = text.substr(1, text.size() - 2);
+  std::string name, rest;
+  for (std::size_t at = text.find(" ^"); at != std::string::npos;) {
+    const std::size_t end = text.find(" ^", at + 2);
+    const std::string one = Trimmed(text.substr(at, end == std::string::npos ? end : end - at));
+    if (one.starts_with("^name ")) {
+      name = one.substr(6);
+    } else {
+      rest += " " + one;
+    }
+    at = end;
+  }
+  return name.empty() ? id + rest : name + rest;
+}
+
+std::string ConditionText::Text() const {
+  const std::string text = (negated ? "-" : "") + Dotted(path);
+  return value.empty() ? text : text + " " + value;
+}
+
+std::map<std::string, std::vector<std::string>> VariablePaths(const RuleText& rule) {
+  std::map<std::string, std::vector<std::string>> paths;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) paths.try_emplace(condition.id);
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      const auto from = paths.find(condition.id);
+      if (from == paths.end()) continue;
+      // <x>, or { <x> <> ... }: a variable behind a relation is bound elsewhere.
+      std::string first = condition.value.substr(condition.value.starts_with("{ ") ? 2 : 0);
+      first = first.substr(0, first.find(' '));
+      if (!IsVariable(first)) continue;
+      std::vector<std::string> path = from->second;
+      path.push_back(condition.attribute);
+      grows |= paths.try_emplace(first, std::move(path)).second;
+    }
+  }
+  return paths;
+}
+
+std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string& printed) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  std::vector<ConditionText> found;
+  for (const RuleAttribute& part : ReadConditions(printed)) {
+    ConditionText& text = found.emplace_back();
+    if (const auto from = paths.find(part.id); from != paths.end()) text.path = from->second;
+    text.path.push_back(part.attribute);
+    ReadTests(part.value, paths, text);
+    text.negated = part.negated;
+  }
+  return found;
+}
+
+}  // namespace soarbox::explain

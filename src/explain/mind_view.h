@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "explain/rule_text.h"
+
+namespace sml {
+class Agent;
+}
+
+namespace soarbox::explain {
+
+/// One state or operator of an agent's goal stack.
+struct StackEntry {
+  bool is_state = false;
+  std::string id;     ///< "S1", "O3"
+  std::string about;  ///< "operator tie", or the operator's name; empty for the top state.
+};
+
+/// How far a rule comes with what there is now.
+struct RuleMatch {
+  int matched = 0, total = 0;
+  std::string failing;    ///< The first condition that fails, as a kernel prints it; empty: all match.
+  bool is_group = false;  ///< It is a negated group of conditions, -{ ... }.
+};
+
+/// One preference for an operator.
+struct Preference {
+  std::string section;                ///< "acceptable", "better", "best", ...
+  std::string operator_id, name;      ///< "O3", "move-to"
+  std::string text;                   ///< "O1 (left) > O2 (right)"
+  std::string rule;                   ///< That made it; empty if none is named.
+  std::vector<std::string> elements;  ///< That it rests on: time tags, if they were asked for.
+};
+
+/// What a Soar program tells about itself, through its command language alone, so that it works with any kernel. Asks
+/// anew each time; only the rules are kept.
+class MindView {
+ public:
+  explicit MindView(sml::Agent& agent) : agent_(agent) {}
+
+  std::string Ask(const std::string& command);
+  const std::vector<RuleText>& rules();
+  const RuleText* FindRule(std::string_view name);
+  /// From the top state down.
+  std::vector<StackEntry> Stack();
+  RuleMatch Match(const std::string& rule);
+  /// Whether it has fired since its agent was made; true where a kernel does not tell.
+  bool HasFired(const std::string& rule);
+  /// Whether a match of it is yet to fire: the elaboration limit, or a break, came before.
+  bool IsPending(const std::string& rule);
+  /// How often it has fired; 0 if that is not told.
+  std::uint64_t Firings(const std::string& rule);
+  std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
+  /// Values of an attribute anywhere in working memory.
+  std::vector<std::string> ValuesOf(const std::string& attribute);
+  /// Values at the end of a path of attributes that begins at an identifier.
+  std::vector<std::string> ValuesAt(const std::string& id, const std::vector<std::string>& path);
+  /// The elements that a preference rests on, "(I2 ^path P2)".
+  std::vector<std::string> Elements(const Preference& preference);
+  /// "move-to ^waypoint north": an operator's name and attributes.
+  std::string DescribeOperator(const std::string& id);
+
+ private:
+  sml::Agent& agent_;
+  std::vector<RuleText> rules_;
+  bool read_ = false;
+};
+
+/// A condition as its author would write it, from the state on: "^io.input-link.self.health < 50".
+struct ConditionText {
+  std::vector<std::string> path;  ///< Attributes from the state on.
+  std::string value;              ///< Tests without the variables that a kernel made up; may be empty.
+  bool negated = false;
+  std::vector<std::vector<std::string>> compared;  ///< Paths of the variables that it compares with.
+  std::string Text() const;
+};
+/// Where the variables of a rule lie, as attributes from the state on.
+std::map<std::string, std::vector<std::string>> VariablePaths(const RuleText& rule);
+/// Reads what a kernel printed of one condition, or of a group of them, of this rule.
+std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string& printed);
+
+}  // namespace soarbox::explain

@@ -1,0 +1,571 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "explain/reasons.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <optional>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/inspector.h"
+#include "explain/rule_makers.h"
+#include "explain/rule_slips.h"
+#include "explain/rule_text.h"
+#include "tell/decision_text.h"
+#include "tell/sentences.h"
+#include "vocabulary/vocabulary.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr std::size_t kMostRulesAsked = 60;
+constexpr std::size_t kMostRulesTold = 3;
+constexpr std::size_t kMostValuesShown = 4;
+constexpr std::size_t kLongestCircle = 6;
+
+using tell::Listed;
+using tell::Say;
+using tell::Situation;
+
+/// Kernels print six decimals.
+std::string WithoutZeros(std::string number) {
+  const bool is_float =
+      number.find('.') != std::string::npos && number.find_first_not_of("-0123456789.") == std::string::npos;
+  while (is_float && number.ends_with('0')) number.pop_back();
+  if (is_float && number.ends_with('.')) number.pop_back();
+  return number;
+}
+
+std::string List(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size() && i < kMostValuesShown; ++i)
+    text += (i == 0 ? "" : ", ") + WithoutZeros(words[i]);
+  if (words.size() > kMostValuesShown) text += " and " + std::to_string(words.size() - kMostValuesShown) + " more";
+  return text;
+}
+
+/// The row of a percept that lies at this path from the state on; null if none does.
+const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
+  constexpr std::size_t kLink = 2;  // io.input-link
+  if (path.size() <= kLink || path[0] != "io" || path[1] != "input-link") return nullptr;
+  std::string dotted;
+  for (std::size_t i = kLink; i < path.size(); ++i) dotted += (i == kLink ? "" : ".") + path[i];
+  for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
+    if (row.path == dotted) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known) {
+  if (attribute.size() < 3) return {};
+  const std::vector<std::string> more(known.begin(), known.end());
+  const std::string_view near = vocabulary::NearestAttribute(attribute, more);
+  return near.empty() ? std::string() : "did you mean ^" + std::string(near) + "?";
+}
+
+MindReasons::Makers MindReasons::MakersOf(const RuleText& rule, const ConditionText& condition) {
+  Makers makers;
+  makers.is_known = StillFailed().empty();
+  for (const RuleText& maker : rules()) {
+    const Makes makes = WhetherMakes(maker, rule, condition);
+    makers.is_known &= !MakesAnyAttribute(maker);
+    if (makes != Makes::kNo) makers.all.push_back(&maker);
+    if (makers.other == nullptr) {
+      makers.other_value = OtherValueBy(maker, rule, condition);
+      if (!makers.other_value.empty()) makers.other = &maker;
+    }
+    // One that waits for the same cannot be what makes it first.
+    if (maker.name == rule.name || WaitsForTheSame(maker, condition)) continue;
+    if (makes == Makes::kYes && makers.sure == nullptr) makers.sure = &maker;
+    if (makes == Makes::kMaybe && makers.maybe == nullptr) makers.maybe = &maker;
+  }
+  return makers;
+}
+
+std::optional<ConditionText> MindReasons::WaitOf(const RuleText& rule) {
+  const RuleMatch match = view_.Match(rule.name);
+  if (match.failing.empty() || match.is_group) return std::nullopt;
+  const std::vector<ConditionText> waits = ReadCondition(rule, match.failing);
+  if (waits.empty() || waits.front().negated || waits.front().path.empty()) return std::nullopt;
+  const std::vector<std::string> path = FromTop(waits.front().path);
+  if (path.empty() || path.front() == "io" || IsArchitectureAttribute(path.front())) return std::nullopt;
+  return waits.front();
+}
+
+std::vector<MindReasons::Wait> MindReasons::CircleFrom(const RuleText& rule, const ConditionText& condition) {
+  std::vector<Wait> waits = {{&rule, condition}};
+  while (waits.size() < kLongestCircle) {
+    const Wait& last = waits.back();
+    const std::vector<std::string>& path = last.condition.path;
+    // Over states and architecture others lead, too.
+    if (path.front() == "superstate" || path.front() == "io" || IsArchitectureAttribute(path.front())) return {};
+    const Makers makers = MakersOf(*last.rule, last.condition);
+    if (!makers.is_known || makers.all.size() != 1 || !view_.ValuesAt(StateOf(*last.rule), path).empty()) return {};
+    const RuleText& maker = *makers.all.front();
+    const std::optional<ConditionText> next = WaitOf(maker);
+    if (!next) return {};
+    const auto again = std::ranges::find_if(waits, [&](const Wait& wait) {
+      return wait.condition.path == next->path && wait.condition.value == next->value;
+    });
+    const auto begin = again - waits.begin();
+    const bool is_closed = again != waits.end();
+    waits.push_back({&maker, *next});
+    // One that this wait only leads to is the next rule's to tell.
+    if (is_closed && next->path != condition.path) return {};
+    if (is_closed) return {waits.begin() + begin, waits.end()};
+  }
+  return {};
+}
+
+std::string MindReasons::Applying(const RuleText& maker) {
+  std::string operators;
+  for (const std::string& name : maker.applies)
+    if (!name.empty()) operators += (operators.empty() ? "" : " or ") + name;
+  return operators.empty() ? "" : Say(Situation::kWhenItApplies, {{"operators", operators}});
+}
+
+std::vector<FailedRule> MindReasons::StillFailed() {
+  std::vector<FailedRule> failed = failed_;
+  // An edit may have brought a good version meanwhile.
+  std::erase_if(failed, [&](const FailedRule& one) { return view_.FindRule(one.rule) != nullptr; });
+  return failed;
+}
+
+std::string MindReasons::WhatFailed() {
+  const std::vector<FailedRule> failed = StillFailed();
+  std::string text;
+  for (std::size_t i = 0; i < failed.size() && i < kMostRulesTold; ++i) {
+    const FailedRule& one = failed[i];
+    text += (text.empty() ? "" : "; ") +
+            (one.rule.empty()
+                 ? Say(Situation::kErrorIn, {{"place", one.place}, {"problem", one.problem}})
+                 : Say(Situation::kNotParsed, {{"rule", one.rule}, {"place", one.place}, {"problem", one.problem}}));
+  }
+  if (failed.size() > kMostRulesTold)
+    text += "; " + Say(Situation::kMoreNotLoaded, {{"count", std::to_string(failed.size() - kMostRulesTold)}});
+  return text;
+}
+
+mind::Decision MindReasons::DecisionOf(const std::string& state) {
+  return MakeInspector(agent_)->Operators(state).decision.value_or(mind::Decision());
+}
+
+std::string MindReasons::StateOf(const RuleText& rule) {
+  std::string top = "S1", last;
+  for (const StackEntry& entry : view_.Stack()) {
+    if (!entry.is_state) continue;
+    if (last.empty()) top = entry.id;
+    last = entry.id;
+  }
+  return IsForSubstate(rule) && !last.empty() ? last : top;
+}
+
+std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
+  std::set<std::string> known = given;
+  for (const RuleText& rule : rules()) {
+    // Nobody knows what it makes, or what comes from a memory, before it does.
+    if (MakesAnyAttribute(rule) || TestsWhatWasRecalled(rule)) return {};
+    for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
+  }
+  std::vector<std::string> found;
+  std::set<std::string> told;
+  for (const RuleText& rule : rules()) {
+    for (const RuleAttribute& condition : rule.conditions) {
+      const std::string& attribute = condition.attribute;
+      if (!IsConstantAttribute(attribute) || IsArchitectureAttribute(attribute) ||
+          vocabulary::IsPerceptAttribute(attribute))
+        continue;
+      if (known.contains(attribute) || condition.negated || !told.insert(attribute).second) continue;
+      if (!view_.ValuesOf(attribute).empty()) continue;
+      const std::string hint = SuggestAttribute(attribute, known);
+      found.push_back(Say(Situation::kUnwritten, {{"rule", rule.name}, {"attribute", attribute}}) +
+                      (hint.empty() ? "" : ": " + hint));
+    }
+  }
+  return found;
+}
+
+std::string MindReasons::ExplainSelected(const RuleText& rule, const ConditionText& condition) {
+  const std::vector<std::string> path = FromTop(condition.path);
+  const std::vector<std::string> above(condition.path.begin(),
+                                       condition.path.end() - static_cast<std::ptrdiff_t>(path.size()));
+  const std::vector<std::string> states = view_.ValuesAt(StateOf(rule), above);
+  if (states.empty()) return {};
+  const StackEntry* selected = nullptr;
+  const std::vector<StackEntry> stack = view_.Stack();
+  for (std::size_t i = 0; i + 1 < stack.size(); ++i)
+    if (stack[i].is_state && stack[i].id == states.front() && !stack[i + 1].is_state) selected = &stack[i + 1];
+  const bool asks_for_name = path.size() == 2 && path.back() == "name";
+  const bool is_name =
+      asks_for_name && !condition.value.empty() && condition.value.find_first_of(" <>{}") == std::string::npos;
+  std::string who_proposes;
+  if (is_name && StillFailed().empty()) {
+    const auto proposes = [&](const RuleText& other) { return other.proposes.contains(condition.value); };
+    const auto proposer = std::ranges::find_if(rules(), proposes);
+    if (proposer != rules().end()) {
+      who_proposes = Say(Situation::kRuleProposes, {{"rule", proposer->name}, {"name", condition.value}});
+    } else if (std::ranges::none_of(rules(), [](const RuleText& other) { return other.proposes.contains(""); })) {
+      who_proposes = Say(Situation::kNoRuleProposes, {{"name", condition.value}});
+    }
+  }
+  if (selected == nullptr) return Say(Situation::kNoOperatorSelected, {{"state", states.front()}}) + who_proposes;
+  if (asks_for_name && selected->about != condition.value)
+    return Say(Situation::kOtherOperator,
+               {{"state", states.front()}, {"op", selected->about + " (" + selected->id + ")"}}) +
+           who_proposes;
+  return {};
+}
+
+std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionText& condition,
+                                        const std::set<std::string>& known) {
+  const std::string& attribute = condition.path.back();
+  const std::vector<std::string> path = FromTop(condition.path);
+  const bool is_percept = !path.empty() && path.front() == "io";
+  if (!is_percept) {
+    if (const std::vector<Wait> circle = CircleFrom(rule, condition); !circle.empty()) {
+      std::vector<std::string> attributes, makers;
+      for (std::size_t i = 0; i + 1 < circle.size(); ++i) {
+        const std::string& made = circle[i].condition.path.back();
+        attributes.push_back("^" + made);
+        makers.push_back(Say(Situation::kOnlyCreates, {{"rule", circle[i + 1].rule->name},
+                                                       {"attribute", made},
+                                                       {"tested", circle[i + 1].condition.path.back()}}));
+      }
+      std::string who;
+      for (const std::string& maker : makers) who += (who.empty() ? "" : "; ") + maker;
+      return attributes.size() == 1
+                 ? Say(Situation::kWaitForItself,
+                       {{"attribute", circle.front().condition.path.back()}, {"makers", who}})
+                 : Say(Situation::kWaitForEachOther, {{"attributes", Listed(attributes)}, {"makers", who}});
+    }
+    const Makers makers = MakersOf(rule, condition);
+    if (makers.sure != nullptr)
+      return Say(Situation::kNoneNowMadeBy, {{"maker", makers.sure->name}, {"applying", Applying(*makers.sure)}});
+    if (makers.maybe != nullptr)
+      return Say(Situation::kNoneNowMaybeBy, {{"maker", makers.maybe->name}, {"applying", Applying(*makers.maybe)}});
+    if (makers.all.empty() && makers.is_known && !IsArchitectureAttribute(path.front()) && known.contains(attribute)) {
+      std::string text = Say(Situation::kNoRuleMakes);
+      if (makers.other != nullptr)
+        text += Say(Situation::kMakesOther,
+                    {{"maker", makers.other->name}, {"attribute", attribute}, {"value", makers.other_value}});
+      return text;
+    }
+  }
+  if (const vocabulary::PerceptRow* row = RowAt(condition.path))
+    return Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}});
+  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return Say(Situation::kNoneNow);
+  if (const std::string places = PlacesOfPercept(attribute); !places.empty())
+    return Say(Situation::kWrongPlace, {{"places", places}});
+  // A rule that did not load may make it, or one whose attributes only a firing names, or it may be recalled.
+  if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
+      std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
+    const std::string failed = WhatFailed();
+    return Say(Situation::kNoneNow) + (failed.empty() ? "" : "; " + failed);
+  }
+  const std::string hint = SuggestAttribute(attribute, known);
+  return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
+}
+
+std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
+  const RuleMatch match = view_.Match(rule.name);
+  if (match.failing.empty()) return {};
+  const std::vector<ConditionText> conditions = ReadCondition(rule, match.failing);
+  if (conditions.empty()) return Say(Situation::kRuleWaitsFor, {{"rule", rule.name}, {"condition", match.failing}});
+  const ConditionText& first = conditions.front();
+  const auto waits = [&](const std::string& found) {
+    return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", first.Text()}, {"found", found}});
+  };
+  if (!match.is_group && AsksForSelected(rule, first)) {
+    if (const std::string selected = ExplainSelected(rule, first); !selected.empty()) return waits(selected);
+  }
+  const std::vector<std::string> values = view_.ValuesAt(StateOf(rule), first.path);
+  std::vector<std::string> shown;
+  for (const std::string& value : values)
+    if (!IsIdentifier(value)) shown.push_back(value);
+
+  if (match.is_group || first.negated) {
+    std::string excluded;
+    for (ConditionText each : conditions) {
+      each.negated = false;
+      excluded += (excluded.empty() ? "" : " with ") + each.Text();
+    }
+    const std::string found = shown.empty() || match.is_group
+                                  ? Say(Situation::kOneExists)
+                                  : Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
+                                        {{"attribute", first.path.back()}, {"values", List(shown)}});
+    return Say(Situation::kRuleExcluded, {{"rule", rule.name}, {"condition", excluded}, {"found", found}});
+  }
+  if (values.empty()) return waits(ExplainAbsence(rule, first, known));
+  std::string bound;
+  for (const std::vector<std::string>& path : first.compared) {
+    std::vector<std::string> others;
+    for (const std::string& value : view_.ValuesAt(StateOf(rule), path))
+      if (!IsIdentifier(value)) others.push_back(value);
+    if (others.empty()) continue;
+    bound += "; ^";
+    for (std::size_t i = 0; i < path.size(); ++i) bound += (i == 0 ? "" : ".") + path[i];
+    bound += " is " + List(others);
+  }
+  const std::size_t others = values.size() - shown.size();
+  if (shown.empty())
+    return waits(others == 1 ? Say(Situation::kOneDoesNotFit)
+                             : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}));
+  // It is there, but elsewhere: another waypoint than the one that the conditions before it are about.
+  if (std::find(shown.begin(), shown.end(), first.value) != shown.end()) return waits(Say(Situation::kElsewhere));
+  std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
+  const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
+  const bool is_word = !words.empty() && RowAt(first.path) != nullptr &&
+                       first.value.find_first_of(" <>{}") == std::string::npos &&
+                       std::find(words.begin(), words.end(), first.value) == words.end();
+  if (is_word) {
+    std::string all;
+    for (const std::string_view word : words) all.append(all.empty() ? "" : " ").append(word);
+    found += Say(Situation::kOnlyWords, {{"value", first.value}, {"words", all}});
+  }
+  return waits(found);
+}
+
+std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
+  struct Near {
+    double share;
+    const RuleText* rule;
+  };
+  std::vector<Near> found;
+  for (std::size_t i = 0; i < candidates.size() && i < kMostRulesAsked; ++i) {
+    const RuleMatch match = view_.Match(candidates[i]->name);
+    if (match.failing.empty() || match.total == 0) continue;
+    found.push_back({static_cast<double>(match.matched) / match.total, candidates[i]});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Near& a, const Near& b) { return a.share > b.share; });
+  std::vector<std::string> texts;
+  std::set<const RuleText*> told;
+  const auto tell = [&](const RuleText& rule) {
+    if (!told.insert(&rule).second) return;
+    const std::vector<Slip> slips = FindSlipsOfForm({rule});
+    const bool has_state = std::any_of(rule.conditions.begin(), rule.conditions.end(),
+                                       [](const RuleAttribute& condition) { return condition.on_state; });
+    // Without a state nothing tells where its conditions look.
+    if (std::string text = has_state ? ExplainRule(rule, known) : std::string(); !text.empty())
+      texts.push_back(std::move(text));
+    for (const Slip& slip : slips) texts.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
+  };
+  for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {
+    tell(*found[i].rule);
+    // What it waits for may be another rule's to make: then that one is why.
+    const std::optional<ConditionText> wait = WaitOf(*found[i].rule);
+    if (!wait || wait->path.front() == "operator" || !CircleFrom(*found[i].rule, *wait).empty()) continue;
+    const Makers makers = MakersOf(*found[i].rule, *wait);
+    // One that applies an operator waits for just that: no operator is what all this is about.
+    if (makers.sure != nullptr && makers.sure->applies.empty()) tell(*makers.sure);
+  }
+  return texts;
+}
+
+std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
+  // The candidates that are left are the items of the impasse; others may be proposed, and dropped.
+  const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
+  std::vector<Preference> proposals;
+  for (Preference& preference : view_.Preferences(state)) {
+    const std::string& op = preference.operator_id;
+    if (preference.section != "acceptable") continue;
+    if (!items.empty() && std::ranges::find(items, op) == items.end()) continue;
+    if (std::ranges::find(proposals, op, &Preference::operator_id) == proposals.end())
+      proposals.push_back(std::move(preference));
+  }
+  // "O2" before "O10".
+  std::ranges::sort(proposals, {}, [](const Preference& proposal) {
+    return std::pair(proposal.operator_id.size(), proposal.operator_id);
+  });
+  std::vector<std::string> names, lines;
+  for (const Preference& proposal : proposals) {
+    if (std::ranges::find(names, proposal.name) == names.end()) names.push_back(proposal.name);
+    if (lines.size() < kMostValuesShown && !proposal.rule.empty())
+      lines.push_back(Say(Situation::kIsProposedBy,
+                          {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
+  }
+  const std::string among =
+      names.size() == 1
+          ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
+          : Listed(names);
+  lines.insert(lines.begin(),
+               Say(Situation::kTieIn, {{"state", state}, {"why", Say(Situation::kTie, {{"operators", among}})}}));
+  lines.push_back(Say(Situation::kTieAdvice));
+  return lines;
+}
+
+std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, const StackEntry& below) {
+  const bool is_conflict = below.about == "operator conflict";
+  const Situation situation = is_conflict ? Situation::kConflictIn : Situation::kConstraintFailureIn;
+  mind::Decision decision = DecisionOf(state);
+  decision.selected = mind::Decision::kNoOperator;
+  if (const std::string why = tell::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
+    return {Say(situation, {{"state", state}, {"why", why}})};
+  // Of another kernel the preferences of that kind among the candidates.
+  const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
+  std::string said;
+  for (const Preference& preference : view_.Preferences(state)) {
+    const std::string& kind = preference.section;
+    const bool may_be_why = is_conflict ? kind == "better" || kind == "worse" : kind == "require" || kind == "prohibit";
+    if (!may_be_why || std::ranges::find(items, preference.operator_id) == items.end()) continue;
+    said += (said.empty() ? "" : "; ") + ("rule " + preference.rule + " says " + preference.text);
+  }
+  return {Say(situation, {{"state", state}, {"why", said}})};
+}
+
+std::string MindReasons::WhyAllDropped(const std::string& state) {
+  if (state.empty()) return {};
+  const mind::Decision decision = DecisionOf(state);
+  if (!decision.empty()) return tell::WhyNothing(decision);
+  // Another kernel does not say who dropped whom: its preferences against operators, if there are proposals.
+  std::string against;
+  bool is_proposed = false;
+  for (const Preference& preference : view_.Preferences(state)) {
+    is_proposed |= preference.section == "acceptable";
+    if (preference.section != "reject" && preference.section != "prohibit") continue;
+    against +=
+        (against.empty() ? "" : "; ") +
+        Say(preference.section == "reject" ? Situation::kRejects : Situation::kProhibits,
+            {{"maker", "rule " + preference.rule}, {"op", preference.name + " (" + preference.operator_id + ")"}});
+  }
+  return is_proposed && !against.empty() ? Say(Situation::kAllDropped, {{"why", against}}) : std::string();
+}
+
+std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
+                                                    const std::set<std::string>& known) {
+  const std::string& name = selected.about;
+  RuleList candidates, below;
+  const RuleText* applied_by = nullptr;
+  const RuleText* pending = nullptr;
+  bool says = false;
+  for (const RuleText& rule : rules()) {
+    if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
+    // A rule that only describes the operator does not apply it; one that names none applies any.
+    if (!(rule.applies.contains(name) || rule.applies.contains("")) || !Changes(rule)) continue;
+    if (rule.applies.contains(name)) candidates.push_back(&rule);
+    if (!view_.Match(rule.name).failing.empty()) continue;
+    if (view_.IsPending(rule.name)) {
+      pending = &rule;
+      continue;
+    }
+    if (!view_.HasFired(rule.name)) continue;
+    says |= !rule.says.empty();
+    if (applied_by == nullptr) applied_by = &rule;
+  }
+  std::vector<std::string> reasons;
+  const std::initializer_list<tell::Slot> op = {{"op", name}, {"state", state}};
+  if (pending != nullptr) {
+    const std::uint64_t firings = view_.Firings(pending->name);
+    reasons.push_back(
+        firings > 1 ? Say(Situation::kFiresAgain,
+                          {{"op", name}, {"state", state}, {"rule", pending->name}, {"count", std::to_string(firings)}})
+                    : Say(Situation::kNotFiredYet, {{"op", name}, {"state", state}, {"rule", pending->name}}));
+  } else if (applied_by != nullptr) {
+    reasons.push_back(
+        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", name}, {"rule", applied_by->name}}));
+  } else if (!candidates.empty()) {
+    reasons.push_back(Say(Situation::kNoApplierMatches, op));
+    for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
+    if (std::string failed = WhatFailed(); !failed.empty()) reasons.push_back(std::move(failed));
+  } else if (is_below && !below.empty()) {
+    const std::vector<StackEntry> stack = view_.Stack();
+    const auto at = std::ranges::find(stack, selected.id, &StackEntry::id);
+    const std::string substate = at == stack.end() || at + 1 == stack.end() ? "" : (at + 1)->id;
+    if (const std::string why = WhyAllDropped(substate); !why.empty())
+      return {Say(Situation::kDroppedIn, {{"state", substate}, {"why", why}})};
+    reasons.push_back(Say(Situation::kNothingBelow, op));
+    for (std::string& near : Nearest(below, known)) reasons.push_back(std::move(near));
+  } else {
+    std::string failed = WhatFailed();
+    reasons.push_back(
+        Say(Situation::kNoApplier,
+            {{"op", name}, {"state", state}, {"advice", failed.empty() ? HowToApply(rules(), name) : failed}}));
+  }
+  return reasons;
+}
+
+std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known) {
+  const std::string failed = WhatFailed();
+  if (rules().empty()) return {Say(Situation::kNoRules) + (failed.empty() ? "" : ": " + failed)};
+  std::vector<std::string> reasons;
+  const std::vector<StackEntry> stack = view_.Stack();
+  const StackEntry* selected = nullptr;
+  std::string state = "S1", state_of_selected = "S1";
+  bool is_below = false;
+  for (const StackEntry& entry : stack) {
+    if (!entry.is_state) {
+      selected = &entry;
+      state_of_selected = state;
+      is_below = false;
+      continue;
+    }
+    if (entry.about == "operator tie") {
+      reasons = ExplainTie(state, entry.id);
+    } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
+      reasons = ExplainConflict(state, entry);
+    }
+    // A state below one in which nothing happens says nothing new.
+    if (entry.about != "state no-change" || selected == nullptr) {
+      is_below = entry.about == "operator no-change";
+      if (!is_below) selected = nullptr;
+    }
+    state = entry.id;
+  }
+  if (!reasons.empty() && selected == nullptr) return reasons;
+
+  // What rules that did not load would make is not known.
+  if (failed.empty()) reasons = UnwrittenAttributes(known);
+  if (reasons.size() > kMostRulesTold) reasons.resize(kMostRulesTold);
+  const auto add = [&reasons](std::vector<std::string> more) {
+    for (std::string& reason : more) {
+      // A misspelt attribute needs to be told once.
+      const bool repeats = reason.find("no percept and no rule makes it") != std::string::npos &&
+                           std::any_of(reasons.begin(), reasons.end(), [&](const std::string& told) {
+                             return told.starts_with(reason.substr(0, reason.find(" requires ")) + " tests ");
+                           });
+      if (!repeats) reasons.push_back(std::move(reason));
+    }
+  };
+  if (selected != nullptr) {
+    add(WhyNotApplied(*selected, state_of_selected, is_below, known));
+    return reasons;
+  }
+  RuleList candidates;
+  const bool in_substate = stack.size() > 1;
+  for (const RuleText& rule : rules())
+    if (!rule.proposes.empty() && (in_substate || !IsForSubstate(rule))) candidates.push_back(&rule);
+  if (candidates.empty()) {
+    reasons.push_back(
+        Say(Situation::kNoProposer, {{"advice", failed.empty() ? Say(Situation::kWriteProposer) : failed}}));
+    return reasons;
+  }
+  // States below that say nothing new: the first of them is where something is missing.
+  std::vector<std::string> alike;
+  for (const StackEntry& entry : stack) {
+    if (entry.about != "state no-change") alike.clear();
+    if (entry.is_state) alike.push_back(entry.id);
+  }
+  if (std::string why = WhyAllDropped(alike.empty() ? state : alike.front()); !why.empty()) {
+    reasons.push_back(Say(Situation::kDroppedIn, {{"state", alike.empty() ? state : alike.front()}, {"why", why}}));
+    return reasons;
+  }
+  const bool grows = alike.size() > 2;
+  reasons.push_back(
+      grows ? Say(Situation::kStackGrows, {{"state", alike.front()}, {"first", alike[1]}, {"last", alike.back()}})
+            : Say(Situation::kNoneProposed, {{"state", state}}));
+  add(Nearest(candidates, known));
+  if (!failed.empty()) reasons.push_back(failed);
+  return reasons;
+}
+
+std::string MindReasons::WhyHalted() {
+  std::vector<std::string> callers;
+  for (const RuleText& rule : rules())
+    if (rule.calls.contains("halt") && view_.HasFired(rule.name)) callers.push_back(rule.name);
+  if (callers.empty()) return {};
+  return callers.size() == 1 ? Say(Situation::kHaltedBy, {{"rule", callers.front()}})
+                             : Say(Situation::kHaltedByOneOf, {{"rules", List(callers)}});
+}
+
+}  // namespace soarbox::explain

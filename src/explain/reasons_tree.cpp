@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// What led to something, or kept it from happening, as a tree of lines: the command, the rules that say it, the
+// operator that they apply, the rules that propose it, and what these rest on or wait for.
+#include <algorithm>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/reasons.h"
+#include "explain/rule_makers.h"
+#include "tell/sentences.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr int kDeepest = 6;
+
+void Append(const WhyNode& node, std::size_t indent, std::vector<std::string>& lines) {
+  lines.push_back(std::string(2 * indent, ' ') + node.text);
+  for (const WhyNode& below : node.below) Append(below, indent + 1, lines);
+}
+
+}  // namespace
+
+std::vector<std::string> Lines(const WhyNode& node, std::size_t indent) {
+  std::vector<std::string> lines;
+  Append(node, indent, lines);
+  return lines;
+}
+
+std::vector<std::string> AccountLines(const std::optional<WhyNode>& account) {
+  std::vector<std::string> lines;
+  if (!account) return lines;
+  lines.push_back(account->text);
+  for (const WhyNode& below : account->below) Append(below, 0, lines);
+  return lines;
+}
+
+/// What has been said already, so that no circle is followed twice.
+struct MindReasons::Told {
+  const std::set<std::string>& known;
+  std::set<std::string> names;  ///< Of operators and rules.
+};
+
+void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into) {
+  if (depth > kDeepest || !told.names.insert("rule " + rule.name).second) return;
+  std::string why = ExplainRule(rule, told.known);
+  const bool matches = why.empty();
+  if (matches) why = "rule " + rule.name + ": all its conditions hold now";
+  WhyNode& node = into.emplace_back(WhyNode{std::move(why), "rule", rule.name, {}});
+  if (matches) return;
+  const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
+  if (!waits.empty() && AsksForSelected(rule, waits.front())) {
+    for (const std::string& name : rule.applies)
+      if (!name.empty()) TellOperator(name, depth + 1, told, node.below);
+  } else if (const std::optional<ConditionText> wait = WaitOf(rule); wait && CircleFrom(rule, *wait).empty()) {
+    const Makers makers = MakersOf(rule, *wait);
+    if (const RuleText* maker = makers.sure != nullptr ? makers.sure : makers.maybe)
+      TellRule(*maker, depth + 1, told, node.below);
+  }
+}
+
+WhyNode MindReasons::OfPreference(const Preference& preference, bool with_elements) {
+  WhyNode node{
+      preference.section + ": " + preference.text +
+          (preference.rule.empty() ? "" : (preference.text.empty() ? "by rule " : " by rule ") + preference.rule),
+      "preference",
+      preference.rule,
+      {}};
+  if (!with_elements || preference.section != "acceptable") return node;
+  for (std::string& element : view_.Elements(preference)) node.below.push_back({std::move(element), "element", "", {}});
+  return node;
+}
+
+void MindReasons::TellOperator(const std::string& name, int depth, Told& told, std::vector<WhyNode>& into) {
+  if (depth > kDeepest || !told.names.insert("operator " + name).second) return;
+  std::string state = "S1";
+  for (const StackEntry& entry : view_.Stack()) {
+    if (entry.is_state) {
+      state = entry.id;
+      continue;
+    }
+    if (entry.about != name) continue;
+    WhyNode& node = into.emplace_back(
+        WhyNode{"operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, "operator", entry.id, {}});
+    for (Preference preference : view_.Preferences(state, true)) {
+      if (preference.operator_id != entry.id) continue;
+      preference.text.clear();
+      node.below.push_back(OfPreference(preference, true));
+    }
+    return;
+  }
+  // It may be proposed and another be preferred.
+  const std::vector<StackEntry> stack = view_.Stack();
+  const std::string top = stack.empty() ? "S1" : stack.front().id;
+  const std::string chosen = stack.size() > 1 && !stack[1].is_state ? stack[1].about : std::string();
+  const std::vector<Preference> preferences = view_.Preferences(top);
+  if (std::ranges::find(preferences, name, &Preference::name) != preferences.end()) {
+    WhyNode& node =
+        into.emplace_back(WhyNode{"operator " + name + " is proposed in " + top +
+                                      (chosen.empty() ? ", and none is selected" : ", and " + chosen + " is selected"),
+                                  "operator",
+                                  name,
+                                  {}});
+    for (const Preference& preference : preferences)
+      if (preference.section != "acceptable" || preference.name == name)
+        node.below.push_back(OfPreference(preference, false));
+    return;
+  }
+  WhyNode& node = into.emplace_back(
+      WhyNode{"operator " + name + " is not proposed now" + (chosen.empty() ? "" : "; " + chosen + " is selected"),
+              "operator",
+              name,
+              {}});
+  RuleList proposers;
+  for (const RuleText& rule : rules())
+    if (rule.proposes.contains(name) || rule.proposes.contains("")) proposers.push_back(&rule);
+  const std::string failed = WhatFailed();
+  if (proposers.empty())
+    node.below.push_back(
+        {failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it", "reason", "", {}});
+  if (!failed.empty()) node.below.push_back({failed, "reason", "", {}});
+  for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) TellRule(*proposers[i], depth + 1, told, node.below);
+}
+
+void MindReasons::TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into) {
+  for (const RuleText& rule : rules()) {
+    if (!rule.says.contains(command)) continue;
+    WhyNode& node = into.emplace_back(
+        WhyNode{"rule " + rule.name + " gives it" + (rule.applies.empty() ? "" : " when it applies an operator"),
+                "rule",
+                rule.name,
+                {}});
+    for (const std::string& name : rule.applies)
+      if (!name.empty()) TellOperator(name, 2, told, node.below);
+    // What it waits for of an operator is told above.
+    const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
+    if (waits.empty() || waits.front().path.front() != "operator") TellRule(rule, 2, told, node.below);
+  }
+}
+
+Result<std::vector<WhyNode>> MindReasons::WhyTopic(const std::string& topic, const std::set<std::string>& known) {
+  std::vector<std::string_view> names;
+  bool is_command = false, is_operator = false;
+  for (const RuleText& rule : rules()) {
+    names.push_back(rule.name);
+    for (const auto* words : {&rule.says, &rule.proposes, &rule.applies})
+      for (const std::string& word : *words)
+        if (!word.empty() && word[0] != '<') names.push_back(word);
+    is_command |= rule.says.contains(topic);
+    is_operator |= rule.proposes.contains(topic) || rule.applies.contains(topic);
+  }
+  Told told{known, {}};
+  std::vector<WhyNode> reasons;
+  if (is_command) TellCommand(topic, told, reasons);
+  if (is_operator) TellOperator(topic, 1, told, reasons);
+  if (const RuleText* rule = view_.FindRule(topic)) TellRule(*rule, 1, told, reasons);
+  const std::vector<FailedRule> failed = StillFailed();
+  if (std::ranges::find(failed, topic, &FailedRule::rule) != failed.end())
+    reasons.push_back({WhatFailed(), "reason", "", {}});
+  if (!reasons.empty()) return reasons;
+  Diagnostic problem;
+  problem.message =
+      failed.empty() ? "no rule gives or proposes '" + topic + "', and no rule has that name"
+                     : "no rule that loaded gives or proposes '" + topic + "', and none has that name; " + WhatFailed();
+  const std::string_view near = Suggest(topic, names);
+  problem.hint = near.empty() ? "name a command, an operator or a rule" : "did you mean " + std::string(near) + "?";
+  return problem;
+}
+
+std::vector<WhyNode> MindReasons::OperatorTree(const std::string& command) {
+  std::vector<WhyNode> nodes;
+  std::vector<std::string> speakers;
+  for (const RuleText& rule : rules())
+    if (!command.empty() && rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
+  if (speakers.size() == 1)
+    nodes.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}), "rule", speakers.front(), {}});
+  if (speakers.size() > 1)
+    nodes.push_back({tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}), "reason", "", {}});
+  const std::vector<StackEntry> stack = view_.Stack();
+  const auto selected =
+      std::find_if(stack.begin(), stack.end(), [](const StackEntry& entry) { return !entry.is_state; });
+  if (selected == stack.end()) {
+    nodes.push_back({"no operator is selected now", "reason", "", {}});
+    return nodes;
+  }
+  const std::string state = stack.front().is_state ? stack.front().id : "S1";
+  WhyNode& node = nodes.emplace_back(
+      WhyNode{"operator " + view_.DescribeOperator(selected->id) + " (" + selected->id + "), selected in " + state,
+              "operator",
+              selected->id,
+              {}});
+  for (const Preference& preference : view_.Preferences(state, true)) {
+    const bool is_mine = preference.operator_id == selected->id;
+    if (preference.section == "acceptable" && !is_mine) {
+      node.below.push_back(
+          {"also proposed: " + view_.DescribeOperator(preference.operator_id) + " (" + preference.operator_id + ")",
+           "operator",
+           preference.operator_id,
+           {}});
+    } else {
+      node.below.push_back(OfPreference(preference, is_mine));
+    }
+  }
+  return nodes;
+}
+
+}  // namespace soarbox::explain

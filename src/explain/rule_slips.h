@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/rule_text.h"
+
+namespace soarbox::explain {
+
+/// Something in a rule that loads but is most likely not what its author meant.
+struct Slip {
+  std::string rule;
+  std::string word;           ///< Where in the rule: this word; empty: its name.
+  bool is_attribute = false;  ///< The word stands behind ^ or a dot.
+  std::string message, hint;
+};
+
+/// The places of a world by name. Rules of no world in particular may name any.
+struct KnownPlaces {
+  bool is_known = false;
+  std::set<std::string> waypoints, regions;
+};
+
+/// What rules may test and say besides the vocabulary.
+struct KnownWords {
+  std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
+  std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
+  KnownPlaces places = {};
+  bool has_database = false;  ///< What is recalled may have any attribute.
+  bool complete = true;       ///< All rules loaded; else what is missing may be in those that did not.
+};
+
+/// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
+/// half a variable or a relation that there is not, functions that there are not.
+std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
+
+/// Slips against the vocabulary: attributes that nothing writes or that stand elsewhere, words that a percept never
+/// has, commands and parameters that no body knows, operators that nothing applies.
+std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
+
+/// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
+/// link, places that the scenario does not have.
+std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownPlaces& places);
+
+/// The slip as a warning at its place in the text of the file (comments blanked). Without a place if the rule is not
+/// there.
+Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const std::string& text);
+
+/// A file of rules, with comments blanked.
+struct RuleFile {
+  std::filesystem::path file;
+  std::string text;
+};
+/// Rules that replace one of the same name in the same file or in one before it, as warnings at the later one.
+std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
+
+/// What to do about an operator that no rule applies, as a sentence.
+std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name);
+/// "^io.input-link.self.health, ...": where percepts of this name stand; empty if there are none.
+std::string PlacesOfPercept(const std::string& attribute);
+/// The words that a percept of this name may be, "none ready ..."; empty if it is none, or may be any word.
+std::vector<std::string_view> WordsOfPercept(const std::string& attribute);
+
+}  // namespace soarbox::explain

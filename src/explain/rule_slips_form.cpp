@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/rule_slips.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr std::size_t kNone = std::string::npos;
+
+/// Functions that rules call most, for near-misses.
+constexpr std::string_view kFunctions[] = {"write",
+                                           "crlf",
+                                           "halt",
+                                           "interrupt",
+                                           "make-constant-symbol",
+                                           "rand-int",
+                                           "rand-float",
+                                           "abs",
+                                           "sqrt",
+                                           "sin",
+                                           "cos",
+                                           "atan2",
+                                           "min",
+                                           "max",
+                                           "int",
+                                           "float",
+                                           "mod",
+                                           "div",
+                                           "round-off",
+                                           "round-off-heading",
+                                           "ifeq",
+                                           "strlen",
+                                           "trim",
+                                           "concat",
+                                           "capitalize-symbol",
+                                           "deep-copy",
+                                           "timestamp",
+                                           "compute-heading",
+                                           "compute-range",
+                                           "dont-learn",
+                                           "force-learn",
+                                           "cmd"};
+
+bool HasState(const RuleText& rule) {
+  return std::any_of(rule.conditions.begin(), rule.conditions.end(),
+                     [](const RuleAttribute& condition) { return condition.on_state; });
+}
+
+void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
+  if (!HasState(rule)) {
+    slips.push_back({rule.name,
+                     {},
+                     false,
+                     "no condition of rule " + rule.name + " begins with (state <s>",
+                     "begin the first condition with it: (state <s> ^superstate nil ...)"});
+    return;
+  }
+  std::set<std::string> linked;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) linked.insert(condition.id);
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (!linked.contains(condition.id)) continue;
+      for (const auto* part : {&condition.attribute, &condition.value})
+        for (std::string& variable : VariablesIn(*part)) grows |= linked.insert(std::move(variable)).second;
+    }
+  }
+  std::set<std::string> told;
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.id.empty() || linked.contains(condition.id) || !told.insert(condition.id).second) continue;
+    const std::vector<std::string_view> others(linked.begin(), linked.end());
+    // One letter is as near to any other.
+    const std::string_view near = condition.id.size() > 3 ? Suggest(condition.id, others) : std::string_view();
+    slips.push_back({rule.name, condition.id, false,
+                     "nothing in rule " + rule.name + " leads from the state to " + condition.id,
+                     near.empty() ? "link it: give another condition " + condition.id + " as its value"
+                                  : "did you mean " + std::string(near) + "?"});
+  }
+}
+
+/// "<name" or "name>"; not a relation, and not a bracket of << a b >>.
+bool IsHalfVariable(const std::string& word) {
+  if (word.size() < 2 || word.find_first_not_of("<>=") == std::string::npos) return false;
+  if (word.starts_with("<<") || word.ends_with(">>")) return false;
+  return (word.front() == '<') != (word.back() == '>');
+}
+
+/// The constants of a value that may be slips: those between bars, without them, and half variables.
+std::vector<std::string> ConstantsIn(const std::string& value) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < value.size();) {
+    if (value[at] == ' ') {
+      ++at;
+      continue;
+    }
+    const bool is_quoted = value[at] == '|';
+    const std::size_t end = std::min(is_quoted ? value.find('|', at + 1) : value.find(' ', at), value.size());
+    if (is_quoted) {
+      words.push_back(value.substr(at + 1, end - at - 1));
+    } else if (const std::string word = value.substr(at, end - at); IsHalfVariable(word)) {
+      words.push_back(word);
+    }
+    at = end + 1;
+  }
+  return words;
+}
+
+/// "$place": a variable of other languages. A kernel prints it as it is, or between bars.
+bool IsOtherLanguagesVariable(const std::string& word) {
+  return word.size() > 1 && word.front() == '$' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+}
+
+bool IsNumberText(const std::string& word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+/// The tests of a value one by one, "{ > 2m <x> }" as "> 2m" and "<x>"; words between bars keep them.
+std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& value) {
+  std::vector<std::pair<std::string, std::string>> tests;
+  std::string relation;
+  for (std::size_t at = value.find_first_not_of(' '); at < value.size(); at = value.find_first_not_of(' ', at)) {
+    const std::size_t end =
+        std::min(value[at] == '|' ? value.find('|', at + 1) + 1 : value.find(' ', at), value.size());
+    std::string word = value.substr(at, end - at);
+    at = end;
+    if (word == "{" || word == "}") continue;
+    if (word.find_first_not_of("<>=") == std::string::npos && word != "<<" && word != ">>") {
+      relation = std::move(word);
+    } else {
+      tests.emplace_back(std::exchange(relation, {}), std::move(word));
+    }
+  }
+  return tests;
+}
+
+/// Constants that look like something else. A kernel prints them between bars, whatever their author did.
+void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const auto* side : {&rule.conditions, &rule.actions}) {
+    for (const RuleAttribute& clause : *side) {
+      for (const auto& test : TestsIn(clause.value)) {
+        if (!IsOtherLanguagesVariable(test.second)) continue;
+        slips.push_back({rule.name, test.second, false,
+                         test.second + " in rule " + rule.name + " is read as a word, not as a variable",
+                         "write a variable between < and >: <" + test.second.substr(1) + ">"});
+      }
+      for (const std::string& word : ConstantsIn(clause.value)) {
+        if (word.size() < 2 || word.find(' ') != std::string::npos) continue;
+        if (word.find_first_not_of("<>=!") == std::string::npos) {
+          slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
+                           "the relations are < <= > >= <> (not equal) <=> (of the same type); leave = out"});
+        } else if (word.front() == '<' || word.back() == '>') {
+          slips.push_back({rule.name, word, false,
+                           word + " in rule " + rule.name + " is read as a word, not as a variable",
+                           "write a variable between < and >, without blanks"});
+        }
+      }
+    }
+  }
+}
+
+/// "2m" and "50%": the number that was meant; empty if there is none.
+std::string LeadingNumber(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("0123456789.-");
+  const std::string number = word.substr(0, end);
+  return IsNumberText(number) ? number : std::string();
+}
+
+/// Only numbers are less or greater than each other: with a word such a test never comes true.
+void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& condition : rule.conditions) {
+    for (const auto& [relation, text] : TestsIn(condition.value)) {
+      const bool compares = relation == "<" || relation == "<=" || relation == ">" || relation == ">=";
+      const bool is_quoted = text.size() > 1 && text.front() == '|' && text.back() == '|';
+      const std::string word = is_quoted ? text.substr(1, text.size() - 2) : text;
+      if (!compares || word.empty() || IsVariable(word) || (!is_quoted && IsNumberText(word))) continue;
+      if (IsHalfVariable(word) || word.find_first_not_of("<>=!") == std::string::npos) continue;  // Reported as that.
+      const std::string number = LeadingNumber(word);
+      slips.push_back({rule.name, word, false,
+                       "rule " + rule.name + " tests ^" + condition.attribute + " " + relation + " " +
+                           (IsNumberText(word) ? text : word) + ", which is a word and no number: that never matches",
+                       number.empty()   ? "< <= > >= compare numbers; a word is equal, or not equal: <>"
+                       : number == word ? "write the number without bars: " + number
+                                        : "write the number alone: " + number});
+    }
+  }
+}
+
+/// "^color red and ^size big": the words of other languages that join tests are values here.
+void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& condition : rule.conditions) {
+    const std::string& word = condition.value;
+    if (word != "and" && word != "or" && word != "not" && word != "&&") continue;
+    const bool joins = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& other) {
+      return &other != &condition && other.id == condition.id && other.attribute == condition.attribute;
+    });
+    if (!joins) continue;
+    slips.push_back({rule.name, word, false,
+                     "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
+                     word == "or"    ? "a choice is written << a b >>"
+                     : word == "not" ? "not equal is written <>, and that an element is absent -^attribute value"
+                                     : "conditions need no " + word +
+                                           " between them; two tests of one value stand in "
+                                           "braces: { > 10 < 20 }"});
+  }
+}
+
+/// An operator that a rule makes and never makes acceptable is no candidate.
+void FindUnproposed(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> known, proposed;
+  for (const RuleAttribute& condition : rule.conditions)
+    for (std::string& variable : VariablesIn(condition.value)) known.insert(std::move(variable));
+  for (const RuleAttribute& action : rule.actions) {
+    if (action.attribute != "operator") {
+      known.insert(FirstWord(action.value));  // Another rule may find it there and propose it.
+    } else if (action.value.ends_with(" +") || action.value.ends_with(" !") || action.value.find(' ') == kNone) {
+      proposed.insert(FirstWord(action.value));
+    }
+  }
+  std::set<std::string> told;
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string name = FirstWord(action.value);
+    if (action.attribute != "operator" || !IsVariable(name) || known.contains(name) || proposed.contains(name))
+      continue;
+    if (!told.insert(name).second) continue;
+    const std::string sign = action.value.substr(std::min(action.value.find(' ') + 1, action.value.size()));
+    slips.push_back({rule.name, "operator", true,
+                     "rule " + rule.name + " makes the operator " + name + " and does not propose it: " + sign +
+                         " alone only compares it with others",
+                     "add a +: (<s> ^operator " + name + " + " + sign + ")"});
+  }
+}
+
+void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
+  if (!rule.acts)
+    slips.push_back({rule.name,
+                     {},
+                     false,
+                     "rule " + rule.name + " does nothing: no action follows its -->",
+                     "an action looks like (<s> ^attribute value)"});
+  for (const std::string& call : rule.calls) {
+    if (!call.starts_with("exec ")) continue;
+    const std::string name = call.substr(5);
+    constexpr std::string_view kPrinters[] = {"print", "printf", "println", "echo", "say", "log", "puts", "display"};
+    std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
+    if (near.empty() && std::ranges::find(kPrinters, name) != std::end(kPrinters)) near = "write";
+    slips.push_back({rule.name, name, false,
+                     "rule " + rule.name + " calls the function " + name + ", which does not exist",
+                     near.empty() ? "built in are write, crlf, halt, + - * / and others"
+                                  : "did you mean " + std::string(near) + "?"});
+  }
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.attribute != "superstate" || condition.value.empty() || condition.value == "nil") continue;
+    if (VariablesIn(condition.value).empty() && condition.value.find('{') == std::string::npos)
+      slips.push_back({rule.name, condition.value, false,
+                       "rule " + rule.name +
+                           " never matches: ^superstate is nil at the top and a state below it, never " +
+                           condition.value,
+                       "write ^superstate nil"});
+  }
+}
+
+/// A variable of the actions that stands nowhere else makes a new identifier: under a name that is much like one that
+/// is bound, that is hardly meant.
+void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
+  std::map<std::string, int> in_actions;
+  std::set<std::string> bound;
+  for (const RuleAttribute& condition : rule.conditions) {
+    bound.insert(condition.id);
+    for (const auto* text : {&condition.value, &condition.attribute})
+      for (const std::string& variable : VariablesIn(*text)) bound.insert(variable);
+  }
+  std::set<std::string> ids;
+  for (const RuleAttribute& action : rule.actions) {
+    ids.insert(action.id);
+    for (const std::string& variable : VariablesIn(action.value)) ++in_actions[variable];
+  }
+  for (const RuleAttribute& action : rule.actions) {
+    // "^next <n> -" of an <n> that is nowhere: a kernel that meets { <n> 3 } keeps the 3 and forgets the <n>.
+    if (action.value.ends_with('-')) {
+      const std::string gone = action.value.substr(0, action.value.find(' '));
+      if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
+        slips.push_back({rule.name, gone, false,
+                         "no condition of rule " + rule.name + " binds " + gone + ": the action removes nothing",
+                         "a condition { " + gone + " constant } does not bind it either: write the constant"});
+      continue;
+    }
+    if (!IsVariable(action.value)) continue;
+    const std::string& variable = action.value;
+    if (bound.contains(variable) || ids.contains(variable) || in_actions[variable] > 1) continue;
+    const std::string_view near = Suggest(variable, {bound.begin(), bound.end()});
+    if (near.empty() || near.size() < 5 || variable.size() < 5) continue;
+    slips.push_back({rule.name, variable, false,
+                     "no condition of rule " + rule.name + " binds " + variable + ": the action makes a new identifier",
+                     "did you mean " + std::string(near) + "?"});
+  }
+}
+
+}  // namespace
+
+std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
+  std::vector<Slip> slips;
+  for (const RuleText& rule : rules) {
+    FindOddWords(rule, slips);
+    FindComparedWords(rule, slips);
+    FindJoiningWords(rule, slips);
+    FindUnproposed(rule, slips);
+    const std::size_t before = slips.size();
+    FindUnlinked(rule, slips);
+    // A variable that lost a bracket is told as that.
+    if (before > 0 && slips.size() > before && slips[before - 1].rule == rule.name &&
+        slips[before - 1].message.ends_with("not as a variable"))
+      slips.resize(before);
+    FindOddActions(rule, slips);
+    FindUnboundValues(rule, slips);
+  }
+  return slips;
+}
+
+}  // namespace soarbox::explain

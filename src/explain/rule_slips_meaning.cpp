@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <map>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/mind_view.h"
+#include "explain/reasons.h"
+#include "explain/rule_slips.h"
+#include "vocabulary/command_check.h"
+#include "vocabulary/vocabulary.h"
+
+namespace soarbox::explain {
+namespace {
+
+bool IsNumber(const std::string& word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+class MeaningChecker {
+ public:
+  MeaningChecker(const std::vector<RuleText>& rules, const KnownWords& known) : rules_(rules), known_(known) {
+    made_ = known.attributes;
+    for (const RuleText& rule : rules)
+      for (const RuleAttribute& action : rule.actions) made_.insert(action.attribute);
+    for (const RuleText& rule : rules)
+      for (const RuleAttribute& condition : rule.conditions) tested_.insert(condition.attribute);
+    recalls_anything_ = known.has_database && std::ranges::any_of(rules, TestsWhatWasRecalled);
+  }
+
+  std::vector<Slip> slips;
+
+  void CheckConditions(const RuleText& rule) {
+    std::set<std::string> inputs, states;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (condition.attribute == "input-link") inputs.insert(FirstWord(condition.value));
+      if (condition.on_state) states.insert(condition.id);
+    }
+    for (const RuleAttribute& condition : rule.conditions) {
+      const std::string& attribute = condition.attribute;
+      if (states.contains(condition.id) && (attribute == "input-link" || attribute == "output-link")) {
+        Tell(rule, attribute, true, "a state has no ^" + attribute + " of its own, as rule " + rule.name + " tests",
+             "it is below ^io: ^io." + attribute);
+        continue;
+      }
+      if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
+      if (inputs.contains(condition.id) && vocabulary::IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
+      if (vocabulary::IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
+      if (IsArchitectureAttribute(attribute) || vocabulary::IsPerceptAttribute(attribute) || !known_.complete) continue;
+      Tell(rule, attribute, true, "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
+           Nearest(attribute));
+    }
+  }
+
+  /// What rules wait for below a command, of what commands are never answered.
+  void CheckAnswers(const RuleText& rule) {
+    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+    for (const RuleAttribute& condition : rule.conditions) {
+      const bool is_status = condition.attribute == "status";
+      if ((!is_status && condition.attribute != "reason") || condition.value.empty()) continue;
+      const auto path = paths.find(condition.id);
+      if (path == paths.end() || path->second.size() != 3 || path->second[1] != "output-link") continue;
+      if (vocabulary::FindCommand(path->second[2]) == nullptr) continue;  // What scripts answer is theirs.
+      const std::string& value = condition.value;
+      if (value.find_first_of(" <>{}|") != std::string::npos || known_.scripts.contains(value)) continue;
+      if (IsMadeBelowCommands(condition.attribute)) continue;
+      std::vector<std::string_view> words = {"complete", "error", "interrupted"};
+      if (!is_status) {
+        words.clear();
+        for (const vocabulary::ReasonRow& row : vocabulary::Reasons()) words.push_back(row.name);
+      }
+      if (std::find(words.begin(), words.end(), value) != words.end()) continue;
+      const std::string_view near = Suggest(value, words);
+      std::string hint = is_status ? "it is complete, error or interrupted" : "docs/commands.md lists the reasons";
+      if (!near.empty()) hint = "did you mean " + std::string(near) + "?";
+      if (is_status && near.empty() && IsWordForComplete(value)) hint = "did you mean complete?";
+      Tell(rule, value, false,
+           "rule " + rule.name + " waits for ^" + condition.attribute + " " + value +
+               ", which no command is answered with",
+           std::move(hint));
+    }
+  }
+
+  void CheckSaid(const RuleText& rule) {
+    std::map<std::string, std::string> commands;  // Their identifiers, and what they are.
+    std::set<std::string> outputs;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
+    for (const RuleAttribute& action : rule.actions) {
+      if (!outputs.contains(action.id) || !rule.says.contains(action.attribute)) continue;
+      if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
+      if (vocabulary::FindCommand(action.attribute) == nullptr) {
+        const std::string_view near = vocabulary::NearestCommand(action.attribute);
+        if (near.empty() && !known_.scripts.empty()) continue;  // Scripts may take any command.
+        Tell(rule, action.attribute, true,
+             "rule " + rule.name + " gives ^" + action.attribute + ", a command that does not exist",
+             near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?");
+      } else if (!IsVariable(FirstWord(action.value))) {
+        vocabulary::SaidCommand said;
+        said.name = action.attribute;
+        said.is_object = false;
+        Tell(rule, action.attribute, true, "rule " + rule.name + ": " + vocabulary::CheckCommand(said).text, {});
+      } else {
+        commands[FirstWord(action.value)] = action.attribute;
+      }
+    }
+    std::map<std::string, int> parameters;
+    std::map<std::pair<std::string, std::string>, const RuleAttribute*> given;
+    for (const RuleAttribute& action : rule.actions) {
+      const auto command = commands.find(action.id);
+      if (command == commands.end() || !IsConstantAttribute(action.attribute)) continue;
+      ++parameters[action.id];
+      CheckParameter(rule, command->second, action);
+      if (action.value.ends_with(" -")) continue;
+      const auto [first, is_new] = given.try_emplace({action.id, action.attribute}, &action);
+      if (!is_new) CheckTwoValues(rule, command->second, *first->second, action);
+    }
+    for (const auto& [id, name] : commands) {
+      if (parameters.contains(id)) continue;
+      vocabulary::SaidCommand said;
+      said.name = name;
+      if (const vocabulary::CommandFault fault = vocabulary::CheckCommand(said); !fault.ok())
+        Tell(rule, name, true, "rule " + rule.name + ": " + fault.text,
+             "say it below the command: (" + id + " ^... ...)");
+    }
+  }
+
+  /// "(<s> ^operater <o> +)": made, and tested by no rule, because another name was meant.
+  void CheckMade(const RuleText& rule) {
+    std::set<std::string> states;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.on_state) states.insert(condition.id);
+    for (const RuleAttribute& action : rule.actions) {
+      const std::string& attribute = action.attribute;
+      if (!states.contains(action.id) || !IsVariable(FirstWord(action.value)) || attribute == "operator") continue;
+      if (tested_.contains(attribute) || known_.scripts.contains(attribute)) continue;
+      if (Suggest(attribute, {"operator"}).empty()) continue;
+      Tell(rule, attribute, true, "rule " + rule.name + " makes ^" + attribute + ", which no rule tests",
+           "did you mean ^operator?");
+    }
+  }
+
+  /// Operators that are proposed and applied under different names, or not at all.
+  void CheckOperators() {
+    std::set<std::string> applied, proposed;
+    bool applies_any = false, proposes_any = false;
+    for (const RuleText& rule : rules_) {
+      applied.insert(rule.applies.begin(), rule.applies.end());
+      applied.insert(rule.works_on.begin(), rule.works_on.end());
+      applies_any |= rule.works_on.contains("");
+      proposed.insert(rule.proposes.begin(), rule.proposes.end());
+      proposes_any |= rule.proposes.contains("");
+      // A rule that applies any operator makes something of it; one that only takes answers away does not.
+      const auto makes = [](const RuleAttribute& action) {
+        return !action.value.ends_with("-") && action.attribute != "operator";
+      };
+      if (rule.applies.contains("") && std::any_of(rule.actions.begin(), rule.actions.end(), makes)) applies_any = true;
+    }
+    for (const RuleText& rule : rules_) {
+      for (const std::string& name : rule.proposes) {
+        if (name.empty() || applies_any || applied.contains(name)) continue;
+        Tell(rule, name, false, "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
+             HowToApply(rules_, name));
+      }
+      for (const std::string& name : rule.applies) {
+        if (name.empty() || proposes_any || proposed.contains(name) || proposed.empty()) continue;
+        const std::string_view near = Suggest(name, {proposed.begin(), proposed.end()});
+        Tell(rule, name, false, "rule " + rule.name + " waits for the operator " + name + ", which no rule proposes",
+             near.empty() ? "write a rule that proposes it: (<s> ^operator <o> +) (<o> ^name " + name + ")"
+                          : "did you mean " + std::string(near) + "?");
+      }
+    }
+  }
+
+ private:
+  bool IsMade(const std::string& attribute) const {
+    return made_.contains(attribute) || known_.scripts.contains(attribute);
+  }
+
+  void Tell(const RuleText& rule, const std::string& word, bool is_attribute, std::string message, std::string hint) {
+    if (told_.insert((is_attribute ? "^" : "!") + word).second)
+      slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
+  }
+
+  /// Like SuggestAttribute, and the architecture's own attributes besides.
+  std::string Nearest(const std::string& attribute) const {
+    std::string hint = SuggestAttribute(attribute, made_);
+    if (!hint.empty() || attribute.size() < 4) return hint;
+    const std::vector<std::string_view> all = {"superstate", "operator", "input-link", "output-link", "reward-link",
+                                               "impasse",    "item",     "smem",       "epmem"};
+    std::string_view own = Suggest(attribute, all);
+    if (own.empty()) {
+      const auto longer =
+          std::ranges::find_if(all, [&](std::string_view one) { return one.starts_with(attribute + "-"); });
+      if (longer != all.end()) own = *longer;
+    }
+    return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
+  }
+
+  /// True if rules put such an attribute below what may be a command.
+  bool IsMadeBelowCommands(const std::string& attribute) const { return made_.contains(attribute); }
+
+  static bool IsWordForComplete(const std::string& word) {
+    constexpr std::string_view kWords[] = {"done", "finished", "success", "succeeded", "ok", "yes", "true", "ready"};
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+  }
+
+  /// A percept that stands deeper than the input link itself.
+  void CheckPlace(const RuleText& rule, const std::string& attribute) {
+    for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
+      if (row.path == attribute) return;
+    Tell(
+        rule, attribute, true,
+        "rule " + rule.name + " tests ^" + attribute + " directly below the input link, where there is no such percept",
+        "it is " + PlacesOfPercept(attribute));
+  }
+
+  static bool IsAlwaysNumber(const std::string& attribute) {
+    return std::all_of(vocabulary::Percepts().begin(), vocabulary::Percepts().end(),
+                       [&](const vocabulary::PerceptRow& row) {
+                         return row.Attribute() != attribute || row.type == vocabulary::ValueType::kNumber ||
+                                row.type == vocabulary::ValueType::kInteger;
+                       });
+  }
+
+  /// "^health |10|": the word 10.
+  void CheckQuotedNumber(const RuleText& rule, const RuleAttribute& condition, const std::string& word) {
+    if (!IsNumber(word) || !IsAlwaysNumber(condition.attribute)) return;
+    Tell(rule, word, false,
+         "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + word,
+         "write the number without bars: " + word);
+  }
+
+  /// A word that the percepts of that name never have.
+  void CheckWord(const RuleText& rule, const RuleAttribute& condition) {
+    const std::string& value = condition.value;
+    if (value.size() > 2 && value.front() == '|' && value.back() == '|') {
+      CheckQuotedNumber(rule, condition, value.substr(1, value.size() - 2));
+      return;
+    }
+    if (value.find_first_of(" <>{}|") != std::string::npos || value.empty() || IsNumber(value)) return;
+    if (value == "and" || value == "or" || value == "not") return;  // A slip of form.
+    const std::vector<std::string_view> words = WordsOfPercept(condition.attribute);
+    if (std::find(words.begin(), words.end(), value) != words.end()) return;
+    const bool is_number = IsAlwaysNumber(condition.attribute);
+    if (words.empty() && !is_number) return;
+    if (words.empty()) {
+      Tell(rule, value, false,
+           "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + value,
+           "numbers are compared with < <= > >= <>");
+      return;
+    }
+    std::string all = "it is one of:";
+    for (const std::string_view word : words) all += " " + std::string(word);
+    const std::string_view near = Suggest(value, words);
+    Tell(rule, value, false,
+         "rule " + rule.name + " waits for ^" + condition.attribute + " " + value + ", which it never is",
+         near.empty() ? all : "did you mean " + std::string(near) + "?");
+  }
+
+  static vocabulary::Percept GivenBy(const RuleAttribute& action) {
+    vocabulary::Percept given;
+    given.attribute = action.attribute;
+    const std::string word = FirstWord(action.value);
+    if (IsNumber(word)) {
+      double number = 0;
+      std::from_chars(word.data(), word.data() + word.size(), number);
+      if (word.find_first_of(".eE") == std::string::npos) {
+        given.value = static_cast<std::int64_t>(number);
+      } else {
+        given.value = number;
+      }
+    } else {
+      given.value = word;
+    }
+    return given;
+  }
+
+  /// "^speed 1 + 2" reads as two values: the sign is a preference.
+  void CheckTwoValues(const RuleText& rule, const std::string& command, const RuleAttribute& first,
+                      const RuleAttribute& second) {
+    if (const std::string value = FirstWord(first.value); value == FirstWord(second.value)) {
+      if (!IsNumber(value)) return;
+      Tell(rule, second.attribute, true,
+           "rule " + rule.name + " gives ^" + second.attribute + " of " + command + " twice, as " + value +
+               ": a + behind a value is a preference, not a sum",
+           "a sum is written (+ " + value + " " + value + ")");
+      return;
+    }
+    vocabulary::SaidCommand said;
+    said.name = command;
+    said.parameters = {GivenBy(first), GivenBy(second)};
+    const vocabulary::CommandFault fault = vocabulary::CheckCommand(said);
+    if (fault.reason == "bad-value") Tell(rule, second.attribute, true, "rule " + rule.name + ": " + fault.text, {});
+  }
+
+  void CheckParameter(const RuleText& rule, const std::string& command, const RuleAttribute& action) {
+    vocabulary::SaidCommand said;
+    said.name = command;
+    said.parameters.push_back(GivenBy(action));
+    const std::string word = FirstWord(action.value);
+    const bool is_constant = !word.empty() && word.find_first_of("<>()|") == std::string::npos;
+    const vocabulary::CommandFault fault = vocabulary::CheckCommand(said);
+    if (fault.reason == "unknown-parameter" || (fault.reason == "bad-value" && is_constant))
+      Tell(rule, action.attribute, true, "rule " + rule.name + ": " + fault.text, {});
+  }
+
+  const std::vector<RuleText>& rules_;
+  const KnownWords& known_;
+  std::set<std::string> made_, tested_;
+  std::set<std::string> told_;
+  bool recalls_anything_ = false;  ///< From a database, say: nobody knows which attributes its facts have.
+};
+
+}  // namespace
+
+std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name) {
+  std::set<std::string> applied;
+  for (const RuleText& rule : rules) applied.insert(rule.applies.begin(), rule.applies.end());
+  // A rule that means to apply it may test the proposal instead.
+  for (const RuleText& rule : rules) {
+    std::set<std::string> proposals;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "operator" && condition.value.ends_with("+"))
+        proposals.insert(FirstWord(condition.value));
+    const bool names_it =
+        std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
+          return proposals.contains(condition.id) && condition.attribute == "name" && condition.value == name;
+        });
+    if (names_it && !rule.says.empty())
+      return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
+             " +, a proposal: without the + it tests the operator that is selected";
+  }
+  const std::string_view near = Suggest(name, {applied.begin(), applied.end()});
+  for (const RuleText& rule : rules)
+    if (!near.empty() && rule.applies.contains(std::string(near)))
+      return "rule " + rule.name + " applies " + std::string(near) + ": did you mean that?";
+  return "write a rule that tests ^operator.name " + name + " and gives a command or changes something";
+}
+
+std::string PlacesOfPercept(const std::string& attribute) {
+  constexpr int kMostShown = 4;
+  std::string places;
+  int count = 0;
+  for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) {
+    if (row.Attribute() != attribute || ++count > kMostShown) continue;
+    places += (places.empty() ? "^io.input-link." : ", ^io.input-link.") + std::string(row.path);
+  }
+  return count > kMostShown ? places + ", ..." : places;
+}
+
+std::vector<std::string_view> WordsOfPercept(const std::string& attribute) {
+  std::vector<std::string_view> words;
+  for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) {
+    if (row.Attribute() != attribute || row.type != vocabulary::ValueType::kWord) continue;
+    if (row.words.empty()) return {};
+    for (std::string_view rest = row.words; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      words.push_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return words;
+}
+
+std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known) {
+  MeaningChecker checker(rules, known);
+  for (const RuleText& rule : rules) {
+    checker.CheckConditions(rule);
+    checker.CheckAnswers(rule);
+    checker.CheckMade(rule);
+    checker.CheckSaid(rule);
+  }
+  if (known.complete) checker.CheckOperators();
+  return std::move(checker.slips);
+}
+
+}  // namespace soarbox::explain

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "explain/rule_slips.h"
+
+namespace soarbox::explain {
+namespace {
+
+constexpr std::size_t kNotThere = std::string::npos;
+
+bool IsBlankAt(std::string_view text, std::size_t at) {
+  return at >= text.size() || std::isspace(static_cast<unsigned char>(text[at])) != 0;
+}
+
+bool IsNameAt(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return false;
+  const char c = text[at];
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '*';
+}
+
+/// Where the name of a rule stands behind its brace.
+std::size_t FindNameOfRule(std::string_view text, std::string_view rule) {
+  for (std::size_t at = text.find(rule); at != kNotThere; at = text.find(rule, at + 1)) {
+    const bool is_whole = IsBlankAt(text, at + rule.size()) || text[at + rule.size()] == '(';
+    if (at == 0 || !is_whole) continue;
+    const std::size_t brace = text.find_last_not_of(" \t\r\n", at - 1);
+    if (brace != kNotThere && text[brace] == '{') return at;
+  }
+  return kNotThere;
+}
+
+/// Where a word stands in the rule that begins here; where the rule begins if it does not.
+std::size_t FindWord(std::string_view text, std::size_t begin, std::string_view word, bool is_attribute) {
+  const std::size_t next = std::min(text.find("\nsp", begin), text.size());
+  for (std::size_t at = text.find(word, begin + 1); at < next; at = text.find(word, at + 1)) {
+    const std::size_t after = at + word.size();
+    if (IsNameAt(text, after)) continue;
+    // Half a variable is not the whole one.
+    if (word.starts_with('<') && !word.ends_with('>') && after < text.size() && text[after] == '>') continue;
+    const char before = text[at - 1];
+    if (is_attribute ? before == '^' || before == '.' : !IsNameAt(text, at - 1)) return at;
+  }
+  return begin;
+}
+
+/// Where each rule's name stands: behind a brace behind sp or gp at the beginning of a line.
+std::vector<std::size_t> NamesOfRules(std::string_view text) {
+  std::vector<std::size_t> names;
+  for (std::size_t line = 0; line < text.size(); line = std::min(text.find('\n', line), text.size()) + 1) {
+    const std::size_t word = text.find_first_not_of(" \t", line);
+    if (word == kNotThere) break;
+    if (text.compare(word, 2, "sp") != 0 && text.compare(word, 2, "gp") != 0) continue;
+    const std::size_t brace = text.find_first_not_of(" \t", word + 2);
+    if (brace == kNotThere || text[brace] != '{') continue;
+    if (const std::size_t name = text.find_first_not_of(" \t\r\n", brace + 1); name != kNotThere) names.push_back(name);
+  }
+  return names;
+}
+
+struct PlaceInText {
+  int line = 0, column = 0;
+  std::string excerpt;
+};
+
+PlaceInText PlaceAt(const std::string& text, std::size_t at) {
+  const std::size_t before = at == 0 ? kNotThere : text.rfind('\n', at - 1);
+  const std::size_t begin = before == kNotThere ? 0 : before + 1;
+  return {1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')),
+          static_cast<int>(at - begin) + 1, text.substr(begin, std::min(text.find('\n', at), text.size()) - begin)};
+}
+
+}  // namespace
+
+std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
+  std::map<std::string, std::pair<const RuleFile*, int>> known;
+  std::vector<Diagnostic> warnings;
+  for (const RuleFile& file : files) {
+    for (const std::size_t at : NamesOfRules(file.text)) {
+      const std::string name =
+          file.text.substr(at, std::min(file.text.find_first_of(" \t\r\n(", at), file.text.size()) - at);
+      PlaceInText place = PlaceAt(file.text, at);
+      const auto [first, is_new] = known.try_emplace(name, &file, place.line);
+      if (is_new) continue;
+      const auto& [other, line] = first->second;
+      Diagnostic warning;
+      warning.severity = Severity::kWarning;
+      warning.file = file.file.string();
+      warning.message = "rule " + name + " replaces the rule of the same name in " +
+                        (other == &file ? "line " : other->file.string() + ":") + std::to_string(line);
+      warning.hint = "give each rule its own name";
+      warning.line = place.line;
+      warning.column = place.column;
+      warning.excerpt = std::move(place.excerpt);
+      warning.excerpt_length = static_cast<int>(name.size());
+      warnings.push_back(std::move(warning));
+    }
+  }
+  return warnings;
+}
+
+Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const std::string& text) {
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.file = file.string();
+  warning.message = slip.message;
+  warning.hint = slip.hint;
+  const std::size_t rule = FindNameOfRule(text, slip.rule);
+  if (rule == kNotThere) return warning;
+  const std::size_t at = slip.word.empty() ? rule : FindWord(text, rule, slip.word, slip.is_attribute);
+  PlaceInText place = PlaceAt(text, at);
+  warning.line = place.line;
+  warning.column = place.column;
+  warning.excerpt = std::move(place.excerpt);
+  warning.excerpt_length = static_cast<int>(slip.word.empty() || at == rule ? slip.rule.size() : slip.word.size());
+  return warning;
+}
+
+}  // namespace soarbox::explain

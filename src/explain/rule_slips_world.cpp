@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Slips against how the world behaves: numbers that never rest, the input link, places.
+#include <algorithm>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/mind_view.h"
+#include "explain/rule_slips.h"
+#include "vocabulary/vocabulary.h"
+
+namespace soarbox::explain {
+namespace {
+
+/// Percepts that are another number at almost every look while something moves.
+constexpr std::string_view kRestless =
+    "time range bearing position x z heading speed facing remaining last-seen confidence";
+
+bool IsBelowInputLink(const std::vector<std::string>& path) {
+  const auto link = std::find(path.begin(), path.end(), "input-link");
+  return link != path.end() && link != path.begin() && *(link - 1) == "io";
+}
+
+/// The restless percept that a rule tests, as "range"; empty if there is none. A rule that also looks at how moving
+/// goes stops matching as soon as its command has begun.
+std::string RestlessPercept(const RuleText& rule) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  std::string found;
+  for (const RuleAttribute& condition : rule.conditions) {
+    const auto path = paths.find(condition.id);
+    if (path == paths.end()) continue;
+    if (!IsBelowInputLink(path->second)) {
+      // What the operator itself puts on the state ends its proposal.
+      if (condition.negated && path->second.empty()) return {};
+      continue;
+    }
+    if (path->second.back() == "path" && (condition.attribute == "status" || condition.attribute == "command"))
+      return {};
+    if (!condition.negated && vocabulary::HoldsWord(kRestless, condition.attribute) &&
+        vocabulary::IsPerceptAttribute(condition.attribute) && found.empty())
+      found = condition.attribute;
+  }
+  return found;
+}
+
+bool SpeaksOfSelectedOperator(const RuleText& rule) {
+  return !rule.applies.empty();
+}
+
+void FindRestless(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::string percept = RestlessPercept(rule);
+  if (percept.empty() || SpeaksOfSelectedOperator(rule)) return;
+  if (!rule.proposes.empty()) {
+    slips.push_back(
+        {rule.name, percept, true,
+         "rule " + rule.name + " proposes an operator while it tests ^" + percept +
+             ", which changes all the time: each change proposes the operator again and repeats its command",
+         "draw a conclusion in another rule, such as (<s> ^near <name>), and propose on that"});
+  } else if (rule.calls.contains("write")) {
+    slips.push_back(
+        {rule.name, percept, true,
+         "rule " + rule.name + " writes again at each change of ^" + percept + ", which changes all the time",
+         "test a word that seldom changes, such as ^visible yes, or draw a conclusion in another rule first"});
+  }
+}
+
+/// Actions on the input link itself.
+void FindInputWriters(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  for (const RuleAttribute& action : rule.actions) {
+    const auto path = paths.find(action.id);
+    if (path == paths.end() || path->second.empty() || path->second.back() != "input-link") continue;
+    slips.push_back({rule.name, action.attribute, true,
+                     "rule " + rule.name + " writes ^" + action.attribute +
+                         " on the input link, which is for percepts: this gives no command",
+                     "commands go on ^io.output-link, and what the agent remembers goes on its state: (<s> ^" +
+                         action.attribute + " ...)"});
+    return;
+  }
+}
+
+bool IsName(const std::string& value) {
+  return !value.empty() && value.find_first_of(" <>{}()|") == std::string::npos;
+}
+
+class PlaceChecker {
+ public:
+  PlaceChecker(const KnownPlaces& known, std::vector<Slip>& slips) : known_(known), slips_(slips) {}
+
+  void Check(const RuleText& rule) {
+    std::map<std::string, std::string> kinds;  // Variables that stand for a waypoint or a region.
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "waypoint" || condition.attribute == "region")
+        kinds[FirstWord(condition.value)] = condition.attribute;
+    for (const RuleAttribute& condition : rule.conditions) {
+      const auto kind = kinds.find(condition.id);
+      if (kind != kinds.end() && condition.attribute == "name") Look(rule, kind->second, condition.value);
+    }
+    for (const RuleAttribute& action : rule.actions)
+      if (action.attribute == "waypoint" || action.attribute == "region")
+        Look(rule, action.attribute, FirstWord(action.value));
+  }
+
+ private:
+  void Look(const RuleText& rule, const std::string& kind, const std::string& name) {
+    const std::set<std::string>& names = kind == "waypoint" ? known_.waypoints : known_.regions;
+    if (!IsName(name) || names.contains(name)) return;
+    const std::string_view near = Suggest(name, {names.begin(), names.end()});
+    std::string hint = "did you mean " + std::string(near) + "?";
+    if (near.empty()) {
+      hint = names.empty() ? "the scenario has no " + kind + "s" : "its " + kind + "s are";
+      for (const std::string& one : names) hint += (one == *names.begin() ? " " : ", ") + one;
+    }
+    slips_.push_back({rule.name, name, false,
+                      "rule " + rule.name + " names the " + kind + " " + name + ", which the scenario does not have",
+                      std::move(hint)});
+  }
+
+  const KnownPlaces& known_;
+  std::vector<Slip>& slips_;
+};
+
+}  // namespace
+
+std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownPlaces& places) {
+  std::vector<Slip> slips;
+  PlaceChecker checker(places, slips);
+  for (const RuleText& rule : rules) {
+    FindRestless(rule, slips);
+    FindInputWriters(rule, slips);
+    if (places.is_known) checker.Check(rule);
+  }
+  return slips;
+}
+
+}  // namespace soarbox::explain

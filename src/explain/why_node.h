@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soarbox::explain {
+
+/// One step of an answer to *why*, with what it rests on. What `link` names can be looked at, and asked about in turn.
+struct WhyNode {
+  std::string text;
+  /// "agent", "command", "operator", "preference", "rule", "element", "percept", "learned", "condition", "recall",
+  /// "topic", "reason".
+  std::string kind = "reason";
+  std::string link;  ///< The agent's, operator's or rule's name, or an element's time tag; may be empty.
+  std::vector<WhyNode> below;
+};
+
+/// As lines, each step two blanks deeper.
+std::vector<std::string> Lines(const WhyNode& node, std::size_t indent = 0);
+/// The same of an agent's account: what is below its first line is not indented. Empty without an account.
+std::vector<std::string> AccountLines(const std::optional<WhyNode>& account);
+
+}  // namespace soarbox::explain

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soarbox::vocabulary {
+
+// What Soar agents perceive and what they can say, as data. The tables below are the source of the input link, of the
+// checks of the output link, of docs/percepts.md and docs/commands.md, of `soarbox check` and of the gap reports.
+
+enum class ValueType : std::uint8_t {
+  kNumber,   ///< A float; integers are taken too.
+  kInteger,  ///< A whole number.
+  kWord,     ///< A constant; one of `words` if there are any.
+  kObject,   ///< An identifier with attributes of its own.
+};
+
+/// One thing that an agent may perceive: an attribute below ^io.input-link.
+struct PerceptRow {
+  std::string_view path;   ///< Dotted, from the input link: "self.position.x".
+  std::string_view sense;  ///< The sense that writes it; authors switch senses on and off by this name.
+  ValueType type = ValueType::kNumber;
+  std::string_view unit = {};   ///< "m", "m/s", "deg", "s"; empty: none.
+  double min = 0, max = 0;      ///< Numbers only; both 0: any.
+  double step = 0;              ///< Numbers are rounded to multiples of this, so that noise below it changes nothing.
+  std::string_view words = {};  ///< Words only: the possible ones, separated by blanks; empty: any.
+  std::string_view meaning = {};
+
+  constexpr std::string_view Attribute() const {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? path : path.substr(dot + 1);
+  }
+};
+
+/// One parameter of a command: an attribute below the command's identifier.
+struct ParameterRow {
+  std::string_view name;
+  ValueType type = ValueType::kNumber;
+  std::string_view unit = {};
+  double min = 0, max = 0;  ///< Numbers only; both 0: any.
+  bool required = false;
+  std::string_view words = {};  ///< Words only: the possible ones.
+  std::string_view meaning = {};
+};
+
+/// What of a body a command needs. A new command interrupts the one that holds the same part.
+enum class BodyPart : std::uint8_t { kLegs, kHead, kHands, kVoice, kPosture, kNone };
+
+enum class TakesPlace : std::uint8_t {
+  kNo,
+  kOptional,
+  kRequired,  ///< One of the parameters in PlaceParameters().
+};
+
+/// One command: an attribute directly on the output link, with an identifier as its value.
+struct CommandRow {
+  std::string_view name;
+  BodyPart part = BodyPart::kNone;
+  bool lasting = false;  ///< Takes longer than one tick; reports ^progress.
+  TakesPlace place = TakesPlace::kNo;
+  std::string_view meaning;
+  std::vector<ParameterRow> parameters;
+  std::string_view ends;     ///< When it is complete, in words.
+  std::string_view reasons;  ///< What ^reason may say besides what the checks find, separated by blanks.
+};
+
+/// One word that ^reason may hold.
+struct ReasonRow {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+/// One sense that authors can switch on and off.
+struct SenseRow {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+std::span<const PerceptRow> Percepts();
+std::span<const CommandRow> Commands();
+std::span<const ReasonRow> Reasons();
+std::span<const SenseRow> Senses();
+/// The ways to name a place: ^x and ^z, ^waypoint, ^region, ^agent, ^object.
+std::span<const ParameterRow> PlaceParameters();
+
+/// Null if there is none of that name.
+const CommandRow* FindCommand(std::string_view name);
+const SenseRow* FindSense(std::string_view name);
+const ReasonRow* FindReason(std::string_view name);
+/// The command or percept attribute that a misspelt word most likely meant; empty if none is near.
+std::string_view NearestCommand(std::string_view word);
+std::string_view NearestAttribute(std::string_view word, std::span<const std::string> more = {});
+/// Whether some percept has this attribute.
+bool IsPerceptAttribute(std::string_view attribute);
+
+std::string_view NameOf(BodyPart part);
+std::string_view NameOf(ValueType type);
+/// "m, 0 to 100", "one of: a b c"; empty if there is nothing to say.
+std::string DescribeRange(std::string_view unit, double min, double max, std::string_view words);
+/// Whether a blank-separated list holds a word.
+bool HoldsWord(std::string_view list, std::string_view word);
+
+/// docs/percepts.md and docs/commands.md.
+std::string PerceptReference();
+std::string CommandReference();
+
+}  // namespace soarbox::vocabulary
