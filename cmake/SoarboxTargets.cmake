@@ -186,12 +186,11 @@ function(soarbox_reads_headers_of target headers)
   endif()
 endfunction()
 
-# soarbox_library(NAME [LARGE_BATCHES] [SELDOM_RUN] [SINGLY regex] SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
-# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed. Files whose names match the expression after
-# SINGLY are never compiled in batches, as each has a table of the same name. What is SELDOM_RUN (at the speed at which
+# soarbox_library(NAME [LARGE_BATCHES] [SELDOM_RUN] SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed. What is SELDOM_RUN (at the speed at which
 # somebody looks or types) a release compiles with -O1, which takes a quarter less time.
 function(soarbox_library name)
-  cmake_parse_arguments(arg "LARGE_BATCHES;SELDOM_RUN" "SINGLY" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "LARGE_BATCHES;SELDOM_RUN" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
   add_library(soarbox::${name} ALIAS soarbox_${name})
   target_link_libraries(soarbox_${name} PUBLIC soarbox_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
@@ -211,11 +210,6 @@ function(soarbox_library name)
   # The kernel, and what reaches it, is counted by instruction, so it stays as users run it; sanitizers check its assertions.
   if(SOARBOX_CI AND NOT name MATCHES "^(diagnostics|kernel|mind|journal|sml|soar_client)")
     target_compile_options(soarbox_${name} PRIVATE -UNDEBUG)
-  endif()
-  if(arg_SINGLY)
-    set(single ${arg_SOURCES})
-    list(FILTER single INCLUDE REGEX "${arg_SINGLY}")
-    set_source_files_properties(${single} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
 

@@ -353,7 +353,7 @@ constexpr OptionSpec kLearnTable[] = {
     {'P', "disable-desirability-prefs"},
 };
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kChunkSubcommandList[] = {
     {"always", "", "learn in all states"},
     {"never", "", "do not learn"},
     {"only", "", "learn in states that rules name"},
@@ -376,7 +376,7 @@ constexpr SubcommandInfo kSubcommands[] = {
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kChunkSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kChunkSubcommands = kChunkSubcommandList;
 const std::span<const OptionSpec> kLearnOptions = kLearnTable;
 
 bool CommandChunk(CommandCall& call) {

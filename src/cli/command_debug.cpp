@@ -86,7 +86,7 @@ bool InternalSymbols(CommandCall& call) {
   return true;
 }
 
-bool Help(CommandCall& call) {
+bool DebugHelp(CommandCall& call) {
   call.Out(
       "======================================================================\n"
       "                     Debug Commands and Settings                      \n"
@@ -98,18 +98,18 @@ bool Help(CommandCall& call) {
   return call.FailPrinted();
 }
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kDebugSubcommandList[] = {
     {"allocate", "POOL BLOCKS", "accepted for old scripts; memory grows by itself", {}, Allocate},
     {"internal-symbols", "", "symbols that working memory uses, and how often", {}, InternalSymbols},
     {"port", "", "the port that the kernel listens on", {}, Port},
     {"time", "COMMAND...", "carries out a command and says how long it took", {}, Time},
-    {"?", "", "an overview of the sub-commands", {}, Help},
-    {"help", "", "an overview of the sub-commands", {}, Help},
+    {"?", "", "an overview of the sub-commands", {}, DebugHelp},
+    {"help", "", "an overview of the sub-commands", {}, DebugHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kDebugSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kDebugSubcommands = kDebugSubcommandList;
 
 bool CommandDebug(CommandCall& call) {
   if (call.words.size() < 2) {

@@ -40,7 +40,7 @@ std::string_view Name(ReductionPolicy policy) {
   return policy == ReductionPolicy::kExponential ? "exponential" : "linear";
 }
 
-bool Overview(CommandCall& call) {
+bool DecideOverview(CommandCall& call) {
   const ExplorationSettings& settings = call.agent().exploration();
   Summary summary(55);
   summary.Rule('=').Text("                     Decide Summary\n").Rule('=');
@@ -233,7 +233,7 @@ bool SetRandomSeed(CommandCall& call) {
   return true;
 }
 
-bool Help(CommandCall& call) {
+bool DecideHelp(CommandCall& call) {
   constexpr std::string_view kRule = "-----------------------------------------------------------------------------\n";
   constexpr std::string_view kDouble =
       "=============================================================================\n";
@@ -275,7 +275,7 @@ constexpr OptionSpec kIndifferentOptions[] = {
     {'s', "stats", OptionArgument::kNone, "show all settings"},
 };
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kDecideSubcommandList[] = {
     {"numeric-indifferent-mode", "[--avg | --sum]", "how several numbers for one operator count", kNumericOptions,
      NumericMode},
     {"indifferent-selection", "[OPTION [VALUE]]", "how one of several indifferent operators is chosen",
@@ -284,16 +284,16 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"select", "[OPERATOR]", "the operator that the next decision selects, if it is proposed", {}, Select},
     {"set-random-seed", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
     {"srand", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
-    {"?", "", "an overview of the settings", {}, Help},
-    {"help", "", "an overview of the settings", {}, Help},
+    {"?", "", "an overview of the settings", {}, DecideHelp},
+    {"help", "", "an overview of the settings", {}, DecideHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kDecideSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kDecideSubcommands = kDecideSubcommandList;
 
 bool CommandDecide(CommandCall& call) {
-  if (call.words.size() < 2) return Overview(call);
+  if (call.words.size() < 2) return DecideOverview(call);
   std::string error;
   return RunSubcommand(call, *FindCommand("decide", error),
                        "Invalid decide command.  Use 'decide ?' to see a list of valid settings.",

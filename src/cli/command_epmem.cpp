@@ -24,22 +24,22 @@ namespace {
 using kernel::EpisodicMemory;
 using kernel::EpisodicSettings;
 using SetResult = SettingStore::SetResult;
-constexpr auto kOptional = OptionArgument::kOptional;
+constexpr auto kEpmemOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kEpmemTable[] = {
-    {'b', "backup", kOptional, "copy the database"},
+    {'b', "backup", kEpmemOptional, "copy the database"},
     {'c', "close", OptionArgument::kNone, "close the database"},
     {'e', "enable", OptionArgument::kNone, "switch on"},
     {'e', "on"},
     {'d', "disable", OptionArgument::kNone, "switch off"},
     {'d', "off"},
-    {'g', "get", kOptional, "show a setting"},
+    {'g', "get", kEpmemOptional, "show a setting"},
     {'i', "init", OptionArgument::kNone, "forget all episodes"},
-    {'p', "print", kOptional, "show an episode"},
-    {'s', "set", kOptional, "change a setting"},
-    {'S', "stats", kOptional, "figures"},
-    {'t', "timers", kOptional, "times"},
-    {'v', "viz", kOptional, "an episode as a graph"},
+    {'p', "print", kEpmemOptional, "show an episode"},
+    {'s', "set", kEpmemOptional, "change a setting"},
+    {'S', "stats", kEpmemOptional, "figures"},
+    {'t', "timers", kEpmemOptional, "times"},
+    {'v', "viz", kEpmemOptional, "an episode as a graph"},
 };
 
 EpisodicMemory& Memory(CommandCall& call) {
@@ -60,7 +60,7 @@ void Refresh(CommandCall& call) {
   if (memory->settings().force == EpisodicSettings::Force::kOff) store.Set("epmem", "force", "off");
 }
 
-bool Get(CommandCall& call, const std::string& name) {
+bool GetEpmemParameter(CommandCall& call, const std::string& name) {
   if (!SettingStore::Find("epmem", name)) {
     return call.Fail("Invalid epmem parameter.");
   }
@@ -157,7 +157,7 @@ void Apply(CommandCall& call, std::string_view name) {
   }
 }
 
-bool Set(CommandCall& call, const ParsedWords& parsed) {
+bool SetEpmemParameter(CommandCall& call, const ParsedWords& parsed) {
   const std::string name = *parsed.Argument('s');
   std::string value;
   if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
@@ -202,7 +202,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   return true;
 }
 
-bool Switch(CommandCall& call, bool on) {
+bool SwitchEpmem(CommandCall& call, bool on) {
   call.session.settings().Set("epmem", "learning", std::string(OnOff(on)));
   Apply(call, "learning");
   call.Out(fmt::format("Episodic memory {}.\n", on ? "enabled" : "disabled"));
@@ -364,10 +364,10 @@ bool CommandEpmem(CommandCall& call) {
   if (parsed.arguments.size() > (letter == 's' ? 1u : 0u)) return call.Fail("Too many arguments.");
   const bool needs_word = letter == 'g' || letter == 's' || letter == 'b';
   if (needs_word && !parsed.Argument(letter)) return call.Fail("Too few arguments.");
-  if (const auto name = parsed.Argument('g')) return Get(call, *name);
-  if (parsed.Has('s')) return Set(call, parsed);
-  if (parsed.Has('e')) return Switch(call, true);
-  if (parsed.Has('d')) return Switch(call, false);
+  if (const auto name = parsed.Argument('g')) return GetEpmemParameter(call, *name);
+  if (parsed.Has('s')) return SetEpmemParameter(call, parsed);
+  if (parsed.Has('e')) return SwitchEpmem(call, true);
+  if (parsed.Has('d')) return SwitchEpmem(call, false);
   if (parsed.Has('S')) return Statistics(call, parsed.Argument('S').value_or(""));
   if (parsed.Has('t')) return EpmemTimers(call, parsed.Argument('t').value_or(""));
   for (const char option : {'p', 'v'}) {

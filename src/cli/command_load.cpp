@@ -334,7 +334,7 @@ bool LoadPercepts(CommandCall& call) {
   return true;
 }
 
-bool Help(CommandCall& call) {
+bool LoadHelp(CommandCall& call) {
   call.Out(
       "============================================================\n"
       "-               Load Sub-Commands and Options              -\n"
@@ -358,20 +358,20 @@ constexpr OptionSpec kReteOptions[] = {{'l', "load", OptionArgument::kRequired, 
 constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequired, "the file"},
                                            {'c', "close", OptionArgument::kNone, "end the replay"}};
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kLoadSubcommandList[] = {
     {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},
     {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
     {"rete-network", "--load FILE", "replaces all rules by those of an image, and initialises the agent", kReteOptions,
      LoadRete},
     {"percepts", "[--open FILE | --close]", "replays recorded input in the place of clients'", kPerceptsOptions,
      LoadPercepts},
-    {"?", "", "an overview of the sub-commands", {}, Help},
-    {"help", "", "an overview of the sub-commands", {}, Help},
+    {"?", "", "an overview of the sub-commands", {}, LoadHelp},
+    {"help", "", "an overview of the sub-commands", {}, LoadHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kLoadSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kLoadSubcommands = kLoadSubcommandList;
 
 bool CommandLoad(CommandCall& call) {
   if (call.words.size() < 2) {

@@ -26,7 +26,7 @@ std::string ChannelText(const OutputSettings& output) {
                           : "All agent log channels enabled except" + disabled + ".\n";
 }
 
-bool Overview(CommandCall& call) {
+bool OutputOverview(CommandCall& call) {
   const OutputSettings& output = call.session.output();
   Summary summary(55);
   summary.Rule('=').Text("-                   Output Status                     -\n").Rule('=');
@@ -198,7 +198,7 @@ bool CommandToFile(CommandCall& call) {
   return ok;
 }
 
-bool Help(CommandCall& call) {
+bool OutputHelp(CommandCall& call) {
   const OutputSettings& output = call.session.output();
   Summary summary(55);
   summary.Rule('=').Title("Output Sub-Commands and Options", '-').Rule('=').Rule('-');
@@ -238,7 +238,7 @@ constexpr OptionSpec kWarningOptions[] = {
 };
 constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone, "no newline at the end"}};
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kOutputSubcommandList[] = {
     {"enabled", "[on | off]", "whether anything is printed at all", {}, Enabled},
     {"console", "[on | off]", "also print to the standard output of the program that runs the agent", {}, Console},
     {"callbacks", "[on | off]", "give output to whoever listens", {}, Callbacks},
@@ -253,16 +253,16 @@ constexpr SubcommandInfo kSubcommands[] = {
      EchoCommands},
     {"warnings", "[on | off]", "print warnings", kWarningOptions, Warnings},
     {"print-depth", "[N]", "levels of objects that print shows", {}, PrintDepth},
-    {"?", "", "an overview of the settings", {}, Help},
-    {"help", "", "an overview of the settings", {}, Help},
+    {"?", "", "an overview of the settings", {}, OutputHelp},
+    {"help", "", "an overview of the settings", {}, OutputHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kOutputSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kOutputSubcommands = kOutputSubcommandList;
 
 bool CommandOutput(CommandCall& call) {
-  if (call.words.size() < 2) return Overview(call);
+  if (call.words.size() < 2) return OutputOverview(call);
   // The command to be written to a file has options of its own, which are not output's.
   if (std::string_view("command-to-file").starts_with(call.words[1].text) && call.words[1].text.size() > 1) {
     const std::span<const Word> outer = call.words;

@@ -23,7 +23,7 @@ using kernel::SlotId;
 using kernel::Symbol;
 using kernel::WmeId;
 
-constexpr OptionSpec kOptions[] = {
+constexpr OptionSpec kPreferencesOptionList[] = {
     {'0', "none", OptionArgument::kNone, "preferences only"},
     {'1', "names", OptionArgument::kNone, "with the rules that made them"},
     {'n', "names"},
@@ -253,11 +253,11 @@ bool IsLinkToModule(std::string_view attribute) {
 
 }  // namespace
 
-const std::span<const OptionSpec> kPreferencesOptions = kOptions;
+const std::span<const OptionSpec> kPreferencesOptions = kPreferencesOptionList;
 
 bool CommandPreferences(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kOptions, parsed)) return false;
+  if (!call.Parse(kPreferencesOptions, parsed)) return false;
   if (parsed.arguments.size() > 2) return call.Fail("Syntax: preferences [options] [identifier [attribute]]");
   PrintStream::Capture capture(call.stream(), &call.result.text);
   Detail detail = Detail::kNone;

@@ -17,7 +17,7 @@ using kernel::ProductionId;
 using kernel::ProductionType;
 using kernel::Symbol;
 
-constexpr OptionSpec kOptions[] = {
+constexpr OptionSpec kPrintOptionList[] = {
     {'a', "all", OptionArgument::kNone, "names of all rules"},
     {'c', "chunks", OptionArgument::kNone, "rules that were learned"},
     {'d', "depth", OptionArgument::kRequired, "how many levels of objects to print"},
@@ -221,10 +221,10 @@ void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& s
 
 }  // namespace
 
-const std::span<const OptionSpec> kPrintOptions = kOptions;
+const std::span<const OptionSpec> kPrintOptions = kPrintOptionList;
 
 bool CommandPrint(CommandCall& call) {
-  const ParsedWords parsed = ParseOptions(call.words.subspan(1), kOptions);
+  const ParsedWords parsed = ParseOptions(call.words.subspan(1), kPrintOptions);
   PrintStream::Capture capture(call.stream(), &call.result.text);
 
   ObjectStyle style;

@@ -24,7 +24,7 @@ using kernel::Production;
 using kernel::ProductionId;
 using kernel::ProductionType;
 
-bool Overview(CommandCall& call) {
+bool ProductionOverview(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   std::uint32_t total = 0;
   Summary summary(55);
@@ -426,7 +426,7 @@ bool OptimizeAttribute(CommandCall& call) {
   return true;
 }
 
-bool Help(CommandCall& call) {
+bool ProductionHelp(CommandCall& call) {
   const std::string rule(66, '-');
   call.Out(std::string(66, '=') + "\n-               Production Sub-Commands and Options              -\n" +
            std::string(66, '=') + "\n");
@@ -493,7 +493,7 @@ constexpr OptionSpec kWatchOptions[] = {
     {'d', "off", kNone, "no longer show them"},
 };
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kProductionSubcommandList[] = {
     {"break", "[RULE]", "stops runs when a rule matches", kBreakOptions, Break},
     {"excise", "[RULE]", "removes rules", kExciseOptions, Excise},
     {"find", "PATTERN", "finds rules by what they test", kFindOptions, Find},
@@ -506,16 +506,16 @@ constexpr SubcommandInfo kSubcommands[] = {
      {},
      OptimizeAttribute},
     {"watch", "[RULE]", "shows firings of a rule at any trace level", kWatchOptions, Watch},
-    {"?", "", "an overview of the sub-commands", {}, Help},
-    {"help", "", "an overview of the sub-commands", {}, Help},
+    {"?", "", "an overview of the sub-commands", {}, ProductionHelp},
+    {"help", "", "an overview of the sub-commands", {}, ProductionHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kProductionSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kProductionSubcommands = kProductionSubcommandList;
 
 bool CommandProduction(CommandCall& call) {
-  if (call.words.size() < 2) return Overview(call);
+  if (call.words.size() < 2) return ProductionOverview(call);
   std::string error;
   return RunSubcommand(call, *FindCommand("production", error),
                        "Invalid production command.  Use 'production ?' to see a list of valid settings.",

@@ -32,7 +32,7 @@ void Group(CommandCall& call, std::string_view title, std::initializer_list<std:
   }
 }
 
-bool Overview(CommandCall& call) {
+bool RlOverview(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   call.Out(fmt::format("\nSoar-RL learning: {}\ntemporal-extension: {}\n", store.Get("rl", "learning"),
                        store.Get("rl", "temporal-extension")));
@@ -158,7 +158,7 @@ bool CommandRl(CommandCall& call) {
   }
   ParsedWords parsed;
   if (!call.Parse(kRlTable, parsed)) return false;
-  if (parsed.options.empty()) return parsed.arguments.empty() ? Overview(call) : call.Fail("Invalid syntax.");
+  if (parsed.options.empty()) return parsed.arguments.empty() ? RlOverview(call) : call.Fail("Invalid syntax.");
   if (const auto name = parsed.Argument('g')) return Get(call, *name, parsed);
   if (const auto name = parsed.Argument('s')) return Set(call, *name, parsed);
   if (parsed.Has('t')) return Trace(call, parsed.Argument('t'), parsed);

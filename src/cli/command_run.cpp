@@ -9,7 +9,7 @@ namespace {
 
 using kernel::RunUnit;
 
-constexpr OptionSpec kOptions[] = {
+constexpr OptionSpec kRunOptionList[] = {
     {'d', "decision", OptionArgument::kNone, "count decision cycles"},
     {'e', "elaboration", OptionArgument::kNone, "count elaboration cycles"},
     {'g', "goal", OptionArgument::kNone, "stop when the state that is the lowest now has been removed"},
@@ -65,11 +65,11 @@ bool IsComplete(const RunRequest& request, bool by_phase, std::uint64_t cycles, 
 
 }  // namespace
 
-const std::span<const OptionSpec> kRunOptions = kOptions;
+const std::span<const OptionSpec> kRunOptions = kRunOptionList;
 
 bool CommandRun(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kOptions, parsed)) return false;
+  if (!call.Parse(kRunOptions, parsed)) return false;
   RunRequest request;
   bool has_unit = false;
   // The smallest unit counts.

@@ -164,7 +164,7 @@ bool SaveRete(CommandCall& call) {
   return SaveRuleImage(call, *file);
 }
 
-bool Help(CommandCall& call) {
+bool SaveHelp(CommandCall& call) {
   call.Out(
       "======================================================\n"
       "-            Save Sub-Commands and Options           -\n"
@@ -185,20 +185,20 @@ constexpr OptionSpec kPerceptsOptions[] = {
 };
 constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"}};
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kSaveSubcommandList[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},
     {"chunks", "FILE", "writes learned rules to a file", {}, SaveChunks},
     {"percepts", "[--open FILE | --close | --flush]", "records what clients put on the input link", kPerceptsOptions,
      SavePercepts},
     {"rete-network", "--save FILE", "writes an image of the rules, which loads faster than their text", kReteOptions,
      SaveRete},
-    {"?", "", "an overview of the sub-commands", {}, Help},
-    {"help", "", "an overview of the sub-commands", {}, Help},
+    {"?", "", "an overview of the sub-commands", {}, SaveHelp},
+    {"help", "", "an overview of the sub-commands", {}, SaveHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kSaveSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kSaveSubcommands = kSaveSubcommandList;
 
 bool CommandSave(CommandCall& call) {
   if (call.words.size() < 2) {

@@ -24,27 +24,27 @@ namespace soarbox::cli {
 namespace {
 
 using SetResult = SettingStore::SetResult;
-constexpr auto kOptional = OptionArgument::kOptional;
+constexpr auto kSmemOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kSmemTable[] = {
-    {'a', "add", kOptional, "add objects"},
-    {'b', "backup", kOptional, "copy the database"},
+    {'a', "add", kSmemOptional, "add objects"},
+    {'b', "backup", kSmemOptional, "copy the database"},
     {'c', "clear", OptionArgument::kNone, "forget everything"},
     {'e', "enable", OptionArgument::kNone, "switch on"},
     {'e', "on"},
     {'d', "disable", OptionArgument::kNone, "switch off"},
     {'d', "off"},
-    {'g', "get", kOptional, "show a setting"},
-    {'h', "history", kOptional, "when an object was used"},
+    {'g', "get", kSmemOptional, "show a setting"},
+    {'h', "history", kSmemOptional, "when an object was used"},
     {'i', "init", OptionArgument::kNone, "open the database again"},
     {'P', "precalculate", OptionArgument::kNone,
      "refused as by Soar 9.6.3; spreading is worked out when it is asked for"},
-    {'q', "query", kOptional, "find objects"},
-    {'r', "remove", kOptional, "remove objects or their elements"},
-    {'s', "set", kOptional, "change a setting"},
-    {'S', "stats", kOptional, "figures"},
-    {'t', "timers", kOptional, "times"},
-    {'x', "export", kOptional, "write everything as commands"},
+    {'q', "query", kSmemOptional, "find objects"},
+    {'r', "remove", kSmemOptional, "remove objects or their elements"},
+    {'s', "set", kSmemOptional, "change a setting"},
+    {'S', "stats", kSmemOptional, "figures"},
+    {'t', "timers", kSmemOptional, "times"},
+    {'x', "export", kSmemOptional, "write everything as commands"},
 };
 
 using kernel::SemanticMemory;
@@ -200,7 +200,7 @@ bool Init(CommandCall& call) {
   return true;
 }
 
-bool Get(CommandCall& call, const std::string& name) {
+bool GetSmemParameter(CommandCall& call, const std::string& name) {
   if (!SettingStore::Find("smem", name)) {
     return call.Fail("Invalid semantic memory parameter.  Use 'help smem' to see list of valid settings.");
   }
@@ -221,7 +221,7 @@ std::string Toggled(const std::string& list, const std::string& value) {
   return text.empty() ? " " : text;
 }
 
-bool Set(CommandCall& call, const ParsedWords& parsed) {
+bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
   const std::string name = *parsed.Argument('s');
   std::string value;
   if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
@@ -304,7 +304,7 @@ bool Set(CommandCall& call, const ParsedWords& parsed) {
   return true;
 }
 
-bool Switch(CommandCall& call, bool on) {
+bool SwitchSmem(CommandCall& call, bool on) {
   call.session.settings().Set("smem", "learning", std::string(OnOff(on)));
   Apply(call);
   call.Out(fmt::format("Semantic memory {}.\n", on ? "enabled" : "disabled"));
@@ -457,13 +457,13 @@ bool CommandSmem(CommandCall& call) {
   if (parsed.arguments.size() > most) return call.Fail("Too many arguments.");
   switch (letter) {
     case 'g':
-      return TextOf(call, parsed, letter, text) && Get(call, text);
+      return TextOf(call, parsed, letter, text) && GetSmemParameter(call, text);
     case 's':
-      return TextOf(call, parsed, letter, text) && Set(call, parsed);
+      return TextOf(call, parsed, letter, text) && SetSmemParameter(call, parsed);
     case 'e':
-      return Switch(call, true);
+      return SwitchSmem(call, true);
     case 'd':
-      return Switch(call, false);
+      return SwitchSmem(call, false);
     case 'a':
       return TextOf(call, parsed, letter, text) && Add(call, text);
     case 'q':

@@ -107,7 +107,7 @@ constexpr Row kRows[] = {
     {"wait-snc", "Wait instead of impasse after state-no-change"},
 };
 
-bool Help(CommandCall& call) {
+bool SoarHelp(CommandCall& call) {
   std::string text = "====== Soar General Commands and Settings =====\n";
   const auto row = [&](std::string_view name, std::string_view help) { text += fmt::format("{:<51}{}\n", name, help); };
   row("soar ?", "Print this help listing");
@@ -126,7 +126,7 @@ bool Help(CommandCall& call) {
   return true;
 }
 
-bool Overview(CommandCall& call) {
+bool SoarOverview(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   std::uint32_t rules = 0;
   for (const auto type : {kernel::ProductionType::kUser, kernel::ProductionType::kDefault,
@@ -393,7 +393,7 @@ bool StopPhase(CommandCall& call) {
   return true;
 }
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kSoarSubcommandList[] = {
     {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, Init},
     {"stop", "[--self]", "stops running agents", kStopOptions, Stop},
     {"version", "", "the version of Soar whose behaviour this is, and of Soarbox", {}, Version},
@@ -418,19 +418,19 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"tcl", "[on | off]", "Tcl in commands; never available", kSwitchOptions, Tcl},
     {"timers", "[on | off]", "keep times for stats", kSwitchOptions, Timers},
     {"wait-snc", "[on | off]", "wait instead of making a state when no operator is proposed", kSwitchOptions, WaitSnc},
-    {"?", "", "an overview of the settings", {}, Help},
-    {"help", "", "an overview of the settings", {}, Help},
+    {"?", "", "an overview of the settings", {}, SoarHelp},
+    {"help", "", "an overview of the settings", {}, SoarHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kSoarSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kSoarSubcommands = kSoarSubcommandList;
 
 bool CommandSoar(CommandCall& call) {
   // More words than a setting and its value show the summary, as no words do.
   const auto plain =
       std::count_if(call.words.begin(), call.words.end(), [](const Word& word) { return !word.text.starts_with('-'); });
-  if (plain < 2 || plain > 3) return Overview(call);
+  if (plain < 2 || plain > 3) return SoarOverview(call);
   std::string error;
   const CommandInfo* command = FindCommand("soar", error);
   return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSubcommand : kInvalidCommand,

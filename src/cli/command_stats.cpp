@@ -14,7 +14,7 @@ namespace {
 using kernel::AgentCounters;
 using kernel::ProductionType;
 
-constexpr OptionSpec kOptions[] = {
+constexpr OptionSpec kStatsOptionList[] = {
     {'a', "agent", OptionArgument::kNone, "counters of the agent"},
     {'c', "cycle", OptionArgument::kNone, "accepted for old scripts"},
     {'C', "cycle-csv", OptionArgument::kNone, "accepted for old scripts"},
@@ -43,8 +43,8 @@ std::string RulesText(const kernel::Agent& agent) {
                      agent.CountProductions(ProductionType::kJustification));
 }
 
-constexpr kernel::Phase kPhases[] = {kernel::Phase::kInput, kernel::Phase::kPropose, kernel::Phase::kDecide,
-                                     kernel::Phase::kApply, kernel::Phase::kOutput};
+constexpr kernel::Phase kTimedPhases[] = {kernel::Phase::kInput, kernel::Phase::kPropose, kernel::Phase::kDecide,
+                                          kernel::Phase::kApply, kernel::Phase::kOutput};
 
 /// Milliseconds per piece of work.
 double Each(double seconds, std::uint64_t count) {
@@ -54,7 +54,7 @@ double Each(double seconds, std::uint64_t count) {
 std::string TimesText(const RunTimes& times) {
   constexpr std::string_view kRule = "========================================================|===========\n";
   std::string phases, none;
-  for (const kernel::Phase phase : kPhases) {
+  for (const kernel::Phase phase : kTimedPhases) {
     phases += fmt::format("    {:.3f}", times.phase_seconds(phase));
     none += "    0.000";
   }
@@ -168,8 +168,8 @@ void AddStructured(CommandCall& call) {
   real("statstotalcputime", times.run_seconds());
   constexpr const char* kNames[] = {"input", "propose", "decision", "apply", "output"};
   for (const std::string kind : {"phase", "monitor"}) {
-    for (std::size_t i = 0; i < std::size(kPhases); ++i) {
-      real("stats" + kind + "time" + kNames[i] + "phase", kind == "phase" ? times.phase_seconds(kPhases[i]) : 0);
+    for (std::size_t i = 0; i < std::size(kTimedPhases); ++i) {
+      real("stats" + kind + "time" + kNames[i] + "phase", kind == "phase" ? times.phase_seconds(kTimedPhases[i]) : 0);
     }
     for (const std::string part : {"preference", "workingmemory"}) real("stats" + kind + "time" + part + "phase", 0);
   }
@@ -195,11 +195,11 @@ void AddStructured(CommandCall& call) {
 
 }  // namespace
 
-const std::span<const OptionSpec> kStatsOptions = kOptions;
+const std::span<const OptionSpec> kStatsOptions = kStatsOptionList;
 
 bool CommandStats(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kOptions, parsed)) return false;
+  if (!call.Parse(kStatsOptions, parsed)) return false;
   if (!parsed.arguments.empty()) return call.Fail("Syntax: stats [options]");
   call.session.times().Refresh();
   AddStructured(call);

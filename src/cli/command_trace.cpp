@@ -9,37 +9,37 @@
 namespace soarbox::cli {
 namespace {
 
-constexpr auto kOptional = OptionArgument::kOptional;
+constexpr auto kTraceOptional = OptionArgument::kOptional;
 
-constexpr OptionSpec kOptions[] = {
-    {'a', "wma", kOptional, "activation of working memory"},
-    {'A', "assertions", kOptional, "instantiations and the match set"},
-    {'b', "backtracing", kOptional, "what learning traces back"},
-    {'c', "chunks", kOptional, "firings of learned rules"},
-    {'C', "chunk-warnings", kOptional, "problems met while learning"},
-    {'d', "decisions", kOptional, "operators selected and states made"},
-    {'D', "default-productions", kOptional, "firings of rules marked :default"},
-    {'e', "epmem", kOptional, "episodic memory"},
+constexpr OptionSpec kTraceOptionList[] = {
+    {'a', "wma", kTraceOptional, "activation of working memory"},
+    {'A', "assertions", kTraceOptional, "instantiations and the match set"},
+    {'b', "backtracing", kTraceOptional, "what learning traces back"},
+    {'c', "chunks", kTraceOptional, "firings of learned rules"},
+    {'C', "chunk-warnings", kTraceOptional, "problems met while learning"},
+    {'d', "decisions", kTraceOptional, "operators selected and states made"},
+    {'D', "default-productions", kTraceOptional, "firings of rules marked :default"},
+    {'e', "epmem", kTraceOptional, "episodic memory"},
     {'f', "fullwmes", OptionArgument::kNone, "with firings, the whole elements that matched"},
-    {'g', "gds", kOptional, "states removed because something that they rest on changed"},
-    {'G', "gds-wmes", kOptional, "elements that states come to rest on"},
-    {'i', "indifferent-selection", kOptional, "values of indifferent operators"},
-    {'j', "justifications", kOptional, "firings of justifications"},
+    {'g', "gds", kTraceOptional, "states removed because something that they rest on changed"},
+    {'G', "gds-wmes", kTraceOptional, "elements that states come to rest on"},
+    {'i', "indifferent-selection", kTraceOptional, "values of indifferent operators"},
+    {'j', "justifications", kTraceOptional, "firings of justifications"},
     {'L', "learning", OptionArgument::kRequired, "learned rules: noprint, print, fullprint or 0 to 2"},
     {'l', "level", OptionArgument::kRequired, "a level from 0 to 5"},
     {'N', "none", OptionArgument::kNone, "nothing at all"},
     {'n', "nowmes", OptionArgument::kNone, "with firings, no elements"},
-    {'o', "consistency", kOptional, "operators and states removed because they no longer fit"},
-    {'p', "phases", kOptional, "phases of the decision cycle"},
-    {'P', "productions", kOptional, "firings of all kinds of rules"},
-    {'r', "preferences", kOptional, "preferences made and retracted"},
-    {'R', "rl", kOptional, "updates of reinforcement learning"},
-    {'s', "smem", kOptional, "semantic memory"},
+    {'o', "consistency", kTraceOptional, "operators and states removed because they no longer fit"},
+    {'p', "phases", kTraceOptional, "phases of the decision cycle"},
+    {'P', "productions", kTraceOptional, "firings of all kinds of rules"},
+    {'r', "preferences", kTraceOptional, "preferences made and retracted"},
+    {'R', "rl", kTraceOptional, "updates of reinforcement learning"},
+    {'s', "smem", kTraceOptional, "semantic memory"},
     {'t', "timetags", OptionArgument::kNone, "with firings, the time tags of the elements that matched"},
-    {'T', "template", kOptional, "matches of rules marked :template"},
-    {'u', "user-productions", kOptional, "firings of ordinary rules"},
-    {'w', "wmes", kOptional, "elements added to and removed from working memory"},
-    {'W', "waterfall", kOptional, "firings that wait for a higher state"},
+    {'T', "template", kTraceOptional, "matches of rules marked :template"},
+    {'u', "user-productions", kTraceOptional, "firings of ordinary rules"},
+    {'w', "wmes", kTraceOptional, "elements added to and removed from working memory"},
+    {'W', "waterfall", kTraceOptional, "firings that wait for a higher state"},
 };
 
 const TraceFlagInfo* FlagOfLetter(char letter) {
@@ -219,11 +219,11 @@ bool ApplyOption(CommandCall& call, const ParsedOption& option, Changes& changes
 
 }  // namespace
 
-const std::span<const OptionSpec> kTraceOptions = kOptions;
+const std::span<const OptionSpec> kTraceOptions = kTraceOptionList;
 
 bool CommandTrace(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kOptions, parsed)) return false;
+  if (!call.Parse(kTraceOptions, parsed)) return false;
   if (parsed.options.empty() && parsed.arguments.empty()) {
     call.Out(Table(call.session.trace()));
     AddStructured(call, call.session.trace());

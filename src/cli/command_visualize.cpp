@@ -28,7 +28,7 @@
 namespace soarbox::cli {
 namespace {
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kVisualizeSubcommandList[] = {
     {"wm", "[ID] [DEPTH]", "draws working memory: all states, or an object and what lies below it"},
     {"smem", "[LTI] [DEPTH]", "draws semantic memory: all of it, or an object and what it leads to"},
     {"epmem", "[EPISODE]", "draws an episode, the newest if none is named"},
@@ -50,7 +50,7 @@ constexpr SubcommandInfo kSubcommands[] = {
     {"print-debug", "[on | off]", "print the drawing's text"},
 };
 
-bool Help(CommandCall& call) {
+bool VisualizeHelp(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   std::string text = "======= Visualization Commands and Settings =======\n";
   const auto row = [&](std::string_view left, std::string_view summary) {
@@ -58,7 +58,7 @@ bool Help(CommandCall& call) {
   };
   row("visualize ?", "this overview");
   bool settings = false;
-  for (const SubcommandInfo& entry : kSubcommands) {
+  for (const SubcommandInfo& entry : kVisualizeSubcommands) {
     const SettingInfo* info = SettingStore::Find("visualize", entry.name);
     if (!info) {
       row(fmt::format("visualize {} {}", entry.name, entry.usage), entry.summary);
@@ -219,7 +219,7 @@ bool SemanticMemory(CommandCall& call, std::span<const Word> words) {
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kVisualizeSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kVisualizeSubcommands = kVisualizeSubcommandList;
 
 bool CommandVisualize(CommandCall& call) {
   if (call.words.size() < 2) {
@@ -229,7 +229,7 @@ bool CommandVisualize(CommandCall& call) {
     return true;
   }
   const std::string& word = call.words[1].text;
-  if (word == "?" || word == "help") return Help(call);
+  if (word == "?" || word == "help") return VisualizeHelp(call);
   if (word == "wm") return WorkingMemory(call, call.words.subspan(2));
   if (word == "smem") return SemanticMemory(call, call.words.subspan(2));
   if (word == "epmem") return Episode(call, call.words.subspan(2));

@@ -268,7 +268,7 @@ bool Activation(CommandCall& call) {
   return true;
 }
 
-bool Help(CommandCall& call) {
+bool WmHelp(CommandCall& call) {
   call.Out(
       "=========================================================\n"
       "-               WM Sub-Commands and Options             -\n"
@@ -302,20 +302,20 @@ constexpr OptionSpec kWatchOptions[] = {
     {'t', "type", OptionArgument::kRequired, "adds, removes or both"},
 };
 
-constexpr SubcommandInfo kSubcommands[] = {
+constexpr SubcommandInfo kWmSubcommandList[] = {
     {"add", "ID [^]ATTRIBUTE VALUE [+]", "adds an element to working memory, as input", {}, Add},
     {"remove", "TIMETAG", "removes an element from working memory", {}, Remove},
     {"activation", "[--get NAME | --set NAME VALUE]", "settings of activation and forgetting", kActivationOptions,
      Activation},
     {"watch", "[--add-filter ID ATTRIBUTE VALUE]", "limits the trace of elements (trace --wmes) to certain ones",
      kWatchOptions, Watch},
-    {"?", "", "an overview of the sub-commands", {}, Help},
-    {"help", "", "an overview of the sub-commands", {}, Help},
+    {"?", "", "an overview of the sub-commands", {}, WmHelp},
+    {"help", "", "an overview of the sub-commands", {}, WmHelp},
 };
 
 }  // namespace
 
-const std::span<const SubcommandInfo> kWmSubcommands = kSubcommands;
+const std::span<const SubcommandInfo> kWmSubcommands = kWmSubcommandList;
 
 bool CommandWm(CommandCall& call) {
   if (call.words.size() < 2) {

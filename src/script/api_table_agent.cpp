@@ -6,7 +6,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kAgentFunctions[] = {
     {"Agent.ApplyForce", "agent: Agent, force: Vector -1e12..1e12 [N]", "",
      "Pushes the agent during the next step. The forces of one step add up. An agent without a body does not move.",
      R"(agent:ApplyForce(Vector.new(0, 0, 500)))"},
@@ -133,7 +133,7 @@ print(agent:GetTeam())  --> team2)"},
 }  // namespace
 
 std::span<const ApiFunction> AgentApi() {
-  return kFunctions;
+  return kAgentFunctions;
 }
 
 }  // namespace soarbox::script

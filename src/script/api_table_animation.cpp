@@ -4,7 +4,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kAnimationFunctions[] = {
     {"Animation.AttachToBone",
      "mesh: Scene, bone: string, other: Node, offset: Vector [m] = none, rotation: Vector [deg] = none", "",
      "Attaches a node to a bone. From then on it moves with the bone, and its position and rotation are relative to "
@@ -72,7 +72,7 @@ Animation.StepAnimation(animation, 33))"},
 }  // namespace
 
 std::span<const ApiFunction> AnimationApi() {
-  return kFunctions;
+  return kAnimationFunctions;
 }
 
 }  // namespace soarbox::script

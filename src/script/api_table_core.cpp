@@ -4,7 +4,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kCoreFunctions[] = {
     {"Core.ApplyAngularImpulse", "object: Object, impulse: Vector -1e12..1e12 [N m s]", "",
      "Changes the object's angular velocity at once.", R"(Core.ApplyAngularImpulse(object, Vector.new(0, 10, 0)))"},
     {"Core.ApplyForce", "object: Object, force: Vector -1e12..1e12 [N]", "",
@@ -124,7 +124,7 @@ print(Core.IsVisible(node))  --> false)",
 }  // namespace
 
 std::span<const ApiFunction> CoreApi() {
-  return kFunctions;
+  return kCoreFunctions;
 }
 
 }  // namespace soarbox::script

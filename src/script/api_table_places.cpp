@@ -6,7 +6,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kPlacesFunctions[] = {
     {"Sandbox.ClearInfluenceMap", "sandbox: Sandbox, layer: number", "", "Sets all cells of a layer to 0.",
      R"(Sandbox.ClearInfluenceMap(sandbox, 0))"},
     {"Sandbox.CreateInfluenceMap", "sandbox: Sandbox, mesh: string, settings: table = none", "",
@@ -73,7 +73,7 @@ print(Sandbox.GetInfluence(sandbox, 0, Vector.new(-7, 0.5, 5)) > 0.7)  --> true)
 }  // namespace
 
 std::span<const ApiFunction> SandboxPlacesApi() {
-  return kFunctions;
+  return kPlacesFunctions;
 }
 
 }  // namespace soarbox::script

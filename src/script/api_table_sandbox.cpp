@@ -6,7 +6,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kSandboxFunctions[] = {
     {"Sandbox.AddCollisionCallback", "sandbox: Sandbox, object: Object, callback: function", "",
      "Calls callback(sandbox, collision) after each step in which something touches the object. The collision has "
      "objectA (this object), objectB (the other object or agent), pointA, pointB and normalOnB.",
@@ -151,7 +151,7 @@ print(Sandbox.GetCameraForward(sandbox).z)  --> 1)"},
 }  // namespace
 
 std::span<const ApiFunction> SandboxApi() {
-  return kFunctions;
+  return kSandboxFunctions;
 }
 
 }  // namespace soarbox::script

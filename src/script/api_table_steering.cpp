@@ -6,7 +6,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kSteeringFunctions[] = {
     {"Agent.ClampSpeed", "agent: Agent", "",
      "Limits the horizontal speed to the agent's top speed. Jumps and falls are not affected.",
      R"(agent:SetVelocity(Vector.new(30, 0, 40))
@@ -86,7 +86,7 @@ print(agent:GetForward().x > 0.99)  --> true)",
 }  // namespace
 
 std::span<const ApiFunction> AgentSteeringApi() {
-  return kFunctions;
+  return kSteeringFunctions;
 }
 
 }  // namespace soarbox::script

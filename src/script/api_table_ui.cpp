@@ -4,7 +4,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kUiFunctions[] = {
     {"UI.CreateChild", "ui: UI", "UI", "A panel in the same layer, with a position relative to its parent.",
      R"(local child = UI.CreateChild(ui)
 UI.SetPosition(child, 10, 10))"},
@@ -68,7 +68,7 @@ print(UI.IsVisible(ui))  --> false)"},
 }  // namespace
 
 std::span<const ApiFunction> UiApi() {
-  return kFunctions;
+  return kUiFunctions;
 }
 
 }  // namespace soarbox::script

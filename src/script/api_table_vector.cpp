@@ -4,7 +4,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr ApiFunction kFunctions[] = {
+constexpr ApiFunction kVectorFunctions[] = {
     {"Vector.new", "x: value = 0, y: value = x, z: value = x", "Vector",
      "Makes a vector from three numbers, from one number for all three, or as a copy of another vector. Anything else "
      "gives nil.",
@@ -43,7 +43,7 @@ print(string.format("%.0f", turn.y))  --> 90)"},
 }  // namespace
 
 std::span<const ApiFunction> VectorApi() {
-  return kFunctions;
+  return kVectorFunctions;
 }
 
 }  // namespace soarbox::script

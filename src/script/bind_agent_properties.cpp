@@ -207,7 +207,7 @@ int GetLeader(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kAgentPropertiesBindings[] = {
     {"ApplyForce", ApplyForce, 2, 2, WrongCount::kIgnored},
     {"GetDistanceAlongPath", GetDistanceAlongPath, 2, 2, WrongCount::kError},
     {"GetForward", GetVector<&Agent::Forward>, 1, 1, WrongCount::kIgnored},
@@ -276,7 +276,7 @@ constexpr PlainCall kPlainCalls[] = {
 }  // namespace
 
 void BindAgentProperties(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings, kPlainCalls);
+  RegisterTable(state, "Agent", kAgentPropertiesBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

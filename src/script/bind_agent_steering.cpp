@@ -132,7 +132,7 @@ int ForceToWander(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 4, 4, WrongCount::kIgnored},
     {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored},
     {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored},
@@ -158,7 +158,7 @@ constexpr PlainCall kPlainCalls[] = {
 }  // namespace
 
 void BindAgentSteering(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings, kPlainCalls);
+  RegisterTable(state, "Agent", kAgentSteeringBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

@@ -112,7 +112,7 @@ int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kAgentStrideBindings[] = {
     {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},     {"Push", Push, 3, 3, WrongCount::kError},
     {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError}, {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
     {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError},
@@ -128,7 +128,7 @@ constexpr PlainCall kPlainCalls[] = {
 }  // namespace
 
 void BindAgentStride(lua_State* state) {
-  RegisterTable(state, "Agent", kBindings, kPlainCalls);
+  RegisterTable(state, "Agent", kAgentStrideBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

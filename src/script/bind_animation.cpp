@@ -150,7 +150,7 @@ int StepAnimation(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kAnimationBindings[] = {
     {"GetAnimation", GetAnimation, 2, 2, WrongCount::kError},
     {"GetLength", GetLength, 1, 1, WrongCount::kIgnored},
     {"GetName", GetName, 1, 1, WrongCount::kIgnored},
@@ -171,7 +171,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindAnimation(lua_State* state) {
-  RegisterTable(state, "Animation", kBindings);
+  RegisterTable(state, "Animation", kAnimationBindings);
 }
 
 }  // namespace soarbox::script

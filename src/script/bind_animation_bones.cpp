@@ -119,7 +119,7 @@ int SetLocomotion(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kAnimationBonesBindings[] = {
     {"AttachToBone", AttachToBone, 3, 5, WrongCount::kIgnored},
     {"GetBoneNames", GetBoneNames, 1, 1, WrongCount::kIgnored},
     {"GetBonePosition", GetBonePosition, 2, 2, WrongCount::kIgnored},
@@ -131,7 +131,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindAnimationBones(lua_State* state) {
-  RegisterTable(state, "Animation", kBindings);
+  RegisterTable(state, "Animation", kAnimationBonesBindings);
 }
 
 }  // namespace soarbox::script

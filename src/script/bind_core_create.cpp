@@ -91,7 +91,7 @@ int CreatePointLight(lua_State* state) {
       Made::kLight);
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kCoreCreateBindings[] = {
     {"CreateBox", CreateBox, 4, kAnyCount, WrongCount::kIgnored},
     {"CreateCapsule", CreateCapsule, 3, 3, WrongCount::kIgnored},
     {"CreateCircle", CreateCircle, 2, 2, WrongCount::kIgnored},
@@ -107,7 +107,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindCoreCreate(lua_State* state) {
-  RegisterTable(state, "Core", kBindings);
+  RegisterTable(state, "Core", kCoreCreateBindings);
 }
 
 }  // namespace soarbox::script

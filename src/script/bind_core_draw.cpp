@@ -77,7 +77,7 @@ int DrawSquare(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kCoreDrawBindings[] = {
     {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored},
     {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored},
     {"DrawSphere", DrawSphere, 3, kAnyCount, WrongCount::kIgnored},
@@ -92,7 +92,7 @@ constexpr PlainCall kPlainCalls[] = {
 }  // namespace
 
 void BindCoreDraw(lua_State* state) {
-  RegisterTable(state, "Core", kBindings, kPlainCalls);
+  RegisterTable(state, "Core", kCoreDrawBindings, kPlainCalls);
 }
 
 }  // namespace soarbox::script

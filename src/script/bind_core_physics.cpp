@@ -49,7 +49,7 @@ int SetGravity(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kCorePhysicsBindings[] = {
     {"ApplyAngularImpulse", ApplyAngularImpulse, 2, 2, WrongCount::kIgnored},
     {"ApplyForce", ApplyForce, 2, 2, WrongCount::kIgnored},
     {"ApplyImpulse", ApplyImpulse, 2, 2, WrongCount::kIgnored},
@@ -61,7 +61,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindCorePhysics(lua_State* state) {
-  RegisterTable(state, "Core", kBindings);
+  RegisterTable(state, "Core", kCorePhysicsBindings);
 }
 
 }  // namespace soarbox::script

@@ -195,7 +195,7 @@ int SetParticleDirection(lua_State* state) {
 }
 
 // IsVisisble and SetVisisble are how the sandbox spells them; the right spelling does too.
-constexpr Binding kBindings[] = {
+constexpr Binding kCoreSceneBindings[] = {
     {"CacheResource", CacheResource, 1, 1, WrongCount::kIgnored},
     {"GetPosition", GetPosition, 1, 1, WrongCount::kIgnored},
     {"GetRadius", GetRadius, 1, 1, WrongCount::kIgnored},
@@ -220,7 +220,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindCoreScene(lua_State* state) {
-  RegisterTable(state, "Core", kBindings);
+  RegisterTable(state, "Core", kCoreSceneBindings);
 }
 
 }  // namespace soarbox::script

@@ -219,7 +219,7 @@ int RayCastToObject(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kSandboxCreateBindings[] = {
     {"CreateAgent", CreateAgent, 2, 2, WrongCount::kIgnored},
     {"CreateBox", CreateBox, 4, kAnyCount, WrongCount::kIgnored},
     {"CreateCapsule", CreateCapsule, 3, 3, WrongCount::kIgnored},
@@ -240,7 +240,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindSandboxCreate(lua_State* state) {
-  RegisterTable(state, "Sandbox", kBindings);
+  RegisterTable(state, "Sandbox", kSandboxCreateBindings);
 }
 
 }  // namespace soarbox::script

@@ -67,7 +67,7 @@ int AddCollisionCallback(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kSandboxEventsBindings[] = {
     {"AddCollisionCallback", AddCollisionCallback, 3, 3, WrongCount::kIgnored},
     {"AddEvent", AddEvent, 3, 3, WrongCount::kError},
     {"AddEventCallback", AddEventCallback, 3, 3, WrongCount::kError},
@@ -76,7 +76,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindSandboxEvents(lua_State* state) {
-  RegisterTable(state, "Sandbox", kBindings);
+  RegisterTable(state, "Sandbox", kSandboxEventsBindings);
 }
 
 }  // namespace soarbox::script

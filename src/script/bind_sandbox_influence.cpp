@@ -107,7 +107,7 @@ int SetDrawInfluenceMap(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kSandboxInfluenceBindings[] = {
     {"ClearInfluenceMap", ClearInfluenceMap, 2, 2, WrongCount::kError},
     {"CreateInfluenceMap", CreateInfluenceMap, 2, 3, WrongCount::kError},
     {"DrawInfluenceMap", DrawInfluenceMap, 5, 5, WrongCount::kError},
@@ -123,7 +123,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindSandboxInfluence(lua_State* state) {
-  RegisterTable(state, "Sandbox", kBindings);
+  RegisterTable(state, "Sandbox", kSandboxInfluenceBindings);
 }
 
 }  // namespace soarbox::script

@@ -86,7 +86,7 @@ int RandomPoint(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kSandboxNavigationBindings[] = {
     {"CreateNavigationMesh", CreateNavigationMesh, 2, 3, WrongCount::kError},
     {"FindClosestPoint", FindClosestPoint, 3, 3, WrongCount::kError},
     {"FindPath", FindPath, 4, 4, WrongCount::kError},
@@ -97,7 +97,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindSandboxNavigation(lua_State* state) {
-  RegisterTable(state, "Sandbox", kBindings);
+  RegisterTable(state, "Sandbox", kSandboxNavigationBindings);
 }
 
 }  // namespace soarbox::script

@@ -165,7 +165,7 @@ int GetMarkupColor(lua_State* state) {
   return 2;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kSandboxViewBindings[] = {
     {"CreateSkyBox", CreateSkyBox, 2, 3, WrongCount::kIgnored},
     {"CreateUIComponent", CreateUIComponent, 2, 2, WrongCount::kError},
     {"CreateUIComponent3d", CreateUIComponent3d, 2, 2, WrongCount::kError},
@@ -194,7 +194,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindSandboxView(lua_State* state) {
-  RegisterTable(state, "Sandbox", kBindings);
+  RegisterTable(state, "Sandbox", kSandboxViewBindings);
 }
 
 }  // namespace soarbox::script

@@ -129,7 +129,7 @@ int SetWorldRotation(lua_State* state) {
   return 0;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kUiBindings[] = {
     {"CreateChild", CreateChild, 1, 1, WrongCount::kIgnored},
     {"GetDimensions", GetPoint<&Ui::Dimensions>, 1, 1, WrongCount::kIgnored},
     {"GetFont", GetFont, 1, 1, WrongCount::kIgnored},
@@ -157,7 +157,7 @@ constexpr Binding kBindings[] = {
 }  // namespace
 
 void BindUi(lua_State* state) {
-  RegisterTable(state, "UI", kBindings);
+  RegisterTable(state, "UI", kUiBindings);
 }
 
 }  // namespace soarbox::script

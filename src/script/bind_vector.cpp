@@ -127,7 +127,7 @@ int RotationTo(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kBindings[] = {
+constexpr Binding kVectorBindings[] = {
     {"new", New, 0, kAnyCount, WrongCount::kIgnored},
     {"CrossProduct", CrossProduct, 2, 2, WrongCount::kIgnored},
     {"Distance", Distance, 2, 2, WrongCount::kIgnored},
@@ -264,7 +264,7 @@ int ToText(lua_State* state) {
 }  // namespace
 
 void BindVector(lua_State* state) {
-  RegisterTable(state, "Vector", kBindings, kPlainCalls);
+  RegisterTable(state, "Vector", kVectorBindings, kPlainCalls);
 }
 
 void InstallVectorMetamethods(lua_State* state) {
