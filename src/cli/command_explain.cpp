@@ -188,6 +188,16 @@ LoadedRules LoadedIn(CommandCall& call) {
   return [&call](const std::string& name) { return IsLoadedRule(call, name); };
 }
 
+/// Of what the learned rule's own instance tested, only firings that some explanation has are named.
+ExplainedRule WithKnownCreators(CommandCall& call, ExplainedRule rule) {
+  const std::vector<ExplainedRule>& explained = call.agent().Explained();
+  for (ExplainedRule::Condition& condition : rule.conditions) {
+    const auto has_it = [&](const ExplainedRule& other) { return other.FindFiring(condition.creator) != nullptr; };
+    if (condition.creator != 0 && std::ranges::none_of(explained, has_it)) condition.creator = 0;
+  }
+  return rule;
+}
+
 bool ExplainChunk(CommandCall& call) {
   if (call.words.size() != 3) return call.Fail("Please specify the chunk using either the chunk's name or its ID.");
   const std::string& word = call.words[2].text;
@@ -209,20 +219,20 @@ bool ExplainChunk(CommandCall& call) {
   call.session.explain().rule = found->number;
   call.session.explain().firing = 0;
   call.Out(fmt::format("Now explaining {}.\n{}", found->name, is_number ? "" : "\n") +
-           ExplainedRuleText(*found, call.session.explain().elements, LoadedIn(call)));
+           ExplainedRuleText(WithKnownCreators(call, *found), call.session.explain().elements, LoadedIn(call)));
   return true;
 }
 
 /// The firing as the rule has it, or as another one does: behind that rule it made no result.
 std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const ExplainedRule& rule, std::uint32_t serial) {
-  if (serial == rule.instance) return LearnedInstance(rule);
+  if (serial == rule.instance) return LearnedInstance(WithKnownCreators(call, rule));
   if (const ExplainedRule::Firing* const firing = rule.FindFiring(serial); firing != nullptr) return *firing;
   for (const ExplainedRule& other : call.agent().Explained()) {
     const ExplainedRule::Firing* const known = other.FindFiring(serial);
     if (known == nullptr && serial != other.instance) continue;
-    if (known == nullptr) return LearnedInstance(other);
-    ExplainedRule::Firing firing = *known;
-    firing.made_result = false;
+    ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(WithKnownCreators(call, other));
+    // (As in Soar 9.6.3 the instance of a rule that was learned before has made its results.)
+    firing.made_result = known == nullptr && other.number < rule.number;
     firing.path.clear();
     return firing;
   }
@@ -232,7 +242,7 @@ std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const Explain
 void ShowFiring(CommandCall& call, const ExplainedRule& rule) {
   const ExplainState& state = call.session.explain();
   if (state.firing == 0) {
-    call.Out(ExplainedRuleText(rule, state.elements, LoadedIn(call)));
+    call.Out(ExplainedRuleText(WithKnownCreators(call, rule), state.elements, LoadedIn(call)));
     return;
   }
   const LoadedRules loaded = LoadedIn(call);

@@ -50,26 +50,29 @@ std::string ActionText(const ExplainedRule::Action& action, Column column, bool 
   return sign_inside ? text + rest + ")" : text + ")" + rest;
 }
 
-/// The rows of conditions, numbered; a conjunction that is negated stands in braces. `rest`: what a row says behind the
-/// condition, of a negated one with its part.
+/// The rows of conditions, numbered; a conjunction that is negated stands in braces (`joins`: those that follow each
+/// other in one pair). `rest`: what a row says behind the condition, of a negated one with its part.
 template <typename Rest>
 std::string ConditionRows(const std::vector<ExplainedRule::Condition>& conditions, Column column, bool shows_state,
-                          Rest&& rest) {
+                          bool joins, Rest&& rest) {
   std::string text;
   int number = 0;
   const auto row = [&](const std::string& condition) {
     return fmt::format("{:<6}{}", fmt::format("{}:", ++number), condition);
   };
-  for (const ExplainedRule::Condition& condition : conditions) {
+  for (std::size_t n = 0; n < conditions.size(); ++n) {
+    const ExplainedRule::Condition& condition = conditions[n];
     if (!condition.negated) {
       text += rest(row(ConditionText(condition, column, shows_state)), condition, nullptr) + "\n";
       continue;
     }
-    if (condition.conjunction) text += "     -{\n";
+    const bool joins_last = joins && n > 0 && conditions[n - 1].conjunction;
+    const bool joins_next = joins && n + 1 < conditions.size() && conditions[n + 1].conjunction;
+    if (condition.conjunction && !joins_last) text += "     -{\n";
     for (const ExplainedRule::Condition::Part& part : condition.parts) {
       text += rest(row(column == Column::kValue ? part.value : part.text), condition, &part) + "\n";
     }
-    if (condition.conjunction) text += "     }\n";
+    if (condition.conjunction && !joins_next) text += "     }\n";
   }
   return text;
 }
@@ -141,7 +144,7 @@ std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& 
   } else {
     text += "\n" + Padded("", 55) + "Identities instead of variables            Operational    Creator\n\n";
   }
-  text += ConditionRows(firing.conditions, Column::kValue, learned,
+  text += ConditionRows(firing.conditions, Column::kValue, learned, true,
                         [&](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
                           const std::string identity =
                               part != nullptr ? part->identity : ConditionText(condition, Column::kIdentity, learned);
@@ -171,8 +174,7 @@ ExplainedRule::Firing LearnedInstance(const ExplainedRule& rule) {
   firing.made_result = true;
   firing.conditions = rule.conditions;
   for (ExplainedRule::Condition& condition : firing.conditions) {
-    condition.operational = false;
-    condition.creator = 0;
+    condition.operational = condition.above_own;
   }
   firing.actions = rule.actions;
   return firing;
@@ -182,7 +184,7 @@ std::string ExplainedRuleText(const ExplainedRule& rule, bool elements, const Lo
   if (elements || !loaded(rule.name)) return ExplainedFiringText(rule, LearnedInstance(rule), elements, loaded);
   std::string text = Padded(Padded("", 59) + "Using variable identity IDs", 109) +
                      "Shortest Path to Result Instantiation\n\nsp {" + rule.name + "\n";
-  text += ConditionRows(rule.conditions, Column::kText, true,
+  text += ConditionRows(rule.conditions, Column::kText, true, false,
                         [](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
                           std::string whole =
                               Padded(row, 59) +
@@ -211,7 +213,7 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
     text += Padded("", 56) + "Operational    Creator\n\n";
   }
   text += ConditionRows(
-      firing.conditions, elements ? Column::kValue : Column::kText, !elements,
+      firing.conditions, elements ? Column::kValue : Column::kText, !elements, elements,
       [&](const std::string& row, const ExplainedRule::Condition& condition, const Part* part) {
         std::string whole = Padded(row, elements ? 60 : 56);
         if (!elements) {
@@ -232,7 +234,8 @@ std::string ExplainedFiringText(const ExplainedRule& rule, const ExplainedRule::
   }
   if (elements) return text;
   text += "\n";
-  if (firing.made_result && std::ranges::find(rule.other_results, firing.serial) == rule.other_results.end()) {
+  const bool is_other = std::ranges::find(rule.other_results, firing.serial) != rule.other_results.end();
+  if ((firing.made_result && !is_other) || firing.path.size() == 1) {
     text += "This instantiation produced results in a superstate.\n";
   } else if (!firing.path.empty()) {
     text +=

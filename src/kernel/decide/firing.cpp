@@ -122,10 +122,19 @@ void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
   const GoalLevel level = engine_.instantiations[id].level;
   const std::span<ConditionTrace> traces = engine_.instantiations.MakeTrace(id, wmes.size());
   for (std::size_t n = 0; n < wmes.size(); ++n) traces[n] = TraceOf(wmes[n], level);
-  if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone) engine_.chunker.NoteSelection(id);
+  if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone || engine_.preferences.prohibits() != 0) {
+    engine_.chunker.NoteSelection(id);
+  }
 }
 
 ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
+  const ConditionTrace trace = LookAt(wme, level);
+  if (trace.preference != PreferenceId::kNone) engine_.preferences.AddReference(trace.preference);
+  engine_.changes.AddReference(wme);
+  return trace;
+}
+
+ConditionTrace Firing::LookAt(WmeId wme, GoalLevel level) const {
   // A justification may rest on an element that has left since: so may the preference that made it.
   const WmeRecord& record = engine_.memory.record(wme);
   PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
@@ -133,9 +142,7 @@ ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
   if (preference != PreferenceId::kNone) {
     inherits = engine_.memory.preference(preference).level == level;
     if (!inherits) preference = CloneAtLevel(preference, level);
-    if (preference != PreferenceId::kNone) engine_.preferences.AddReference(preference);
   }
-  engine_.changes.AddReference(wme);
   return {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
 }
 

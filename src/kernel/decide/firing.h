@@ -40,6 +40,8 @@ class Firing {
   void TraceConditions(InstantiationId id, std::span<const WmeId> wmes);
   /// The preference of the same result at a level, or kNone.
   PreferenceId CloneAtLevel(PreferenceId preference, GoalLevel level) const;
+  /// What a condition of a match of this level tested, and who made it.
+  ConditionTrace LookAt(WmeId wme, GoalLevel level) const;
 
   /// The level of the object that the running action says something of.
   GoalLevel object_level() const { return level_; }
@@ -51,6 +53,7 @@ class Firing {
   [[gnu::noinline]] void TellFired(InstantiationId id);
   /// Makes a rule with the matched constants (learn/rl_template.h).
   [[gnu::noinline]] void RunTemplate(const Production& rule, InstantiationId id);
+  /// The same, and it holds what it names.
   ConditionTrace TraceOf(WmeId wme, GoalLevel level);
   /// What deep-copy copied is tested by the firing as well.
   [[gnu::noinline]] void TraceCopied(InstantiationId id);

@@ -49,6 +49,7 @@ bool PreferenceChanges::Assert(PreferenceId id) {
     }
   }
   memory.InsertInSlot(id, slot);
+  if (preference.type == PreferenceType::kProhibit) ++prohibits_;
   preference.stamp = ++last_stamp_;
   if (preference.value.IsIdentifier()) preference.value_link = engine_.links.Add(preference.id, preference.value);
   if (preference.referent.IsIdentifier()) {
@@ -77,6 +78,7 @@ void PreferenceChanges::Retract(PreferenceId id) {
   if (preference.value_link != LinkId::kNone) engine_.links.Remove(preference.value_link);
   if (preference.referent_link != LinkId::kNone) engine_.links.Remove(preference.referent_link);
   preference.value_link = preference.referent_link = LinkId::kNone;
+  if (memory.preference(id).type == PreferenceType::kProhibit) --prohibits_;
   memory.RemoveFromSlot(id);
   Slot& record = memory.mutable_slot(slot);
   if (!record.is_operator) {
@@ -361,6 +363,7 @@ void PreferenceChanges::Clear() {
   empty_slots_.clear();
   unused_.clear();
   retired_.clear();
+  prohibits_ = 0;
 }
 
 }  // namespace soarbox::kernel

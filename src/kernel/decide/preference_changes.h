@@ -33,6 +33,8 @@ class PreferenceChanges {
   /// Takes it out of its slot and drops the slot's reference. While there are substates it lives on until its slot has
   /// been decided: until then the element that it made may be matched, and learning asks for the element's maker.
   void Retract(PreferenceId preference);
+  /// How many preferences in slots prohibit something.
+  std::uint32_t prohibits() const { return prohibits_; }
   /// How many retracted preferences wait for their slots to be decided.
   std::size_t retired() const { return retired_.size(); }
   /// Those, the longest waiting first.
@@ -91,7 +93,7 @@ class PreferenceChanges {
   Engine& engine_;
   std::vector<SlotId> changed_slots_, changed_acceptables_, empty_slots_;
   std::vector<PreferenceId> unused_, rejected_, retired_;
-  std::uint32_t last_stamp_ = 0;
+  std::uint32_t last_stamp_ = 0, prohibits_ = 0;
   bool draining_ = false;
   bool o_reject_made_ = false;
 };

@@ -70,7 +70,9 @@ void Backtracer::VisitSelection(std::uint32_t selection) {
   for (std::size_t n = 0; n < count; ++n) {
     const PreferenceId p = uses_.selections.preferences(selection)[n];
     if (!all && uses_.memory.preference(p).type != PreferenceType::kProhibit) continue;
-    const PreferenceId local = uses_.firing.CloneAtLevel(p, out_->level);
+    // (What a higher state's rules prohibit has no part in the substate: it is traced where it is.)
+    const bool is_higher = uses_.memory.preference(p).level < out_->level;
+    const PreferenceId local = is_higher ? p : uses_.firing.CloneAtLevel(p, out_->level);
     if (local != PreferenceId::kNone) VisitFiring(uses_.memory.preference(local).instantiation);
   }
 }

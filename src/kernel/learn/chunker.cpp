@@ -94,6 +94,7 @@ void Chunker::AfterInit() {
   explanation_.trace_number = 0;
   cycle_ = ~std::uint64_t{0};
   next_identity_ = 1;
+  variables_seen_ = variables_of_rule_ = 0;
   next_number_ = 0;
   statistics_ = {};
   AskForHooks();
@@ -122,6 +123,7 @@ void Chunker::CountCreated(GoalLevel level, std::uint32_t count) {
 void Chunker::ItemsMade(GoalLevel level, std::uint32_t firings) {
   if (!settings_.learning()) return;
   first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
+  variables_seen_ += 3 * firings;
   CountCreated(level, 2 * firings);
   statistics_.identities_propagated += 3 * firings;
 }
@@ -145,7 +147,7 @@ std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
   return level < substate_identity_.size() ? substate_identity_[level] + key.place % 2u : 0;
 }
 
-void Chunker::NoteFiring(InstantiationId id) {
+void Chunker::NoteFiring(InstantiationId id, bool is_own_instance) {
   Instantiation& instantiation = uses_.instantiations[id];
   instantiation.has_identities = true;
   instantiation.first_identity = next_identity_;
@@ -153,7 +155,11 @@ void Chunker::NoteFiring(InstantiationId id) {
   const FiringReader::Counts counts = reader_.CountIdentities(id);
   const Production* const rule = reader_.Rule(id);
   std::uint32_t created = counts.created;
-  if (rule != nullptr) created += static_cast<std::uint32_t>(rule->new_identifiers.size());
+  if (rule != nullptr) {
+    const auto made = static_cast<std::uint32_t>(rule->new_identifiers.size());
+    created += made;
+    if (!is_own_instance) variables_seen_ += reader_.Plan(id).bound() + made;
+  }
   statistics_.identities_blocked += counts.blocked;
   CountCreated(instantiation.level, created);
   statistics_.identities_propagated += created + counts.superstate_links;
@@ -175,15 +181,30 @@ void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied
 void Chunker::NoteSelection(InstantiationId id) {
   Instantiation& instantiation = uses_.instantiations[id];
   const std::uint32_t selection = uses_.selections.OfGoal(instantiation.level);
-  if (selection == SelectionKnowledge::kNone || instantiation.selection != SelectionKnowledge::kNone) return;
+  if (instantiation.selection != SelectionKnowledge::kNone) return;
   const Symbol goal = uses_.goals.at(instantiation.level).id;
-  for (const ConditionTrace& trace : uses_.instantiations.Trace(id)) {
-    const Wme& wme = uses_.memory.wme(trace.wme);
-    if (wme.id != goal || wme.attribute != words::kOperator || wme.acceptable) continue;
-    instantiation.selection = selection;
-    uses_.selections.AddReference(selection);
-    return;
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(id);
+  bool tests_selected = false;
+  if (selection != SelectionKnowledge::kNone) {
+    tests_selected = std::ranges::any_of(traces, [&](const ConditionTrace& trace) {
+      const Wme& wme = uses_.memory.wme(trace.wme);
+      return wme.id == goal && wme.attribute == words::kOperator && !wme.acceptable;
+    });
   }
+  if (uses_.preferences.prohibits() != 0) {
+    // As in Soar 9.6.3: what is prohibited where an element was made counts even if the element is another, or of a
+    // higher state.
+    std::vector<PreferenceId> prohibits;
+    for (std::size_t n = traces.size(); n-- > 0;) uses_.selections.CollectProhibits(traces[n].wme, prohibits);
+    if (!prohibits.empty()) {
+      instantiation.selection =
+          uses_.selections.With(std::move(prohibits), tests_selected ? selection : SelectionKnowledge::kNone);
+      return;
+    }
+  }
+  if (!tests_selected) return;
+  instantiation.selection = selection;
+  uses_.selections.AddReference(selection);
 }
 
 // What becomes of a firing --------------------------------------------------------------------------------------------
@@ -399,6 +420,8 @@ InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, 
   const std::string name = NewName(base, true, true);
   Tell(name);
   const RuleBuilder::Outcome outcome = builder_.Build(explanation_, name, goal_level);
+  variables_of_rule_ = variables_seen_;
+  variables_seen_ += builder_.variables_made();
   if (outcome == RuleBuilder::Outcome::kFailed) {
     failed = true;
     ++statistics_.unrepairable;
@@ -421,6 +444,20 @@ InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, 
   return Enter(base, outcome == RuleBuilder::Outcome::kRepaired);
 }
 
+/// As in Soar 9.6.3 the identities of its instance are counted before the rule is found to be known.
+void Chunker::CountDuplicate(InstantiationId id, ProductionId known, GoalLevel goal_level) {
+  Instantiation& instantiation = uses_.instantiations[id];
+  instantiation.production = known;
+  instantiation.goal = uses_.goals.at(goal_level).id;
+  instantiation.level = goal_level;
+  const std::span<ConditionTrace> traces = uses_.instantiations.MakeTrace(id, builder_.elements().size());
+  for (std::size_t n = 0; n < traces.size(); ++n) {
+    traces[n] = uses_.firing.LookAt(builder_.elements()[n], goal_level);
+  }
+  NoteFiring(id, true);
+  instantiation.production = ProductionId::kNone;
+}
+
 InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   const ProductionPtr& rule = builder_.rule();
   const std::span<const GoalLevel> goal_levels = uses_.memory.goal_levels();
@@ -439,6 +476,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   options.instantiation = id;
   const Rete::Added added = uses_.rete.AddProduction(rule, uses_.memory.goal_view(), options);
   if (added.result == Rete::AddResult::kDuplicate) {
+    if (goal_level > 1) CountDuplicate(id, added.production, goal_level);
     uses_.instantiations.Free(id);
     ++statistics_.duplicates;
     const std::string original(uses_.rete.production(added.production)->name);
@@ -483,7 +521,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   if (goal_level > 1) {
     uses_.firing.TraceConditions(id, builder_.elements());
     reader_.NoteTurned(id, builder_.turned_tests());
-    NoteFiring(id);
+    NoteFiring(id, true);
   }
   if (uses_.observers.Wants(Event::kLearning)) {
     const FiringInfo info = uses_.descriptions.DescribeInstantiation(id);

@@ -93,7 +93,7 @@ class Chunker final : public Module {
   /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
   [[gnu::noinline]] void Consider(InstantiationId id);
   /// A rule fired in a substate, and learning is on: its identities begin.
-  [[gnu::noinline]] void NoteFiring(InstantiationId id);
+  [[gnu::noinline]] void NoteFiring(InstantiationId id, bool is_own_instance = false);
   /// A firing in a substate copied objects, and its trace has what it read.
   [[gnu::noinline]] void NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId id) { reader_.ForgetCopied(id); }
@@ -109,6 +109,8 @@ class Chunker final : public Module {
   };
   /// Null for items that came while nothing was to be learned.
   const ItemFiring* FiringOfItem(WmeId item) const;
+  /// A number for a variable of the rule that is being learned (RuleBuilder::OrderOf); for explanations.
+  std::uint32_t NumberOfVariable(std::uint32_t order) const { return variables_of_rule_ + order; }
   /// How many identities the substate of a level has had.
   std::uint32_t IdentitiesCreated(GoalLevel level) const {
     return level < identities_of_level_.size() ? identities_of_level_[level] : 0;
@@ -155,6 +157,7 @@ class Chunker final : public Module {
   bool IsLeftOut(InstantiationId firing) const;
   InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);
   InstantiationId Enter(InstantiationId base, bool repaired);
+  void CountDuplicate(InstantiationId id, ProductionId known, GoalLevel goal_level);
   /// `counts`: it is one more of its kind in this cycle.
   std::string NewName(InstantiationId base, bool is_chunk, bool counts);
   void Tell(const std::string& name);
@@ -177,7 +180,9 @@ class Chunker final : public Module {
   std::uint32_t explanation_number_ = 0;  ///< Of what is being learned, if it is to be kept.
   bool left_out_ = false;                 ///< The state of the firing that is considered.
   std::uint32_t next_identity_ = 1;
-  std::uint32_t next_number_ = 0;  ///< Of numbered names.
+  std::uint32_t variables_seen_ = 0;     ///< Of firings in substates, items and learned rules, since init-soar.
+  std::uint32_t variables_of_rule_ = 0;  ///< Those before the rule that is being learned.
+  std::uint32_t next_number_ = 0;        ///< Of numbered names.
   std::vector<std::uint32_t>
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
   std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.

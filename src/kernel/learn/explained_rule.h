@@ -28,7 +28,8 @@ struct ExplainedRule {
     bool negated = false;       ///< Only `id.text` is set: the whole condition. `parts` has it in pieces.
     bool conjunction = false;   ///< Negated as a whole: all of `parts` together.
     bool operational = false;   ///< It tested an element of a higher state.
-    std::uint32_t creator = 0;  ///< The firing that made the element in the substate; 0: the architecture.
+    bool above_own = false;     ///< Of the learned rule's: of a state above the one that its own instance matched.
+    std::uint32_t creator = 0;  ///< The firing that made the element in the firing's state; 0: the architecture.
     std::string creator_rule;
     std::vector<std::uint32_t> path;  ///< Of the learned rule's: from the firing that tested it to a result.
     /// Of a negated condition: as the rule has it, with identities, and what it was.

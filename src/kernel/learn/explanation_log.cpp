@@ -190,7 +190,7 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
   return out;
 }
 
-ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own) {
+ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own, bool is_result) {
   const Preference& preference = uses_.memory.preference(id);
   const Production* const rule = reader_.Rule(preference.instantiation);
   ExplainedRule::Action out;
@@ -206,8 +206,11 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own) 
     if (made.kind == FiringReader::Term::Kind::kFunction && !symbol.IsIdentifier()) {
       field.identity = "[" + FunctionText(*made.function, preference.instantiation, own) + "]";
     }
-    if (own && node != IdentityGraph::kNone && analysis_.NumberOfOwn(node) != field.number) {
-      field.identity.insert(1, std::to_string(analysis_.NumberOfOwn(node)) + "->");
+    if (own && node != IdentityGraph::kNone) {
+      // As in Soar 9.6.3 a referent has the number of its variable in the learned rule.
+      const std::uint32_t order = part == FiringReader::Part::kReferent && is_result ? builder_.OrderOf(node) : 0;
+      const std::uint32_t before = order != 0 ? uses_.chunker.NumberOfVariable(order) : analysis_.NumberOfOwn(node);
+      if (before != field.number) field.identity.insert(1, std::to_string(before) + "->");
     }
     field.text = field.value;
     if (term != nullptr) {
@@ -243,7 +246,10 @@ std::string ExplanationLog::FunctionText(const RhsValue& function, Instantiation
     if (node == IdentityGraph::kNone) {
       AppendRhsValue(text, uses_.symbols, argument);
     } else if (identities) {
-      text += "[v" + std::to_string(analysis_.NumberOfOwn(node)) + "c0]";
+      const std::uint32_t before = analysis_.NumberOfOwn(node), after = analysis_.NumberOf(node);
+      text += "[";
+      if (before != after) text += std::to_string(before) + "->";
+      text += "v" + std::to_string(after) + "c0]";
     } else {
       text += Name(ValueOfClass(reader_.Plan(firing), bound, uses_.instantiations.Trace(firing), uses_.memory));
     }
@@ -302,8 +308,9 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
        p = uses_.memory.preference(p).next_of_instantiation) {
-    out.actions.push_back(DescribeAction(p, true));
-    out.made_result |= std::ranges::find(explanation.results, p) != explanation.results.end();
+    const bool is_result = std::ranges::find(explanation.results, p) != explanation.results.end();
+    out.actions.push_back(DescribeAction(p, true, is_result));
+    out.made_result |= is_result;
   }
   std::ranges::reverse(out.actions);
   return out;
@@ -467,7 +474,10 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       const auto describe_test = [&](const Test& test, ExplainedRule::Field& into, bool& state) {
         const Symbol equal = EqualitySymbol(test);
         std::vector<std::string> texts{Name(equal)}, identities;
+        bool compares_with_itself = false;
         ForEachTest(test, [&](const Test& part) {
+          compares_with_itself |=
+              IsCarried(part.kind) && part.kind != TestKind::kDisjunction && part.referent() == equal;
           if (part.kind == TestKind::kState) {
             state = true;
             texts.emplace_back("state");
@@ -484,6 +494,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
           }
         });
         identities.push_back(NumberOfVariable(equal));
+        if (compares_with_itself) std::ranges::rotate(texts, texts.begin() + 1);
         into.text = Joined(texts);
         into.identity = Joined(identities);
       };
@@ -541,6 +552,14 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
         described.attribute.value = matched(learned.attribute, wme.attribute);
         described.value.value = matched(learned.value, wme.value);
         described.acceptable = wme.acceptable;
+        described.above_own = uses_.memory.level(wme.id) < out.instance_level;
+        const WmeRecord& record = uses_.memory.record(builder_.elements()[positive - 1]);
+        if (out.instance_level > 1 && !described.above_own && !record.removing &&
+            record.preference != PreferenceId::kNone) {
+          const InstantiationId maker = uses_.memory.preference(record.preference).instantiation;
+          described.creator = uses_.instantiations[maker].serial;
+          described.creator_rule = uses_.descriptions.ProductionName(maker);
+        }
         continue;
       }
       const Explanation::Negation& negation = explanation.negations[builder_.negation_of_condition()[negated++]];
@@ -564,7 +583,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
   }
   // As in Soar 9.6.3 the rule's own actions stand in its order, and the identities beside them in that of the results.
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
-    ExplainedRule::Action action = DescribeAction(explanation.results[n], false);
+    ExplainedRule::Action action = DescribeAction(explanation.results[n], false, true);
     const Action* const learned =
         out.rule != nullptr ? &out.rule->actions[explanation.results.size() - n - 1] : nullptr;
     const auto text = [&](ExplainedRule::Field& field, const RhsValue* term) {

@@ -83,7 +83,7 @@ class ExplanationLog {
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
   /// `own`: also the identities that fields had before all joining.
-  ExplainedRule::Action DescribeAction(PreferenceId preference, bool own);
+  ExplainedRule::Action DescribeAction(PreferenceId preference, bool own, bool is_result);
   std::string FunctionText(const RhsValue& function, InstantiationId firing, bool identities);
   void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
   /// A negated condition: as it is written, as the rule that fired has it, and what it was.

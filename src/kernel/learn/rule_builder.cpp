@@ -39,6 +39,8 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   negated_.clear();
   constraints_.clear();
   variable_of_.clear();
+  order_of_.clear();
+  variables_made_ = 0;
   variable_of_symbol_.clear();
   identifier_of_variable_.clear();
   actions_.clear();
@@ -75,6 +77,7 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
       letter = 'c';
     }
   }
+  ++variables_made_;
   const std::uint32_t number = ++letters_[static_cast<std::size_t>(letter - 'a')];
   char name[16] = {'<', letter};
   char* end = std::to_chars(name + 2, std::end(name) - 1, number).ptr;
@@ -87,9 +90,15 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
 Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
   if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return value;
   const IdentityGraph::Node root = analysis_.graph().Root(node);
-  if (root >= variable_of_.size()) variable_of_.resize(analysis_.graph().size());
+  if (root >= variable_of_.size()) {
+    variable_of_.resize(analysis_.graph().size());
+    order_of_.resize(analysis_.graph().size(), 0);
+  }
   Symbol& variable = variable_of_[root];
-  if (!variable) variable = NewVariable(value);
+  if (!variable) {
+    variable = NewVariable(value);
+    order_of_[root] = variables_made_;
+  }
   return variable;
 }
 
@@ -394,7 +403,10 @@ void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
     if (bound == IdentityPlan::kLiteral) {
       // It is the condition's own.
       Symbol& own = own_variables_[draft.referent.bits()];
-      if (!own) own = NewVariable(Symbol());
+      if (!own) {
+        own = NewVariable(Symbol());
+        --variables_made_;  // It has no identity.
+      }
       draft.referent = own;
     } else {
       const Symbol value = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
@@ -677,6 +689,11 @@ bool RuleBuilder::Finish(std::string_view name) {
   }
   rule_ = Production::Make(rule);
   return true;
+}
+
+std::uint32_t RuleBuilder::OrderOf(IdentityGraph::Node node) const {
+  const IdentityGraph::Node root = analysis_.graph().Root(node);
+  return root < order_of_.size() ? order_of_[root] : 0;
 }
 
 std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {

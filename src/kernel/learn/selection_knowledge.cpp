@@ -18,6 +18,12 @@ void SelectionKnowledge::OperatorSelected(GoalLevel level, Symbol winner, bool f
   collected_.clear();
   Collect(slot, winner);
   if (collected_.empty()) return;
+  const std::uint32_t index = Make(collected_);
+  if (of_goal_.size() <= level) of_goal_.resize(level + 1u, kNone);
+  of_goal_[level] = index;
+}
+
+std::uint32_t SelectionKnowledge::Make(std::vector<PreferenceId> preferences) {
   std::uint32_t index;
   if (!free_.empty()) {
     index = free_.back();
@@ -27,10 +33,32 @@ void SelectionKnowledge::OperatorSelected(GoalLevel level, Symbol winner, bool f
     sets_.emplace_back();
   }
   sets_[index].references = 1;
-  sets_[index].preferences = collected_;
-  for (const PreferenceId p : collected_) uses_.preferences.AddReference(p);
-  if (of_goal_.size() <= level) of_goal_.resize(level + 1u, kNone);
-  of_goal_[level] = index;
+  for (const PreferenceId p : preferences) uses_.preferences.AddReference(p);
+  sets_[index].preferences = std::move(preferences);
+  return index;
+}
+
+void SelectionKnowledge::CollectProhibits(WmeId wme, std::vector<PreferenceId>& out) const {
+  const WorkingMemory& memory = uses_.memory;
+  const WmeRecord& record = memory.record(wme);
+  if (record.removing || record.preference == PreferenceId::kNone) return;
+  const SlotId slot = memory.preference(record.preference).slot;
+  if (slot == SlotId::kNone) return;
+  const std::size_t known = out.size();
+  for (PreferenceId p = memory.slot(slot).others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
+    if (memory.preference(p).type != PreferenceType::kProhibit) continue;
+    if (std::ranges::find(out, p) == out.end()) out.push_back(p);
+  }
+  std::reverse(out.begin() + static_cast<std::ptrdiff_t>(known), out.end());
+}
+
+std::uint32_t SelectionKnowledge::With(std::vector<PreferenceId> preferences, std::uint32_t selection) {
+  if (selection != kNone) {
+    for (const PreferenceId p : sets_[selection].preferences) {
+      if (std::ranges::find(preferences, p) == preferences.end()) preferences.push_back(p);
+    }
+  }
+  return Make(std::move(preferences));
 }
 
 void SelectionKnowledge::GoalRemoved(GoalLevel level) {

@@ -36,6 +36,10 @@ class SelectionKnowledge {
   std::uint32_t OfGoal(GoalLevel level) const { return level < of_goal_.size() ? of_goal_[level] : kNone; }
 
   std::span<const PreferenceId> preferences(std::uint32_t selection) const { return sets_[selection].preferences; }
+  /// Adds the preferences that prohibit something in the slot of an element, the oldest first.
+  void CollectProhibits(WmeId wme, std::vector<PreferenceId>& out) const;
+  /// A set of these and what another set has, if there is one; with one reference.
+  std::uint32_t With(std::vector<PreferenceId> preferences, std::uint32_t selection);
   void AddReference(std::uint32_t selection) { ++sets_[selection].references; }
   /// `later`: what nothing refers to any more goes with the next preference that is freed.
   [[gnu::noinline]] void DropReference(std::uint32_t selection, bool later);
@@ -53,6 +57,8 @@ class SelectionKnowledge {
     std::uint32_t references = 0;
     std::vector<PreferenceId> preferences;
   };
+  /// A set with one reference, which holds its preferences.
+  std::uint32_t Make(std::vector<PreferenceId> preferences);
   void Collect(SlotId slot, Symbol winner);
   void Add(PreferenceId preference);
   bool SaysTheSame(PreferenceId a, PreferenceId b) const;

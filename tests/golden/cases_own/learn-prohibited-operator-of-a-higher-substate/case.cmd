@@ -1,0 +1,11 @@
+# what is prohibited where a tested element was made counts, also in a substate above
+watch 0
+chunk always
+sp {init (state <s> ^superstate nil) --> (<s> ^name top ^num 1)}
+sp {prop0 (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name go0)}
+sp {lprop0a (state <s> ^superstate <ss>)  (<ss> ^num <v0>) --> (<s> ^operator <o> + ) (<o> ^name lo0a ^val <v0>)}
+sp {lprop0b (state <s> ^superstate <ss>)  (<ss> ^num <v0>) --> (<s> ^operator <o> + =) (<o> ^name lo0b ^val <v0>)}
+sp {lpref00 (state <s> ^operator <o> +) (<o> ^name lo0b) --> (<s> ^operator <o> ~)}
+sp {dres0 (state <s> ^superstate <sx>) (<sx> ^superstate <ss>) (<sx> ^operator.val <zz>) --> (<sx> ^l03 <zz>)}
+run 5
+print --chunks --full
