@@ -23,6 +23,7 @@ void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
   }
   memory.id_table = tables_.Allocate(bits);
   memory.id_bits = bits;
+  memory.has_tables = true;
   std::uint32_t index = memory.first;
   while (index != kNil && items_[index].next != kNil) {
     index = items_[index].next;
@@ -48,6 +49,7 @@ void AlphaMemories::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
   }
   memory.pair_table = tables_.Allocate(bits);
   memory.pair_bits = bits;
+  memory.has_tables = true;
   std::uint32_t index = memory.first;
   while (index != kNil && items_[index].next != kNil) {
     index = items_[index].next;
@@ -58,6 +60,47 @@ void AlphaMemories::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
     items_[index].next_in_pair = head;
     head = index;
   }
+}
+
+void AlphaMemories::BuildValueTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = states_[alpha];
+  while (memory.count > 1u << bits) {
+    ++bits;
+  }
+  if (alpha >= value_tables_.size()) {
+    value_tables_.resize(states_.size());
+  }
+  if (memory.value_bits != 0) {
+    tables_.Free(value_tables_[alpha], memory.value_bits);
+  }
+  value_tables_[alpha] = tables_.Allocate(bits);
+  memory.value_bits = bits;
+  memory.has_tables = true;
+  for (std::uint32_t index = memory.first; index != kNil; index = items_[index].next) {
+    std::uint32_t& head = tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, bits)];
+    items_[index].next_in_value = head;
+    head = index;
+  }
+}
+
+void AlphaMemories::InsertByValue(std::uint32_t alpha, std::uint32_t index) {
+  const AlphaState& memory = states_[alpha];
+  if (memory.count > 1u << memory.value_bits) [[unlikely]] {
+    BuildValueTable(alpha, static_cast<std::uint8_t>(memory.value_bits + 2));
+    return;
+  }
+  std::uint32_t& head = tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, memory.value_bits)];
+  items_[index].next_in_value = head;
+  head = index;
+}
+
+void AlphaMemories::TakeOutByValue(std::uint32_t alpha, std::uint32_t index) {
+  const AlphaState& memory = states_[alpha];
+  std::uint32_t* link = &tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, memory.value_bits)];
+  while (*link != index) {
+    link = &items_[*link].next_in_value;
+  }
+  *link = items_[index].next_in_value;
 }
 
 void AlphaMemories::Drop(std::uint32_t alpha, ElementLinks& elements) {
@@ -78,6 +121,9 @@ void AlphaMemories::Drop(std::uint32_t alpha, ElementLinks& elements) {
   }
   if (memory.pair_bits != 0) {
     tables_.Free(memory.pair_table, memory.pair_bits);
+  }
+  if (memory.value_bits != 0) {
+    tables_.Free(value_tables_[alpha], memory.value_bits);
   }
   memory = AlphaState();
 }

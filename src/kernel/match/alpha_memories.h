@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "kernel/base/plain_vector.h"
 #include "kernel/match/element_links.h"
@@ -29,6 +30,7 @@ struct AlphaItem {
   std::uint32_t next, previous;                      ///< All items of the memory, newest first.
   std::uint32_t next_in_bucket, previous_in_bucket;  ///< Index by identifier, if the memory has one.
   std::uint32_t next_in_pair;                        ///< Index by identifier and value, if it has one.
+  std::uint32_t next_in_value;                       ///< Index by value, if it has one.
   std::uint32_t next_of_wme;
 };
 
@@ -37,12 +39,14 @@ struct AlphaState {
   std::uint32_t count = 0;
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
-  std::uint8_t id_bits = 0, pair_bits = 0;  ///< 0: no table; the items are searched one by one.
-  std::uint32_t sparse = 0;                 ///< Joins that feed sparse memories; kInPaths, kBusy.
+  std::uint8_t id_bits = 0, pair_bits = 0, value_bits = 0;  ///< 0: no table; the items are searched one by one.
+  bool has_tables = false;                                  ///< Any of them is not 0.
+  std::uint32_t sparse = 0;  ///< Joins that feed sparse memories; kInPaths, kBusy, kPrimed.
 
   static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
   static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see ReteState::only_id.
-  static constexpr std::uint32_t kFlags = kInPaths | kBusy;
+  static constexpr std::uint32_t kPrimed = 0x20000000u;   ///< Its items may be in another order than elements came.
+  static constexpr std::uint32_t kFlags = kInPaths | kBusy | kPrimed;
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
@@ -94,6 +98,74 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     first_item = index;
     ++memory.count;
 
+    if (memory.has_tables) {
+      InsertInTables(memory, alpha, index);
+    }
+  }
+  /// Takes an item off its memory's list and indexes. Counting is the caller's part, and so is the element's own list.
+  [[gnu::always_inline]] void TakeOut(AlphaState & memory, std::uint32_t index) {
+    const Records<AlphaItem> all = items_.records();
+    const AlphaItem& item = all[index];
+    const std::uint32_t next = item.next;
+    const std::uint32_t previous = item.previous;
+    if (next != kNil) {
+      all[next].previous = previous;
+    }
+    (previous != kNil ? all[previous].next : memory.first) = next;
+    if (memory.has_tables) {
+      TakeOutOfTables(memory, item, index);
+    }
+  }
+  [[gnu::always_inline]] void Free(std::uint32_t index) {
+    items_[index].next = free_;
+    free_ = index;
+  }
+  /// A memory goes, with all of its items.
+  void Drop(std::uint32_t alpha, ElementLinks & elements);
+
+  /// Makes an index of 2^bits buckets, or more if there are more items.
+  void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
+  void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
+  /// The first item of the bucket of an index, which the memory must have.
+  std::uint32_t IdBucket(const AlphaState& memory, std::uint32_t id) const {
+    return tables_[memory.id_table + TablePool::Hash(id, memory.id_bits)];
+  }
+  std::uint32_t PairBucket(const AlphaState& memory, std::uint32_t key) const {
+    return tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
+  }
+  /// Calls visit(item) for the items whose element has a value. An index that is worth its price is made.
+  template <typename Visit>
+  void ForEachWithValue(std::uint32_t alpha, std::uint32_t value, Visit && visit) {
+    const AlphaState& memory = states_[alpha];
+    if (memory.value_bits == 0 && memory.count > kTinyMemory) [[unlikely]] {
+      BuildValueTable(alpha, 5);
+    }
+    const bool has_table = memory.value_bits != 0;
+    std::uint32_t index =
+        has_table ? tables_[value_tables_[alpha] + TablePool::Hash(value, memory.value_bits)] : memory.first;
+    for (; index != kNil; index = has_table ? items_[index].next_in_value : items_[index].next) {
+      if (items_[index].value == value) {
+        visit(items_[index]);
+      }
+    }
+  }
+  /// All items in an index, to be compared with the memory's list.
+  std::uint32_t CountInIdTable(const AlphaState& memory) const;
+  std::uint32_t CountInPairTable(const AlphaState& memory) const;
+
+  /// Gives the memory of all items back; no element is in any memory then.
+  void Release();
+  void ShrinkToFit() {
+    states_.shrink_to_fit();
+  }
+  std::size_t MemoryBytes() const {
+    return states_.capacity() * sizeof(AlphaState) + items_.MemoryBytes() + tables_.MemoryBytes();
+  }
+
+ private:
+  [[gnu::always_inline]] void InsertInTables(AlphaState & memory, std::uint32_t alpha, std::uint32_t index) {
+    const Records<AlphaItem> all = items_.records();
+    AlphaItem& item = all[index];
     if (memory.id_bits != 0) {
       if (memory.count > 1u << memory.id_bits) [[unlikely]] {
         BuildIdTable(alpha, static_cast<std::uint8_t>(memory.id_bits + 2));
@@ -117,17 +189,12 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
         head = index;
       }
     }
-  }
-  /// Takes an item off its memory's list and indexes. Counting is the caller's part, and so is the element's own list.
-  [[gnu::always_inline]] void TakeOut(AlphaState & memory, std::uint32_t index) {
-    const Records<AlphaItem> all = items_.records();
-    const AlphaItem& item = all[index];
-    const std::uint32_t next = item.next;
-    const std::uint32_t previous = item.previous;
-    if (next != kNil) {
-      all[next].previous = previous;
+    if (memory.value_bits != 0) [[unlikely]] {
+      InsertByValue(alpha, index);
     }
-    (previous != kNil ? all[previous].next : memory.first) = next;
+  }
+  [[gnu::always_inline]] void TakeOutOfTables(AlphaState & memory, const AlphaItem& item, std::uint32_t index) {
+    const Records<AlphaItem> all = items_.records();
     if (memory.id_bits != 0) {
       const std::uint32_t next_in_bucket = item.next_in_bucket;
       if (next_in_bucket != kNil) {
@@ -145,44 +212,20 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
       }
       *link = item.next_in_pair;
     }
+    if (memory.value_bits != 0) [[unlikely]] {
+      TakeOutByValue(item.alpha, index);
+    }
   }
-  [[gnu::always_inline]] void Free(std::uint32_t index) {
-    items_[index].next = free_;
-    free_ = index;
-  }
-  /// A memory goes, with all of its items.
-  void Drop(std::uint32_t alpha, ElementLinks & elements);
-
-  /// Makes an index of 2^bits buckets, or more if there are more items.
-  void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
-  void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
-  /// The first item of the bucket of an index, which the memory must have.
-  std::uint32_t IdBucket(const AlphaState& memory, std::uint32_t id) const {
-    return tables_[memory.id_table + TablePool::Hash(id, memory.id_bits)];
-  }
-  std::uint32_t PairBucket(const AlphaState& memory, std::uint32_t key) const {
-    return tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
-  }
-  /// All items in an index, to be compared with the memory's list.
-  std::uint32_t CountInIdTable(const AlphaState& memory) const;
-  std::uint32_t CountInPairTable(const AlphaState& memory) const;
-
-  /// Gives the memory of all items back; no element is in any memory then.
-  void Release();
-  void ShrinkToFit() {
-    states_.shrink_to_fit();
-  }
-  std::size_t MemoryBytes() const {
-    return states_.capacity() * sizeof(AlphaState) + items_.MemoryBytes() + tables_.MemoryBytes();
-  }
-
- private:
+  void InsertByValue(std::uint32_t alpha, std::uint32_t index);
+  void TakeOutByValue(std::uint32_t alpha, std::uint32_t index);
+  void BuildValueTable(std::uint32_t alpha, std::uint8_t bits);
   std::uint32_t CountInTable(std::uint32_t table, std::uint32_t bits, std::uint32_t AlphaItem::*next) const;
 
   PlainVector<AlphaState> states_;
   RecordArray<AlphaItem> items_;
   std::uint32_t free_ = kNil;
   TablePool tables_;
+  std::vector<std::uint32_t> value_tables_;  ///< By alpha memory, of those that have value_bits.
 };
 
 }  // namespace soarbox::kernel

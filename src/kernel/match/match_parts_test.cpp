@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <new>
 #include <vector>
 
@@ -241,6 +242,30 @@ TEST_F(MatchPartsTest, AJoinIsOnItsMemorysListWhileItIsLinked) {
   EXPECT_TRUE(nodes.marks(2).Is(NodeMarks::kLeftLinked));
 }
 
+TEST_F(MatchPartsTest, ElementsAreFoundByTheirValueWithAndWithoutATable) {
+  alphas.Begin(0);
+  std::vector<std::uint32_t> entered;
+  const auto found = [&](std::uint32_t value) {
+    std::vector<std::uint32_t> all;
+    alphas.ForEachWithValue(0, Number(value).bits(), [&](const AlphaItem& item) { all.push_back(item.wme); });
+    return all;
+  };
+  for (std::uint32_t n = 0; n < 300; ++n) {
+    Wme element;
+    element.id = Id(1 + n % 7);
+    element.value = Number(n % 100);
+    entered.push_back(Enter());
+    alphas.Insert(0, entered[n], element, elements[entered[n]].first_item);
+    if (n == 5 || n == 50) {
+      EXPECT_THAT(found(3), ElementsAre(entered[3]));
+    }
+  }
+  EXPECT_THAT(found(3), testing::UnorderedElementsAre(entered[3], entered[103], entered[203]));
+  alphas.TakeOut(alphas[0], elements[entered[103]].first_item);
+  EXPECT_THAT(found(3), testing::UnorderedElementsAre(entered[3], entered[203]));
+  EXPECT_THAT(found(100), IsEmpty());
+}
+
 // Parked pairs --------------------------------------------------------------------------------------------------------
 
 TEST_F(MatchPartsTest, AParkedPairIsFoundByItsKeyUntilItsElementHasLeft) {
@@ -265,6 +290,22 @@ TEST_F(MatchPartsTest, AParkedPairIsFoundByItsKeyUntilItsElementHasLeft) {
   sparse.TakePairs(memory, 17, take);
   EXPECT_THAT(taken, ElementsAre(a));
   EXPECT_EQ(memory.indexed, 0u);
+}
+
+TEST_F(MatchPartsTest, ARunIsStaleOnceItsTokenHasLeftAndThenMakesRoom) {
+  SparseMemories sparse;
+  SparseState& memory = sparse[sparse.Take()];
+  const std::uint32_t a = Enter(), b = Enter();
+  const std::uint32_t first = tokens.Make(elements, 1, kNil, a), second = tokens.Make(elements, 1, kNil, b);
+  for (int n = 0; n < 20; ++n) {
+    sparse.Park(tokens, memory,
+                {n == 0 ? second : first, 3, tokens.TakeSerial(), elements[b].serial, elements[a].serial});
+    if (n == 10) tokens[first].forgotten = tokens.next_serial();
+  }
+  EXPECT_EQ(memory.saved, 3 * 10u);  // There was room for sixteen: ten were stale then.
+  EXPECT_EQ(memory.runs.size(), 10u);
+  EXPECT_EQ(memory.runs.front().parent, second);
+  EXPECT_TRUE(std::ranges::none_of(memory.runs, [&](const ParkedRun& run) { return sparse.IsStale(tokens, run); }));
 }
 
 TEST_F(MatchPartsTest, AMemoryBecomesSparseWhenItsScoreReachesTheThreshold) {

@@ -136,6 +136,12 @@ struct Node : NodeShape {
         of_both(static_cast<std::uint8_t>(NodeKind::kJoin), static_cast<std::uint8_t>(KeyKind::kId));
     return (Bits() & kBoth) == kJoinById;
   }
+  /// A memory whose pairs are found by the value of their element and what their token binds: (s ^many x) above
+  /// (x ^attribute known).
+  bool IsHop() const {
+    return key_id_levels == 0 && key_id_field == Field::kValue &&
+           (key == KeyKind::kId || (key == KeyKind::kIdValue && key_value_levels != 0));
+  }
   /// kProduction, kGuard: its number.
   std::uint32_t rule() const { return counterpart; }
 

@@ -217,6 +217,7 @@ std::uint32_t ReteState::MakeAlpha(const std::uint32_t (&constants)[3], std::uin
       add_if_fits(wme);
     }
   }
+  alphas[alpha].sparse |= alphas[alpha].count > 1 ? AlphaState::kPrimed : 0;
   return alpha;
 }
 

@@ -243,6 +243,14 @@ class Checker {
         Expect(pair.key == KeyOfPair(s_, node, pair.parent, pair.wme).key, "wrong key of a parked pair", index);
       }
     });
+    for (const ParkedRun& run : memory.runs) {
+      if (!SparseMemories::IsStale(s_.tokens, run)) {
+        ForEachOfRun(s_, index, run, [&](std::uint32_t wme) {
+          --pairs[{run.parent, wme}];
+          return false;
+        });
+      }
+    }
     Expect(indexed == memory.indexed, "wrong count of parked pairs", index);
     for (const auto& [pair, missing] : pairs) {
       Expect(missing == 0, "pair of a sparse memory is lost or there twice", index);

@@ -108,6 +108,24 @@ inline bool HasKey(const ReteState& state, const Node& node, std::uint32_t token
   return HasKey(state, node, state.tokens[token].parent, state.tokens[token].wme, wme);
 }
 
+/// Calls visit(element) for the pairs of a run, parked in a sparse memory, that are still there, newest element first,
+/// until it returns true.
+template <typename Visit>
+void ForEachOfRun(const ReteState& state, std::uint32_t memory, const ParkedRun& run, Visit&& visit) {
+  const AlphaState& alpha = state.alphas[state.network->node(state.network->node(memory).parent).alpha];
+  const std::uint32_t id = state.tokens[run.parent].key;
+  const Records<const AlphaItem> all = state.alphas.items();
+  for (std::uint32_t index = state.alphas.IdBucket(alpha, id); index != kNil; index = all[index].next_in_bucket) {
+    const AlphaItem& item = all[index];
+    const std::uint64_t arrival = state.links[item.wme].serial;
+    if (item.id == id && arrival <= run.newest) {
+      if (arrival < run.oldest || visit(item.wme)) {
+        return;
+      }
+    }
+  }
+}
+
 inline std::uint32_t ConjunctiveKey(std::uint32_t parent, std::uint32_t wme) {
   return (parent * 0x85EBCA6Bu) ^ (wme * 0xC2B2AE35u);
 }

@@ -227,6 +227,89 @@ void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uin
   JoinFrom(join, network->node(join), token, key, item);
 }
 
+/// Hands a token and the elements of a bucket, from `item` on, to a sparse memory that is a hop. What does not join is
+/// parked in runs.
+template <RightSide::Kind kind>
+[[gnu::always_inline]] inline void ReteState::JoinRuns(const RightSide& right, std::uint32_t index, std::uint32_t token,
+                                                       std::uint32_t id, std::uint32_t item) {
+  const Node& node = network->node(index);
+  const Node& joined = network->node(node.first_child);
+  constexpr bool kWithValue = kind == RightSide::kPairTable || kind == RightSide::kPairList;
+  NodeState& memory = nodes[index];
+  SparseState& parked = sparse[memory.place];
+  KeyParts key;
+  if (kWithValue) {
+    key.value = FieldOf(wmes.data()[ElementAt(tokens.read(), token, node.key_value_levels - 1u)], node.key_value_field);
+  }
+  ParkedRun run{token, 0, tokens.next_serial(), 0, 0};
+  while (item != kNil) {
+    const Records<const AlphaItem> all = alphas.items();
+    const std::uint32_t first = item;
+    std::uint32_t last = item;
+    std::uint32_t found = kNil;
+    for (; item != kNil; item = all[item].next_in_bucket) {
+      const AlphaItem& at = all[item];
+      if (at.id != id) {
+        continue;
+      }
+      key.id = at.value;
+      key.key = kWithValue ? PairKey(key.id, key.value) : key.id;
+      found = right.FirstOf<kind>(key);
+      if (found != kNil && joined.test_count != 0) {
+        found = FirstPassingOf(*this, right, joined, key, token, at.wme, found);
+      }
+      if (found != kNil) [[unlikely]] {
+        break;
+      }
+      ++run.count;
+      last = item;
+    }
+    const std::uint64_t serial = run.serial + run.count;
+    const std::uint32_t arrived = run.count + (found != kNil ? 1 : 0);
+    tokens.set_next_serial(run.serial + arrived);
+    memory.count += arrived;
+    tokens[token].pairs += arrived;
+    if (run.count != 0) {
+      run.newest = links[all[first].wme].serial;
+      run.oldest = links[all[last].wme].serial;
+      sparse.Park(tokens, parked, run);
+    }
+    if (found == kNil) {
+      return;
+    }
+    const std::uint32_t wme = all[item].wme;
+    item = all[item].next_in_bucket;
+    JoinSparsely(index, token, wme, serial, key, found);
+    while (item != kNil && alphas.item(item).id != id) {
+      item = alphas.item(item).next_in_bucket;
+    }
+    run.serial = tokens.next_serial();
+    run.count = 0;
+  }
+}
+
+void ReteState::JoinHop(std::uint32_t index, std::uint32_t token, std::uint32_t id, std::uint32_t item) {
+  const std::uint32_t join = network->node(index).first_child;
+  LinkOnlyJoin(index, join);
+  const RightSide right(alphas, network->node(join));
+  switch (right.kind()) {
+    case RightSide::kIdTable:
+      JoinRuns<RightSide::kIdTable>(right, index, token, id, item);
+      break;
+    case RightSide::kPairTable:
+      JoinRuns<RightSide::kPairTable>(right, index, token, id, item);
+      break;
+    case RightSide::kIdList:
+      JoinRuns<RightSide::kIdList>(right, index, token, id, item);
+      break;
+    case RightSide::kPairList:
+      JoinRuns<RightSide::kPairList>(right, index, token, id, item);
+      break;
+    case RightSide::kAll:
+      break;  // The memory has a key.
+  }
+}
+
 /// Hands the elements that a new token joins with, from `item` on, to the sparse memory below the join.
 void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32_t token, const KeyParts& key,
                            std::uint32_t item) {
@@ -245,6 +328,9 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
       LeftSparse(node.only_memory, token, right.Element(next));
       next = FirstPassing(*this, right, node, key, parent, wme, right.Next(next, key));
     } while (next != kNil);
+  } else if (node.test_count == 0 && network->node(node.only_memory).IsHop() &&
+             (alphas[node.alpha].sparse & AlphaState::kPrimed) == 0) {
+    JoinHop(node.only_memory, token, key.id, item);
   } else if (node.test_count == 0) {
     AddPairs<true>(*this, node.only_memory, TokenAndBucket{*this, token, item, key.id});
   } else {
@@ -483,6 +569,9 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   gathered.clear();
   ForEachLeft(*this, node, nodes.BucketHead(node.parent, key), key, element,
               [this](std::uint32_t token) { gathered.push_back(token); });
+  if (!memory.runs.empty()) {
+    GatherFromRuns(join, wme, key);
+  }
   if (memory.logged != 0 || memory.indexed != 0) {
     GatherParked(join, wme, key);
   }

@@ -13,6 +13,15 @@
 /// unlinking happens when it would: pairs are counted off when their element leaves the join's alpha memory or their
 /// token goes. Parked pairs themselves are dropped later, when they are in the way.
 ///
+/// A memory is a *hop* if its pairs are found by the value of their element: (s ^many x) above (x ^attribute known). A
+/// token that comes meets each x of a bucket, and hardly any has the attribute. Those that follow each other in the
+/// bucket are parked as one *run*, which only says between which elements they are; their number is counted, but
+/// nothing is written for each. An element that comes to the join below finds x by the value, the tokens above by x's
+/// identifier, and takes its pair out of the run, which becomes two. Its serial number is that of the run and how many
+/// of the run's elements stand in front of it: less than when the run was parked, if some have left, but of the same
+/// order. A run's elements come in the order in which the bucket has them, so that a bucket in any other order (of an
+/// alpha memory that was filled when a rule was added) has none.
+///
 /// A parked pair's token always exists: it joins with the pair's element, so it was made if its own memory is sparse.
 namespace soarbox::kernel {
 
@@ -36,6 +45,8 @@ bool AreStable(const Network& network, const Node& node) {
   return std::ranges::all_of(network.tests(node), IsStable);
 }
 
+constexpr std::size_t kMostRuns = 2048;  ///< That are searched one by one.
+
 bool IsOnlyChild(const Network& network, const Node& node) {
   const Node& first = network.node(network.node(node.parent).first_child);
   return &first == &node && node.next_sibling == kNil;
@@ -44,6 +55,117 @@ bool IsOnlyChild(const Network& network, const Node& node) {
 }  // namespace
 
 // Parked pairs --------------------------------------------------------------------------------------------------------
+
+/// Makes tokens of those pairs in runs that an element joins with, and gathers them: pairs of an element that has the
+/// new one's identifier as its value, and of a younger token.
+void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint32_t key) {
+  const Network& net = *network;
+  const Node& node = net.node(join);
+  const Node& memory = net.node(node.parent);
+  const Node& feeding = net.node(memory.parent);
+  const Wme& element = wmes[wme];
+  const NodeMarks above = nodes.marks(feeding.parent);
+  const bool sorted = !above.Is(NodeMarks::kSparse) || !SparseOf(feeding.parent).unsorted;
+  const std::size_t before = gathered.size();
+  bool too_many = false;  // The table finds them faster.
+  alphas.ForEachWithValue(feeding.alpha, element.id.bits(), [&](const AlphaItem& item) {
+    const std::uint64_t arrival = links[item.wme].serial;
+    for (std::uint32_t token = nodes.BucketHead(feeding.parent, above.bits(), item.id); token != kNil;
+         token = tokens[token].next_in_bucket) {
+      if (tokens[token].serial < arrival) {
+        if (sorted) {
+          return;
+        }
+        continue;
+      }
+      if (tokens[token].key != item.id || !HasKey(*this, node, token, item.wme, element) ||
+          !PassesAll(*this, net, node, token, item.wme, element)) {
+        continue;
+      }
+      too_many = SparseOf(node.parent).runs.size() > kMostRuns;
+      if (too_many) {
+        return;
+      }
+      const auto is_pair = [&](std::uint32_t made) {
+        return tokens[made].parent == token && tokens[made].wme == item.wme;
+      };
+      ParkedPair pair{token, item.wme, 0, key, kNil};
+      if (std::ranges::none_of(gathered, is_pair) && TakeFromRun(node.parent, pair)) {
+        gathered.push_back(Unpark(node.parent, pair));
+      }
+    }
+  });
+  if (gathered.size() > before) {
+    tokens.SortByAge(gathered);
+    sparse.CountLate(SparseOf(node.parent), gathered.size() - before);
+  }
+  if (too_many) {
+    ExpandRuns(node.parent);
+  }
+}
+
+/// Takes a pair out of the run that it is in and finds its serial number. Those before it and those behind it stay
+/// runs.
+bool ReteState::TakeFromRun(std::uint32_t index, ParkedPair& pair) {
+  SparseState& memory = SparseOf(index);
+  const std::uint64_t arrival = links[pair.wme].serial;
+  for (std::size_t n = memory.runs.size(); n-- > 0;) {
+    ParkedRun& run = memory.runs[n];
+    if (run.parent != pair.parent || arrival > run.newest || arrival < run.oldest ||
+        SparseMemories::IsStale(tokens, run)) {
+      continue;
+    }
+    ParkedRun rest = run;
+    std::uint64_t last = 0;
+    run.count = rest.count = 0;
+    ForEachOfRun(*this, index, run, [&](std::uint32_t wme) {
+      const std::uint64_t came = links[wme].serial;
+      if (came > arrival) {
+        ++run.count;
+        last = came;
+      } else if (came < arrival) {
+        rest.newest = rest.count == 0 ? came : rest.newest;
+        ++rest.count;
+      }
+      return false;
+    });
+    pair.serial = run.serial + run.count;
+    rest.serial = pair.serial + 1;
+    run.oldest = last;
+    if (run.count == 0) {
+      run = rest;
+      rest.count = 0;
+    }
+    if (run.count == 0) {
+      run = memory.runs.back();
+      memory.runs.pop_back();
+    } else if (rest.count != 0) {
+      sparse.Park(tokens, memory, rest);
+    }
+    return true;
+  }
+  return false;
+}
+
+/// Parks the pairs of all runs one by one.
+void ReteState::ExpandRuns(std::uint32_t index) {
+  SparseState& memory = SparseOf(index);
+  const Node& node = network->node(index);
+  for (const ParkedRun& run : memory.runs) {
+    if (SparseMemories::IsStale(tokens, run)) {
+      continue;
+    }
+    std::uint64_t serial = run.serial;
+    ForEachOfRun(*this, index, run, [&](std::uint32_t wme) {
+      if (memory.logged == memory.log_limit) {
+        sparse.MakeRoomToPark(tokens, links, memory);
+      }
+      memory.log[memory.logged++] = {run.parent, wme, serial++, KeyOfPair(*this, node, run.parent, wme).key, kNil};
+      return false;
+    });
+  }
+  memory.runs.clear();
+}
 
 /// Makes tokens of the parked pairs that an element joins with and gathers them.
 void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_t key) {
@@ -188,6 +310,7 @@ void ReteState::MakePlain(std::uint32_t index) {
   }
   NodeState& state = nodes[index];
   SparseState& memory = SparseOf(index);
+  ExpandRuns(index);
   sparse.Index(tokens, links, memory);
   sparse.TakeTable(memory, [&](const ParkedPair& pair) {
     if (!IsStale(pair)) {

@@ -136,6 +136,9 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item);
   void JoinSparse(const Node& join, const RightSide& right, std::uint32_t token, const KeyParts& key,
                   std::uint32_t item);
+  void JoinHop(std::uint32_t node, std::uint32_t token, std::uint32_t id, std::uint32_t item);
+  template <RightSide::Kind kind>
+  void JoinRuns(const RightSide& right, std::uint32_t node, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftPlain(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
@@ -156,6 +159,9 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool IsStale(const ParkedPair& pair) const {
     return SparseMemories::IsStale(tokens, links, pair);
   }
+  void GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint32_t key);
+  bool TakeFromRun(std::uint32_t node, ParkedPair & pair);
+  void ExpandRuns(std::uint32_t node);
   void ForgetPairs(std::uint32_t join, std::uint32_t wme);
   /// Counts off pairs of a sparse memory.
   void ForgetPairsOf(std::uint32_t memory, std::uint32_t pairs) {

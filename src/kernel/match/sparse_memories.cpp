@@ -42,6 +42,24 @@ void SparseMemories::MakeRoomToPark(const TokenPool& tokens, const ElementLinks&
   }
 }
 
+void SparseMemories::MakeRoomForRuns(const TokenPool& tokens, SparseState& memory) {
+  std::size_t kept = 0;
+  for (const ParkedRun& run : memory.runs) {
+    if (IsStale(tokens, run)) {
+      memory.saved += run.count;
+    } else {
+      memory.runs[kept++] = run;
+    }
+  }
+  memory.runs.resize(kept);
+  memory.run_limit = std::min<std::size_t>(3 * kept + 16, std::max<std::size_t>(most_, kept));
+  if (memory.run_limit == kept) {
+    log_at_limit_ = true;
+    throw std::bad_alloc();
+  }
+  memory.runs.reserve(memory.run_limit);
+}
+
 void SparseMemories::Index(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory) {
   if (memory.bits == 0 || memory.indexed + memory.logged > 1u << memory.bits) {
     GrowTable(tokens, elements, memory, memory.logged);
@@ -124,7 +142,7 @@ std::size_t SparseMemories::MemoryBytes() const {
   std::size_t bytes =
       states_.size() * (sizeof(SparseState) + sizeof(states_[0])) + parked_.MemoryBytes() + tables_.MemoryBytes();
   for (const auto& state : states_) {
-    bytes += state->log.capacity() * sizeof(ParkedPair);
+    bytes += state->log.capacity() * sizeof(ParkedPair) + state->runs.capacity() * sizeof(ParkedRun);
   }
   return bytes;
 }

@@ -25,6 +25,15 @@ struct ParkedPair {
   std::uint32_t next;  ///< In its bucket, or in the free list.
 };
 
+/// Pairs of one token with elements of its bucket that follow each other there, newest first, and that joined with
+/// nothing when the token came. Stale once the token has left; an element that has left is in the bucket no more.
+struct ParkedRun {
+  std::uint32_t parent;
+  std::uint32_t count;           ///< At first; so many serial numbers are theirs.
+  std::uint64_t serial;          ///< Of the first pair.
+  std::uint64_t newest, oldest;  ///< When the first and the last element came.
+};
+
 /// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
 /// them into a table by their key.
 struct SparseState {
@@ -33,13 +42,15 @@ struct SparseState {
   std::vector<ParkedPair> log;  ///< In use: the first `logged`.
   std::uint32_t logged = 0;
   std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
-  std::uint32_t indexed = 0;    ///< Pairs in the table.
-  std::uint32_t table = kNil;   ///< Of buckets.
-  std::uint8_t bits = 0;        ///< 0: no table.
-  bool unsorted = false;        ///< Buckets of tokens may be out of order.
-  std::uint8_t tries = 0;       ///< How often the memory was plain again after it had been sparse.
-  std::uint32_t saved = 0;      ///< Pairs that went without ever being tokens.
-  std::uint32_t late = 0;       ///< Pairs that became tokens later.
+  std::vector<ParkedRun> runs;
+  std::size_t run_limit = 0;   ///< Likewise.
+  std::uint32_t indexed = 0;   ///< Pairs in the table.
+  std::uint32_t table = kNil;  ///< Of buckets.
+  std::uint8_t bits = 0;       ///< 0: no table.
+  bool unsorted = false;       ///< Buckets of tokens may be out of order.
+  std::uint8_t tries = 0;      ///< How often the memory was plain again after it had been sparse.
+  std::uint32_t saved = 0;     ///< Pairs that went without ever being tokens.
+  std::uint32_t late = 0;      ///< Pairs that became tokens later.
 };
 
 /// The parked pairs of an agent's sparse memories, and what decides which memories are to become sparse or plain.
@@ -63,6 +74,15 @@ class [[gnu::visibility("hidden")]] SparseMemories {
 
   static bool IsStale(const TokenPool& tokens, const ElementLinks& elements, const ParkedPair& pair) {
     return pair.serial < tokens[pair.parent].forgotten || pair.serial < elements[pair.wme].serial;
+  }
+  static bool IsStale(const TokenPool& tokens, const ParkedRun& run) {
+    return run.serial < tokens[run.parent].forgotten;
+  }
+  void Park(const TokenPool& tokens, SparseState& memory, const ParkedRun& run) {
+    if (memory.runs.size() == memory.run_limit) [[unlikely]] {
+      MakeRoomForRuns(tokens, memory);
+    }
+    memory.runs.push_back(run);
   }
   /// Drops stale pairs from a full log, and lets it grow if that leaves too many.
   void MakeRoomToPark(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory);
@@ -171,6 +191,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   std::size_t MemoryBytes() const;
 
  private:
+  void MakeRoomForRuns(const TokenPool& tokens, SparseState& memory);
   void GrowTable(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory, std::size_t more);
   void Free(std::uint32_t index) {
     parked_[index].next = free_parked_;
