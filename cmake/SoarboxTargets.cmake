@@ -238,7 +238,7 @@ function(soarbox_test name)
   # The stages of continuous integration that build and run the program (tests/CMakeLists.txt) become labels, as its name
   # does, so that what is built there is run, too.
   set(stages "")
-  if(name MATCHES "^(viewer|debugger|mission|sim|world|run_control)_")
+  if(name MATCHES "^(viewer|debugger|explain|mission|sim|vocabulary|world|run_control)_")
     list(APPEND stages stage_release)
   elseif(NOT name MATCHES "^threads_")
     list(APPEND stages stage_sanitized)
