@@ -325,7 +325,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   resume->add_option("--agent", options.agents, "Replace only this agent's rules (may be repeated)");
   resume->add_option("--seconds", options.seconds, "Continue for this long (default: as long as the recording)")
       ->check(NumberIn(0, kLongest_s));
-  resume->add_option("--record", options.output, "Record the new future, whole, to this file");
+  resume->add_option("--record", options.output, "Record the whole new run to this file");
   resume->add_flag("--json", options.json, "Print events as lines of JSON");
   CLI::App* compare =
       program.add_subcommand("compare", "Report where two recordings differ first, and how they continue");

@@ -11,7 +11,7 @@ constexpr std::string_view kWalkerRules = R"TEXT(# NAME: walk from waypoint to w
 #
 # An agent makes one decision after the other. Each time, rules propose operators, one is selected, and rules that
 # match the selected operator apply it. What the agent perceives is below ^io.input-link (docs/percepts.md);
-# what it says goes below ^io.output-link (docs/commands.md).
+# its commands go below ^io.output-link (docs/commands.md).
 
 # Propose: for each waypoint where the agent is not, going there is possible.
 # `+` proposes, `=` says that it does not matter which of several is selected.
@@ -23,7 +23,7 @@ sp {NAME*propose*move-to
    (<o> ^name move-to ^waypoint <name>)
 }
 
-# Apply: say the command. The world answers below it with ^status complete, or ^status error and a ^reason.
+# Apply: give the command. The world answers below it with ^status complete, or ^status error and a ^reason.
 sp {NAME*apply*move-to
    (state <s> ^operator <o> ^io.output-link <out>)
    (<o> ^name move-to ^waypoint <name>)
@@ -298,6 +298,7 @@ std::string Test(std::string_view seconds, std::initializer_list<Check> checks) 
 # Runs the scenario headless with three seeds and checks what a viewer would see.
 # SOARBOX=/path/to/soarbox sh test.sh takes another soarbox than the installed one.
 soarbox=${SOARBOX:-soarbox}
+command -v "$soarbox" >/dev/null || { echo "there is no $soarbox; name it: SOARBOX=/path/to/soarbox sh test.sh"; exit 1; }
 cd "$(dirname "$0")" || exit 1
 for seed in 1 2 3; do
   "$soarbox" run . --headless)TEXT";

@@ -19,7 +19,7 @@ std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& b
                               : firings == 1 ? std::string("1 rule")
                                              : fmt::format("{} rules", firings)));
   const std::uint64_t learned = agent.counters().chunks - before.chunks;
-  if (learned > 0) lines.back() += fmt::format("{} new rule{} learned. ", learned, learned == 1 ? "" : "s");
+  if (learned > 0) lines.back() += fmt::format("{} new rule{} learned.", learned, learned == 1 ? "" : "s");
   const bool stopped = run.reason == kernel::StopReason::kInterrupted || run.reason == kernel::StopReason::kLimit;
   if (stopped) lines.push_back("\nRun stopped (interrupted).");
   if (agent.halted()) lines.push_back("\nAn agent halted during the run.");

@@ -135,6 +135,12 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
     problem.hint = "a rule is written sp {name conditions --> actions}; look at the brackets before this line";
     return;
   }
+  if (line.starts_with("sp{") || line.starts_with("gp{")) {
+    problem.message = "a blank is missing between " + word + " and {";
+    problem.hint = "write " + word + " " + line.substr(2);
+    const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
+    return PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, 3);
+  }
   if (line.find('{') != kNowhere && word != "sp" && word != "gp" && word.size() <= 6) {
     problem.message = "expected sp { here" + (word.empty() ? std::string() : ", found '" + word + "'");
     problem.hint = "a rule starts with sp {";
@@ -197,8 +203,14 @@ bool BeginsComment(std::string_view found) {
   return found.starts_with("//") || found.starts_with("/*") || found == ";" || found == "--";
 }
 
+/// "(make <s> ^x y)" and the like: how other languages of rules begin an action.
+bool IsVerbOfOtherLanguages(std::string_view word) {
+  return word == "make" || word == "modify" || word == "add" || word == "assert" || word == "remove" || word == "set";
+}
+
 /// Where an action should begin.
 std::string HintForAction(const std::string& found) {
+  if (found == "-") return "an action that removes an element ends with a minus: (<id> ^attribute value -)";
   if (BeginsComment(found)) return "comments start with #";
   if (found == "-->") return "a rule has one --> only";
   if (found == "else") return "there is no else: write another rule, with the opposite condition";
@@ -214,6 +226,20 @@ std::string HintForValue(const std::string& found, const std::string& before) {
   if (found == "=") return "write the value directly after its ^attribute, without =";
   if (found == ">" || found == ">=" || found == "<=" || found == "<>")
     return "an action makes elements and compares nothing: write the value alone";
+  if (found == ",") return "blanks separate values, not commas";
+  if (const std::size_t last = before.find_last_of(" \t(");
+      found.find_first_not_of("+-*/") == kNowhere && last != kNowhere && before.rfind('(') != kNowhere) {
+    const std::string first = Trimmed(before.substr(before.rfind('(') + 1));
+    if (!first.empty() && first.find(' ') == kNowhere) return "the sign comes first: (" + found + " " + first + " ...)";
+  }
+  // "(make <s> ^operator <o> +)"
+  if (const std::size_t open_verb = before.rfind('('); found == "^" && open_verb != kNowhere) {
+    const std::string clause = Trimmed(before.substr(open_verb + 1));
+    const std::size_t blank = clause.find(' ');
+    if (blank != kNowhere && IsVerbOfOtherLanguages(clause.substr(0, blank)))
+      return "an action needs no " + clause.substr(0, blank) + ": write (" + Trimmed(clause.substr(blank)) +
+             " ^attribute value), with a - at its end to remove";
+  }
   // "(state <s> ^operator <o> +)"
   const std::size_t word = before.rfind("(state ");
   if (found == "^" && word != kNowhere && before.find(')', word) == kNowhere)
@@ -323,6 +349,10 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
   if (problem.message.find("or --> before the actions") != kNowhere) hint = HintForJoin(found, false);
   if (problem.message.find("expected ^attribute") != kNowhere) hint = HintForJoin(found, true);
+  if (found == "-" && problem.message.find("expected ^attribute or ) in an action") != kNowhere)
+    hint = HintForAction(found);
+  if (found == "state" && problem.message.find("expected ( to begin a condition") != kNowhere)
+    hint = "write each condition between ( and ): (state <s> ...)";
   if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
   const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The reader skips a semicolon.
   if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
@@ -332,7 +362,10 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     problem.hint = std::move(hint);
     return;
   }
-  if (found[0] == '"') problem.hint = "write text between bars: |I am going|";
+  if (found[0] == '"')
+    problem.hint = found.find_first_not_of("\"0123456789.-") == kNowhere && found.size() > 2
+                       ? "write the number without quotes: " + found.substr(1, found.size() - 2)
+                       : "write text between bars: |I am going|";
   if (found == "<") problem.hint = "write a variable without blanks: <o>";
   if (found != "^") return;
   // "( <o> ^" where a value was expected: the bracket before it was never closed.
@@ -399,6 +432,14 @@ void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
     break;
   }
   problem.message = "rule " + name + ": no condition binds " + variable + ", which this action is about";
+  for (int at = arrow; at < end; ++at) {
+    const std::string& text = source.Code(at);
+    const std::size_t open = text.find('(');
+    const std::string id = open == kNowhere ? "" : text.substr(open + 1, text.find_first_of(" \t)", open) - open - 1);
+    if (!IsIdentifier(id)) continue;
+    problem.hint = id + " is the name of one object in one run: write a variable that a condition binds, such as <s>";
+    return PointAt(problem, source, at, open + 1, id.size());
+  }
   const std::string_view near = Suggest(variable, {others.begin(), others.end()});
   if (conditions.find("(state " + variable) == kNowhere && conditions.find("(state") == kNowhere) {
     problem.hint = "the rule's first condition is missing: (state " + variable + " ^superstate nil ...)";
@@ -435,8 +476,12 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
       ClarifyUnclosed(problem, source);
     } else if (text.starts_with("no such command") || text.find("argument allowed when printing") != kNowhere) {
       ClarifyCommand(problem, source);
-      outside = text.find("outside any rule") != kNowhere;
+      outside = text.find("outside any rule") != kNowhere || text.starts_with("a blank is missing between");
       if (outside && was_outside) continue;
+    } else if (text.starts_with("Failed to open file")) {
+      problem.hint = source.Code(problem.line).find('\\') != kNowhere
+                         ? "write / between folders, not \\"
+                         : "the name is relative to the folder of the file that sources it";
     } else if (text.starts_with("Syntax: sp {") && BeginsRule(source.Code(problem.line))) {
       ClarifyTail(problem, source);
     } else if (ClarifyMissingBrace(problem, source)) {

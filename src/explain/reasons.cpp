@@ -385,6 +385,9 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
       lines.push_back(Say(Situation::kIsProposedBy,
                           {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
   }
+  // A constant that was proposed is a candidate without a name.
+  for (const std::string& item : items)
+    if (std::ranges::find(proposals, item, &Preference::operator_id) == proposals.end()) names.push_back(item);
   const std::string among =
       names.size() == 1
           ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
@@ -435,6 +438,7 @@ std::string MindReasons::WhyAllDropped(const std::string& state) {
 std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                                     const std::set<std::string>& known) {
   const std::string& name = selected.about;
+  const std::string shown = name.empty() ? selected.id : name;
   RuleList candidates, below;
   const RuleText* applied_by = nullptr;
   const RuleText* pending = nullptr;
@@ -454,16 +458,17 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     if (applied_by == nullptr) applied_by = &rule;
   }
   std::vector<std::string> reasons;
-  const std::initializer_list<tell::Slot> op = {{"op", name}, {"state", state}};
+  const std::initializer_list<tell::Slot> op = {{"op", shown}, {"state", state}};
   if (pending != nullptr) {
     const std::uint64_t firings = view_.Firings(pending->name);
     reasons.push_back(
-        firings > 1 ? Say(Situation::kFiresAgain,
-                          {{"op", name}, {"state", state}, {"rule", pending->name}, {"count", std::to_string(firings)}})
-                    : Say(Situation::kNotFiredYet, {{"op", name}, {"state", state}, {"rule", pending->name}}));
+        firings > 1
+            ? Say(Situation::kFiresAgain,
+                  {{"op", shown}, {"state", state}, {"rule", pending->name}, {"count", std::to_string(firings)}})
+            : Say(Situation::kNotFiredYet, {{"op", shown}, {"state", state}, {"rule", pending->name}}));
   } else if (applied_by != nullptr) {
     reasons.push_back(
-        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", name}, {"rule", applied_by->name}}));
+        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}));
   } else if (!candidates.empty()) {
     reasons.push_back(Say(Situation::kNoApplierMatches, op));
     for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
@@ -480,7 +485,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     std::string failed = WhatFailed();
     reasons.push_back(
         Say(Situation::kNoApplier,
-            {{"op", name}, {"state", state}, {"advice", failed.empty() ? HowToApply(rules(), name) : failed}}));
+            {{"op", shown}, {"state", state}, {"advice", failed.empty() ? HowToApply(rules(), name) : failed}}));
   }
   return reasons;
 }
@@ -535,6 +540,10 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
   const bool in_substate = stack.size() > 1;
   for (const RuleText& rule : rules())
     if (!rule.proposes.empty() && (in_substate || !IsForSubstate(rule))) candidates.push_back(&rule);
+  // A proposal that tests ^superstate <any> matches at the top, too.
+  if (candidates.empty())
+    for (const RuleText& rule : rules())
+      if (!rule.proposes.empty()) candidates.push_back(&rule);
   if (candidates.empty()) {
     reasons.push_back(
         Say(Situation::kNoProposer, {{"advice", failed.empty() ? Say(Situation::kWriteProposer) : failed}}));

@@ -18,6 +18,7 @@ struct Slip {
   std::string word;           ///< Where in the rule: this word; empty: its name.
   bool is_attribute = false;  ///< The word stands behind ^ or a dot.
   std::string message, hint;
+  bool in_actions = false;  ///< The word stands behind -->.
 };
 
 /// The places of a world by name. Rules of no world in particular may name any.
@@ -42,6 +43,10 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
 /// Slips against the vocabulary: attributes that nothing writes or that stand elsewhere, words that a percept never
 /// has, commands and parameters that no body knows, operators that nothing applies.
 std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
+
+/// Slips in the use of Soar itself: operators that are words or have no name or two, a second ^io, values that pile up,
+/// paths that may lead to different objects, words that no state has, variables that only a negation binds.
+std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules);
 
 /// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
 /// link, places that the scenario does not have.

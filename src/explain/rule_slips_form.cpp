@@ -53,6 +53,11 @@ bool HasState(const RuleText& rule) {
                      [](const RuleAttribute& condition) { return condition.on_state; });
 }
 
+bool IsSameButForCase(std::string_view a, std::string_view b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
+}
+
 void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
   if (!HasState(rule)) {
     slips.push_back({rule.name,
@@ -77,8 +82,12 @@ void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.id.empty() || linked.contains(condition.id) || !told.insert(condition.id).second) continue;
     const std::vector<std::string_view> others(linked.begin(), linked.end());
-    // One letter is as near to any other.
-    const std::string_view near = condition.id.size() > 3 ? Suggest(condition.id, others) : std::string_view();
+    // One letter is as near to any other, but <O> is <o> in haste.
+    const auto same_letters =
+        std::ranges::find_if(others, [&](std::string_view other) { return IsSameButForCase(other, condition.id); });
+    const std::string_view near = same_letters != others.end() ? *same_letters
+                                  : condition.id.size() > 3    ? Suggest(condition.id, others)
+                                                               : std::string_view();
     slips.push_back({rule.name, condition.id, false,
                      "nothing in rule " + rule.name + " leads from the state to " + condition.id,
                      near.empty() ? "link it: give another condition " + condition.id + " as its value"
@@ -143,15 +152,42 @@ std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& valu
   return tests;
 }
 
+/// "?place" of rule languages that are older.
+bool IsQuestion(const std::string& word) {
+  return word.size() > 1 && word.front() == '?' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+}
+
+/// "<<ready" and "empty>>": brackets of a choice that have no blank beside them.
+bool IsTightChoice(const std::string& word) {
+  return word.size() > 2 && word.find_first_not_of("<>=") != std::string::npos &&
+         (word.starts_with("<<") || word.ends_with(">>"));
+}
+
+bool IsSignOfOtherLanguages(const std::string& word) {
+  return word == "++" || word == "+=" || word == "-=" || word == "*=" || word == "/=";
+}
+
 /// Constants that look like something else. A kernel prints them between bars, whatever their author did.
 void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> told;
   for (const auto* side : {&rule.conditions, &rule.actions}) {
     for (const RuleAttribute& clause : *side) {
       for (const auto& test : TestsIn(clause.value)) {
-        if (!IsOtherLanguagesVariable(test.second)) continue;
-        slips.push_back({rule.name, test.second, false,
-                         test.second + " in rule " + rule.name + " is read as a word, not as a variable",
-                         "write a variable between < and >: <" + test.second.substr(1) + ">"});
+        std::string word = test.second;
+        if (word.size() > 2 && word.front() == '|' && word.back() == '|') word = word.substr(1, word.size() - 2);
+        if (IsOtherLanguagesVariable(test.second) || IsQuestion(word)) {
+          slips.push_back({rule.name, word, false,
+                           word + " in rule " + rule.name + " is read as a word, not as a variable",
+                           "write a variable between < and >: <" + word.substr(1) + ">"});
+        } else if (IsTightChoice(word) && told.insert(clause.id + clause.attribute).second) {
+          slips.push_back({rule.name, word, false,
+                           word + " in rule " + rule.name + " is read as a word, not as a choice",
+                           "write blanks inside the brackets: << a b >>"});
+        } else if (IsSignOfOtherLanguages(word) && clause.attribute != "operator") {
+          slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
+                           "to count, add the sum and remove the old value: (<s> ^" + clause.attribute +
+                               " (+ <n> 1)) (<s> ^" + clause.attribute + " <n> -)"});
+        }
       }
       for (const std::string& word : ConstantsIn(clause.value)) {
         if (word.size() < 2 || word.find(' ') != std::string::npos) continue;
@@ -231,6 +267,7 @@ void FindUnproposed(const RuleText& rule, std::vector<Slip>& slips) {
     const std::string name = FirstWord(action.value);
     if (action.attribute != "operator" || !IsVariable(name) || known.contains(name) || proposed.contains(name))
       continue;
+    if (action.value.ends_with("-")) continue;  // Reported as what it does not bind.
     if (!told.insert(name).second) continue;
     const std::string sign = action.value.substr(std::min(action.value.find(' ') + 1, action.value.size()));
     slips.push_back({rule.name, "operator", true,
@@ -253,6 +290,7 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
     constexpr std::string_view kPrinters[] = {"print", "printf", "println", "echo", "say", "log", "puts", "display"};
     std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
     if (near.empty() && std::ranges::find(kPrinters, name) != std::end(kPrinters)) near = "write";
+    if (near.empty() && name.starts_with("rand")) near = "rand-int or rand-float";
     slips.push_back({rule.name, name, false,
                      "rule " + rule.name + " calls the function " + name + ", which does not exist",
                      near.empty() ? "built in are write, crlf, halt, + - * / and others"
@@ -291,7 +329,9 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
       if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
         slips.push_back({rule.name, gone, false,
                          "no condition of rule " + rule.name + " binds " + gone + ": the action removes nothing",
-                         "a condition { " + gone + " constant } does not bind it either: write the constant"});
+                         action.attribute == "operator"
+                             ? "bind it in a condition: ^operator " + gone
+                             : "a condition { " + gone + " constant } does not bind it either: write the constant"});
       continue;
     }
     if (!IsVariable(action.value)) continue;

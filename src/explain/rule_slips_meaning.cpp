@@ -161,7 +161,7 @@ class MeaningChecker {
     }
     for (const RuleText& rule : rules_) {
       for (const std::string& name : rule.proposes) {
-        if (name.empty() || applies_any || applied.contains(name)) continue;
+        if (name.empty() || applies_any || applied.contains(name) || IsSecondName(rule, name)) continue;
         Tell(rule, name, false, "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
              HowToApply(rules_, name));
       }
@@ -176,6 +176,16 @@ class MeaningChecker {
   }
 
  private:
+  /// "^name go there": reported as two names.
+  static bool IsSecondName(const RuleText& rule, const std::string& name) {
+    return std::ranges::any_of(rule.actions, [&](const RuleAttribute& second) {
+      return second.attribute == "name" && FirstWord(second.value) == name &&
+             std::ranges::any_of(rule.actions, [&](const RuleAttribute& first) {
+               return first.id == second.id && first.attribute == "name" && FirstWord(first.value) != name;
+             });
+    });
+  }
+
   bool IsMade(const std::string& attribute) const {
     return made_.contains(attribute) || known_.scripts.contains(attribute);
   }
@@ -334,6 +344,8 @@ std::string HowToApply(const std::vector<RuleText>& rules, const std::string& na
       return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
              " +, a proposal: without the + it tests the operator that is selected";
   }
+  if (name.empty())
+    return "it has no ^name: give it one where it is proposed, and write a rule that tests ^operator.name";
   const std::string_view near = Suggest(name, {applied.begin(), applied.end()});
   for (const RuleText& rule : rules)
     if (!near.empty() && rule.applies.contains(std::string(near)))

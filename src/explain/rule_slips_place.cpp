@@ -110,7 +110,13 @@ Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const 
   warning.hint = slip.hint;
   const std::size_t rule = FindNameOfRule(text, slip.rule);
   if (rule == kNotThere) return warning;
-  const std::size_t at = slip.word.empty() ? rule : FindWord(text, rule, slip.word, slip.is_attribute);
+  std::size_t from = rule;
+  if (slip.in_actions) {
+    const std::size_t arrow = text.find("-->", rule);
+    if (arrow < std::min(text.find("\nsp", rule), text.size())) from = arrow;
+  }
+  const std::size_t found = slip.word.empty() ? from : FindWord(text, from, slip.word, slip.is_attribute);
+  const std::size_t at = found == from ? rule : found;
   PlaceInText place = PlaceAt(text, at);
   warning.line = place.line;
   warning.column = place.column;

@@ -56,9 +56,9 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   }
   std::vector<explain::RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;
-  for (const auto& slips :
-       {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfMeaning(reasons.rules(), known),
-        explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
+  for (const auto& slips : {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfUse(reasons.rules()),
+                            explain::FindSlipsOfMeaning(reasons.rules(), known),
+                            explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
     for (const explain::Slip& slip : slips) {
       if (!only.empty() && !only.contains(slip.rule)) continue;
       Diagnostic warning = Placed(slip, files);

@@ -113,7 +113,7 @@ SLIPS = {
                                     "waits for ^status completed, which no command is answered with", "did you mean complete?"),
     "another word for complete": ("(<me> ^health > 10)", "(<me> ^health > 10) -(<s> ^io.output-link.wander.status done)", 3,
                                   "waits for ^status done", "did you mean complete?"),
-    "a reason that there is not": ("(<me> ^health > 10)", "(<me> ^health > 10) -(<s> ^io.output-link.move-to.reason bloked)", 3,
+    "a reason that there is not": ("(<me> ^health > 10)", "(<me> ^health > 10) -(<s> ^io.output-link.wander.reason bloked)", 3,
                                    "waits for ^reason bloked", "did you mean blocked?"),
     "a sum of equal numbers": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^seconds 1 + 1)", 12,
                                "gives ^seconds of wander twice, as 1", "a sum is written (+ 1 1)"),
@@ -139,6 +139,46 @@ SLIPS = {
     "blanks in a rule's name": ("hero*propose*go", "hero propose go", 1, "found 'propose'", "sp {hero*propose*go"),
     "a round bracket at a rule's begin": ("sp {hero*propose*go", "sp (hero*propose*go", 1, "not with sp (", "write sp {hero*propose*go"),
     "the word state in an action": ("(<s> ^operator <o> +)", "(state <s> ^operator <o> +)", 5, "found '^'", "write (<s> ^..."),
+    "a command in a path from the state": ("(<out> ^wander <c>)", "(<s> ^io.output-link.wander <c>)", 12, "makes a second ^io on its state",
+                                           "bind the link in a condition"),
+    "a percept is removed by a path": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<s> ^io.input-link.self.health 100 -)", 12,
+                                       "does not reach the agent's own links", "only the world changes"),
+    "an operator without a name": ("(<o> ^name go)\n}", "(<o> ^kind go)\n}", 5, "proposes an operator without a ^name", "(<o> ^name go)"),
+    "an operator with two names": ("^name go)\n}", "^name go there)\n}", 6, "two names, go and there", "go-there"),
+    "a sum that keeps the old value": ("(<out> ^wander <c>)\n}", "(<out> ^wander <c>)\n}\nsp {hero*count\n   (state <s> ^superstate nil ^count <n>)\n"
+                                       "-->\n   (<s> ^count (+ <n> 1))\n}", 17, "adds another ^count and keeps the old one", "(<s> ^count <n> -)"),
+    "a minus before an action": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   -(<s> ^next <o>)", 13, "found '-'", "ends with a minus"),
+    "a minus before an attribute of an action": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   (<s> -^next <o>)", 13, "found '-'",
+                                                 "ends with a minus"),
+    "a command that has a status": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^status complete)", 12, "already has a ^status",
+                                    "leave ^status out"),
+    "no blank behind sp": ("sp {hero*propose*go", "sp{hero*propose*go", 1, "a blank is missing between sp and {", "write sp {hero*propose*go"),
+    "a variable in capitals": ("(<o> ^name go)\n-->", "(<O> ^name go)\n-->", 10, "leads from the state to <O>", "did you mean <o>?"),
+    "a choice without blanks": ("^health > 10)", "^health > 10 ^weapon <<ready empty>>)", 3, "not as a choice", "<< a b >>"),
+    "a variable of CLIPS": ("^health > 10)", "^health ?h)", 3, "?h in rule hero*propose*go is read as a word", "<h>"),
+    "counting as in C": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<s> ^count ++)", 12, "++ in rule", "(+ <n> 1)"),
+    "a variable that only a negation binds": ("(<o> ^name go)\n-->\n   (<out> ^wander <c>)", "(<o> ^name go)\n  -(<o> ^name <p>)\n-->\n"
+                                              "   (<out> ^move-to <c>)\n   (<c> ^waypoint <p>)", 11, "in a negated condition only",
+                                              "without -"),
+    "two paths to one waypoint": ("(<me> ^health > 10)", "(<s> ^io.input-link.waypoint.name gate ^io.input-link.waypoint.here no)", 3,
+                                  "two different waypoints", "bind one"),
+    "signs without a blank": ("^operator <o> +)", "^operator <o> +=)", 5, "proposes the word += itself", "+ ="),
+    "best as a word": ("^operator <o> +)", "^operator <o> + best)", 5, "proposes the word best itself", "> is best"),
+    "a number as a preference": ("^operator <o> +)", "^operator <o> + 5)", 5, "proposes the word 5 itself", "= 5"),
+    "make as in OPS5": ("(<s> ^operator <o> +)", "(make <s> ^operator <o> +)", 5, "found '^'", "needs no make"),
+    "a sum as in C": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^seconds (1 + 2))", 12, "found '+'", "the sign comes first: (+ 1"),
+    "state without brackets": ("(state <s> ^superstate nil ^io.input-link.self <me>)", "state <s> ^superstate nil ^io.input-link.self <me>", 2,
+                               "found 'state'", "between ( and )"),
+    "an impasse that there is not": ("^superstate nil", "^impasse nochange", 2, "waits for ^impasse nochange", "did you mean no-change?"),
+    "a type that no state has": ("^superstate nil", "^type State", 2, "waits for ^type State", "did you mean state?"),
+    "an operator as a word": ("(state <s> ^operator <o> ^io.output-link <out>)\n   (<o> ^name go)", "(state <s> ^operator go ^io.output-link <out>)", 9,
+                              "the operator is the word go", "^operator.name go"),
+    "commas in an action": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   (write |go|, <o>)", 13, "found ','", "not commas"),
+    "a random number": ("(<out> ^wander <c>)", "(<out> ^wander <c>) (<c> ^seconds (random 3))", 12, "the function random", "rand-int or rand-float"),
+    "a name of one run": ("(<s> ^operator <o> +)", "(S1 ^operator <o> +)", 5, "no condition binds <o>", "S1 is the name of one object"),
+    "a file that is not there": (None, "source helper.soar", 1, "Failed to open file", "relative to the folder"),
+    "a backslash in a path": (None, "source rules\\helper.soar", 1, "Failed to open file", "write / between folders"),
+    "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }
 
 REMEMBERS = """smem --set learning on
@@ -190,6 +230,21 @@ sp {hero*apply*go
    (<out> ^wander <c>)
    (write |gr\u00fc\u00dfe \u201cyou\u201d| (crlf))
 }
+sp {hero*elaborate*io
+   (state <s> ^superstate.io <io>)
+-->
+   (<s> ^io <io>)
+}
+sp {hero*apply*count
+   (state <s> ^operator.name go ^count <n>)
+-->
+   (<s> ^count (+ <n> 1) ^count <n> -)
+}
+sp {hero*apply*first
+   (state <s> ^operator.name go -^count)
+-->
+   (<s> ^count 0)
+}
 sp {hero*apply*end
    (state <s> ^operator.name << go rest >> ^io.output-link <out>)
    (<out> ^wander <c>)
@@ -212,12 +267,14 @@ class Typos(ScenarioCase):
         for i, (name, (old, new, *_)) in enumerate(SLIPS.items()):
             text = new + "\n" + GOOD if old is None else GOOD.replace(old, new, 1)
             self.assertNotEqual(text, GOOD, name)
-            self.write(f"{i:03}.soar", "#\n" * 0 + text)
+            # Each in a folder of its own: what rules beside them make would count as known.
+            (self.folder / f"{i:03}").mkdir()
+            self.write(f"{i:03}/hero.soar", text)
         run = Run("check", self.folder, "--json")
         self.assertEqual(run.code, 1)
         problems = [json.loads(line) for line in run.out.splitlines()]
         for i, (name, (_, _, line, message, hint)) in enumerate(SLIPS.items()):
-            mine = [problem for problem in problems if problem["file"].endswith(f"{i:03}.soar")]
+            mine = [problem for problem in problems if problem["file"].endswith(f"{i:03}/hero.soar")]
             told = mine[0]
             self.assertEqual(told["line"], line, (name, mine))
             self.assertIn(message, told["message"], name)

@@ -27,19 +27,6 @@ bool IsInTrouble(const AgentRow& row) {
   return !ImpasseOf(row).empty() && !IsAtWork(row);
 }
 
-/// "CrowdSeeker-12" as "CrowdS...-12" where it is too long: of many who are named alike, the number tells who it is.
-std::string CutBeforeNumber(const std::string& name, float width) {
-  constexpr std::size_t kLongest = 6, kLeast = 3;
-  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-  const std::size_t dash = name.rfind('-');
-  if (dash == std::string::npos || name.size() - dash > kLongest || width_of(name) <= width) return name;
-  const std::string number = "..." + name.substr(dash);
-  std::size_t kept = dash;
-  while (kept > kLeast && width_of(name.substr(0, kept) + number) > width) --kept;
-  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xc0) == 0x80) --kept;
-  return name.substr(0, kept) + number;
-}
-
 /// "follow (O304)" without its identifier, which Mind shows.
 std::string NameAlone(const std::string& op) {
   return op.substr(0, op.find(" ("));
@@ -90,7 +77,10 @@ class AgentsPanel final : public Panel {
     constexpr float kNarrow_em = 17;
     const bool has_health = ImGui::GetContentRegionAvail().x > kNarrow_em * ImGui::GetFontSize();
     const float room = ImGui::GetContentRegionAvail().x - (has_health ? health : 0);
-    const float names = std::clamp(longest + 2.2f * ImGui::GetFontSize(), 0.3f * room, (is_wide ? 0.3f : 0.5f) * room);
+    // Where nobody has a mind, what they do needs little room.
+    const bool is_quiet = std::none_of(all.begin(), all.end(), [](const AgentRow& row) { return row.has_mind; });
+    const float most = is_wide ? 0.3f : is_quiet ? 0.66f : 0.5f;
+    const float names = std::clamp(longest + 2.2f * ImGui::GetFontSize(), 0.3f * room, most * room);
     // Widths that the user has dragged stay while names and text size do.
     const std::string id = Formatted("%s/%.0f/%.0f",
                                      is_wide      ? "agents-wide"
@@ -163,7 +153,8 @@ class AgentsPanel final : public Panel {
     const std::string errors = "\xe2\x9a\xa0" + std::to_string(row.errors);
     const float beside = row.errors > 0 ? ImGui::CalcTextSize(errors.c_str()).x + font * 0.5f : 0;
     const float room = ImGui::GetContentRegionAvail().x - beside;
-    CutText(CutBeforeNumber(row.name, room), room, dull ? theme::kQuiet : theme::kText);
+    CutText(row.name.rfind('-') == std::string::npos ? row.name : CutBeforeNumber(row.name, room), room,
+            dull ? theme::kQuiet : theme::kText);
     if (row.errors > 0) {
       ImGui::SameLine(0, font * 0.4f);
       if (Link("problems", errors, theme::kBad)) {

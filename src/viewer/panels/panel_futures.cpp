@@ -17,7 +17,7 @@ class FuturesPanel final : public Panel {
       return;
     }
     if (!frame.contents.futures) {
-      EmptyNote("There is one future yet.",
+      EmptyNote("There is only one future so far.",
                 "Drag the scrubber below to an earlier moment, change a rule in the panel Edit if you like, and press "
                 "Resume here. What happened before stays as ghosts in the scene, and this panel shows where the two "
                 "differ first.");

@@ -122,7 +122,7 @@ class LinksPanel final : public Panel {
   std::string filter_;
 };
 
-/// What agents told each other.
+/// What agents said to each other.
 class MessagesPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -140,7 +140,10 @@ class MessagesPanel final : public Panel {
     Find(frame.contents.messages->revision(), only_selected_ ? frame.contents.agent : std::string{},
          *frame.contents.messages);
     const std::vector<debugger::MessageRow>& rows = rows_;
-    if (!ImGui::BeginTable("messages", 4,
+    // Where columns would leave no room for what is said, all of it is one text.
+    constexpr float kNarrow_em = 22;
+    const bool is_narrow = ImGui::GetContentRegionAvail().x < kNarrow_em * ImGui::GetFontSize();
+    if (!ImGui::BeginTable(is_narrow ? "messages-narrow" : "messages", is_narrow ? 2 : 4,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
                                ImGuiTableFlags_SizingStretchProp))
       return;
@@ -154,8 +157,10 @@ class MessagesPanel final : public Panel {
       to = std::max(to, ImGui::CalcTextSize(rows[rows.size() - 1 - i].to.c_str()).x);
     }
     const float most = 9 * ImGui::GetFontSize();
-    ImGui::TableSetupColumn("From", ImGuiTableColumnFlags_WidthFixed, std::min(from, most));
-    ImGui::TableSetupColumn("To", ImGuiTableColumnFlags_WidthFixed, std::min(to, most));
+    if (!is_narrow) {
+      ImGui::TableSetupColumn("From", ImGuiTableColumnFlags_WidthFixed, std::min(from, most));
+      ImGui::TableSetupColumn("To", ImGuiTableColumnFlags_WidthFixed, std::min(to, most));
+    }
     ImGui::TableSetupColumn("Message", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
@@ -169,7 +174,12 @@ class MessagesPanel final : public Panel {
         if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(SeekRequest{row.tick});
         ImGui::PopID();
         ImGui::TableNextColumn();
-        CutText(row.from.empty() ? "you" : row.from);
+        const std::string who = row.from.empty() ? "you" : row.from;
+        if (is_narrow) {
+          CutText(who + " to " + row.to + ": " + row.text);
+          continue;
+        }
+        CutText(who);
         ImGui::TableNextColumn();
         CutText(row.to);
         ImGui::TableNextColumn();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/panels/mind_note.h"
 #include "viewer/panels/panel.h"
@@ -130,26 +131,38 @@ class MindPanel final : public Panel {
     }
     const bool has_numbers =
         std::any_of(view.rows.begin(), view.rows.end(), [](const OperatorRow& row) { return row.value.has_value(); });
-    if (!ImGui::BeginTable("operators", has_numbers ? 4 : 2,
+    // Operators are as wide as the longest, numbers as their headers; what is said of them has the rest.
+    float longest = ImGui::CalcTextSize("Operator").x;
+    for (const OperatorRow& row : view.rows) longest = std::max(longest, ImGui::CalcTextSize(TitleOf(row).c_str()).x);
+    const float em = ImGui::GetFontSize();
+    const float wanted = em * std::ceil((longest + ImGui::GetTreeNodeToLabelSpacing()) / em + 0.5f);
+    const float operators = std::min(wanted, (has_numbers ? 0.4f : 0.5f) * ImGui::GetContentRegionAvail().x);
+    const std::string id =
+        Formatted("operators/%.0f/%.0f", static_cast<double>(operators), static_cast<double>(frame.scale * 100));
+    if (!ImGui::BeginTable(id.c_str(), has_numbers ? 4 : 2,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp))
       return;
-    ImGui::TableSetupColumn("Operator", 0, has_numbers ? 4.2f : 3);
-    ImGui::TableSetupColumn("Standing", 0, has_numbers ? 2.8f : 4);
+    ImGui::TableSetupColumn("Operator", ImGuiTableColumnFlags_WidthFixed, operators);
+    ImGui::TableSetupColumn("Standing", ImGuiTableColumnFlags_WidthStretch);
     if (has_numbers) {
-      ImGui::TableSetupColumn("Value", 0, 1.5f);
-      ImGui::TableSetupColumn("Chance", 0, 1.5f);
+      ImGui::TableSetupColumn("Value", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("-0.000").x);
+      ImGui::TableSetupColumn("Chance", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Chance").x);
     }
     ImGui::TableHeadersRow();
     for (const OperatorRow& row : view.rows) DrawRow(frame, row, has_numbers);
     ImGui::EndTable();
   }
 
+  static std::string TitleOf(const OperatorRow& row) {
+    const std::string name = row.name.empty() ? row.id : row.name + " (" + row.id + ")";
+    return row.selected ? "\xe2\x9c\x93 " + name : name;
+  }
+
   static void DrawRow(PanelFrame& frame, const OperatorRow& row, bool has_numbers) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(row.id.c_str());
-    std::string title(row.selected ? "\xe2\x9c\x93 " : "");
-    title.append(row.name.empty() ? row.id : row.name + " (" + row.id + ")");
+    const std::string title = TitleOf(row);
     ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
     const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::PopStyleColor();
@@ -172,8 +185,12 @@ class MindPanel final : public Panel {
       if (row.value) ColoredText(theme::kNumber, Formatted("%.4g", *row.value));
       ImGui::TableNextColumn();
       if (row.probability) {
+        // Faint, so that the number on it can be read.
+        const ImVec4 bar{theme::kNumber.x, theme::kNumber.y, theme::kNumber.z, 0.4f};
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, bar);
         ImGui::ProgressBar(static_cast<float>(*row.probability), {-1, ImGui::GetTextLineHeight()},
                            Formatted("%.0f %%", *row.probability * 100).c_str());
+        ImGui::PopStyleColor();
       }
     }
     if (open) {

@@ -92,7 +92,7 @@ class MindsPanel final : public Panel {
       CutText((row.selected ? "\xe2\x9c\x93 " : "  ") + name + ": " + row.verdict,
               row.selected ? theme::kGood : theme::kQuiet);
     }
-    if (!mind.command.empty()) WrappedText(theme::kNumber, "gave " + mind.command);
+    if (!mind.command.empty()) WrappedText(theme::kNumber, mind.command == "dead" ? "dead" : "gave " + mind.command);
   }
 };
 

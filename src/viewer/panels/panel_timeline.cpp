@@ -261,7 +261,7 @@ class TimelinePanel final : public Panel {
     MayCut(at, {at.x + name_width_ - frame.Px(6), at.y + full});
     out.PushClipRect(at, {at.x + name_width_ - frame.Px(6), at.y + full}, true);
     PutText(out, {at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
-            track.agent.empty() ? "world" : track.agent.c_str());
+            track.agent.empty() ? std::string("world") : CutBeforeNumber(track.agent, name_width_ - frame.Px(8)));
     out.PopClipRect();
     out.PushClipRect({left_, at.y}, {left_ + width_, at.y + full}, true);
     const float bottom = out.GetClipRectMax().y;

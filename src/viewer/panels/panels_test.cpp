@@ -567,7 +567,7 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {PanelId::kConsole, {"print s1", "superstate nil"}},
       {PanelId::kEdit, {"Apply", "walker*propose*seek", "line 14", "variable <t>"}},
       {PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
-      {PanelId::kFutures, {"There is one future yet."}},
+      {PanelId::kFutures, {"There is only one future so far."}},
       {PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
       {PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
       {PanelId::kMinds, {"No mind is looked at.", "Add agent"}},

@@ -98,21 +98,35 @@ void FoldedText(const char* id, std::string_view text, ImVec4 color) {
   ImGui::PopID();
 }
 
-void CutText(std::string_view text, float width, ImVec4 color) {
+std::string FittingText(std::string_view text, float width) {
   const char* end = text.data() + text.size();
-  if (ImGui::CalcTextSize(text.data(), end).x <= width) {
-    ColoredText(color, text);
-    return;
-  }
+  if (ImGui::CalcTextSize(text.data(), end).x <= width) return std::string(text);
   const float dots = ImGui::CalcTextSize("...").x;
   const char* fits = text.data();
-  ImFont* font = ImGui::GetFont();
-  font->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
+  return std::string(text.data(), fits) + "...";
+}
+
+std::string CutBeforeNumber(const std::string& name, float width) {
+  constexpr std::size_t kLongest = 6, kLeast = 3;
+  const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const std::size_t dash = name.rfind('-');
+  if (width_of(name) <= width) return name;
+  if (dash == std::string::npos || name.size() - dash > kLongest) return FittingText(name, width);
+  const std::string number = "..." + name.substr(dash);
+  std::size_t kept = dash;
+  while (kept > kLeast && width_of(name.substr(0, kept) + number) > width) --kept;
+  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xc0) == 0x80) --kept;
+  return name.substr(0, kept) + number;
+}
+
+void CutText(std::string_view text, float width, ImVec4 color) {
+  const std::string fits = FittingText(text, width);
+  ColoredText(color, fits);
+  if (fits == text) return;
   // A few letters tell nothing.
-  constexpr std::ptrdiff_t kLeast = 4;
-  if (fits - text.data() < kLeast)
-    NoteTooSmall("'" + std::string(text) + "' is cut to '" + std::string(text.data(), fits) + "...'");
-  ColoredText(color, std::string(text.data(), fits) + "...");
+  constexpr std::size_t kLeast = 4 + 3;
+  if (fits.size() < kLeast) NoteTooSmall("'" + std::string(text) + "' is cut to '" + fits + "'");
   Tooltip(text);
 }
 

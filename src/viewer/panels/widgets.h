@@ -19,6 +19,10 @@ void WrappedText(std::string_view text);
 void WrappedText(ImVec4 color, std::string_view text);
 /// Text of which the first lines are shown, and the others once it is unfolded.
 void FoldedText(const char* id, std::string_view text, ImVec4 color);
+/// "CrowdSeeker-12" as "CrowdS...-12" where it is too long: of many who are named alike, the number tells who it is.
+std::string CutBeforeNumber(const std::string& name, float width);
+/// As much of a text as fits into `width` px, with "..." where it is cut.
+std::string FittingText(std::string_view text, float width);
 /// Text that is cut with "..." at `width` px; whole in a tooltip.
 void CutText(std::string_view text, float width, ImVec4 color = theme::kText);
 /// The same in the width that is left.

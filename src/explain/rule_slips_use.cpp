@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Slips in the use of Soar itself: operators, links, values that pile up, paths that part.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/mind_view.h"
+#include "explain/rule_slips.h"
+
+namespace soarbox::explain {
+namespace {
+
+bool IsRemoval(const RuleAttribute& action) {
+  return action.value.ends_with("-");
+}
+
+/// The word of a value that is one constant, without bars and preference; empty if it is something else.
+std::string ConstantOf(const std::string& value) {
+  std::string word = FirstWord(value);
+  if (word.empty() || word.front() == '<' || word.front() == '{' || word.front() == '(' || word == "+") return {};
+  if (word.size() > 2 && word.front() == '|' && word.back() == '|') word = word.substr(1, word.size() - 2);
+  return word;
+}
+
+std::set<std::string> StatesOf(const RuleText& rule) {
+  std::set<std::string> states;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) states.insert(condition.id);
+  return states;
+}
+
+/// "^operator go" instead of ^operator.name go, and "(<s> ^operator <o> + best)": the word becomes a second operator.
+void FindOperatorsThatAreWords(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::set<std::string> states = StatesOf(rule);
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.attribute != "operator" || !states.contains(condition.id)) continue;
+    const std::string word = ConstantOf(condition.value);
+    if (word.empty()) continue;
+    slips.push_back({rule.name, word, false,
+                     "rule " + rule.name + " tests that the operator is the word " + word + ", which it never is",
+                     "an operator is an object with a name: ^operator.name " + word});
+  }
+  for (const RuleAttribute& action : rule.actions) {
+    if (action.attribute != "operator" || !states.contains(action.id) || IsRemoval(action)) continue;
+    const std::string word = ConstantOf(action.value);
+    if (word.empty()) continue;
+    const bool is_number = word.find_first_not_of("0123456789.-") == std::string::npos;
+    std::string hint = "an operator is an object with a name: (<s> ^operator <o> +) (<o> ^name " + word + ")";
+    if (word == "+=") hint = "put a blank between them: + =";
+    if (word == "best" || word == "better" || word == "worst" || word == "worse")
+      hint = "preferences are signs: > is best, < is worst, = is indifferent";
+    if (is_number) hint = "a number follows an =: (<s> ^operator <o> + = " + word + ")";
+    slips.push_back({rule.name, word, false,
+                     "rule " + rule.name + " proposes the word " + word + " itself as an operator", std::move(hint),
+                     true});
+  }
+}
+
+/// True if all rules that apply operators ask for their names, and none gives names to proposals of other rules.
+bool NamesMatter(const std::vector<RuleText>& rules) {
+  bool applies = false;
+  for (const RuleText& rule : rules) {
+    if (rule.applies.contains("")) return false;
+    applies |= !rule.applies.empty();
+    std::set<std::string> proposals;
+    for (const RuleAttribute& condition : rule.conditions)
+      if (condition.attribute == "operator") proposals.insert(FirstWord(condition.value));
+    for (const RuleAttribute& action : rule.actions)
+      if (action.attribute == "name" && proposals.contains(action.id)) return false;
+  }
+  return applies;
+}
+
+void FindNamelessOperators(const RuleText& rule, bool names_matter, std::vector<Slip>& slips) {
+  std::set<std::string> bound;
+  for (const RuleAttribute& condition : rule.conditions)
+    for (std::string& variable : VariablesIn(condition.value)) bound.insert(std::move(variable));
+  for (const RuleAttribute& proposal : rule.actions) {
+    const std::string id = FirstWord(proposal.value);
+    if (proposal.attribute != "operator" || proposal.value.find('+') == std::string::npos) continue;
+    if (!IsVariable(id) || bound.contains(id)) continue;
+    std::vector<std::string> names;
+    bool may_have_name = false;
+    for (const RuleAttribute& action : rule.actions) {
+      if (action.id != id) continue;
+      may_have_name |= action.attribute == "name" || IsVariable(action.attribute);
+      if (action.attribute == "name" && !ConstantOf(action.value).empty()) names.push_back(ConstantOf(action.value));
+    }
+    if (names.size() > 1 && names[0] != names[1]) {
+      slips.push_back({rule.name, names[1], false,
+                       "rule " + rule.name + " gives its operator two names, " + names[0] + " and " + names[1],
+                       "write them as one word: " + names[0] + "-" + names[1], true});
+    } else if (names_matter && !may_have_name) {
+      slips.push_back({rule.name, "operator", true,
+                       "rule " + rule.name +
+                           " proposes an operator without a ^name, and the rules that apply "
+                           "operators ask for names",
+                       "give it one: (" + id + " ^name go)", true});
+    }
+  }
+}
+
+/// "(<s> ^io.output-link.move-to.waypoint gate)": a path in an action makes new objects, another ^io among them.
+void FindSecondLinks(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::set<std::string> states = StatesOf(rule);
+  for (const RuleAttribute& action : rule.actions) {
+    if (action.attribute != "io" || !states.contains(action.id)) continue;
+    const std::string made = FirstWord(action.value);
+    // Substates get the ^io of the state above them.
+    const bool is_bound = std::ranges::any_of(
+        rule.conditions, [&](const RuleAttribute& condition) { return FirstWord(condition.value) == made; });
+    if (is_bound) continue;
+    const bool reaches_output = std::ranges::any_of(
+        rule.actions, [&](const RuleAttribute& other) { return other.id == made && other.attribute == "output-link"; });
+    slips.push_back(
+        {rule.name, "io", true,
+         "rule " + rule.name + " makes a second ^io on its state: a path in an action makes new objects, so this " +
+             (reaches_output ? "gives no command" : "does not reach the agent's own links"),
+         reaches_output ? "bind the link in a condition, (state <s> ^io.output-link <out>), and write on <out>"
+                        : "bind the link in a condition; only the world changes what is below ^input-link",
+         true});
+    return;
+  }
+}
+
+/// "(<s> ^count (+ <n> 1))" without "(<s> ^count <n> -)".
+void FindHeaps(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& action : rule.actions) {
+    if (!action.value.starts_with('(') || IsRemoval(action)) continue;
+    const std::vector<std::string> used = VariablesIn(action.value);
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (condition.id != action.id || condition.attribute != action.attribute || condition.negated) continue;
+      const std::string old = FirstWord(condition.value);
+      if (!IsVariable(old) || std::ranges::find(used, old) == used.end()) continue;
+      const bool removes = std::ranges::any_of(rule.actions, [&](const RuleAttribute& other) {
+        return other.id == action.id && other.attribute == action.attribute && IsRemoval(other);
+      });
+      if (removes) continue;
+      slips.push_back({rule.name, action.attribute, true,
+                       "rule " + rule.name + " adds another ^" + action.attribute +
+                           " and keeps the old one: it fires again for each new value, without end",
+                       "remove the old value, too: (" + action.id + " ^" + action.attribute + " " + old + " -)", true});
+      return;
+    }
+  }
+}
+
+/// A command that has a ^status from the start counts as answered.
+void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> links, commands;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.attribute == "output-link" && !condition.negated) links.insert(FirstWord(condition.value));
+  for (const RuleAttribute& action : rule.actions)
+    if (links.contains(action.id) && !IsRemoval(action)) commands.insert(FirstWord(action.value));
+  for (const RuleAttribute& action : rule.actions) {
+    if (!commands.contains(action.id) || action.attribute != "status" || IsRemoval(action)) continue;
+    slips.push_back({rule.name, "status", true,
+                     "rule " + rule.name +
+                         " gives a command that already has a ^status: bodies take it as answered "
+                         "and do not carry it out",
+                     "leave ^status out; the world adds it: complete, error or interrupted", true});
+  }
+}
+
+/// "^io.input-link.waypoint.name gate ^io.input-link.waypoint.here no": each path may lead to another waypoint.
+void FindPartedPaths(const RuleText& rule, std::vector<Slip>& slips) {
+  constexpr std::string_view kMany[] = {"agent", "object", "waypoint", "region", "message"};
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  // Variables that the kernel made for the dots of a path have a * in their name.
+  std::map<std::string, std::map<std::string, std::string>> tested;  // By kind: variable, attribute.
+  for (const RuleAttribute& condition : rule.conditions) {
+    const auto path = paths.find(condition.id);
+    if (path == paths.end() || condition.negated || condition.id.find('*') == std::string::npos) continue;
+    if (path->second.size() != 3 || path->second[1] != "input-link") continue;
+    if (std::ranges::find(kMany, path->second[2]) == std::end(kMany)) continue;
+    tested[path->second[2]].try_emplace(condition.id, condition.attribute);
+  }
+  for (const auto& [kind, by_variable] : tested) {
+    if (by_variable.size() < 2) continue;
+    const std::string& first = by_variable.begin()->second;
+    const std::string& second = std::next(by_variable.begin())->second;
+    const std::string variable = "<" + kind.substr(0, 1) + ">";
+    slips.push_back({rule.name, kind, true,
+                     "rule " + rule.name + " tests ^" + first + " and ^" + second +
+                         " on two paths, which may lead to "
+                         "two different " +
+                         kind + "s",
+                     "bind one: ^io.input-link." + kind + " " + variable + ") (" + variable + " ^" + first + " ... ^" +
+                         second + " ...)"});
+  }
+}
+
+/// Words that the architecture never writes on a state: "^impasse nochange".
+void FindWordsOfStates(const RuleText& rule, const std::set<std::string>& made, std::vector<Slip>& slips) {
+  static const std::map<std::string, std::vector<std::string_view>> kWords = {
+      {"impasse", {"no-change", "tie", "conflict", "constraint-failure"}},
+      {"type", {"state"}},
+      {"attribute", {"operator", "state"}},
+      {"choices", {"none", "multiple", "constraint-failure"}}};
+  for (const RuleAttribute& condition : rule.conditions) {
+    const auto words = kWords.find(condition.attribute);
+    if (!condition.on_state || words == kWords.end() || made.contains(condition.attribute)) continue;
+    const std::string word = ConstantOf(condition.value);
+    if (word.empty() || condition.value.find(' ') != std::string::npos) continue;
+    if (std::ranges::find(words->second, word) != words->second.end()) continue;
+    std::string hint = "it is one of:";
+    for (const std::string_view one : words->second) hint += " " + std::string(one);
+    if (words->second.size() == 1) hint = "it is always " + std::string(words->second.front());
+    if (const std::string_view near = Suggest(word, words->second); !near.empty())
+      hint = "did you mean " + std::string(near) + "?";
+    slips.push_back(
+        {rule.name, word, false,
+         "rule " + rule.name + " waits for ^" + condition.attribute + " " + word + " on a state, which it never is",
+         std::move(hint)});
+  }
+}
+
+/// "-(<o> ^where <name>) --> (<c> ^waypoint <name>)": a negated condition binds nothing for the actions.
+void FindBoundByNegation(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> bound, negated, made;
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (!condition.negated) bound.insert(condition.id);
+    for (const auto* text : {&condition.attribute, &condition.value})
+      for (std::string& variable : VariablesIn(*text))
+        (condition.negated ? negated : bound).insert(std::move(variable));
+  }
+  for (const RuleAttribute& action : rule.actions) made.insert(action.id);
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string variable = FirstWord(action.value);
+    if (!IsVariable(variable) || bound.contains(variable) || !negated.contains(variable)) continue;
+    if (made.contains(variable) || IsRemoval(action)) continue;
+    slips.push_back({rule.name, variable, false,
+                     "rule " + rule.name + " binds " + variable +
+                         " in a negated condition only: there is no value, and the action makes a new identifier",
+                     "bind it in a condition without -"});
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules) {
+  std::set<std::string> made;
+  for (const RuleText& rule : rules)
+    for (const RuleAttribute& action : rule.actions) made.insert(action.attribute);
+  const bool names_matter = NamesMatter(rules);
+  std::vector<Slip> slips;
+  for (const RuleText& rule : rules) {
+    FindOperatorsThatAreWords(rule, slips);
+    FindNamelessOperators(rule, names_matter, slips);
+    FindSecondLinks(rule, slips);
+    FindHeaps(rule, slips);
+    FindAnsweredCommands(rule, slips);
+    FindPartedPaths(rule, slips);
+    FindWordsOfStates(rule, made, slips);
+    FindBoundByNegation(rule, slips);
+  }
+  return slips;
+}
+
+}  // namespace soarbox::explain

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// The camera of the window: whom it frames, follows and keeps in view.
+#include <algorithm>
+
+#include "viewer/viewer_impl.h"
+
+namespace soarbox::viewer {
+
+void Viewer::Impl::Frame(const std::vector<std::uint32_t>& agents, bool best_side) {
+  std::vector<const world::AgentSnapshot*> framed;
+  for (const auto& agent : scene.agents) {
+    const bool wanted = agents.empty() || std::find(agents.begin(), agents.end(), agent.id) != agents.end();
+    if (wanted && world::IsFinite(agent.position)) framed.push_back(&agent);
+  }
+  const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
+  camera.Frame(framed, aspect, best_side, agents.empty() ? Places() : std::vector<world::Vec3>{},
+               best_side && has_walls);
+  if (framed.empty()) return;
+  kept = agents;
+  camera.BeginKeeping();
+}
+
+std::vector<world::Vec3> Viewer::Impl::Places() const {
+  std::vector<world::Vec3> places;
+  for (const world::PlaceSnapshot& place : overlays.places) {
+    if (place.kind != world::PlaceSnapshot::Kind::kThing) places.push_back(place.position);
+  }
+  return places;
+}
+
+void Viewer::Impl::KeepInView(float seconds) {
+  if (!camera.keeps()) return;
+  std::vector<FramedBody> living, all;
+  // The camera goes by the user's clock, agents by that of the world: faster than this, their velocity says little.
+  constexpr double kFast = 4;
+  const bool is_fast = !status.paused && status.speed > kFast;
+  const auto pace = static_cast<float>(status.paused || is_fast ? 0 : status.speed);
+  for (const auto& agent : scene.agents) {
+    const bool wanted = kept.empty() || std::find(kept.begin(), kept.end(), agent.id) != kept.end();
+    if (!wanted || !world::IsFinite(agent.position)) continue;
+    const FramedBody body{agent.position, agent.velocity * pace, agent.radius_m, agent.height_m};
+    all.push_back(body);
+    if (agent.alive) living.push_back(body);
+  }
+  const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
+  std::vector<FramedBody>& framed = living.empty() ? all : living;
+  if (is_fast) {
+    recent_ground.Note(framed, seconds);
+    recent_ground.AddTo(framed);
+  } else {
+    recent_ground.Forget();
+  }
+  camera.Keep(framed, kept.empty() ? Places() : std::vector<world::Vec3>{}, aspect, seconds);
+}
+
+void Viewer::Impl::SetCamera(CameraMode mode) {
+  // The key of the mode that follows also ends it.
+  if (mode == CameraMode::kFollow && camera.mode() == mode && Selected() != nullptr && camera.agent() == Selected()->id)
+    mode = CameraMode::kFree;
+  const bool needs_agent = mode == CameraMode::kFollow || mode == CameraMode::kEyes;
+  if (needs_agent && Selected() == nullptr) {
+    // Without a wish, somebody who lives.
+    const auto living = std::find_if(scene.agents.begin(), scene.agents.end(), [](const auto& a) { return a.alive; });
+    if (living != scene.agents.end()) selection = {living->id};
+  }
+  if (!camera.SetMode(mode, Selected())) Notice("There is no agent to go along with");
+}
+
+/// Whether all agents are in the picture and large enough to be made out: then a script has chosen its view well.
+bool Viewer::Impl::SeesAgentsWell() {
+  constexpr float kSmallest = 0.07f;  // Of the picture's height.
+  const auto width = static_cast<float>(engine->width()), height = static_cast<float>(engine->height());
+  camera.Arrive();
+  const Projection view = View();
+  return std::all_of(scene.agents.begin(), scene.agents.end(), [&](const world::AgentSnapshot& agent) {
+    const world::Vec3 half{0, agent.height_m / 2, 0};
+    const auto head = view.Project(agent.position + half), feet = view.Project(agent.position - half);
+    return head && feet && head->x > 0 && head->x < width && head->y > kStatusBar_px && feet->y < height &&
+           feet->y - head->y > kSmallest * height;
+  });
+}
+
+void Viewer::Impl::PlaceCamera() {
+  const world::CameraSnapshot& pose = camera.pose();
+  engine->camera_node().setPosition(ToOgre(pose.position));
+  engine->camera_node().setOrientation(ToOgre(pose.orientation));
+  engine->camera().setFOVy(Ogre::Degree(pose.vertical_fov_deg));
+  sky->Follow(ToOgre(pose.position));
+}
+
+}  // namespace soarbox::viewer

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <bitset>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viewer/backdrop.h"
+#include "viewer/engine.h"
+#include "viewer/fill_batch.h"
+#include "viewer/ghost_view.h"
+#include "viewer/input_reader.h"
+#include "viewer/labels.h"
+#include "viewer/light_rig.h"
+#include "viewer/line_batch.h"
+#include "viewer/overlay_painter.h"
+#include "viewer/panels.h"
+#include "viewer/particle_lines.h"
+#include "viewer/render_scale.h"
+#include "viewer/scene_view.h"
+#include "viewer/sky_view.h"
+#include "viewer/viewer.h"
+#include "viewer/workspace_host.h"
+
+namespace soarbox::viewer {
+
+/// What of a snapshot is needed to draw again without its owner, and everything that draws.
+struct Viewer::Impl {
+  ViewerOptions options;
+  // Declared in the order of construction; each uses what stands above it.
+  std::unique_ptr<Engine> engine;
+  std::optional<Shaders> shaders;
+  std::optional<Materials> materials;
+  std::optional<LightRig> lights;
+  std::optional<SkyView> sky;
+  std::optional<SceneView> things;
+  std::unique_ptr<LineBatch> lines, skeleton_lines;
+  std::unique_ptr<FillBatch> fills;
+  std::optional<PanelHost> panels;
+  std::optional<InputReader> input;
+  std::optional<WorkspaceHost> workspace;  ///< Menus and panels; none: the picture alone.
+
+  std::optional<GhostView> ghost_view;
+  std::optional<Backdrop> backdrop;
+
+  CameraRig camera;
+  ParticleLines particles;
+  std::optional<std::uint32_t> camera_moves;
+  std::vector<std::uint32_t> kept;  ///< Whom the camera keeps in view; empty: all, and the places.
+  RecentGround recent_ground;       ///< Of those, while the world runs fast.
+  world::SceneSnapshot scene;       ///< Without its drawables; agents stand where they are drawn.
+  RunStatus status;
+  std::vector<InputEvent> events;
+  std::vector<ViewerCommand> commands;
+  OverlayPainter painter;
+  AgentLabels labels;
+  ScreenBox card;  ///< Where the selected agent's card stood in the last frame.
+  Corner card_corner = Corner::kBottomLeft;
+  std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
+  std::vector<Ghost> shown_ghosts;                 ///< Those asked for, and those of overlays.
+  world::OverlaySnapshot overlays;
+  bool has_overlays = false;
+  std::vector<Ghost> ghosts;
+  std::vector<std::uint32_t> selection;
+  std::uint32_t hovered = 0;
+  std::optional<ScreenPoint> cursor;
+  std::optional<Picked> box;
+  std::bitset<kViewerCommands> on;
+  std::string notice;
+  float notice_s = 0;  ///< For how long it is still shown.
+  bool has_framed = false;
+  bool has_walls = false;  ///< The scene is full of pieces of buildings.
+  bool failed = false;
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
+  FrameCosts costs;
+  int scripted_frames = 0;
+  bool shows_news = true;                       ///< Something else was shown since the last frame.
+  bool stands = false;                          ///< Neither the world nor the camera has moved since the last frame.
+  std::vector<world::LineSnapshot> last_marks;  ///< What the last frame drew over the scene.
+  std::vector<world::TriangleSnapshot> last_fills;
+  std::size_t last_ghosts = 0;
+  std::size_t shown_drawables = 0;
+  world::CameraSnapshot rested_pose;
+  float frames_per_second = 0;
+  std::optional<AutoScale> auto_scale;  ///< Looks for the largest scale that is fast enough.
+  double slept_s = 0;                   ///< Since the last frame began.
+  double drawing_s = 0;                 ///< What the last frame took.
+
+  Result<void> Build();
+  void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
+  bool Frame();
+  bool IsIdle(Clock::time_point now);
+  void Apply(const FrameInput& in, float seconds);
+  void PlaceCamera();
+  void DrawPanels(float seconds);
+  void DrawWorkspace();
+  /// Moves the selected agent's card to where it hides nobody.
+  void PlaceCard(const Projection& view, const std::vector<ScreenBox>& blocked);
+  void ChooseScale(ViewerCommand command);
+  void UseScale(double scale);
+  Result<void> SavePicture(const std::filesystem::path& path);
+  void ReportFailure(const std::string& what);
+  void Do(ViewerCommand command);
+  void SelectBeside(int step);
+  bool SeesAgentsWell();
+  /// Lets the camera follow what happens, while it is not the user's.
+  void KeepInView(float seconds);
+  std::vector<world::Vec3> Places() const;
+  /// The agent whose body or label is there; 0: none.
+  std::uint32_t AgentUnder(ScreenPoint pixel) const;
+  void Pick(const Picked& picked);
+  void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
+  void SetCamera(CameraMode mode);
+  bool IsOn(ViewerCommand command) const;
+  /// The agent whose eyes the camera looks out of; 0: none.
+  std::uint32_t Inside() const { return camera.mode() == CameraMode::kEyes ? camera.agent() : 0; }
+  void Notice(std::string text) {
+    notice = std::move(text);
+    notice_s = 3.5f;
+  }
+  const world::AgentSnapshot* Find(std::uint32_t agent_id) const;
+  const world::AgentSnapshot* Selected() const { return selection.empty() ? nullptr : Find(selection.front()); }
+  Projection View() const { return {camera.pose(), engine->width(), engine->height()}; }
+
+  ~Impl() {
+    // Ogre's scene must not hold what we own when the engine takes it down.
+    if (lines) lines->detachFromParent();
+    if (skeleton_lines) skeleton_lines->detachFromParent();
+    if (fills) fills->detachFromParent();
+  }
+};
+
+}  // namespace soarbox::viewer
