@@ -36,18 +36,22 @@ bool AnyExplained(CommandCall& call, bool justifications) {
                              [&](const ExplainedRule& rule) { return rule.justification == justifications; });
 }
 
-/// The recorded rules of one kind, one a line behind `margin` blanks; the first one stands behind `first`.
-std::string ListedRules(CommandCall& call, bool justifications, std::string_view first, std::size_t margin) {
+/// The recorded rules of one kind, one a line behind `margin` blanks; the first one stands behind `first`. At most
+/// `most`; says in `listed` how many.
+std::string ListedRules(CommandCall& call, bool justifications, std::string_view first, std::size_t margin,
+                        std::size_t most, std::size_t& listed) {
   std::string text(first);
-  bool begun = false;
+  listed = 0;
   for (const ExplainedRule& rule : call.agent().Explained()) {
-    if (rule.justification != justifications) continue;
-    if (begun || first.empty()) text += std::string(margin, ' ');
-    begun = true;
+    if (rule.justification != justifications || listed == most) continue;
+    if (listed > 0 || first.empty()) text += std::string(margin, ' ');
+    ++listed;
     text += fmt::format("{} (c {})\n", rule.name, rule.number);
   }
   return text;
 }
+
+constexpr std::size_t kMostInOverview = 10;
 
 void ExplainOverview(CommandCall& call) {
   const SettingStore& store = call.session.settings();
@@ -75,8 +79,17 @@ void ExplainOverview(CommandCall& call) {
   for (const bool justifications : {false, true}) {
     const std::string kind = justifications ? "Justifications" : "Chunks";
     if (AnyExplained(call, justifications)) {
-      summary.Text(ListedRules(call, justifications, fmt::format("{:<54}", kind + " available for explanation:"), 54) +
+      std::size_t listed = 0;
+      summary.Text(ListedRules(call, justifications, fmt::format("{:<54}", kind + " available for explanation:"), 54,
+                               kMostInOverview, listed) +
                    "\n");
+      // As in Soar 9.6.3, rules of the other kind count among those that are not listed.
+      const std::string plural = justifications ? "justifications" : "chunks";
+      if (const std::size_t all = call.agent().Explained().size(); all > listed) {
+        summary.Text(fmt::format(
+            "* Note:  Only listed the first {} {} recorded.  Type 'explain list-{}' to see the other {} {}.\n\n",
+            kMostInOverview, plural, plural, all - listed, plural));
+      }
     } else {
       summary.Text(justifications ? "No justifications have been recorded.\n" : "No chunks have been recorded.\n");
     }
@@ -304,9 +317,10 @@ bool CommandExplain(CommandCall& call) {
   if (word == "chunk") return ExplainChunk(call);
   if (word == "list-chunks" || word == "list-justifications") {
     const bool justifications = word == "list-justifications";
+    std::size_t listed = 0;
     if (AnyExplained(call, justifications)) {
       call.Out(fmt::format("{} available for explanation:\n", justifications ? "Justifications" : "Chunks") +
-               ListedRules(call, justifications, "", 3));
+               ListedRules(call, justifications, "", 3, std::string::npos, listed));
     } else {
       call.Out(justifications ? "No justifications have been recorded.\n" : "No chunks have been recorded.\n");
     }

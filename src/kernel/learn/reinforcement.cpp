@@ -306,7 +306,8 @@ void Reinforcement::Update(GoalLevel level, const Future& future) {
     for (const Trace& trace : record.traces) trace_product += values_.Find(trace.rule)->correction * trace.weight;
 
     ++update_;
-    const Step step{record.reward - current, discount * future.value - expected, future.expected};
+    const Step step{record.reward - current, discount * future.value - expected,
+                    record.reward + discount * future.value - (current + expected), future.expected};
     Symbol shown;
     for (const Trace& trace : record.traces) Move(trace, step, shown);
     if (HasCorrection(settings_.policy)) CorrectGradient(goal, record, trace_product, previous_product);
@@ -364,7 +365,7 @@ double Reinforcement::RateOf(RlValue& value, double error) const {
 
 void Reinforcement::Move(const Trace& trace, const Step& step, Symbol& shown) {
   RlValue& value = *values_.Find(trace.rule);
-  const double rate = RateOf(value, step.current_error + step.future_error);
+  const double rate = RateOf(value, step.error);
   const double current = rate * trace.weight * step.current_error;
   const double future = step.expected ? rate * trace.weight * step.future_error : 0;
   const RlUpdate told{trace.rule, value.current, value.future, value.current + current, value.future + future};

@@ -120,7 +120,7 @@ class Reinforcement final : public Module {
   };
   /// How much one update moves every rule that has a trace, by the weight of that.
   struct Step {
-    double current_error = 0, future_error = 0;
+    double current_error = 0, future_error = 0, error = 0;
     bool expected = true;
   };
 
