@@ -17,11 +17,11 @@ struct Conduct {
 };
 
 /// How bodies carry out the commands of the vocabulary; one for each row.
-std::span<const Conduct> MovingConducts();     // conduct_move.cpp
-std::span<const Conduct> FollowingConducts();  // conduct_follow.cpp
-std::span<const Conduct> FightingConducts();   // conduct_fight.cpp
-std::span<const Conduct> CarryingConducts();   // conduct_carry.cpp
-std::span<const Conduct> OtherConducts();      // conduct_other.cpp
+std::span<const Conduct> MovingConducts();     // command_move.cpp
+std::span<const Conduct> FollowingConducts();  // command_follow.cpp
+std::span<const Conduct> FightingConducts();   // command_fight.cpp
+std::span<const Conduct> CarryingConducts();   // command_carry.cpp
+std::span<const Conduct> OtherConducts();      // command_other.cpp
 /// Null for a command that has none.
 ConductStep FindConduct(std::string_view command);
 
