@@ -8,7 +8,7 @@
 #include <fstream>
 #include <functional>
 
-#include "debugger/edit.h"
+#include "debugger/rule_edit.h"
 #include "debugger/run_models.h"
 #include "record/recorder.h"
 #include "viewer/panels/draw_limit.h"

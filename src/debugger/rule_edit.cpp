@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "debugger/edit.h"
+#include "debugger/rule_edit.h"
 
 #include <unistd.h>
 
