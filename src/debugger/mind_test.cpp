@@ -6,6 +6,7 @@
 #include "debugger/agents.h"
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
+#include "debugger/goal_stack.h"
 #include "debugger/io.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
@@ -14,7 +15,6 @@
 #include "debugger/rule_edit.h"
 #include "debugger/rules.h"
 #include "debugger/run_models.h"
-#include "debugger/stack.h"
 #include "debugger/views.h"
 #include "debugger/why.h"
 

@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include "debugger/goal_stack.h"
 #include "debugger/io.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
-#include "debugger/stack.h"
 #include "record/legacy_minds.h"
 
 namespace soarbox::debugger {

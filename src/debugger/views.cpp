@@ -8,12 +8,12 @@
 #include "debugger/agents.h"
 #include "debugger/console.h"
 #include "debugger/facts_text.h"
+#include "debugger/goal_stack.h"
 #include "debugger/io.h"
 #include "debugger/learning.h"
 #include "debugger/memory.h"
 #include "debugger/operators.h"
 #include "debugger/recall.h"
-#include "debugger/stack.h"
 #include "debugger/why.h"
 
 namespace soarbox::debugger {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "debugger/stack.h"
+#include "debugger/goal_stack.h"
 
 #include <fmt/format.h>
 
