@@ -7,7 +7,7 @@
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/goal_stack.h"
-#include "debugger/io.h"
+#include "debugger/links.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
 #include "debugger/operators.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "debugger/goal_stack.h"
-#include "debugger/io.h"
+#include "debugger/links.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
 #include "record/legacy_minds.h"

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "debugger/facts_text.h"
-#include "debugger/io.h"
 #include "debugger/lesson.h"
+#include "debugger/links.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "debugger/io.h"
+#include "debugger/links.h"
 
 #include <fmt/format.h>
 
