@@ -11,9 +11,9 @@
 #include "debugger/messages.h"
 #include "debugger/operators.h"
 #include "debugger/plots.h"
+#include "debugger/run_trace.h"
 #include "debugger/syntax.h"
 #include "debugger/timeline.h"
-#include "debugger/trace.h"
 #include "record/legacy_minds.h"
 
 namespace soarbox::debugger {

@@ -11,8 +11,8 @@
 #include "debugger/plots.h"
 #include "debugger/recall.h"
 #include "debugger/rules.h"
+#include "debugger/run_trace.h"
 #include "debugger/timeline.h"
-#include "debugger/trace.h"
 #include "record/tick_record.h"
 
 namespace soarbox::debugger {

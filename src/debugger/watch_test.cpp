@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "debugger/mind_fixture.h"
-#include "debugger/trace.h"
+#include "debugger/run_trace.h"
 
 namespace soarbox::debugger {
 namespace {

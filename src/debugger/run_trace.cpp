@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "debugger/trace.h"
+#include "debugger/run_trace.h"
 
 #include <fmt/format.h>
 
