@@ -1,75 +1,24 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "mind/decision_codec.h"
 
-#include <bit>
 #include <cstddef>
 
+#include "mind/byte_stream.h"
 #include "mind/field_writer.h"
 
 namespace soarbox::mind {
 namespace {
 
-/// Once something does not fit, everything is zero, and failed() stays.
-class In {
+class In : public ByteReader {
  public:
-  explicit In(std::string_view bytes) : bytes_(bytes) {}
-  bool failed() const { return failed_; }
-  bool AtEnd() const { return bytes_.empty(); }
+  using ByteReader::ByteReader;
 
-  std::uint8_t Byte() {
-    if (bytes_.empty()) {
-      failed_ = true;
-      return 0;
-    }
-    const auto value = static_cast<std::uint8_t>(bytes_.front());
-    bytes_.remove_prefix(1);
-    return value;
-  }
-  template <typename Enum>
-  Enum Kind(Enum last) {
-    const std::uint8_t value = Byte();
-    if (value <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(value);
-    failed_ = true;
-    return Enum{};
-  }
-  std::uint64_t Number() {
-    std::uint64_t value = 0;
-    for (int shift = 0; shift < 35; shift += 7) {
-      const std::uint8_t byte = Byte();
-      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
-      if ((byte & 0x80) == 0) return value;
-    }
-    failed_ = true;
-    return 0;
-  }
-  /// How many things follow that take so many bytes each at least.
-  std::size_t Count(std::size_t least_bytes) {
-    const std::uint64_t count = Number();
-    if (count <= bytes_.size() / least_bytes) return static_cast<std::size_t>(count);
-    failed_ = true;
-    return 0;
-  }
   /// A place below `end`, or none.
   std::uint32_t Place(std::size_t end) {
     const std::uint64_t value = Number();
-    if (value > end) failed_ = true;
-    return value == 0 || failed_ ? Decision::kNoOperator : static_cast<std::uint32_t>(value - 1);
+    if (value > end) Fail();
+    return value == 0 || failed() ? Decision::kNoOperator : static_cast<std::uint32_t>(value - 1);
   }
-  double Double() {
-    std::uint64_t bits = 0;
-    for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(Byte()) << (8 * i);
-    return std::bit_cast<double>(bits);
-  }
-  std::string Text() {
-    const std::size_t size = Count(1);
-    std::string text(bytes_.substr(0, size));
-    bytes_.remove_prefix(size);
-    return text;
-  }
-
- private:
-  std::string_view bytes_;
-  bool failed_ = false;
 };
 
 // Of a file or a wire anything may come. What a decision procedure says stays far below these.
@@ -189,7 +138,8 @@ std::optional<Decision> Unpack(std::string_view bytes) {
     drop.stage = in.Kind(Stage::kWorst);
     drop.decisive = in.Kind(Decisive::kNo);
     const std::uint64_t first = in.Number(), count = in.Number();
-    if (drop.op == Decision::kNoOperator || first + count > decision.by.size()) return std::nullopt;
+    const std::size_t most = decision.by.size();
+    if (drop.op == Decision::kNoOperator || first > most || count > most - first) return std::nullopt;
     drop.first = static_cast<std::uint32_t>(first);
     drop.count = static_cast<std::uint32_t>(count);
   }

@@ -4,23 +4,17 @@
 #include <algorithm>
 #include <array>
 
+#include "mind/byte_stream.h"
+
 namespace soarbox::mind {
 namespace {
 
-/// Reads what EventLog's writer wrote. Once something does not fit, everything is zero, and failed() stays.
-class FieldReader {
+/// Reads what EventLog's writer wrote.
+class FieldReader : public ByteReader {
  public:
-  explicit FieldReader(std::string_view bytes) : bytes_(bytes) {}
-  bool failed() const { return failed_; }
-  bool AtEnd() const { return bytes_.empty(); }
-  std::size_t left() const { return bytes_.size(); }
+  using ByteReader::ByteReader;
 
-  void operator()(const char*, std::string_view& text) {
-    const std::uint64_t size = Number();
-    if (size > bytes_.size()) return Fail();
-    text = bytes_.substr(0, static_cast<std::size_t>(size));
-    bytes_.remove_prefix(static_cast<std::size_t>(size));
-  }
+  void operator()(const char*, std::string_view& text) { text = Text(); }
   void operator()(const char*, Value& value) {
     switch (Byte()) {
       case 0:
@@ -32,10 +26,10 @@ class FieldReader {
         break;
       }
       case 2:
-        value = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(Fixed(4))));
+        value = static_cast<double>(Float());
         break;
       case 3:
-        value = std::bit_cast<double>(Fixed(8));
+        value = Double();
         break;
       default:
         Fail();
@@ -43,11 +37,10 @@ class FieldReader {
   }
   void operator()(const char*, std::vector<Parameter>& parameters) {
     parameters.clear();
-    const std::uint64_t count = Number();
-    // Each takes two bytes at least, and much more memory.
-    if (count > bytes_.size() / 2 || count > kMostParameters) return Fail();
+    const std::size_t count = Count(2);
+    if (count > kMostParameters) return Fail();  // Each takes much more memory than bytes.
     std::uint32_t most_depth = 0;
-    for (std::uint64_t i = 0; i < count && !failed_; ++i) {
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
       Parameter& parameter = parameters.emplace_back();
       const std::uint64_t head = Number();
       if (head >> 1 > most_depth) return Fail();
@@ -73,56 +66,9 @@ class FieldReader {
     number = static_cast<std::uint32_t>(value);
   }
   void operator()(const char*, std::uint64_t& number) { number = Number(); }
-  void operator()(const char*, double& number) { number = std::bit_cast<double>(Fixed(8)); }
+  void operator()(const char*, double& number) { number = Double(); }
   void operator()(const char*, StateReason& reason) { reason = Kind(StateReason::kNoChange); }
   void operator()(const char*, CommandStatus& status) { status = Kind(CommandStatus::kError); }
-
-  std::uint8_t Byte() {
-    if (bytes_.empty()) {
-      Fail();
-      return 0;
-    }
-    const auto value = static_cast<std::uint8_t>(bytes_.front());
-    bytes_.remove_prefix(1);
-    return value;
-  }
-  std::uint64_t Number() {
-    std::uint64_t value = 0;
-    for (int shift = 0; shift < 64; shift += 7) {
-      const std::uint8_t byte = Byte();
-      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
-      if ((byte & 0x80) == 0) return value;
-    }
-    Fail();
-    return 0;
-  }
-
- private:
-  void Fail() {
-    failed_ = true;
-    bytes_ = {};
-  }
-  template <typename Enum>
-  Enum Kind(Enum last) {
-    const std::uint8_t value = Byte();
-    if (value <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(value);
-    Fail();
-    return Enum{};
-  }
-  std::uint64_t Fixed(std::size_t count) {
-    if (bytes_.size() < count) {
-      Fail();
-      return 0;
-    }
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(bytes_[i])) << (8 * i);
-    bytes_.remove_prefix(count);
-    return value;
-  }
-
-  std::string_view bytes_;
-  bool failed_ = false;
 };
 
 template <std::size_t number>

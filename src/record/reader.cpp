@@ -6,7 +6,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "record/byte_stream.h"
+#include "mind/byte_stream.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -151,7 +151,7 @@ Result<std::vector<TickInputs>> Reader::Inputs() {
   for (const Block& block : inputs_) {
     const Result<std::string> payload = ReadPayload(block);
     if (!payload) return payload.error();
-    ByteReader in(*payload);
+    mind::ByteReader in(*payload);
     while (!in.AtEnd() && !in.failed()) {
       TickInputs entry;
       ReadInputs(in, entry.tick, entry.inputs);

@@ -12,6 +12,9 @@
 namespace soarbox::record {
 namespace {
 
+using mind::ByteReader;
+using mind::ByteWriter;
+
 using world::Color;
 using world::Quat;
 using world::Shared;

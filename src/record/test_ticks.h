@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "record/byte_stream.h"
+#include "mind/byte_stream.h"
 #include "record/header.h"
 #include "record/tick_codec.h"
 
@@ -118,7 +118,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
 /// All that a record holds, as bytes that stand alone.
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
-  ByteWriter out(bytes);
+  mind::ByteWriter out(bytes);
   WriteTick(out, {}, tick);
   return bytes;
 }

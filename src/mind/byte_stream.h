@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace soarbox::record {
+namespace soarbox::mind {
 
 /// Appends values to a text of bytes: little-endian, whole numbers in seven-bit groups, lowest first.
 class ByteWriter {
@@ -83,6 +83,14 @@ class ByteReader {
     Fail();
     return 0;
   }
+  /// A value of an enumeration that ends with `last`.
+  template <typename Enum>
+  Enum Kind(Enum last) {
+    const std::uint8_t value = Byte();
+    if (value <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(value);
+    Fail();
+    return Enum{};
+  }
   /// A count of things that take at least `least_bytes` each: fails if so many cannot follow, so that a damaged count
   /// never asks for more memory than the input justifies.
   std::size_t Count(std::size_t least_bytes = 1) {
@@ -134,4 +142,4 @@ class ByteReader {
   bool failed_ = false;
 };
 
-}  // namespace soarbox::record
+}  // namespace soarbox::mind
