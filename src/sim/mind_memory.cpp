@@ -94,6 +94,19 @@ void Minds::TellLearned(Mind& mind) {
   report_(std::move(event));
 }
 
+bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
+  if (mind.soar.Breakdown().empty()) return false;
+  mind.lost = true;
+  Event event = AboutMind(EventKind::kMindFailed, body.name(), mind.rules);
+  event.diagnostic.message =
+      body.name() + " ran out of memory and stops for good: " + std::string(mind.soar.Breakdown());
+  event.diagnostic.hint =
+      "look for conditions that share no variable (they match in all combinations of their elements), and for rules "
+      "that add elements, or lengthen texts, each time they fire";
+  report_(std::move(event));
+  return true;
+}
+
 void Minds::HaltForMemory(Mind& mind) {
   const std::string& name = world_.FindAgent(mind.agent)->name();
   Event event = AboutMind(EventKind::kMindFailed, name, mind.rules);

@@ -436,22 +436,6 @@ void Minds::TellWritten(Mind& mind, const world::Agent& body) {
   }
 }
 
-bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
-  if (mind.soar.Breakdown().empty()) return false;
-  mind.lost = true;
-  Event event;
-  event.kind = EventKind::kMindFailed;
-  event.agent = body.name();
-  event.diagnostic.file = mind.rules.string();
-  event.diagnostic.message =
-      body.name() + " ran out of memory and stops for good: " + std::string(mind.soar.Breakdown());
-  event.diagnostic.hint =
-      "look for conditions that share no variable (they match in all combinations of their elements), and for rules "
-      "that add elements, or lengthen texts, each time they fire";
-  report_(std::move(event));
-  return true;
-}
-
 void Minds::TellHalt(Mind& mind, const world::Agent& body) {
   if (std::exchange(mind.told_halt, true)) return;
   const std::string why = explain::MindReasons(mind.soar.agent()).WhyHalted();
