@@ -149,6 +149,7 @@ void SoarMind::ReadOutput() {
       const bool is_new = !Stands(at, tag);
       if (is_new) at = standing_.insert(at, Standing{tag});
       at->seen = true;
+      at->place = i;
       if (!is_new) continue;
       vocabulary::SaidCommand& said = commands_.emplace_back();
       said.tag = tag;
@@ -178,19 +179,25 @@ void SoarMind::NoteSaid(const vocabulary::SaidCommand& said) {
 
 /// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it
 /// was read.
-sml::Identifier* SoarMind::FindWord(std::uint64_t tag) const {
+sml::Identifier* SoarMind::FindWord(const Standing& command) const {
   sml::Identifier* link = agent_->GetOutputLink();
   if (link == nullptr) return nullptr;
-  for (int i = 0; i < link->GetNumberChildren(); ++i) {
-    sml::WMElement* child = link->GetChild(i);
-    if (child != nullptr && static_cast<std::uint64_t>(child->GetTimeTag()) == tag) return child->ConvertToIdentifier();
+  const auto is_it = [&](sml::WMElement* child) {
+    return child != nullptr && static_cast<std::uint64_t>(child->GetTimeTag()) == command.tag;
+  };
+  // Where it stood, nearly always.
+  sml::WMElement* found = link->GetChild(command.place);
+  for (int i = 0; !is_it(found); ++i) {
+    if (i == link->GetNumberChildren()) return nullptr;
+    found = link->GetChild(i);
   }
-  return nullptr;
+  return found->ConvertToIdentifier();
 }
 
 void SoarMind::Complete(std::uint64_t tag) {
-  if (!Stands(FindStanding(tag), tag)) return;
-  if (sml::Identifier* word = FindWord(tag)) word->AddStatusComplete();
+  const auto at = FindStanding(tag);
+  if (!Stands(at, tag)) return;
+  if (sml::Identifier* word = FindWord(*at)) word->AddStatusComplete();
 }
 
 void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
@@ -212,7 +219,7 @@ void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
 void SoarMind::Answer(const Outcome& outcome) {
   const auto at = FindStanding(outcome.tag);
   if (!Stands(at, outcome.tag)) return;
-  sml::Identifier* found = FindWord(outcome.tag);
+  sml::Identifier* found = FindWord(*at);
   if (found == nullptr) return;
   sml::Identifier& word = *found;
   if (is_logged_) NoteOutcome(word.GetAttribute(), outcome);

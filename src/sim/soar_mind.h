@@ -89,6 +89,7 @@ class SoarMind {
   struct Standing {
     std::uint64_t tag = 0;
     sml::FloatElement* progress = nullptr;
+    int place = 0;      ///< On the output link, when that was last read.
     bool seen = false;  ///< Scratch: met in the present reading of the output link.
   };
   /// The command of that tag, or the next one's place.
@@ -96,7 +97,7 @@ class SoarMind {
   bool Stands(std::vector<Standing>::const_iterator at, std::uint64_t tag) const {
     return at != standing_.end() && at->tag == tag;
   }
-  sml::Identifier* FindWord(std::uint64_t tag) const;
+  sml::Identifier* FindWord(const Standing& command) const;
   void ReadOutput();
   void NoteSaid(const vocabulary::SaidCommand& said);
   void NoteOutcome(std::string_view command, const Outcome& outcome);
