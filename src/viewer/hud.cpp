@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "viewer/panels.h"
+#include "viewer/hud.h"
 
 #include <algorithm>
 #include <cmath>
