@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "viewer/backdrop.h"
-#include "viewer/engine.h"
 #include "viewer/fill_batch.h"
 #include "viewer/ghost_view.h"
 #include "viewer/hud.h"
@@ -21,6 +20,7 @@
 #include "viewer/line_batch.h"
 #include "viewer/overlay_painter.h"
 #include "viewer/particle_lines.h"
+#include "viewer/render_engine.h"
 #include "viewer/render_scale.h"
 #include "viewer/scene_view.h"
 #include "viewer/sky_view.h"

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/engine.h"
 #include "viewer/frame_meter.h"
 #include "viewer/input_reader.h"
 #include "viewer/labels.h"
@@ -16,6 +15,7 @@
 #include "viewer/panels/panel_input.h"
 #include "viewer/panels/ui_script.h"
 #include "viewer/panels/workspace.h"
+#include "viewer/render_engine.h"
 
 namespace soarbox::viewer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "viewer/engine.h"
+#include "viewer/render_engine.h"
 
 #include <SDL.h>
 #include <SDL_syswm.h>
