@@ -15,7 +15,7 @@ TimeMachine::TimeMachine(const record::Header& header, sim::Scenario scenario, s
   histories_.push_back(std::make_unique<record::History>(header));
 }
 
-TimeMachine::TimeMachine(record::Timeline& recording, const sim::DataFolders& data, std::uint64_t first,
+TimeMachine::TimeMachine(record::TickSource& recording, const sim::DataFolders& data, std::uint64_t first,
                          std::uint64_t last)
     : recording_(&recording), data_(data), first_(first), last_(last), shown_(first) {}
 
@@ -51,7 +51,7 @@ const record::TickRecord* TimeMachine::Shown() {
 }
 
 const record::TickRecord* TimeMachine::At(std::uint64_t tick) {
-  record::Timeline& timeline = recording_ != nullptr ? *recording_ : history();
+  record::TickSource& timeline = recording_ != nullptr ? *recording_ : history();
   const Result<const record::TickRecord*> record = timeline.At(tick);
   return record ? *record : nullptr;
 }

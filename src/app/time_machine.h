@@ -24,7 +24,7 @@ class TimeMachine {
   TimeMachine(const record::Header& header, sim::Scenario scenario, sim::SimulationSettings settings);
 
   /// The ticks of this range of a recording, which must live longer. Its scenario is looked for again below `data`.
-  TimeMachine(record::Timeline& recording, const sim::DataFolders& data, std::uint64_t first, std::uint64_t last);
+  TimeMachine(record::TickSource& recording, const sim::DataFolders& data, std::uint64_t first, std::uint64_t last);
 
   /// The next tick of a live run.
   void Add(const record::TickRecord& tick);
@@ -83,7 +83,7 @@ class TimeMachine {
   record::History& history() const { return *histories_.back(); }
   Result<std::unique_ptr<record::Branch>> Begin();
 
-  record::Timeline* recording_ = nullptr;  ///< Null: a live run.
+  record::TickSource* recording_ = nullptr;  ///< Null: a live run.
   sim::DataFolders data_;
   std::uint64_t first_ = 0, last_ = 0;  ///< Of the recording.
   std::vector<Diagnostic> warnings_;

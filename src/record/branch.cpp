@@ -14,7 +14,7 @@ constexpr std::uint64_t kTicksBetweenChecks = 30;
 
 }  // namespace
 
-Branch::Branch(Timeline& past, Rerun rerun, std::uint64_t tick)
+Branch::Branch(TickSource& past, Rerun rerun, std::uint64_t tick)
     : past_(past),
       simulation_(std::move(rerun.simulation)),
       warnings_(std::move(rerun.warnings)),
@@ -22,20 +22,20 @@ Branch::Branch(Timeline& past, Rerun rerun, std::uint64_t tick)
       goal_(tick),
       comparer_(past.header().step_s) {}
 
-Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, Result<Rerun> rerun, std::uint64_t tick) {
+Result<std::unique_ptr<Branch>> Branch::Begin(TickSource& past, Result<Rerun> rerun, std::uint64_t tick) {
   if (!rerun) return rerun.error();
   std::unique_ptr<Branch> branch(new Branch(past, std::move(*rerun), tick));
   if (const Result<void> checked = branch->Check(); !checked) return checked.error();
   return branch;
 }
 
-Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, const sim::Scenario& scenario,
+Result<std::unique_ptr<Branch>> Branch::Begin(TickSource& past, const sim::Scenario& scenario,
                                               const sim::SimulationSettings& settings, std::uint64_t tick) {
   if (tick > past.last_tick()) return NotThere(past, tick);
   return Begin(past, Restart(past, scenario, settings, {.last_tick = tick}), tick);
 }
 
-Result<std::unique_ptr<Branch>> Branch::Begin(Timeline& past, const sim::DataFolders& data, std::uint64_t tick,
+Result<std::unique_ptr<Branch>> Branch::Begin(TickSource& past, const sim::DataFolders& data, std::uint64_t tick,
                                               int threads) {
   if (tick > past.last_tick()) return NotThere(past, tick);
   return Begin(past, Restart(past, data, {.last_tick = tick, .threads = threads}), tick);

@@ -7,7 +7,7 @@
 
 #include "record/compare.h"
 #include "record/rerun.h"
-#include "record/timeline.h"
+#include "record/tick_source.h"
 
 namespace soarbox::record {
 
@@ -24,10 +24,10 @@ namespace soarbox::record {
 class Branch {
  public:
   /// From a running world: its scenario and the settings that it was made with. Debuggers cannot attach to the branch.
-  static Result<std::unique_ptr<Branch>> Begin(Timeline& past, const sim::Scenario& scenario,
+  static Result<std::unique_ptr<Branch>> Begin(TickSource& past, const sim::Scenario& scenario,
                                                const sim::SimulationSettings& settings, std::uint64_t tick);
   /// From a recording, whose scenario is looked for again. `threads`: for the minds; 0: one per core.
-  static Result<std::unique_ptr<Branch>> Begin(Timeline& past, const sim::DataFolders& data, std::uint64_t tick,
+  static Result<std::unique_ptr<Branch>> Begin(TickSource& past, const sim::DataFolders& data, std::uint64_t tick,
                                                int threads = 0);
 
   /// Simulates at most so many ticks. The state is compared with the recorded one about once per simulated second and
@@ -51,11 +51,11 @@ class Branch {
   class Futures CompareFutures() const;
 
  private:
-  Branch(Timeline& past, Rerun rerun, std::uint64_t tick);
-  static Result<std::unique_ptr<Branch>> Begin(Timeline& past, Result<Rerun> rerun, std::uint64_t tick);
+  Branch(TickSource& past, Rerun rerun, std::uint64_t tick);
+  static Result<std::unique_ptr<Branch>> Begin(TickSource& past, Result<Rerun> rerun, std::uint64_t tick);
   Result<void> Check();
 
-  Timeline& past_;
+  TickSource& past_;
   std::unique_ptr<sim::Simulation> simulation_;
   std::vector<Diagnostic> warnings_;
   Level level_;
@@ -68,7 +68,7 @@ class Branch {
 /// The old future and the new one, side by side: A is the old, B the new.
 class Futures {
  public:
-  Futures(Timeline& old, Comparer comparer) : old_(old), comparer_(std::move(comparer)) {}
+  Futures(TickSource& old, Comparer comparer) : old_(old), comparer_(std::move(comparer)) {}
 
   /// What the new future has come to. Ticks in order.
   void See(const TickRecord& now);
@@ -79,7 +79,7 @@ class Futures {
   const Comparison& comparison() const { return comparer_.result(); }
 
  private:
-  Timeline& old_;
+  TickSource& old_;
   Comparer comparer_;
 };
 

@@ -73,7 +73,7 @@ void Comparer::See(const TickRecord& a, const TickRecord& b) {
   if ((a.tick - result_.first_tick) % ticks_per_moment_ == 0) result_.course.push_back(MomentOf(a, b));
 }
 
-Result<Comparison> Compare(Timeline& a, Timeline& b) {
+Result<Comparison> Compare(TickSource& a, TickSource& b) {
   const std::uint64_t first = std::max(a.first_tick(), b.first_tick());
   const std::uint64_t last = std::min(a.last_tick(), b.last_tick());
   if (first > last) {

@@ -8,7 +8,7 @@
 
 #include "record/difference.h"
 #include "record/percept_values.h"
-#include "record/timeline.h"
+#include "record/tick_source.h"
 
 namespace soarbox::record {
 
@@ -51,6 +51,6 @@ class Comparer {
 };
 
 /// Compares two recordings. Fails if they share no tick or one is damaged.
-Result<Comparison> Compare(Timeline& a, Timeline& b);
+Result<Comparison> Compare(TickSource& a, TickSource& b);
 
 }  // namespace soarbox::record

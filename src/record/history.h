@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "record/block_codec.h"
-#include "record/timeline.h"
+#include "record/tick_source.h"
 
 namespace soarbox::record {
 
@@ -21,7 +21,7 @@ struct HistorySettings {
 
 /// What has happened in a running world so far, in memory: the record of any of its newest ticks by number, and all
 /// that came in since its beginning. With a Branch one goes back to any tick of it and goes on from there.
-class History final : public Timeline {
+class History final : public TickSource {
  public:
   /// The header tells which run it is (HeaderOf). Holds no tick before the first Add.
   explicit History(Header header, const HistorySettings& settings = {});

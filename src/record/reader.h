@@ -10,7 +10,7 @@
 
 #include "diagnostics/result.h"
 #include "record/block_codec.h"
-#include "record/timeline.h"
+#include "record/tick_source.h"
 
 namespace soarbox::record {
 
@@ -21,7 +21,7 @@ bool IsRecording(const std::filesystem::path& file);
 /// Any bytes may stand in the file: what is not a recording, or a damaged part of one, is an error that says where.
 ///
 /// One thread at a time; the file must not shrink meanwhile.
-class Reader final : public Timeline {
+class Reader final : public TickSource {
  public:
   static Result<std::unique_ptr<Reader>> Open(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ namespace soarbox::record {
 namespace fs = std::filesystem;
 namespace {
 
-Diagnostic Warning(const Timeline& recording, std::string message, std::string hint) {
+Diagnostic Warning(const TickSource& recording, std::string message, std::string hint) {
   Diagnostic warning;
   warning.severity = Severity::kWarning;
   warning.file = recording.name();
@@ -30,7 +30,7 @@ std::string NameFromHere(const Header& header, const std::string& name) {
 
 /// The scenario as it is on disk now. The folders that were given with --path are a recording's word only, which may
 /// be a stranger's: what it keeps of them is all that is read of them.
-Result<sim::Scenario> FromDisk(const Timeline& recording, const sim::DataFolders& data,
+Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolders& data,
                                std::vector<Diagnostic>& warnings) {
   const Header& header = recording.header();
   const std::string name = NameFromHere(header, header.scenario);
@@ -65,7 +65,7 @@ bool RunTo(sim::Simulation& simulation, std::uint64_t last_tick, Level level, co
 
 }  // namespace
 
-Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const RerunSettings& rerun) {
+Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const RerunSettings& rerun) {
   const Header& header = recording.header();
   std::vector<Diagnostic> warnings;
   Result<sim::Scenario> scenario = FromDisk(recording, data, warnings);
@@ -96,7 +96,7 @@ Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const R
   return made;
 }
 
-Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, const sim::SimulationSettings& given,
+Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario, const sim::SimulationSettings& given,
                       const RerunSettings& how) {
   const Header& header = recording.header();
   sim::Scenario scenario = given_scenario;
@@ -146,7 +146,7 @@ Result<Rerun> Restart(Timeline& recording, const sim::Scenario& given_scenario, 
   return rerun;
 }
 
-Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress, int threads,
+Result<Verdict> Verify(TickSource& recording, const sim::DataFolders& data, const Progress& progress, int threads,
                        FilesFrom files) {
   Result<Rerun> rerun = Restart(recording, data, {.threads = threads, .files = files});
   if (!rerun) return rerun.error();
@@ -172,7 +172,7 @@ Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const 
   return verdict;
 }
 
-Result<Rerun> GoTo(Timeline& recording, std::uint64_t tick, const sim::DataFolders& data, const Progress& progress,
+Result<Rerun> GoTo(TickSource& recording, std::uint64_t tick, const sim::DataFolders& data, const Progress& progress,
                    int threads) {
   if (!recording.Holds(tick)) return NotThere(recording, tick);
   Result<std::unique_ptr<Branch>> branch = Branch::Begin(recording, data, tick, threads);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "record/difference.h"
-#include "record/timeline.h"
+#include "record/tick_source.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
 
@@ -36,9 +36,9 @@ struct RerunSettings {
 
 /// Makes the simulation of a recording as it was before its first tick, with the recorded inputs waiting. Its scenario
 /// is looked for again, by name. Fails if it is no longer there or does not load. Warnings say if files have changed.
-Result<Rerun> Restart(Timeline& recording, const sim::DataFolders& data, const RerunSettings& settings = {});
+Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const RerunSettings& settings = {});
 /// The same for a running world, of this scenario and made with these settings.
-Result<Rerun> Restart(Timeline& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
+Result<Rerun> Restart(TickSource& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
                       const RerunSettings& rerun);
 
 /// Told the tick that was reached, for showing progress; false ends the work.
@@ -55,12 +55,12 @@ struct Verdict {
 
 /// Runs a recording again and compares each tick: state hash, bodies and minds. With the scenario's files as they are
 /// now, unless asked otherwise.
-Result<Verdict> Verify(Timeline& recording, const sim::DataFolders& data, const Progress& progress = {},
+Result<Verdict> Verify(TickSource& recording, const sim::DataFolders& data, const Progress& progress = {},
                        int threads = 0, FilesFrom files = FilesFrom::kDisk);
 
 /// Runs a recording again up to the end of a tick, with its hash checked there. Fails if the tick is not recorded, or
 /// if the run has come to another state (the message names the tick, the agent and what differs).
-Result<Rerun> GoTo(Timeline& recording, std::uint64_t tick, const sim::DataFolders& data, const Progress& progress = {},
-                   int threads = 0);
+Result<Rerun> GoTo(TickSource& recording, std::uint64_t tick, const sim::DataFolders& data,
+                   const Progress& progress = {}, int threads = 0);
 
 }  // namespace soarbox::record

@@ -15,9 +15,9 @@ namespace soarbox::record {
 /// consecutive ticks, not always from the run's beginning on, but always all that came in since then.
 ///
 /// One thread at a time.
-class Timeline {
+class TickSource {
  public:
-  virtual ~Timeline() = default;
+  virtual ~TickSource() = default;
 
   virtual const Header& header() const = 0;
   /// For messages: the file's name, or which run it is.
@@ -34,7 +34,7 @@ class Timeline {
   virtual Result<std::vector<TickInputs>> Inputs() = 0;
 };
 
-/// The error for a tick that a timeline does not hold.
-Diagnostic NotThere(const Timeline& timeline, std::uint64_t tick);
+/// The error for a tick that a source does not hold.
+Diagnostic NotThere(const TickSource& source, std::uint64_t tick);
 
 }  // namespace soarbox::record
