@@ -67,7 +67,7 @@ int Measure(int agents, double seconds, int threads) {
   }
   soarbox::sim::Simulation& world = **simulation;
   // A crowd whose minds have no rules, or whose scripts fail, measures nothing.
-  for (const soarbox::sim::Event& event : world.TakeEvents()) {
+  for (const soarbox::sim::RunEvent& event : world.TakeEvents()) {
     if (event.diagnostic.message.empty()) continue;
     std::fputs(soarbox::Format(event.diagnostic).c_str(), stderr);
     return 1;

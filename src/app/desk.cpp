@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostProblems = 500;
 
-bool IsProblem(const sim::Event& event) {
+bool IsProblem(const sim::RunEvent& event) {
   return event.kind == sim::EventKind::kMindLost || event.kind == sim::EventKind::kMindBack ||
          event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
          (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity != Severity::kNote);
@@ -28,7 +28,7 @@ std::filesystem::path FileOf(const sim::Scenario& scenario) {
 }
 
 /// What a kernel in another process does is told in words; others come with a diagnostic.
-Diagnostic DiagnosticOf(const sim::Event& event) {
+Diagnostic DiagnosticOf(const sim::RunEvent& event) {
   Diagnostic diagnostic = event.diagnostic;
   const bool is_lost = event.kind == sim::EventKind::kMindLost;
   if (!is_lost && event.kind != sim::EventKind::kMindBack) return diagnostic;
@@ -144,7 +144,7 @@ void Desk::Prepare() {
 void Desk::OnTick(const record::TickRecord& tick) {
   past_.Add(tick);
   Learn(tick);
-  for (const sim::Event& event : tick.events) {
+  for (const sim::RunEvent& event : tick.events) {
     if (event.kind == sim::EventKind::kMindLost || event.kind == sim::EventKind::kMindBack) news_ = event.text;
   }
   for (auto& [agent, console] : consoles_) {
@@ -165,7 +165,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
 
 void Desk::Learn(const record::TickRecord& tick) {
   models_.Add(tick);
-  for (const sim::Event& event : tick.events) {
+  for (const sim::RunEvent& event : tick.events) {
     if (event.news == "check") NoteCheck(event);
     if (!IsProblem(event)) continue;
     problems_.push_back({DiagnosticOf(event), event.agent, tick.tick, tick.scene.time_s});
@@ -176,7 +176,7 @@ void Desk::Learn(const record::TickRecord& tick) {
   }
 }
 
-void Desk::NoteCheck(const sim::Event& event) {
+void Desk::NoteCheck(const sim::RunEvent& event) {
   constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
   if (event.reasons.size() != kParts) return;
   const auto known = std::ranges::find(checks_, event.text, &viewer::CheckRow::name);

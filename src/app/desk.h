@@ -114,7 +114,7 @@ class Desk {
   std::string NotRecorded() const;
   void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// A check of the run's mission came to be known or was decided.
-  void NoteCheck(const sim::Event& event);
+  void NoteCheck(const sim::RunEvent& event);
 
   // What the user asks for (desk_requests.cpp).
   void Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/event.h"
+#include "sim/run_event.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::app {
@@ -31,7 +31,7 @@ class EventPrinter {
  public:
   virtual ~EventPrinter() = default;
   virtual void Begin(const RunHeader& header) = 0;
-  virtual void Print(const sim::Event& event) = 0;
+  virtual void Print(const sim::RunEvent& event) = 0;
   /// The state of all agents, for --report.
   virtual void Report(const world::SceneSnapshot& snapshot) = 0;
   virtual void End(const RunFooter& footer) = 0;

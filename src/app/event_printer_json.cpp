@@ -26,7 +26,7 @@ class JsonPrinter : public EventPrinter {
     Write(json);
   }
 
-  void Print(const sim::Event& event) override {
+  void Print(const sim::RunEvent& event) override {
     Json json;
     json["event"] = sim::EventName(event.kind);
     json["tick"] = event.tick;

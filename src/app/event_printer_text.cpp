@@ -19,7 +19,7 @@ class TextPrinter : public EventPrinter {
                         header.headless ? ", headless" : "");
   }
 
-  void Print(const sim::Event& event) override {
+  void Print(const sim::RunEvent& event) override {
     switch (event.kind) {
       case sim::EventKind::kAgentCreated:
         Line(event, "joins: " + event.text);
@@ -71,7 +71,7 @@ class TextPrinter : public EventPrinter {
 
   void Report(const world::SceneSnapshot& snapshot) override {
     for (const world::AgentSnapshot& agent : snapshot.agents) {
-      sim::Event event;
+      sim::RunEvent event;
       event.time_s = snapshot.time_s;
       event.agent = agent.name;
       Line(event, fmt::format("at ({:7.2f}, {:6.2f}, {:7.2f})  {:5.2f} m/s  {}", agent.position.x, agent.position.y,
@@ -90,7 +90,7 @@ class TextPrinter : public EventPrinter {
   }
 
  private:
-  void Line(const sim::Event& event, const std::string& text) {
+  void Line(const sim::RunEvent& event, const std::string& text) {
     // What scripts and rules print is theirs but for what would steer the terminal.
     out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s,
                         event.agent.empty() ? "sandbox" : Printable(event.agent, nullptr),

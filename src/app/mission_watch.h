@@ -10,8 +10,8 @@
 #include "mission/evaluator.h"
 #include "mission/gather_facts.h"
 #include "mission/test_missions.h"
-#include "sim/event.h"
 #include "sim/mind_log.h"
+#include "sim/run_event.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
 

@@ -203,7 +203,7 @@ int RunSession::Finish() {
 
 void RunSession::PrintEvents() {
   sim::EventList events = simulation_->TakeEvents();
-  for (sim::Event& event : events) {
+  for (sim::RunEvent& event : events) {
     const bool is_problem =
         event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||
         (event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError);

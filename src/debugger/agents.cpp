@@ -59,7 +59,7 @@ std::string FirstLine(const std::string& text) {
 
 void AgentTroubles::Add(const sim::EventList& events) {
   using Kind = sim::EventKind;
-  for (const sim::Event& event : events) {
+  for (const sim::RunEvent& event : events) {
     const bool is_error = event.kind == Kind::kAgentFailed || event.kind == Kind::kMindFailed ||
                           (event.kind == Kind::kDiagnostic && event.diagnostic.severity == Severity::kError);
     if (!is_error) continue;

@@ -11,7 +11,7 @@
 #include "debugger/json.h"
 #include "debugger/timeline.h"
 #include "record/tick_record.h"
-#include "sim/event.h"
+#include "sim/run_event.h"
 #include "sim/simulation.h"
 
 namespace soarbox::debugger {

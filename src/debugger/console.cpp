@@ -73,7 +73,7 @@ void Console::Refuse(const std::string& line, std::string_view why) {
 }
 
 void Console::Add(const sim::EventList& events) {
-  for (const sim::Event& event : events) {
+  for (const sim::RunEvent& event : events) {
     const bool failed = event.kind == sim::EventKind::kDiagnostic && !event.news.empty();
     if (event.agent != agent_ || (event.kind != sim::EventKind::kAnswer && !failed)) continue;
     if (!own_.empty() && own_.front() == event.news) {

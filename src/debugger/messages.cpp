@@ -13,7 +13,7 @@ namespace soarbox::debugger {
 namespace {
 
 /// "to scout: ^about contact ^range 3" of a "says" event.
-MessageRow ReadSaid(const sim::Event& event) {
+MessageRow ReadSaid(const sim::RunEvent& event) {
   MessageRow row;
   row.tick = event.tick;
   row.time_s = event.time_s;
@@ -51,7 +51,7 @@ void MessageLog::Add(const record::TickRecord& tick) {
       if (order != nullptr) add({tick.tick, tick.scene.time_s, "", order->agent, "order", order->order});
     }
   }
-  for (const sim::Event& event : tick.events)
+  for (const sim::RunEvent& event : tick.events)
     if (event.kind == sim::EventKind::kNews && event.news == "says") add(ReadSaid(event));
   while (rows_.size() > kMost) rows_.pop_front();
 }

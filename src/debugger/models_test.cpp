@@ -309,7 +309,7 @@ TEST(Trace, IsBounded) {
 
 TEST(Messages, AreReadFromEventsAndOrders) {
   record::TickRecord tick = TickOf(4, {});
-  sim::Event said;
+  sim::RunEvent said;
   said.kind = sim::EventKind::kNews;
   said.tick = 4;
   said.agent = "a";

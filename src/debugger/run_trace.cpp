@@ -15,7 +15,7 @@
 namespace soarbox::debugger {
 namespace {
 
-TraceKind TraceKindOf(const sim::Event& event) {
+TraceKind TraceKindOf(const sim::RunEvent& event) {
   using Kind = sim::EventKind;
   switch (event.kind) {
     case Kind::kDiagnostic:
@@ -32,7 +32,7 @@ TraceKind TraceKindOf(const sim::Event& event) {
   }
 }
 
-std::string LineOf(const sim::Event& event) {
+std::string LineOf(const sim::RunEvent& event) {
   const bool is_warning = event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kWarning;
   std::string text = (is_warning ? "warning" : std::string(sim::EventName(event.kind))) + ":";
   for (const std::string* more : {&event.news, &event.text, &event.parameters})
@@ -105,7 +105,7 @@ void Trace::Add(const record::TickRecord& tick) {
   Writer writer{lines_, tick.tick, tick.scene.time_s};
   for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", input);
   for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
-  for (const sim::Event& event : tick.events) {
+  for (const sim::RunEvent& event : tick.events) {
     // Commands stand with their minds already.
     if (TraceKindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
     writer.Write(TraceKindOf(event), event.agent, LineOf(event));

@@ -12,7 +12,7 @@
 namespace soarbox::debugger {
 namespace {
 
-MarkKind KindOf(const sim::Event& event) {
+MarkKind KindOf(const sim::RunEvent& event) {
   using Kind = sim::EventKind;
   switch (event.kind) {
     case Kind::kCommand:
@@ -33,7 +33,7 @@ MarkKind KindOf(const sim::Event& event) {
   }
 }
 
-std::string TextOf(const sim::Event& event) {
+std::string TextOf(const sim::RunEvent& event) {
   std::string text = event.news;
   for (const std::string* more : {&event.text, &event.parameters, &event.diagnostic.message})
     if (!more->empty()) text += (text.empty() ? "" : " ") + *more;
@@ -162,7 +162,7 @@ void Timeline::Add(const record::TickRecord& tick) {
   const auto has_mind = [&](const std::string& agent) {
     return std::ranges::any_of(tick.minds, [&](const record::MindRecord& mind) { return mind.agent == agent; });
   };
-  for (const sim::Event& event : tick.events) {
+  for (const sim::RunEvent& event : tick.events) {
     const MarkKind kind = KindOf(event);
     if ((kind == MarkKind::kCommand || kind == MarkKind::kOutcome) && has_mind(event.agent)) continue;
     Track(event.agent).marks.push_back({tick.tick, kind, TextOf(event)});

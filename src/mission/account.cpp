@@ -25,7 +25,7 @@ std::string Trimmed(const std::string& line) {
 }  // namespace
 
 void Account::See(const sim::EventList& events) {
-  for (const sim::Event& event : events) {
+  for (const sim::RunEvent& event : events) {
     if (event.kind == sim::EventKind::kGap && idle_.empty()) {
       idle_agent_ = event.agent;
       idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);

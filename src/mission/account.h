@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/event.h"
+#include "sim/run_event.h"
 
 namespace soarbox::sim {
 class Simulation;

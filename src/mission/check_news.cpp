@@ -5,10 +5,10 @@
 
 namespace soarbox::mission {
 
-sim::Event CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
-                     double time_s) {
+sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
+                        double time_s) {
   const Check& asked = mission.checks[check];
-  sim::Event event;
+  sim::RunEvent event;
   event.kind = sim::EventKind::kNews;
   event.news = "check";
   event.tick = tick;

@@ -6,14 +6,14 @@
 
 #include "mission/evaluator.h"
 #include "mission/mission.h"
-#include "sim/event.h"
+#include "sim/run_event.h"
 
 namespace soarbox::mission {
 
 /// How a check stands, as news of a run with the word "check": windows show it from there, and recordings hold it.
 /// Its text is the check's name, its parameters the state; its reasons are what was expected, what was there, who
 /// decided it and "marker" or nothing.
-sim::Event CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
-                     double time_s);
+sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
+                        double time_s);
 
 }  // namespace soarbox::mission

@@ -183,7 +183,7 @@ void FactGatherer::GatherItems() {
 }
 
 void FactGatherer::GatherEvents(const sim::EventList& events) {
-  for (const sim::Event& event : events) {
+  for (const sim::RunEvent& event : events) {
     const bool is_diagnostic = event.kind == sim::EventKind::kDiagnostic ||
                                event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed;
     if (event.kind == sim::EventKind::kEnded) facts_.ended.push_back(event.text);

@@ -245,7 +245,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   Evaluator evaluator(mission, tells_all);
   std::map<std::string, double>& numbers = result.numbers;
   const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
-    for (const sim::Event& event : events) {
+    for (const sim::RunEvent& event : events) {
       // From here on the minds do nothing: what the run would show is not what they do.
       if (event.kind == sim::EventKind::kMindLost && result.outcome == "ok") {
         result.outcome = "crashed";

@@ -35,7 +35,7 @@ Json OfAgent(const world::AgentSnapshot& agent) {
   return json;
 }
 
-Json OfEvent(const sim::Event& event) {
+Json OfEvent(const sim::RunEvent& event) {
   Json json;
   json["kind"] = sim::EventName(event.kind);
   if (!event.agent.empty()) json["agent"] = event.agent;
@@ -89,7 +89,7 @@ Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out) {
     if (!record.inputs.empty()) json["inputs"] = record.inputs;
     json["agents"] = Json::array();
     for (const world::AgentSnapshot& agent : record.scene.agents) json["agents"].push_back(OfAgent(agent));
-    for (const sim::Event& event : record.events) json["events"].push_back(OfEvent(event));
+    for (const sim::RunEvent& event : record.events) json["events"].push_back(OfEvent(event));
     for (const MindRecord& mind : record.minds) json["minds"].push_back(OfMind(mind));
     out << Line(json);
   }

@@ -44,7 +44,7 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
     out << fmt::format("{:9.3f} s  tick {}  state {:016x}\n", record.scene.time_s, record.tick, record.state_hash);
     for (const std::string& input : record.inputs) out << "    input  " << input << '\n';
     for (const MindRecord& mind : record.minds) PrintMind(mind, out);
-    for (const sim::Event& event : record.events) {
+    for (const sim::RunEvent& event : record.events) {
       // Commands stand with their minds already.
       if (event.kind == sim::EventKind::kCommand && !record.minds.empty()) continue;
       out << "    " << (event.agent.empty() ? "world" : event.agent) << "  " << sim::EventName(event.kind);

@@ -89,7 +89,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
     if (chance(5)) tick.scene.circles = {{{number(), 1, 2}, 0.5f, {1, 0, 0, 1}}, {{3, 2, 1}, number(), {}}};
     if (chance(7)) tick.inputs = {"key space_key down", "key space_key up"};
     if (chance(6)) {
-      sim::Event event;
+      sim::RunEvent event;
       event.kind = sim::EventKind::kCommand;
       event.tick = i;
       event.agent = "agent1";

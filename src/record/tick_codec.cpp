@@ -42,7 +42,7 @@ bool HasDiagnostic(sim::EventKind kind) {
          kind == sim::EventKind::kMindFailed;
 }
 
-void WriteEvent(mind::ByteWriter& out, const sim::Event& event) {
+void WriteEvent(mind::ByteWriter& out, const sim::RunEvent& event) {
   out.Byte(static_cast<std::uint8_t>(event.kind));
   out.Text(event.agent);
   for (const std::string* text : {&event.text, &event.news, &event.parameters}) out.Text(*text);
@@ -54,7 +54,7 @@ void WriteEvent(mind::ByteWriter& out, const sim::Event& event) {
   for (const float value : {event.perceived, event.position.x, event.position.y, event.position.z}) out.Float(value);
 }
 
-void ReadEvent(mind::ByteReader& in, sim::Event& event) {
+void ReadEvent(mind::ByteReader& in, sim::RunEvent& event) {
   const std::uint8_t kind = in.Byte();
   if (kind > static_cast<std::uint8_t>(sim::kLastEventKind)) return in.Fail();
   event.kind = static_cast<sim::EventKind>(kind);
@@ -109,7 +109,7 @@ void WriteTick(mind::ByteWriter& out, const world::SceneSnapshot& before, const 
   WriteTexts(out, now.inputs);
   WriteScene(out, before, now.scene);
   out.Number(now.events.size());
-  for (const sim::Event& event : now.events) WriteEvent(out, event);
+  for (const sim::RunEvent& event : now.events) WriteEvent(out, event);
   out.Number(now.minds.size());
   for (const MindRecord& mind : now.minds) WriteMind(out, mind);
 }
@@ -121,8 +121,8 @@ void ReadTick(mind::ByteReader& in, TickRecord& record, std::uint16_t version) {
   ReadScene(in, record.scene, version);
   record.scene.tick = record.tick;
   // An event takes 15 bytes at least, a mind 3.
-  record.events.assign(in.CountOf(sizeof(sim::Event), 15), {});
-  for (sim::Event& event : record.events) ReadEvent(in, event);
+  record.events.assign(in.CountOf(sizeof(sim::RunEvent), 15), {});
+  for (sim::RunEvent& event : record.events) ReadEvent(in, event);
   record.minds.assign(in.CountOf(sizeof(MindRecord), 3), {});
   constexpr std::uint16_t kLastInWords = 4;
   for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadMind(in, mind);

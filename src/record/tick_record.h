@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mind/event_log.h"
-#include "sim/event.h"
+#include "sim/run_event.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::record {

@@ -73,7 +73,7 @@ class RunStory {
       while (last_tick / every_ > kMostSamples) ++every_;
     }
     if (facts.tick % every_ == 0 || facts.tick == last_tick) Sample(facts);
-    for (const sim::Event& event : events) Tell(event);
+    for (const sim::RunEvent& event : events) Tell(event);
     for (std::size_t i = 0; i < facts.agents.size(); ++i) Follow(facts, i);
     Ask(facts);
   }
@@ -234,7 +234,7 @@ class RunStory {
     for (std::string& reason : reasons) reason = CutText(std::move(reason), 2 * kLargestText);
   }
 
-  void Tell(const sim::Event& event) {
+  void Tell(const sim::RunEvent& event) {
     switch (event.kind) {
       case sim::EventKind::kCommand:
         Add(event.time_s, event.agent, "command",

@@ -244,7 +244,7 @@ void Arena::Order(world::EntityId agent, const std::string& order) {
 }
 
 void Arena::Tell(world::EntityId agent, std::string_view news, std::string text) {
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kNews;
   event.agent = world_.FindAgent(agent)->name();
   event.news = news;

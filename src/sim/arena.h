@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "sim/actor.h"
-#include "sim/event.h"
 #include "sim/places.h"
+#include "sim/run_event.h"
 #include "world/message_board.h"
 
 namespace soarbox::sim {
@@ -23,7 +23,7 @@ namespace soarbox::sim {
 /// after the world's own step, HearCollisions(). Owned by the simulation.
 class Arena {
  public:
-  using Report = std::function<void(Event)>;
+  using Report = std::function<void(RunEvent)>;
 
   Arena(world::World& world, Report report);
 

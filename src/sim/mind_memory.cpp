@@ -26,8 +26,8 @@ constexpr const char* kGrowingRules =
     "look for rules that add elements in each decision and never take them back; --memory gives the world more";
 
 /// What is said of a mind, with the rules that it runs.
-Event AboutMind(EventKind kind, const std::string& name, const std::filesystem::path& rules) {
-  Event event;
+RunEvent AboutMind(EventKind kind, const std::string& name, const std::filesystem::path& rules) {
+  RunEvent event;
   event.kind = kind;
   event.agent = name;
   event.diagnostic.file = rules.string();
@@ -74,7 +74,7 @@ void Minds::KeepWithinMemory() {
 
 void Minds::TellMemory(Mind& mind) {
   mind.told_memory = true;
-  Event event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
+  RunEvent event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
   event.diagnostic.severity = Severity::kWarning;
   event.diagnostic.message = "the mind of " + event.agent + " has grown to " + Megabytes(mind.memory_bytes) +
                              " of the " + Megabytes(memory_limit_) + " that this world may take";
@@ -84,7 +84,7 @@ void Minds::TellMemory(Mind& mind) {
 
 void Minds::TellLearned(Mind& mind) {
   mind.told_learned = true;
-  Event event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
+  RunEvent event = AboutMind(EventKind::kDiagnostic, world_.FindAgent(mind.agent)->name(), mind.rules);
   event.diagnostic.severity = Severity::kWarning;
   event.diagnostic.message = "the mind of " + event.agent + " has learned " + std::to_string(mind.soar.LearnedRules()) +
                              " rules, " + mind.soar.MostLearnedFrom();
@@ -97,7 +97,7 @@ void Minds::TellLearned(Mind& mind) {
 bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
   if (mind.soar.Breakdown().empty()) return false;
   mind.lost = true;
-  Event event = AboutMind(EventKind::kMindFailed, body.name(), mind.rules);
+  RunEvent event = AboutMind(EventKind::kMindFailed, body.name(), mind.rules);
   event.diagnostic.message =
       body.name() + " ran out of memory and stops for good: " + std::string(mind.soar.Breakdown());
   event.diagnostic.hint =
@@ -109,7 +109,7 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
 
 void Minds::HaltForMemory(Mind& mind) {
   const std::string& name = world_.FindAgent(mind.agent)->name();
-  Event event = AboutMind(EventKind::kMindFailed, name, mind.rules);
+  RunEvent event = AboutMind(EventKind::kMindFailed, name, mind.rules);
   event.diagnostic.message = name + " stops for good: this world needs more than " + Megabytes(memory_limit_) +
                              " of memory (minds " + Megabytes(memory_bytes_) + ", scripts " +
                              Megabytes(scripts_bytes_) + ", bodies " + Megabytes(bodies_bytes_) + "), and its " +

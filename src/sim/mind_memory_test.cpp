@@ -53,7 +53,7 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
   Outcome outcome;
   for (int i = 0; i < ticks; ++i) {
     (*simulation)->Tick();
-    for (const Event& event : (*simulation)->TakeEvents()) {
+    for (const RunEvent& event : (*simulation)->TakeEvents()) {
       if (event.kind != EventKind::kMindFailed) continue;
       if (outcome.halted.empty()) outcome.first = event.diagnostic.message;
       outcome.halted.insert(event.agent);
@@ -119,7 +119,7 @@ TEST(MindMemory, AMindThatLearnsTooMuchIsToldOfOnceWithTheRuleThatIsToBlame) {
   std::uint64_t first = 0;
   for (int i = 0; i < 3000 && (told.empty() || i < 1200); ++i) {
     (*simulation)->Tick();
-    for (const Event& event : (*simulation)->TakeEvents()) {
+    for (const RunEvent& event : (*simulation)->TakeEvents()) {
       if (event.kind != EventKind::kDiagnostic || event.diagnostic.message.find("has learned") == std::string::npos)
         continue;
       told.push_back(event.diagnostic.message);

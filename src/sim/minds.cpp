@@ -239,7 +239,7 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
         failed_rules.insert(problem.message.substr(0, problem.message.find(':'))).second)
       failed_[rules].push_back(Failed(problem));
     if (!reported_.insert(Format(problem)).second) continue;
-    Event event;
+    RunEvent event;
     event.kind = EventKind::kDiagnostic;
     event.agent = agent;
     event.diagnostic = std::move(problem);
@@ -260,7 +260,7 @@ void Minds::Restore() {
       continue;
     }
     if (!host_.IsConnected()) return;  // Gone again: the next kernel gets them all.
-    Event event;
+    RunEvent event;
     event.kind = EventKind::kDiagnostic;
     event.agent = name;
     event.diagnostic = loaded.error();
@@ -403,7 +403,7 @@ void Minds::Answer() {
       if (!is_error && (row == nullptr || !row->lasting)) continue;
       // The same fault of the same command is told once; an author sees how often at the end of the run.
       if (is_error && ++mind.told[outcome.command + " " + outcome.reason + " " + outcome.parameter] > 1) continue;
-      Event event;
+      RunEvent event;
       event.kind = EventKind::kOutcome;
       event.agent = world_.FindAgent(mind.agent)->name();
       event.news = outcome.command;
@@ -418,7 +418,7 @@ void Minds::Answer() {
 }
 
 void Minds::Tell(EventKind kind, const world::Agent& body, std::string text) {
-  Event event;
+  RunEvent event;
   event.kind = kind;
   event.agent = body.name();
   event.text = std::move(text);
@@ -480,7 +480,7 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
     if (++mind.causes[text] == 1 && mind.gaps == 1) Tell(EventKind::kGap, body, std::move(text));
     return;
   }
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kGap;
   event.agent = body.name();
   event.text = std::move(text);

@@ -18,7 +18,7 @@
 #include "script/world_budget.h"
 #include "sim/agent_options.h"
 #include "sim/arena.h"
-#include "sim/event.h"
+#include "sim/run_event.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
@@ -32,7 +32,7 @@ namespace soarbox::sim {
 class Minds final : public script::MindFactory {
  public:
   /// Takes an event; the caller fills in time and tick.
-  using Report = std::function<void(Event)>;
+  using Report = std::function<void(RunEvent)>;
   /// What the script of an agent perceives; nothing if it has none.
   using SenseScript = std::function<std::optional<script::Table>(world::EntityId)>;
 

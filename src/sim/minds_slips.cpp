@@ -95,7 +95,7 @@ void Minds::TellSlips() {
         slips.push_back(std::move(warning));
     for (Diagnostic& slip : slips) {
       if (!reported_.insert(Format(slip)).second) continue;
-      Event event;
+      RunEvent event;
       event.kind = EventKind::kDiagnostic;
       event.agent = name;
       event.diagnostic = std::move(slip);

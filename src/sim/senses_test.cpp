@@ -52,7 +52,7 @@ class SensesTest : public testing::Test {
   }
 
   world::World world_;
-  Arena arena_{world_, [](Event) {}};
+  Arena arena_{world_, [](RunEvent) {}};
   Actor* watcher_ = nullptr;
 };
 

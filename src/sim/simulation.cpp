@@ -59,7 +59,7 @@ struct Simulation::Impl final : script::ScriptListener {
 
   /// "a, b and 3 more".
   std::string NamesOf(const std::vector<world::EntityId>& agents) const;
-  void Report(Event event);
+  void Report(RunEvent event);
   void ReportDiagnostic(const Diagnostic& diagnostic);
   /// Tells what a command line from outside came to.
   void ReportAnswer(const CommandInput& asked, const Result<std::string>& answer);
@@ -99,14 +99,14 @@ struct Simulation::Impl final : script::ScriptListener {
 };
 
 void Simulation::Impl::OnPrint(std::string_view script, std::string_view text) {
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kLog;
   event.text = std::string(script) + ": " + std::string(text);
   Report(std::move(event));
 }
 
 void Simulation::Impl::OnScriptFailed(world::EntityId agent, const script::ScriptError& error) {
-  Event event;
+  RunEvent event;
   event.diagnostic = error.diagnostic;
   const world::Agent* body = world.FindAgent(agent);
   event.kind = body != nullptr ? EventKind::kAgentFailed : EventKind::kDiagnostic;
@@ -117,7 +117,7 @@ void Simulation::Impl::OnScriptFailed(world::EntityId agent, const script::Scrip
 
 void Simulation::Impl::OnScriptTrouble(const script::ScriptTrouble& trouble) {
   using Kind = script::ScriptTrouble::Kind;
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kDiagnostic;
   const std::string who = NamesOf(trouble.agents);
   if (trouble.agents.size() == 1)
@@ -163,7 +163,7 @@ void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) {
   ReportDiagnostic(warning);
 }
 
-void Simulation::Impl::Report(Event event) {
+void Simulation::Impl::Report(RunEvent event) {
   // Nothing is told of an agent before it has joined.
   if (event.kind != EventKind::kAgentCreated && !event.agent.empty()) ReportNewAgents();
   event.tick = world.tick();
@@ -172,7 +172,7 @@ void Simulation::Impl::Report(Event event) {
 }
 
 void Simulation::Impl::ReportDiagnostic(const Diagnostic& diagnostic) {
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kDiagnostic;
   event.diagnostic = diagnostic;
   Report(std::move(event));
@@ -181,7 +181,7 @@ void Simulation::Impl::ReportDiagnostic(const Diagnostic& diagnostic) {
 void Simulation::Impl::KeepConnected() {
   if (soar->IsConnected()) return;
   const std::string address = soar->settings().remote_host + ":" + std::to_string(soar->settings().remote_port);
-  Event event;
+  RunEvent event;
   if (std::exchange(connected, false)) {
     event.kind = EventKind::kMindLost;
     event.text = "the Soar kernel at " + address + " is gone; its agents do nothing until a kernel answers there";
@@ -214,7 +214,7 @@ void Simulation::Impl::ApplyInputs() {
 }
 
 void Simulation::Impl::ReportAnswer(const CommandInput& asked, const Result<std::string>& answer) {
-  Event event;
+  RunEvent event;
   event.kind = answer ? EventKind::kAnswer : EventKind::kDiagnostic;
   event.agent = asked.agent;
   event.news = asked.line;
@@ -227,7 +227,7 @@ void Simulation::Impl::ReportAnswer(const CommandInput& asked, const Result<std:
 }
 
 void Simulation::Impl::ReportEnd(const std::string& reached) {
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kEnded;
   event.text = reached;
   Report(std::move(event));
@@ -245,7 +245,7 @@ void Simulation::Impl::ReportNewAgents() {
   const std::span<const world::EntityId> ids = world.AgentIds();
   for (; agents_reported < ids.size(); ++agents_reported) {
     const world::Agent& body = *world.FindAgent(ids[agents_reported]);
-    Event event;
+    RunEvent event;
     event.kind = EventKind::kAgentCreated;
     event.agent = body.name();
     event.text = body.kind();
@@ -262,7 +262,7 @@ void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body
                                      const vocabulary::SaidCommand& command) {
   if (mind.is_scripted && command.name == mind.last_command && !settings.every_command) return;
   mind.last_command = command.name;
-  Event event;
+  RunEvent event;
   event.kind = EventKind::kCommand;
   event.agent = body.name();
   event.text = command.name;
@@ -332,7 +332,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(soar);
   if (!host) return host.error();
   impl->soar = std::move(*host);
-  const auto report = [self = impl.get()](Event event) { self->Report(std::move(event)); };
+  const auto report = [self = impl.get()](RunEvent event) { self->Report(std::move(event)); };
   impl->arena = std::make_unique<Arena>(impl->world, report);
   impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
   impl->minds->SetDetail(settings.mind_detail);
@@ -349,7 +349,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
   impl->minds->SetSenseScript([self = impl.get()](world::EntityId agent) { return self->scripts->SenseAgent(agent); });
   if (!impl->scripts->LoadSandbox(scenario.script.filename().string())) {
-    for (const Event& event : impl->events) {
+    for (const RunEvent& event : impl->events) {
       if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError)
         return event.diagnostic;
     }

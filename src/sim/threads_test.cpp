@@ -34,7 +34,7 @@ std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t see
   auto simulation = Simulation::Create(scenario.value(), settings);
   EXPECT_TRUE(simulation.ok());
   // Minds without rules would be the same on any number of threads too.
-  for (const Event& event : (*simulation)->TakeEvents())
+  for (const RunEvent& event : (*simulation)->TakeEvents())
     EXPECT_NE(event.diagnostic.severity == Severity::kError && !event.diagnostic.message.empty(), true)
         << Format(event.diagnostic);
   std::vector<std::uint64_t> hashes;
@@ -101,7 +101,7 @@ sp {apply*clear (state <s> ^operator.name clear ^io.output-link <o>) (<o> ^step 
   std::string told;
   for (int tick = 0; tick < 20; ++tick) {
     (*simulation)->Tick();
-    for (const Event& event : (*simulation)->TakeEvents())
+    for (const RunEvent& event : (*simulation)->TakeEvents())
       told += std::to_string(event.tick) + " " + event.agent + " " + event.text + event.diagnostic.message + "\n";
     told += std::to_string((*simulation)->StateHash()) + "\n";
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "sim/event.h"
+#include "sim/run_event.h"
 
 namespace soarbox::sim {
 

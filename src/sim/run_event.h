@@ -33,7 +33,7 @@ inline constexpr EventKind kLastEventKind = EventKind::kAnswer;
 std::string_view EventName(EventKind kind);
 
 /// One thing that happened, for the command line, the JSON output and the panels.
-struct Event {
+struct RunEvent {
   EventKind kind = EventKind::kLog;
   std::uint64_t tick = 0;
   double time_s = 0;
@@ -49,6 +49,6 @@ struct Event {
   world::Vec3 position;  ///< kCommand: where the agent stood.
 };
 
-using EventList = std::vector<Event>;
+using EventList = std::vector<RunEvent>;
 
 }  // namespace soarbox::sim
