@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 namespace soarbox::cli {
 

@@ -8,7 +8,7 @@
 
 #include "cli/options.h"
 #include "cli/result.h"
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 namespace soarbox::kernel {
 class Agent;

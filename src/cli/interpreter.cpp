@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "cli/command.h"
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 namespace soarbox::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 namespace soarbox::cli {
 

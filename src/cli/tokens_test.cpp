@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

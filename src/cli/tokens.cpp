@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "cli/words.h"
+#include "cli/tokens.h"
 
 #include <algorithm>
 #include <array>
