@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/learn/identity_plan.h"
 #include "kernel/memory/working_memory.h"

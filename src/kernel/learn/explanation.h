@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
 #include "kernel/rules/draft.h"

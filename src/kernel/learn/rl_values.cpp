@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/learn/explanation.h"
 #include "kernel/learn/firing_reader.h"
 #include "kernel/learn/identity_analysis.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/longterm/semantic_memory.h"
 #include "kernel/longterm/written_order.h"
 #include "kernel/rules/lexer.h"

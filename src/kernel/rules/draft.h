@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 #include "kernel/rules/production.h"
 
 /// Rules while they are read, checked, reordered or derived from others: trees that can be changed. They live in an

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/arena.h"
+#include "kernel/base/bump_arena.h"
 
 namespace soarbox::kernel {
 
