@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "cli/rule_image.h"
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/functions/builtin_functions.h"
 

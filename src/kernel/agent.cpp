@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/engine.h"
 #include "kernel/decide/invariants.h"
 #include "kernel/rules/functions/builtin_functions.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kernel/base/constant_pool.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/text_arena.h"
-#include "kernel/base/words.h"
 
 namespace soarbox::kernel {
 

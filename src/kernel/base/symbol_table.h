@@ -27,7 +27,7 @@ struct FrozenSymbols;
 /// freed one by one by working memory.
 ///
 /// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it. The
-/// words of words.h exist from the start.
+/// words of known_symbols.h exist from the start.
 class SymbolTable {
  public:
   SymbolTable();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 
 namespace soarbox::kernel {
 namespace {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/engine.h"
 #include "kernel/decide/exploration.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/firing.h"
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/engine.h"
 #include "kernel/rules/functions/builtin_functions.h"
 #include "kernel/rules/print_production.h"

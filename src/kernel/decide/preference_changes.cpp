@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/engine.h"
 
 namespace soarbox::kernel {

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/firing.h"
 #include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_stack.h"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/exploration.h"
 #include "kernel/decide/goal_stack.h"

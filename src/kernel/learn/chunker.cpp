@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/agent_settings.h"
 #include "kernel/decide/descriptions.h"

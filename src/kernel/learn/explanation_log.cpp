@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/descriptions.h"
 #include "kernel/decide/goal_stack.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/learn/chunker.h"

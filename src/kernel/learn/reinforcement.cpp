@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/exploration.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/learn/draft_tests.h"
 #include "kernel/learn/rule_builder.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/observers.h"
 #include "kernel/learn/draft_tests.h"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/memory/working_memory.h"
 

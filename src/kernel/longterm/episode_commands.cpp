@@ -8,8 +8,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"

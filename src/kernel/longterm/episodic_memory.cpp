@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
-#include "kernel/base/words.h"
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/elaboration.h"
 #include "kernel/decide/goal_changes.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_inline.h"
 

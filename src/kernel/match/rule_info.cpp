@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 
 namespace soarbox::kernel {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/memory/wme_changes.h"
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 
 namespace soarbox::kernel {
 

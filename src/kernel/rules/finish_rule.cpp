@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/chunk_variables.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/reorder.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/finish_rule.h"
 #include "kernel/rules/rule_reader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/functions/builtin_functions.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/rule_reader.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "kernel/base/characters.h"
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/rule_reader.h"
 
 namespace soarbox::kernel {

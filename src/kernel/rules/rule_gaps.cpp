@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/print_production.h"
 

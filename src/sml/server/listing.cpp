@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <climits>
 
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 
 namespace soarbox::server {
 

@@ -7,7 +7,7 @@
 #include "cli/rl_update_log.h"
 #include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
-#include "kernel/base/words.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/decide/exploration.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/wire/message.h"
