@@ -494,7 +494,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
           }
         });
         identities.push_back(NumberOfVariable(equal));
-        if (compares_with_itself) std::ranges::rotate(texts, texts.begin() + 1);
+        if (compares_with_itself) std::rotate(texts.begin(), texts.begin() + 1, texts.end());
         into.text = Joined(texts);
         into.identity = Joined(identities);
       };
