@@ -12,12 +12,12 @@ namespace {
 enum Step : std::size_t { kSelect, kOpenWhy, kAsk, kPause, kGoBack };
 
 constexpr std::array<std::string_view, FirstSteps::kSteps + 1> kTexts{
-    "Click an agent, in the picture or in the list at the left: all panels are about that one then.",
-    "Open the tab Why at the right: it explains why the agent does what it does.",
-    "Click a line of that answer to ask further. Or type what it does not do, \"flee\" say, and press Enter: why not?",
-    "Press P to hold the world; N lets it go on by a tick, P again for good.",
-    "Drag the bar at the bottom to any moment before this one. Live brings you back.",
-    "That is how one finds out why. Hold the mouse over a word to have it explained; ? shows all keys.",
+    "Click an agent in the picture or in the list on the left. All panels then show that agent.",
+    "Open the Why tab on the right. It explains why the agent does what it does.",
+    "Click a line of the answer to ask further. Or type what the agent does not do, such as \"flee\", and press Enter.",
+    "Press P to pause the world, N to advance it by one tick, and P again to continue.",
+    "Drag the bar at the bottom to any earlier moment. Live brings you back.",
+    "That is how you find out why. Hold the mouse over a word to see what it means. Press ? for all keys.",
 };
 
 bool IsOfAsking(const PanelRequest& request) {
