@@ -95,6 +95,8 @@ void LuaMachine::CollectGarbage() {
   memory_.EndCollection();
   // A collection starts Lua's own collector again.
   lua_gc(state_, LUA_GCSTOP, 0);
+  // Whoever collects what was due, it is due no more: instructions are counted as before.
+  if (collection_due_) lua_sethook(state_, OnCount, LUA_MASKCOUNT, instructions_left_ > 0 ? kCountInterval : 1);
   SetCollectionPoint();
 }
 
@@ -191,7 +193,6 @@ void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
     // What was counted since the last time is not known; half of it is as likely as not.
     machine.Charge(kCountInterval / 2 + machine.collection_price_);
     machine.CollectGarbage();
-    lua_sethook(state, OnCount, LUA_MASKCOUNT, machine.instructions_left_ > 0 ? kCountInterval : 1);
   }
   if (machine.instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {
     machine.instructions_left_ -= kCountInterval;
