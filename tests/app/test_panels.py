@@ -353,7 +353,7 @@ class Panels(WindowUser):
             click "Pause"
             expect "5 of 5"
             click-at 400 704
-            expect "That is how one finds out why."
+            expect "That is how you find out why."
             audit "the last step"
             click "Close"
             expect-not "First steps"

@@ -538,7 +538,7 @@ TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {
   seen.is_in_past = true;
   steps.Note(seen);
   EXPECT_EQ(steps.at(), FirstSteps::kSteps);
-  EXPECT_THAT(std::string(steps.text()), HasSubstr("That is how one finds out why"));
+  EXPECT_THAT(std::string(steps.text()), HasSubstr("That is how you find out why"));
   steps.Note(seen);
   EXPECT_EQ(steps.at(), FirstSteps::kSteps);
   steps.Begin();
