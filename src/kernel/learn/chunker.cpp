@@ -34,9 +34,11 @@ Chunker::Chunker(const Uses& uses)
                    uses.goal_changes, uses.firing, uses.selections, uses.justifier, uses.observers, settings_,
                    statistics_}),
       analysis_({uses.memory, uses.goals, uses.instantiations, singletons_, *this}, reader_),
-      builder_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.justifier, uses.expected_values,
-                uses.observers, statistics_},
-               reader_, analysis_),
+      carried_({uses.memory, uses.instantiations, uses.justifier}, reader_, analysis_),
+      builder_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.expected_values, uses.observers,
+                statistics_},
+               reader_, analysis_, carried_),
+      planner_({uses.memory, uses.instantiations, statistics_}, reader_, analysis_, carried_),
       log_({uses.symbols, uses.memory, uses.goals, uses.instantiations, uses.rete, uses.counters, uses.descriptions,
             *this, statistics_},
            reader_, analysis_, builder_) {
@@ -313,9 +315,9 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     Justifier::Making making;
     making.name = NewName(base, false, !failed);
     making.origin = OriginOf(base);
-    making.plan = std::make_unique<IdentityPlan>(builder_.PlanOfJustification(explanation_));
-    making.tests = builder_.TestsOfJustification(explanation_, !failed);
-    making.functions = builder_.FunctionsOfJustification(explanation_, *making.plan);
+    making.plan = std::make_unique<IdentityPlan>(planner_.Plan(explanation_));
+    making.tests = planner_.Tests(explanation_, !failed);
+    making.functions = planner_.Functions(explanation_, *making.plan);
     if (log_.justifications && explained) {
       log_.Add(explanation_, explanation_number_, {making.name, nullptr, InstantiationId::kNone, goal_level, false});
     }

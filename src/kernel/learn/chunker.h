@@ -12,10 +12,12 @@
 #include "kernel/base/symbol.h"
 #include "kernel/decide/module.h"
 #include "kernel/learn/backtrace.h"
+#include "kernel/learn/carried_tests.h"
 #include "kernel/learn/explanation.h"
 #include "kernel/learn/explanation_log.h"
 #include "kernel/learn/firing_reader.h"
 #include "kernel/learn/identity_analysis.h"
+#include "kernel/learn/justification_plan.h"
 #include "kernel/learn/learn_settings.h"
 #include "kernel/learn/results.h"
 #include "kernel/learn/rule_builder.h"
@@ -172,7 +174,9 @@ class Chunker final : public Module {
   ResultCollector results_;
   Backtracer backtracer_;
   IdentityAnalysis analysis_;
+  CarriedTests carried_;
   RuleBuilder builder_;
+  JustificationPlanner planner_;
   ExplanationLog log_;
   Explanation explanation_;
   std::vector<Symbol> dont_learn_, force_learn_;

@@ -13,7 +13,6 @@
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/observers.h"
 #include "kernel/learn/draft_tests.h"
-#include "kernel/learn/justification.h"
 #include "kernel/learn/learn_settings.h"
 #include "kernel/memory/working_memory.h"
 #include "kernel/rules/expected_values.h"
@@ -37,7 +36,6 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   arena_.Clear();
   made_.clear();
   negated_.clear();
-  constraints_.clear();
   variable_of_.clear();
   order_of_.clear();
   variables_made_ = 0;
@@ -48,7 +46,7 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   merged_conditions_ = merged_disjunctions_ = operational_constraints_ = 0;
   rule_ = nullptr;
   MakeConditions(explanation);
-  CollectConstraints(explanation);
+  carried_.Collect(explanation, constraints_);
   PlaceConstraints();
   MakeNegations(explanation);
   MergeConditions();
@@ -154,66 +152,11 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
   }
 }
 
-/// Calls visit(CarriedTest) for what a condition of a firing asks of a field beside equality: of its rule, or, if it is
-/// a justification, of the reasoning that it stands for.
-template <typename Visit>
-void RuleBuilder::ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit) {
-  const Instantiation& instantiation = uses_.instantiations[firing];
-  if (!instantiation.has_identities) return;
-  const bool is_rule = reader_.Rule(firing) != nullptr;
-  if (is_rule && !reader_.TestedBy(firing, condition).Carries(field)) return;
-  CarriedTest test;
-  test.firing = firing;
-  test.condition = condition;
-  test.field = field;
-  if (is_rule) {
-    const Condition& tested = *reader_.TestedBy(firing, condition).condition;
-    const IdentityPlan& plan = reader_.Plan(firing);
-    const auto visit_part = [&](const Test& part) {
-      if (!IsCarried(part.kind)) return;
-      test.kind = part.kind;
-      test.referent = part.referent();
-      test.referent_node = IdentityGraph::kNone;
-      test.disjuncts.assign(part.disjuncts().begin(), part.disjuncts().end());
-      if (test.referent.IsVariable()) {
-        const std::uint16_t referent = plan.ClassOf(test.referent);
-        if (referent == IdentityPlan::kLiteral) return;
-        test.referent = ValueOfClass(plan, referent, uses_.instantiations.Trace(firing), uses_.memory);
-        test.referent_node = analysis_.OfClass(firing, referent);
-        if (const std::uint16_t own = plan.ClassOf(condition, field);
-            own != IdentityPlan::kLiteral && reader_.IsTurned(firing, condition, field, part)) {
-          test.referent_node = analysis_.OfClass(firing, own);
-        }
-      }
-      visit(test);
-    };
-    ForEachTest(field == Field::kId          ? tested.id
-                : field == Field::kAttribute ? tested.attribute
-                                             : tested.value,
-                visit_part);
-    return;
-  }
-  if (instantiation.justification == Instantiation::kNoJustification) return;
-  for (const IdentityPlan::KeptTest& kept : uses_.justifier.record(instantiation.justification).tests) {
-    if (kept.condition != condition || kept.field != field || kept.of_literal) continue;
-    test.kind = kept.kind;
-    test.referent = kept.referent;
-    test.referent_node = analysis_.OfClass(firing, kept.referent_class);
-    test.disjuncts = kept.disjuncts;
-    visit(test);
-  }
-}
-
-/// False if the test compares with an object of the firing's own state, which the rule above cannot know.
-bool RuleBuilder::MayCarryUp(const CarriedTest& test) const {
-  return !test.referent.IsIdentifier() || uses_.memory.level(test.referent) < uses_.instantiations[test.firing].level;
-}
-
 /// What else the rule that fired asked of the element, unless it has become a constant.
 void RuleBuilder::AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
   if (ground.firing == InstantiationId::kNone) return;
-  ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& carried) {
-    if (!MayCarryUp(carried)) return;
+  carried_.ForEach(ground.firing, ground.condition, field, [&](const CarriedTest& carried) {
+    if (!carried_.MayRise(carried)) return;
     TestDraft* const test = arena_.New<TestDraft>();
     test->kind = carried.kind;
     test->referent =
@@ -231,75 +174,6 @@ void RuleBuilder::SetDisjuncts(TestDraft& test, std::span<const Symbol> disjunct
   test.disjunct_count = static_cast<std::uint32_t>(disjuncts.size());
 }
 
-std::vector<IdentityPlan::KeptTest> RuleBuilder::TestsOfJustification(const Explanation& explanation, bool counts) {
-  std::vector<IdentityPlan::KeptTest> kept;
-  const auto keep = [&](std::size_t number, Field field, TestKind kind, Symbol referent, IdentityGraph::Node node,
-                        std::span<const Symbol> disjuncts, bool of_literal) {
-    IdentityPlan::KeptTest test;
-    test.of_literal = of_literal;
-    test.condition = static_cast<std::uint16_t>(number);
-    test.field = field;
-    test.kind = kind;
-    test.referent = referent;
-    if (node != IdentityGraph::kNone && !analysis_.graph().literal(node)) {
-      const auto found = class_of_.find(analysis_.graph().Root(node));
-      if (found != class_of_.end()) test.referent_class = found->second;
-    }
-    // An object that no condition names may go before the justification does.
-    if (referent.IsIdentifier() && test.referent_class == IdentityPlan::kLiteral) return;
-    test.disjuncts.assign(disjuncts.begin(), disjuncts.end());
-    kept.push_back(std::move(test));
-  };
-  for (std::size_t n = 0; n < explanation.grounds.size(); ++n) {
-    const Explanation::Ground& ground = explanation.grounds[n];
-    if (ground.firing == InstantiationId::kNone) continue;
-    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-      const IdentityGraph::Node tested = analysis_.OfGround(ground, field);
-      const bool literal = tested == IdentityGraph::kNone || analysis_.graph().literal(tested);
-      ForEachCarried(ground.firing, ground.condition, field, [&](const CarriedTest& test) {
-        if (MayCarryUp(test)) keep(n, field, test.kind, test.referent, test.referent_node, test.disjuncts, literal);
-      });
-    }
-  }
-  // Tests of local conditions go where the identity has its place.
-  CollectConstraints(explanation);
-  const auto place_of = [&](IdentityGraph::Node node) -> std::pair<std::size_t, Field> {
-    if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return {explanation.grounds.size(), {}};
-    for (std::size_t n = 0; n < explanation.grounds.size(); ++n) {
-      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-        const IdentityGraph::Node here = analysis_.OfGround(explanation.grounds[n], field);
-        if (here != IdentityGraph::kNone && analysis_.graph().Root(here) == analysis_.graph().Root(node)) {
-          return {n, field};
-        }
-      }
-    }
-    return {explanation.grounds.size(), {}};
-  };
-  const auto of_conditions = static_cast<std::ptrdiff_t>(kept.size());
-  std::uint64_t placed = 0;
-  for (const CarriedTest& test : constraints_) {
-    const auto here = place_of(test.tested);
-    if (here.first < explanation.grounds.size()) {
-      keep(here.first, here.second, test.kind, test.referent, test.referent_node, test.disjuncts, false);
-      ++placed;
-      continue;
-    }
-    const auto there = place_of(test.referent_node);
-    if (there.first < explanation.grounds.size() && test.kind != TestKind::kDisjunction) {
-      keep(there.first, there.second, TurnedRound(test.kind), test.value, IdentityGraph::kNone, {}, false);
-      ++placed;
-    }
-  }
-  // As in a learned rule, they stand before what the conditions ask themselves, the last one first.
-  std::rotate(kept.begin(), kept.begin() + of_conditions, kept.end());
-  std::reverse(kept.begin(), kept.end() - of_conditions);
-  if (counts) {
-    uses_.statistics.constraints_found += constraints_.size();
-    uses_.statistics.constraints_placed += placed;
-  }
-  return kept;
-}
-
 TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
   if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return nullptr;
   const IdentityGraph::Node root = analysis_.graph().Root(node);
@@ -313,28 +187,6 @@ TestDraft* RuleBuilder::PlaceOf(IdentityGraph::Node node) {
 }
 
 // Tests of local conditions -------------------------------------------------------------------------------------------
-
-/// Of all conditions that tested elements of the substate, in the order in which they were visited.
-void RuleBuilder::CollectConstraints(const Explanation& explanation) {
-  constraints_.clear();
-  const WorkingMemory& memory = uses_.memory;
-  for (const InstantiationId firing : explanation.firings) {
-    if (!reader_.CarriesTests(firing)) continue;
-    const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
-    for (std::size_t n = 0; n < traces.size(); ++n) {
-      const Wme& wme = memory.wme(traces[n].wme);
-      if (memory.known_identifier(wme.id).level < explanation.level) continue;
-      const auto condition = static_cast<std::uint16_t>(n);
-      for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-        ForEachCarried(firing, condition, field, [&](const CarriedTest& carried) {
-          CarriedTest& test = constraints_.emplace_back(carried);
-          test.tested = analysis_.OfField(firing, condition, field);
-          test.value = kernel::FieldOf(wme, field);
-        });
-      }
-    }
-  }
-}
 
 void RuleBuilder::PlaceConstraints() {
   LearnStatistics& statistics = uses_.statistics;
@@ -712,95 +564,6 @@ void RuleBuilder::CountConstraints() {
     }
   }
   uses_.statistics.operational_constraints += operational_constraints_;
-}
-
-/// Identity sets of a justification as classes: what learns above it generalises through it.
-IdentityPlan RuleBuilder::PlanOfJustification(const Explanation& explanation) {
-  IdentityPlan plan;
-  class_of_.clear();
-  IdentityGraph& graph = analysis_.graph();
-  for (const Explanation::Ground& ground : explanation.grounds) {
-    for (const Field field : {Field::kId, Field::kAttribute, Field::kValue}) {
-      const IdentityGraph::Node node = analysis_.OfGround(ground, field);
-      std::uint16_t known = IdentityPlan::kLiteral;
-      if (node != IdentityGraph::kNone && !graph.literal(node)) {
-        const auto [place, is_new] = class_of_.try_emplace(graph.Root(node), plan.bound());
-        known = place->second;
-        if (is_new) {
-          plan.first.push_back(static_cast<std::uint16_t>(plan.of_field.size()));
-          plan.variables.emplace_back();
-        }
-      }
-      plan.of_field.push_back(known);
-    }
-  }
-  std::uint16_t next = plan.bound();
-  for (const PreferenceId result : explanation.results) {
-    const Preference& preference = uses_.memory.preference(result);
-    for (const Part part : {Part::kId, Part::kAttribute, Part::kValue, Part::kReferent}) {
-      const Said term = reader_.TermOf(result, part);
-      const IdentityGraph::Node node = analysis_.OfTerm(term, preference.instantiation);
-      std::uint16_t known = IdentityPlan::kLiteral;
-      if (node != IdentityGraph::kNone && !graph.literal(node)) {
-        const auto [place, is_new] = class_of_.try_emplace(graph.Root(node), next);
-        if (is_new) ++next;
-        known = place->second;
-      }
-      plan.of_action.push_back(known);
-    }
-  }
-  return plan;
-}
-
-ValueDraft RuleBuilder::MoveFunction(const RhsValue& function, InstantiationId firing, const IdentityPlan& plan) {
-  ValueDraft out;
-  out.kind = RhsValueKind::kFunction;
-  out.index = function.function_index();
-  for (const RhsValue& argument : function.arguments()) {
-    ValueDraft copy;
-    if (argument.kind == RhsValueKind::kFunction) {
-      copy = MoveFunction(argument, firing, plan);
-    } else if (argument.kind == RhsValueKind::kBound) {
-      const Wme& wme = uses_.memory.wme(uses_.instantiations.Trace(firing)[argument.site().positive_condition].wme);
-      copy.symbol = kernel::FieldOf(wme, argument.site().field);
-      const IdentityGraph::Node node = analysis_.OfClass(firing, reader_.ClassOf(argument, firing));
-      const auto known = node == IdentityGraph::kNone || analysis_.graph().literal(node)
-                             ? class_of_.end()
-                             : class_of_.find(analysis_.graph().Root(node));
-      if (known != class_of_.end() && known->second < plan.bound()) {
-        const std::uint16_t place = plan.first[known->second];
-        copy.kind = RhsValueKind::kBound;
-        copy.site = {static_cast<std::uint16_t>(place / 3u), static_cast<Field>(place % 3u)};
-      }
-    } else {
-      copy.symbol = argument.symbol();
-    }
-    out.arguments.Add(arena_.New(copy));
-  }
-  return out;
-}
-
-ProductionPtr RuleBuilder::FunctionsOfJustification(const Explanation& explanation, const IdentityPlan& plan) {
-  arena_.Clear();
-  RuleDraft rule;
-  bool any = false;
-  for (const PreferenceId result : explanation.results) {
-    const Preference& preference = uses_.memory.preference(result);
-    ActionDraft* const action = arena_.New<ActionDraft>();
-    action->preference = PreferenceType::kAcceptable;
-    action->id.symbol = preference.id;
-    action->attribute.symbol = preference.attribute;
-    action->value.symbol = preference.value;
-    for (const auto& [part, value, symbol] : {std::tuple{Part::kAttribute, &action->attribute, preference.attribute},
-                                              std::tuple{Part::kValue, &action->value, preference.value}}) {
-      const Said term = reader_.TermOf(result, part);
-      if (term.kind != Said::Kind::kFunction || symbol.IsIdentifier()) continue;
-      *value = MoveFunction(*term.function, preference.instantiation, plan);
-      any = true;
-    }
-    rule.actions.Add(action);
-  }
-  return any ? Production::Make(rule) : ProductionPtr();
 }
 
 }  // namespace soarbox::kernel

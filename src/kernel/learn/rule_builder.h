@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernel/base/bump_arena.h"
+#include "kernel/learn/carried_tests.h"
 #include "kernel/learn/explanation.h"
 #include "kernel/learn/firing_reader.h"
 #include "kernel/learn/identity_analysis.h"
@@ -22,26 +23,11 @@ namespace soarbox::kernel {
 class ExpectedValues;
 class GoalStack;
 class InstantiationTable;
-class Justifier;
 struct LearnStatistics;
 class Observers;
 class SymbolTable;
 class VariableIndex;
 class WorkingMemory;
-
-/// A test of a local condition that the learned rule must make, too: of one identity, against another one or a
-/// constant.
-struct CarriedTest {
-  InstantiationId firing = InstantiationId::kNone;
-  std::uint16_t condition = 0;
-  Field field = Field::kValue;
-  TestKind kind = TestKind::kBlank;
-  IdentityGraph::Node tested = IdentityGraph::kNone;
-  IdentityGraph::Node referent_node = IdentityGraph::kNone;  ///< kNone: compared with `referent`.
-  Symbol value, referent;                                    ///< What the two were.
-  std::vector<Symbol> disjuncts;
-  bool placed = false;
-};
 
 /// The fourth to sixth stages of learning: conditions and actions of the learned rule, made from what was tested and
 /// what it is known to mean.
@@ -53,13 +39,12 @@ class RuleBuilder {
     const WorkingMemory& memory;
     const GoalStack& goals;
     const InstantiationTable& instantiations;
-    const Justifier& justifier;
     const ExpectedValues& expected_values;
     const Observers& observers;
     LearnStatistics& statistics;
   };
-  RuleBuilder(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis)
-      : uses_(uses), reader_(reader), analysis_(analysis) {}
+  RuleBuilder(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis, CarriedTests& carried)
+      : uses_(uses), reader_(reader), analysis_(analysis), carried_(carried) {}
 
   enum class Outcome : std::uint8_t { kMade, kRepaired, kFailed };
   /// Makes the rule of an explanation that has been analysed.
@@ -87,12 +72,6 @@ class RuleBuilder {
   std::uint32_t variables_made() const { return variables_made_; }
   /// How the variable of an identity was called before the rule was finished; empty if it has none.
   std::string VariableNameOf(IdentityGraph::Node node) const;
-  /// The class of each field of the conditions, and of the actions, for a justification.
-  IdentityPlan PlanOfJustification(const Explanation& explanation);
-  /// What its results are computed by, as actions of a rule; none if none is. After PlanOfJustification, with its plan.
-  ProductionPtr FunctionsOfJustification(const Explanation& explanation, const IdentityPlan& plan);
-  /// What its conditions test beside. After PlanOfJustification. `counts`: its tests are new to the statistics.
-  std::vector<IdentityPlan::KeptTest> TestsOfJustification(const Explanation& explanation, bool counts);
 
  private:
   struct Made {
@@ -107,14 +86,10 @@ class RuleBuilder {
   /// Some condition has the variable of the set already.
   bool HasVariable(IdentityGraph::Node node) const;
   void AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out);
-  void CollectConstraints(const Explanation& explanation);
   void PlaceConstraints();
   bool PlaceConstraint(const CarriedTest& constraint);
   /// The first field of the conditions that has this identity, or null.
   TestDraft* PlaceOf(IdentityGraph::Node node);
-  template <typename Visit>
-  void ForEachCarried(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit);
-  bool MayCarryUp(const CarriedTest& test) const;
   void SetDisjuncts(TestDraft& test, std::span<const Symbol> disjuncts);
   void MakeNegations(const Explanation& explanation);
   void VariablizeNegated(ConditionDraft& draft, InstantiationId firing);
@@ -125,8 +100,6 @@ class RuleBuilder {
   void MakeActions(const Explanation& explanation);
   ValueDraft MakeTerm(PreferenceId result, FiringReader::Part part, Symbol symbol);
   ValueDraft MakeFunction(const RhsValue& function, InstantiationId firing);
-  /// The same over the conditions of a justification.
-  ValueDraft MoveFunction(const RhsValue& function, InstantiationId firing, const IdentityPlan& plan);
   /// Conditions that lead from the state of the results' level to what hangs in the air.
   bool Repair(GoalLevel results_level);
   /// Variables that stand for identifiers which no state leads to.
@@ -144,13 +117,13 @@ class RuleBuilder {
   Uses uses_;
   FiringReader& reader_;
   IdentityAnalysis& analysis_;
+  CarriedTests& carried_;
   Arena arena_;
   std::vector<Made> made_;
   std::vector<ConditionDraft*> negated_;
   std::vector<CarriedTest> constraints_;
-  std::unordered_map<IdentityGraph::Node, std::uint16_t> class_of_;  ///< Of a justification; by root.
-  std::vector<Symbol> variable_of_;                                  ///< By root; none: it has none yet.
-  std::vector<std::uint32_t> order_of_;                              ///< By root: when its variable was made.
+  std::vector<Symbol> variable_of_;      ///< By root; none: it has none yet.
+  std::vector<std::uint32_t> order_of_;  ///< By root: when its variable was made.
   std::uint32_t variables_made_ = 0;
   std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;   ///< Of identifiers without an identity.
   std::vector<std::pair<Symbol, Symbol>> identifier_of_variable_;  ///< Variable, identifier.

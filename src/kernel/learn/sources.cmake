@@ -1,5 +1,6 @@
 list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/backtrace.cpp
+  learn/carried_tests.cpp
   learn/choice_graph.cpp
   learn/chunker.cpp
   learn/draft_tests.cpp
@@ -11,6 +12,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/identity_plan.cpp
   learn/justification.cpp
   learn/justification_duplicates.cpp
+  learn/justification_plan.cpp
   learn/reinforcement.cpp
   learn/repair.cpp
   learn/results.cpp
