@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -11,17 +12,34 @@
 
 namespace soarbox::kernel {
 
+/// Room for a PlainVector from the C library.
+struct HeapRoom {
+  static void* Resize(void* records, std::size_t bytes) { return std::realloc(records, bytes); }
+  static void* Copy(const HeapRoom&, const void* records, std::size_t bytes, std::size_t& capacity) {
+    void* const made = std::malloc(bytes);
+    if (made != nullptr) std::memcpy(made, records, bytes);
+    capacity = bytes;
+    return made;
+  }
+  static void Free(void* records) noexcept { std::free(records); }
+  static void Swap(HeapRoom&) noexcept {}
+};
+
 /// A vector of plain records for arrays that grow for long and large. It moves by reallocation, which for large arrays
 /// copies nothing and never holds two copies, and grows by an eighth when it is large, where std::vector would double.
-template <typename T>
+/// `Room` is where the records are (HeapRoom, ForkableRoom).
+template <typename T, typename Room = HeapRoom>
 class PlainVector {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
 
  public:
   PlainVector() = default;
   PlainVector(const PlainVector& other) {
-    Reserve(other.size_);
-    std::uninitialized_copy(other.begin(), other.end(), data_);
+    if (other.size_ == 0) return;
+    std::size_t bytes = 0;
+    data_ = static_cast<T*>(room_.Copy(other.room_, other.data_, other.size_ * sizeof(T), bytes));
+    if (data_ == nullptr) throw std::bad_alloc();
+    capacity_ = bytes / sizeof(T);
     size_ = other.size_;
   }
   PlainVector(PlainVector&& other) noexcept { Swap(other); }
@@ -29,7 +47,7 @@ class PlainVector {
     Swap(other);
     return *this;
   }
-  ~PlainVector() { std::free(data_); }
+  ~PlainVector() { room_.Free(data_); }
 
   T& operator[](std::size_t index) { return data_[index]; }
   const T& operator[](std::size_t index) const { return data_[index]; }
@@ -61,12 +79,13 @@ class PlainVector {
     size_ = size;
   }
   void clear() { size_ = 0; }
+  const Room& room() const { return room_; }
   /// Gives back what is not in use. Never fails: at worst all stays as it is.
   void shrink_to_fit() noexcept {
     if (size_ == 0 || size_ == capacity_) {
       return;
     }
-    T* const moved = static_cast<T*>(std::realloc(static_cast<void*>(data_), size_ * sizeof(T)));
+    T* const moved = static_cast<T*>(room_.Resize(static_cast<void*>(data_), size_ * sizeof(T)));
     if (moved != nullptr) {
       data_ = moved;
       capacity_ = size_;
@@ -82,6 +101,7 @@ class PlainVector {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    room_.Swap(other.room_);
   }
   [[gnu::noinline, gnu::cold]] void Grow(std::size_t size) {
     constexpr std::size_t kLarge = std::size_t{1} << 18;  // Bytes.
@@ -91,7 +111,7 @@ class PlainVector {
     if (capacity == 0) {
       return;
     }
-    T* const moved = static_cast<T*>(std::realloc(static_cast<void*>(data_), capacity * sizeof(T)));
+    T* const moved = static_cast<T*>(room_.Resize(static_cast<void*>(data_), capacity * sizeof(T)));
     if (moved == nullptr) {
       throw std::bad_alloc();
     }
@@ -102,6 +122,7 @@ class PlainVector {
   T* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
+  [[no_unique_address]] Room room_;
 };
 
 }  // namespace soarbox::kernel

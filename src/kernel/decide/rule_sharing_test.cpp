@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,17 @@ namespace {
 std::size_t HeapBytes() {
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
+}
+
+/// This process's share of the pages that it holds; 0 where nobody says.
+std::size_t PageBytes() {
+  std::ifstream file("/proc/self/smaps_rollup");
+  std::string word;
+  std::size_t kilobytes = 0;
+  while (file >> word) {
+    if (word == "Pss:" && file >> kilobytes) return kilobytes * 1024;
+  }
+  return 0;
 }
 
 /// Rules of four shapes: a proposal, an application, a comparison and an elaboration with a negation.
@@ -65,6 +77,32 @@ TEST(RuleSharing, AFurtherAgentWithTheSameRulesCostsAFractionOfTheFirst) {
   RecordProperty("further", std::to_string(further));
   // The nodes' own state is most of it: 18 bytes each.
   EXPECT_LE(further * 10, first) << "first " << first << ", further " << further;
+}
+
+TEST(RuleSharing, ARuleOfItsOwnCostsAnAgentAFractionOfTheSharedOnes) {
+  constexpr int kRules = 6000;
+  constexpr std::size_t kAgents = 12;
+  std::vector<std::unique_ptr<Agent>> agents;
+  agents.reserve(kAgents + 1);
+  if (CostOfAgent(agents, 0) == 0 || PageBytes() == 0) GTEST_SKIP() << "this build has another allocator";
+  while (agents.size() < kAgents) CostOfAgent(agents, kRules);
+  const std::size_t network = agents.back()->rete().NetworkBytes();
+  const auto add = [&](std::size_t agent) {
+    EXPECT_TRUE(agents[agent]->LoadProduction(RuleBody(kRules + static_cast<int>(agent))).loaded);
+  };
+  add(1);  // Makes what the others share.
+  const std::size_t before = PageBytes();
+  for (std::size_t n = 2; n < kAgents; ++n) add(n);
+  const std::size_t each = (PageBytes() - before) / (kAgents - 2);
+  RecordProperty("network", std::to_string(network));
+  RecordProperty("each", std::to_string(each));
+  EXPECT_LE(each * 3, network) << "network " << network << ", each " << each;
+  for (std::size_t n = 1; n < kAgents; ++n) {
+    agents[n]->Excise(agents[n]->FindProduction("rule*" + std::to_string(n)));
+    agents[n]->Run(RunUnit::kDecision, 1);
+    EXPECT_EQ(agents[n]->Productions().size(), std::size_t{kRules});
+    EXPECT_EQ(agents[n]->rete().CheckInvariants(), "");
+  }
 }
 
 TEST(RuleSharing, WhatOneAgentDoesToItsRulesIsNoneOfTheOthersBusiness) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <mutex>
 
 namespace soarbox::kernel {
 
@@ -27,9 +28,17 @@ std::uint64_t Bits(const NodeTest& test) {
   return bits;
 }
 
+/// Copies and their images are made one at a time.
+std::mutex forks;
+
+template <typename T>
+void MakeImage(const PlainVector<T, ForkableRoom>& records) {
+  records.room().MakeImage(records.data(), records.size() * sizeof(T));
+}
+
 /// Takes `count` places from a pool with free lists by size.
-template <typename T, typename Next>
-std::uint32_t TakePlaces(PlainVector<T>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
+template <typename T, typename Room, typename Next>
+std::uint32_t TakePlaces(PlainVector<T, Room>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
   if (count == 0) {
     return 0;
   }
@@ -270,7 +279,7 @@ void Network::RemoveNode(std::uint32_t index) {
 }
 
 void Network::InsertShared(std::uint32_t index) {
-  if (share_count_ >= share_buckets_.size()) {
+  if (share_count_ >= share_buckets_.size() * most_per_bucket_) {
     share_buckets_.assign(share_buckets_.size() * 2, kNil);
     for (std::uint32_t n = 1; n < nodes_.size(); ++n) {
       if (nodes_[n].kind != NodeKind::kFree && n != index) {
@@ -355,6 +364,30 @@ void Network::AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule
 
 void Network::RemoveRule(std::uint32_t number) {
   rules_[number].reset();
+}
+
+// Sharing -------------------------------------------------------------------------------------------------------------
+
+std::shared_ptr<Network> Network::Fork(bool many) const {
+  const std::lock_guard lock(forks);
+  if (many && !has_images_) {
+    has_images_ = true;
+    MakeImage(nodes_);
+    MakeImage(tests_);
+    MakeImage(alphas_);
+  }
+  auto fork = std::make_shared<Network>(*this);
+  fork->rules_.reserve(rules_.size() + rules_.size() / 8 + 16);
+  fork->has_images_ = false;
+  fork->most_per_bucket_ = many ? 4 : 1;
+  return fork;
+}
+
+void Network::ForgetImages() {
+  has_images_ = false;
+  nodes_.room().ForgetImage();
+  tests_.room().ForgetImage();
+  alphas_.room().ForgetImage();
 }
 
 std::size_t Network::MemoryBytes() const {

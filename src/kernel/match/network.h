@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/forkable_room.h"
 #include "kernel/base/plain_vector.h"
 #include "kernel/match/rule_info.h"
 #include "kernel/rules/production.h"
@@ -286,6 +287,24 @@ class [[gnu::visibility("hidden")]] Network {
   void AddRule(std::uint32_t number, std::shared_ptr<const RuleInfo> rule);
   void RemoveRule(std::uint32_t number);
 
+  // Sharing. ------------------------------------------------------------------------------------------------------
+
+  /// From now on, copies share this one's pages but for those on which they change something. Any thread whose agent
+  /// shares this network may ask.
+  void ShareWithCopies() const;
+  /// Nobody else holds this one any more, and it is about to be changed.
+  void StopSharing();
+
+  /// A copy to be changed. `many`: more copies may be asked for. They share what they leave as it is, page by page, if
+  /// there is enough of it. Any thread may ask.
+  std::shared_ptr<Network> Fork(bool many) const;
+  /// It has one owner and is about to be changed: the next copies are made of what it becomes.
+  void BeginChange() {
+    if (has_images_) {
+      ForgetImages();
+    }
+  }
+
   std::size_t MemoryBytes() const;
   bool SameAs(const Network& other) const;
 
@@ -302,19 +321,20 @@ class [[gnu::visibility("hidden")]] Network {
     return masks_in_use_[acceptable ? 1 : 0] & masks_of_attribute_[acceptable ? 1 : 0][attribute % kAttributeClasses];
   }
   [[gnu::noinline]] ValueFilter FilterOf(const Node& join) const;
+  [[gnu::noinline]] void ForgetImages();
   void InsertShared(std::uint32_t node);
   void LinkChild(std::uint32_t node);
   void FindOnlyMemory(std::uint32_t parent);
   void UnlinkChild(std::uint32_t node);
   std::uint32_t StoreTests(std::span<const NodeTest> tests, std::span<const std::uint32_t> disjuncts);
 
-  PlainVector<Node> nodes_;
+  PlainVector<Node, ForkableRoom> nodes_;
   std::uint32_t free_nodes_ = kNil;
-  PlainVector<NodeTest> tests_;
+  PlainVector<NodeTest, ForkableRoom> tests_;
   std::vector<std::uint32_t> free_tests_;  ///< Heads of free lists by number of tests; linked through `referent`.
   PlainVector<std::uint32_t> disjuncts_;
   std::vector<std::uint32_t> free_disjuncts_;  ///< Likewise, linked through the first word.
-  PlainVector<Alpha> alphas_;
+  PlainVector<Alpha, ForkableRoom> alphas_;
   std::uint32_t free_alphas_ = kNil;
   std::vector<std::uint32_t> alpha_buckets_;
   int alpha_shift_ = 0;
@@ -326,8 +346,10 @@ class [[gnu::visibility("hidden")]] Network {
   std::uint8_t masks_of_attribute_[2][kAttributeClasses];
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
+  std::uint32_t most_per_bucket_ = 1;  ///< On the average. In a fork more: sorting all nodes anew would write to all.
   std::vector<std::shared_ptr<const RuleInfo>> rules_;
   std::uint64_t digest_ = 0x9E3779B97F4A7C15u;
+  mutable bool has_images_ = false;  ///< Large arrays are there as images, too, for copies to share.
 };
 
 }  // namespace soarbox::kernel

@@ -25,7 +25,7 @@ class Network;
 /// 1995), hashed joins, negation and conjunctive negation.
 ///
 /// The topology (Network) is immutable once shared and common to all agents that run the same rules; the contents of
-/// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule copies a shared
+/// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule forks a shared
 /// topology first. No allocation in the steady state.
 ///
 /// Order is part of the contract: every list is last in, first out, as kernel_algorithms says, so that firing order,

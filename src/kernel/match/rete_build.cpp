@@ -11,9 +11,12 @@ namespace soarbox::kernel {
 // Rules ---------------------------------------------------------------------------------------------------------------
 
 void ReteState::OwnNetwork() {
-  if (!IsSoleOwner(network)) {
-    network = std::make_shared<Network>(*network);
+  if (IsSoleOwner(network)) {
+    network->BeginChange();
+    return;
   }
+  // One of two owners is the store of shared rules (decide/rule_sharing.h).
+  network = network->Fork(network.use_count() > 2);
 }
 
 Rete::Added ReteState::AddProduction(ProductionPtr production, const Rete::AddOptions& options) {

@@ -18,16 +18,18 @@ struct ReteState;
 /// negation it goes on from the conditions in front of it. A binding at depth b is seen from a condition at depth d as
 /// d - b levels up. A condition that tests a variable for equality binds it anew, so that later conditions find it as
 /// few levels up as can be.
-class ReteBuilder {
+class [[gnu::visibility("hidden")]] ReteBuilder {
  public:
-  explicit ReteBuilder(ReteState& state) : state_(state) {}
+  explicit ReteBuilder(ReteState & state) : state_(state) {}
 
   /// The node that emits the rule's complete matches.
   std::uint32_t Build(std::span<const Condition> conditions);
   /// The node that emits while all of a rule's negated conditions hold, whatever else matches (rete_guard.cpp).
   std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
   /// A join of this memory has gone.
-  void JoinRemoved(std::uint32_t memory) { MoveIfJoinsAre(1, memory); }
+  void JoinRemoved(std::uint32_t memory) {
+    MoveIfJoinsAre(1, memory);
+  }
 
  private:
   struct Binding {
