@@ -55,7 +55,7 @@ bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::s
 
   PrintMessages(call, outcome.printed);
   if (outcome.replaced) {
-    call.stream().PrintUncounted("#");
+    call.stream().Print("#");
     if (source) source->counts.excised.push_back(outcome.name);
   }
   PrintMessages(call, outcome.printed_late);

@@ -156,7 +156,7 @@ void TracePrinter::PrintMatched(const Agent& agent, const FiringInfo& info) {
 
 void TracePrinter::OnFiring(const Agent& agent, const FiringInfo& info) {
   if (!ShowsFiring(info)) return;
-  Print(fmt::format("\nFiring {}\n", info.name));
+  Print(fmt::format("\nFiring {}\n", RuleName(agent, info.name)));
   PrintMatched(agent, info);
 }
 
@@ -182,7 +182,7 @@ void TracePrinter::OnInhibited(const Agent& agent, const FiringInfo& info) {
 
 void TracePrinter::OnRetracting(const Agent& agent, const FiringInfo& info) {
   if (!ShowsFiring(info)) return;
-  Print(fmt::format("\nRetracting {}\n", info.name));
+  Print(fmt::format("\nRetracting {}\n", RuleName(agent, info.name)));
   retracting_ = session_.trace().wme_detail() != WmeDetail::kNone;
   PrintMatched(agent, info);
 }
@@ -218,7 +218,7 @@ void TracePrinter::PrintPreferenceChange(const Agent& agent, kernel::PreferenceI
   const kernel::Preference& preference = agent.memory().preference(id);
   session_.stream().FreshLine();
   Print(fmt::format("{} {}{} ({}){}\n", sign, PreferenceText(agent, preference), Level(preference.level),
-                    agent.ProductionName(preference.instantiation), remark));
+                    RuleName(agent, agent.ProductionName(preference.instantiation)), remark));
 }
 
 void TracePrinter::OnPreferenceAdded(const Agent& agent, kernel::PreferenceId id) {
@@ -377,12 +377,12 @@ void TracePrinter::OnHalt(const Agent&) {
 }
 
 void TracePrinter::OnInstantiationMade(const Agent& agent, const FiringInfo& info) {
-  Print(fmt::format("\nNew match of {} in state {} (level {}).  Creating instantiation.\n", info.name,
+  Print(fmt::format("\nNew match of {} in state {} (level {}).  Creating instantiation.\n", RuleName(agent, info.name),
                     info.goal ? SymbolText(agent, info.goal) : std::string("none"), info.level));
 }
 
-void TracePrinter::OnInstantiationAsserted(const Agent&, const FiringInfo& info) {
-  Print(fmt::format("\n      asserting instantiation: {}\n", info.name));
+void TracePrinter::OnInstantiationAsserted(const Agent& agent, const FiringInfo& info) {
+  Print(fmt::format("\n      asserting instantiation: {}\n", RuleName(agent, info.name)));
 }
 
 void TracePrinter::OnLearning(const Agent&, std::string_view name) {

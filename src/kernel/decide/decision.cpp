@@ -280,7 +280,9 @@ std::string Decision::Predict() {
   for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
     const Goal& goal = engine_.goals.at(level);
     if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
-    const PreferenceSemantics::Outcome outcome = Evaluate(goal, ForcedOperator(goal));
+    const Symbol forced = ForcedOperator(goal);
+    if (forced) engine_.forced_operator.clear();  // As in Soar: what was asked for holds for one evaluation.
+    const PreferenceSemantics::Outcome outcome = Evaluate(goal, forced);
     switch (outcome.impasse) {
       case ImpasseType::kTie:
         return "tie";
