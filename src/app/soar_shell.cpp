@@ -17,6 +17,7 @@
 #include "app/line_editor.h"
 #include "cli/interpreter.h"
 #include "cli/session.h"
+#include "cli/tokens.h"
 #include "kernel/agent.h"
 
 namespace soarbox::app {
@@ -115,7 +116,7 @@ class Shell {
   }
 
   int Run(const SoarShellOptions& options) {
-    for (const std::filesystem::path& file : options.files) Execute("source {" + file.string() + "}");
+    for (const std::filesystem::path& file : options.files) Execute("source " + cli::QuoteWord(file.string()));
     if (terminal_) {
       std::puts("Soarbox's Soar shell. 'help' lists the commands; Tab completes; Ctrl-C stops a run; Ctrl-D ends.");
       ReadTerminal();

@@ -46,18 +46,15 @@ std::vector<Diagnostic> Edit::Check() const {
 
 std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   std::vector<Diagnostic> problems = Check();
+  if (sim::IsEmptied(running_, text_))
+    problems.push_back(Problem(file_.file, "the text is empty", "leave a comment in it to take everything out"));
   if (sim::HasError(problems)) return problems;
-  const std::vector<std::string> lines = file_.is_rules
-                                             ? sim::EditsBetween(sim::SplitRules(running_), sim::SplitRules(text_))
-                                             : std::vector<std::string>();
   std::vector<std::string> agents;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
     if (file.file == file_.file && file.is_rules == file_.is_rules) agents.push_back(file.agent);
   if (agents.empty()) agents.push_back(file_.agent);
-  for (const std::string& agent : agents) {
-    if (!file_.is_rules) simulation.Submit(sim::ScriptInput{agent, text_});
-    for (const std::string& line : lines) simulation.Submit(sim::CommandInput{agent, line});
-  }
+  for (const std::string& agent : agents)
+    sim::SubmitEdit(simulation, {agent, file_.file, file_.is_rules}, running_, text_);
   running_ = text_;
   return problems;
 }
@@ -99,7 +96,9 @@ Edit::Disk Edit::LookAtDisk() {
   written_ = written;
   if (now->text_ == saved_) return Disk::kSame;
   const bool is_own = is_unsaved();
-  saved_ = running_ = now->text_;
+  saved_ = now->text_;
+  // What has errors does not run.
+  if (!sim::HasError(now->Check())) running_ = saved_;
   if (is_own) return Disk::kDiffers;
   text_ = saved_;
   return Disk::kTaken;

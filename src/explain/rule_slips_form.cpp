@@ -307,6 +307,32 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
+bool IsZero(const std::string& word) {
+  double number = 1;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size() && number == 0;
+}
+
+/// "(write |done| crlf)" and "(/ <n> 0)": calls that load and do not do what they look like.
+void FindOddArguments(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleCall& call : rule.all_calls) {
+    std::string function = call.function;
+    if (function.size() > 2 && function.front() == '|') function = function.substr(1, function.size() - 2);
+    for (const std::string& word : call.arguments) {
+      if (!IsSameButForCase(word, "crlf")) continue;
+      slips.push_back({rule.name, word, false,
+                       "rule " + rule.name + " prints the word " + word + " instead of ending the line",
+                       "call the function between brackets: (crlf)", true});
+      break;
+    }
+    const bool divides = function == "/" || function == "div" || function == "mod";
+    if (divides && call.arguments.size() > 1 && std::any_of(call.arguments.begin() + 1, call.arguments.end(), IsZero)) {
+      slips.push_back({rule.name, function, false, "rule " + rule.name + " divides by 0 in (" + function + " ...)",
+                       "an action whose value cannot be computed does nothing: write another divisor", true});
+    }
+  }
+}
+
 /// A variable of the actions that stands nowhere else makes a new identifier: under a name that is much like one that
 /// is bound, that is hardly meant.
 void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
@@ -361,6 +387,7 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
         slips[before - 1].message.ends_with("not as a variable"))
       slips.resize(before);
     FindOddActions(rule, slips);
+    FindOddArguments(rule, slips);
     FindUnboundValues(rule, slips);
   }
   return slips;

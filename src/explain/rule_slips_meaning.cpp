@@ -62,7 +62,15 @@ class MeaningChecker {
       const bool is_status = condition.attribute == "status";
       if ((!is_status && condition.attribute != "reason") || condition.value.empty()) continue;
       const auto path = paths.find(condition.id);
-      if (path == paths.end() || path->second.size() != 3 || path->second[1] != "output-link") continue;
+      if (path == paths.end()) continue;
+      if (const std::string place = WhereNothingIsAnswered(path->second); !place.empty()) {
+        if (IsMade(condition.attribute) || recalls_anything_ || !known_.complete) continue;
+        Tell(rule, condition.attribute, true,
+             "rule " + rule.name + " tests ^" + condition.attribute + " of " + place + ", where nothing writes it",
+             "the world answers below the command: ^io.output-link." + SaidCommandOf(rule) + "." + condition.attribute);
+        continue;
+      }
+      if (path->second.size() != 3 || path->second[1] != "output-link") continue;
       if (vocabulary::FindCommand(path->second[2]) == nullptr) continue;  // What scripts answer is theirs.
       const std::string& value = condition.value;
       if (value.find_first_of(" <>{}|") != std::string::npos || known_.scripts.contains(value)) continue;
@@ -208,6 +216,27 @@ class MeaningChecker {
       if (longer != all.end()) own = *longer;
     }
     return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
+  }
+
+  /// "an operator": an answer is looked for beside the command that has it; empty: not there.
+  static std::string WhereNothingIsAnswered(const std::vector<std::string>& path) {
+    if (path.size() == 1 && path[0] == "operator") return "an operator";
+    if (path.size() == 2 && path[0] == "io" && path[1] == "output-link") return "the output link itself";
+    return {};
+  }
+
+  /// A command that rules give, for an example: one of this rule's operator, if that is known.
+  std::string SaidCommandOf(const RuleText& rule) const {
+    for (const bool same_operator : {true, false}) {
+      for (const RuleText& other : rules_) {
+        const bool applies_it =
+            std::ranges::any_of(other.applies, [&](const std::string& name) { return rule.applies.contains(name); });
+        if (other.says.empty() || (same_operator && !applies_it)) continue;
+        const std::string& command = *other.says.begin();
+        if (IsConstantAttribute(command)) return command;
+      }
+    }
+    return "move-to";
   }
 
   /// True if rules put such an attribute below what may be a command.

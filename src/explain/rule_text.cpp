@@ -143,6 +143,27 @@ std::set<std::string> NamesOf(const std::string& value) {
   return {first};
 }
 
+/// Calls of functions in the actions, those within others, too.
+std::vector<RuleCall> CallsIn(const std::vector<std::string>& actions) {
+  std::vector<RuleCall> calls;
+  std::vector<std::size_t> open;  // Brackets: the call that they belong to.
+  constexpr std::size_t kClause = static_cast<std::size_t>(-1);
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const std::string& token = actions[i];
+    if (token == ")") {
+      if (!open.empty()) open.pop_back();
+    } else if (token == "(") {
+      if (!open.empty() && open.back() != kClause) calls[open.back()].arguments.push_back(token);
+      const bool is_call = i + 1 < actions.size() && !IsVariable(actions[i + 1]);
+      open.push_back(is_call ? calls.size() : kClause);
+      if (is_call) calls.push_back({actions[++i], {}});
+    } else if (!open.empty() && open.back() != kClause) {
+      calls[open.back()].arguments.push_back(token);
+    }
+  }
+  return calls;
+}
+
 void Classify(RuleText& rule) {
   std::set<std::string> outputs;
   for (const RuleAttribute& condition : rule.conditions) {
@@ -270,11 +291,12 @@ std::vector<RuleText> ReadRules(std::string_view text) {
     const std::vector<std::string> actions = Tokens(body.substr(arrow + 3));
     rule.actions = ReadSide(actions);
     rule.acts = !actions.empty();
-    for (std::size_t i = 0; i + 1 < actions.size(); ++i)
-      if (actions[i] == "(" && !IsVariable(actions[i + 1])) rule.calls.insert(actions[i + 1]);
-    // A function that is not built in is printed as the first argument of exec.
-    for (std::size_t i = 0; i + 2 < actions.size(); ++i)
-      if (actions[i] == "(" && actions[i + 1] == "exec") rule.calls.insert("exec " + actions[i + 2]);
+    rule.all_calls = CallsIn(actions);
+    for (const RuleCall& call : rule.all_calls) {
+      rule.calls.insert(call.function);
+      // A function that is not built in is printed as the first argument of exec.
+      if (call.function == "exec" && !call.arguments.empty()) rule.calls.insert("exec " + call.arguments.front());
+    }
     Classify(rule);
     rules.push_back(std::move(rule));
   }

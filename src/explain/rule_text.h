@@ -17,6 +17,12 @@ struct RuleAttribute {
   bool on_state = false;  ///< The clause begins with the word state.
 };
 
+/// A call of a function in a rule's actions.
+struct RuleCall {
+  std::string function;
+  std::vector<std::string> arguments;  ///< As they are printed; "(" for a call within the call.
+};
+
 /// What a rule says about itself, as far as reasons and checks need it.
 struct RuleText {
   std::string name;
@@ -32,6 +38,8 @@ struct RuleText {
   std::set<std::string> says;
   /// Names of the functions that its actions call.
   std::set<std::string> calls;
+  /// The same with their arguments, each call as often as it is there.
+  std::vector<RuleCall> all_calls;
   bool acts = false;  ///< It has actions at all.
 };
 

@@ -327,6 +327,12 @@ std::uint32_t Agent::instantiation_count() const {
 const LearnStatistics& Agent::learn_statistics() const {
   return engine_->chunker.statistics();
 }
+std::string_view Agent::FiringRule() const {
+  const InstantiationId firing = engine_->context.firing();
+  if (firing == InstantiationId::kNone) return {};
+  const ProductionId rule = engine_->instantiations[firing].production;
+  return rule == ProductionId::kNone ? std::string_view() : std::string_view(production(rule).name);
+}
 std::size_t Agent::learned_rule_count() const {
   return engine_->chunker.learned_count();
 }

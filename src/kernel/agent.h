@@ -138,6 +138,8 @@ class Agent {
   bool stop_requested() const;
   bool halted() const;   ///< (halt) ran: Run and Step do nothing until InitSoar.
   bool running() const;  ///< In the middle of Run or Step.
+  /// The name of the rule whose actions run now, for observers; empty if none does.
+  std::string_view FiringRule() const;
   /// Memory ran out while the agent ran or loaded a rule, and it said so. It is halted and can only be read and
   /// destroyed: whatever would change it is refused.
   bool out_of_memory() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -45,6 +46,63 @@ Diagnostic EditNews(Severity severity, const fs::path& file, std::string message
 
 constexpr const char* kKeepsRunning = "the previous version keeps running";
 
+/// Without a byte order mark and the line ends of other systems, which no author means.
+std::string WithPlainLines(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') plain += text[i];
+  return plain;
+}
+
+/// The files that a text sources itself, and in which lines.
+std::map<fs::path, int> SourcedBy(const fs::path& file, const std::string& text) {
+  std::map<fs::path, int> sourced;
+  std::istringstream lines(explain::BlankComments(text));
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::string name = NameSourcedBy(line);
+    if (!name.empty() && IsPlainFile(file.parent_path() / name)) sourced.emplace(file.parent_path() / name, number);
+  }
+  return sourced;
+}
+
+/// Commands outside of rules are carried out when the file is loaded, not when it is edited.
+void TellOtherCommands(const fs::path& file, const std::string& before, const std::string& after,
+                       std::vector<Diagnostic>& told) {
+  const auto commands = [](const std::string& text) {
+    std::vector<std::pair<std::string, int>> found;
+    std::istringstream lines(SplitRules(text).outside);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      const std::size_t begin = line.find_first_not_of(" \t\r;");
+      if (begin == std::string::npos || !NameSourcedBy(line).empty()) continue;
+      found.emplace_back(line.substr(begin, line.find_last_not_of(" \t\r;") + 1 - begin), number);
+    }
+    return found;
+  };
+  const auto old = commands(before), now = commands(after);
+  const auto differs = std::ranges::find_if(now, [&](const auto& one) {
+    return std::ranges::none_of(old, [&](const auto& other) { return other.first == one.first; });
+  });
+  const bool is_gone = std::ranges::any_of(old, [&](const auto& one) {
+    return std::ranges::none_of(now, [&](const auto& other) { return other.first == one.first; });
+  });
+  if (differs == now.end() && !is_gone) return;
+  Diagnostic news =
+      EditNews(Severity::kWarning, file, "a command outside of the rules has changed: the run goes on without it",
+               "start the run again (Ctrl+R), or type the command into the console");
+  if (differs != now.end()) {
+    news.message = "the command " + differs->first + " is not carried out: an edit reloads rules only";
+    news.line = differs->second;
+  }
+  told.push_back(std::move(news));
+}
+
 /// Names of the rules that are new or differ.
 std::set<std::string> ChangedRules(const std::string& before, const std::string& after) {
   const SplitText old = SplitRules(before);
@@ -71,10 +129,12 @@ std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files) {
 
 SplitText SplitRules(std::string_view given) {
   SplitText split;
-  const std::string text = explain::BlankComments(std::string(given));
+  const std::string text = explain::BlankComments(WithPlainLines(given));
   split.only_rules.reserve(text.size());
   for (const char c : text) split.only_rules += c == '\n' ? '\n' : ' ';
+  split.outside = text;
   for (std::size_t at = 0; at < text.size();) {
+    at = std::min(text.find_first_not_of(" \t;", at), text.size());
     const std::size_t line_end = std::min(text.find('\n', at), text.size());
     const bool begins = (text.compare(at, 2, "sp") == 0 || text.compare(at, 2, "gp") == 0) &&
                         text.find_first_not_of(" \t", at + 2) != std::string::npos &&
@@ -107,7 +167,9 @@ SplitText SplitRules(std::string_view given) {
     }
     split.rules[name] = text.substr(at, end + 1 - at);
     split.only_rules.replace(at, end + 1 - at, split.rules[name]);
-    at = std::min(text.find('\n', end), text.size() - 1) + 1;
+    for (std::size_t i = at; i <= end; ++i)
+      if (text[i] != '\n') split.outside[i] = ' ';
+    at = end + 1;
   }
   return split;
 }
@@ -171,13 +233,79 @@ std::optional<std::string> LiveEdits::TakeChange(const fs::path& file, Version& 
   return text;
 }
 
-void LiveEdits::Submit(const WatchedFile& file, const std::string& before, const std::string& after) {
+void SubmitEdit(Simulation& simulation, const WatchedFile& file, const std::string& before, const std::string& after,
+                const std::set<std::string>& elsewhere) {
   if (!file.is_rules) {
-    simulation_.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
+    simulation.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
     return;
   }
-  for (const std::string& edit : EditsBetween(SplitRules(before), SplitRules(after)))
-    simulation_.Submit(CommandInput{file.agent, edit});
+  SplitText old = SplitRules(before);
+  const SplitText now = SplitRules(after);
+  std::erase_if(old.rules,
+                [&](const auto& rule) { return elsewhere.contains(rule.first) && !now.rules.contains(rule.first); });
+  for (const std::string& edit : EditsBetween(old, now)) simulation.Submit(CommandInput{file.agent, edit});
+}
+
+bool IsEmptied(const std::string& before, const std::string& after) {
+  constexpr const char* kBlanks = " \t\r\n";
+  return after.find_first_not_of(kBlanks) == std::string::npos &&
+         before.find_first_not_of(kBlanks) != std::string::npos;
+}
+
+std::set<std::string> LiveEdits::RulesElsewhere(const WatchedFile& file) const {
+  std::set<std::string> names;
+  if (!file.is_rules) return names;
+  for (const WatchedFile& other : files_) {
+    const auto version = versions_.find(other.file);
+    if (other.agent != file.agent || other.file == file.file || !other.is_rules || version == versions_.end()) continue;
+    for (const auto& [name, text] : SplitRules(version->second.text).rules) names.insert(name);
+  }
+  return names;
+}
+
+bool LiveEdits::IsWhole(const WatchedFile& file, const Version& version, const std::string& text,
+                        bool is_refused) const {
+  constexpr std::chrono::milliseconds kSettled(400);
+  const auto age = fs::file_time_type::clock::now() - version.time;
+  if (age > kSettled || age < -kSettled) return true;
+  if (is_refused || !file.is_rules) return !is_refused;
+  const SplitText after = SplitRules(text);
+  return std::ranges::all_of(SplitRules(version.text).rules,
+                             [&](const auto& rule) { return after.rules.contains(rule.first); });
+}
+
+void LiveEdits::FollowSources(const WatchedFile& changed, const std::string& before, const std::string& after,
+                              std::vector<Diagnostic>& told) {
+  const std::map<fs::path, int> old = SourcedBy(changed.file, before), now = SourcedBy(changed.file, after);
+  for (const auto& [file, line] : now) {
+    if (old.contains(file)) continue;
+    const std::set<fs::path> all = WithSourcedFiles(file);
+    if (all.contains(changed.file)) {
+      Diagnostic circle = EditNews(Severity::kWarning, changed.file, "this file sources itself: the line does nothing",
+                                   "remove this line");
+      circle.line = line;
+      told.push_back(std::move(circle));
+      continue;
+    }
+    // Nothing of them runs yet: the next look finds all of their rules new.
+    for (const fs::path& one : all) versions_[one] = {};
+  }
+  files_ = WithSourced(simulation_.Files());
+  for (const auto& [file, line] : old) {
+    if (now.contains(file)) continue;
+    for (const fs::path& one : WithSourcedFiles(file)) {
+      const bool is_still_sourced =
+          std::ranges::any_of(files_, [&](const WatchedFile& other) { return other.file == one; });
+      const auto version = versions_.find(one);
+      if (is_still_sourced || version == versions_.end()) continue;
+      for (const WatchedFile& top : simulation_.Files())
+        if (top.is_rules && (top.file == changed.file || WithSourcedFiles(top.file).contains(changed.file)))
+          SubmitEdit(simulation_, {top.agent, one, true}, version->second.text, "",
+                     RulesElsewhere({top.agent, one, true}));
+      told.push_back(EditNews(Severity::kNote, one, "no longer sourced: its rules are excised"));
+      versions_.erase(version);
+    }
+  }
 }
 
 void LiveEdits::TellSlips(std::vector<Diagnostic>& told) {
@@ -193,25 +321,40 @@ std::vector<Diagnostic> LiveEdits::Poll() {
   TellSlips(told);
   Watch();
   std::set<fs::path> looked_at;
-  for (const WatchedFile& changed : files_) {
-    if (!looked_at.insert(changed.file).second) continue;
-    Version& version = versions_[changed.file];
+  const std::vector<WatchedFile> files = files_;  // An edit may bring others.
+  for (const WatchedFile& changed : files) {
+    const auto known = versions_.find(changed.file);
+    if (known == versions_.end() || !looked_at.insert(changed.file).second) continue;
+    Version& version = known->second;
     const std::optional<std::string> text = TakeChange(changed.file, version, told);
     if (!text) continue;
     std::vector<Diagnostic> problems =
         changed.is_rules ? VetRuleFile(*text, changed.file) : CheckScriptText(*text, changed.file.string());
-    const bool is_refused = HasError(problems);
+    const bool is_refused = HasError(problems), is_emptied = IsEmptied(version.text, *text);
+    if (!IsWhole(changed, version, *text, is_refused || is_emptied)) {
+      version.time = {};  // Look again.
+      continue;
+    }
+    if (is_emptied) {
+      told.push_back(EditNews(Severity::kWarning, changed.file, "this file is empty: nothing was changed",
+                              std::string(kKeepsRunning) + "; leave a comment in it to take everything out"));
+      continue;
+    }
     told.insert(told.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
     // The next good version is compared with what runs, not with what never did.
     if (is_refused) {
       told.push_back(EditNews(Severity::kNote, changed.file, std::string("nothing was changed; ") + kKeepsRunning));
       continue;
     }
-    for (const WatchedFile& file : files_)
-      if (file.file == changed.file) Submit(file, version.text, *text);
+    for (const WatchedFile& file : files)
+      if (file.file == changed.file) SubmitEdit(simulation_, file, version.text, *text, RulesElsewhere(file));
     if (changed.is_rules) edited_.push_back({changed.agent, ChangedRules(version.text, *text), simulation_.tick()});
-    version.earlier.emplace_back(simulation_.tick(), std::exchange(version.text, *text));
+    const std::string before = std::exchange(version.text, *text);
+    version.earlier.emplace_back(simulation_.tick(), before);
     told.push_back(EditNews(Severity::kNote, changed.file, "reloaded"));
+    if (!changed.is_rules) continue;
+    TellOtherCommands(changed.file, before, *text, told);
+    FollowSources(changed, before, *text, told);
   }
   return told;
 }

@@ -27,10 +27,12 @@ struct WatchedFile {
 /// The same files, and after each file of rules those that it sources, with all below them. Reads the disk.
 std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files);
 
-/// The rules of a text by name, with comments blanked. Empty, with the name of the rule at fault, if one is not closed.
+/// The rules of a text by name, with comments blanked and plain line ends. Empty, with the name of the rule at fault,
+/// if one is not closed.
 struct SplitText {
   std::map<std::string, std::string> rules;
   std::string only_rules;  ///< The text with all that stands outside of rules blanked: places stay.
+  std::string outside;     ///< The other way round: what stands outside of rules.
   std::string unclosed;
 };
 SplitText SplitRules(std::string_view text);
@@ -38,6 +40,14 @@ SplitText SplitRules(std::string_view text);
 /// The commands that make one version of a file of rules into another: a changed rule takes the old one's place, a rule
 /// that is gone is excised, and everything in working memory stays.
 std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& after);
+
+/// Hands an edit of one version of a file into another to the simulation's one door. Working memory and what a script
+/// knows stay. `elsewhere`: rules that another file has by now, so that they are not excised.
+void SubmitEdit(Simulation& simulation, const WatchedFile& file, const std::string& before, const std::string& after,
+                const std::set<std::string>& elsewhere = {});
+
+/// True if nothing is left of a file that held something: that is a slip, or an editor that is about to write.
+bool IsEmptied(const std::string& before, const std::string& after);
 
 /// Lets edits of rules and scripts reach a running world: looks at the files' times between ticks, and hands what
 /// changed to the simulation's one door, so that a record of the inputs replays the edits too. A file that does not
@@ -64,7 +74,14 @@ class LiveEdits {
   /// The new text of a file that has changed; nothing if it has not, or cannot be read.
   std::optional<std::string> TakeChange(const std::filesystem::path& file, Version& version,
                                         std::vector<Diagnostic>& told);
-  void Submit(const WatchedFile& file, const std::string& before, const std::string& after);
+  /// Names of the rules that other files of the agent hold: a rule that was moved there is still meant.
+  std::set<std::string> RulesElsewhere(const WatchedFile& file) const;
+  /// False if somebody may be about to write the rest of it: it has only just been written, and something is missing.
+  bool IsWhole(const WatchedFile& file, const Version& version, const std::string& text, bool is_refused) const;
+  /// Files that the new version sources and the old one did not are loaded; rules of those that it no longer sources
+  /// go.
+  void FollowSources(const WatchedFile& changed, const std::string& before, const std::string& after,
+                     std::vector<Diagnostic>& told);
   /// Slips in rules that were edited, once they run: what others make counts.
   void TellSlips(std::vector<Diagnostic>& told);
 

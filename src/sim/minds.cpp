@@ -370,6 +370,7 @@ void Minds::Conclude(Mind& mind) {
   if (!host_.IsConnected()) return;  // Its kernel went meanwhile; that is no gap in the rules.
   mind.decided = true;
   TellWritten(mind, body);
+  TellFailures(mind, body);
   if (TellBreakdown(mind, body)) return;
   if (!mind.soar.commands().empty()) {
     const vocabulary::SaidCommand& said = mind.soar.commands().back();

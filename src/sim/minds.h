@@ -155,6 +155,8 @@ class Minds final : public script::MindFactory {
   void TellCause(Mind& mind, const world::Agent& body, std::string text);
   bool TellBreakdown(Mind& mind, const world::Agent& body);
   void TellWritten(Mind& mind, const world::Agent& body);
+  /// Names the rules whose actions failed, each once.
+  void TellFailures(Mind& mind, const world::Agent& body);
   /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
   std::set<std::string> KnownAttributes();
   std::vector<explain::FailedRule> FailedIn(const std::filesystem::path& rules) const;

@@ -33,6 +33,27 @@ Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile
   return explain::PlaceSlip(slip, {}, {});  // Typed.
 }
 
+/// "Error: attempt to divide ('/') by zero.": the rule that it is about, and what to do.
+explain::Slip SlipOf(const ActionFailure& failure) {
+  constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('";
+  std::string text = failure.text;
+  text.erase(0, text.find_first_not_of(" \t\n"));
+  text.erase(text.find_last_not_of(" \t\n.") + 1);
+  if (text.starts_with(kError)) text.erase(0, kError.size());
+  explain::Slip slip;
+  slip.rule = failure.rule;
+  slip.in_actions = true;
+  if (text.starts_with(kDivision)) {
+    slip.word = text.substr(kDivision.size(), text.find('\'', kDivision.size()) - kDivision.size());
+    slip.message = "rule " + failure.rule + " divides by zero with " + slip.word + ": the action does nothing";
+    slip.hint = "test the divisor in a condition: <> 0";
+  } else {
+    slip.message = "rule " + failure.rule + ": an action failed: " + text;
+    slip.hint = "the action does nothing; print or the panel Memory shows the values that it was given";
+  }
+  return slip;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>& only, Neighbours& beside) {
@@ -101,6 +122,19 @@ void Minds::TellSlips() {
       event.diagnostic = std::move(slip);
       report_(std::move(event));
     }
+  }
+}
+
+void Minds::TellFailures(Mind& mind, const world::Agent& body) {
+  for (const ActionFailure& failure : mind.soar.TakeFailures()) {
+    // What it was given may be different each time: a rule's first failure says enough.
+    if (!reported_.insert(mind.rules.string() + '\n' + failure.rule).second) continue;
+    RunEvent event;
+    event.kind = EventKind::kDiagnostic;
+    event.agent = body.name();
+    event.diagnostic = Placed(SlipOf(failure), FilesOf(mind.rules, scenario_));
+    if (!event.diagnostic.file.empty()) event.diagnostic.file = scenario_.Original(event.diagnostic.file).string();
+    report_(std::move(event));
   }
 }
 

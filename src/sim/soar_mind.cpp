@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "sim/senses.h"
 #include "sml_Client.h"
@@ -14,6 +15,7 @@ namespace soarbox::sim {
 namespace {
 
 constexpr std::size_t kMostWritten = 64 * 1024;
+constexpr std::size_t kMostFailures = 100;
 constexpr int kDeepestParameter = 4;
 /// Of one command, whatever is below it, and of all that a mind says in one tick.
 constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
@@ -69,6 +71,9 @@ struct SoarMind::Writing
   void OnWritten(std::string_view more) override {
     Add(more);
   }
+  void OnActionFailed(std::string_view rule, std::string_view why) override {
+    if (failures.size() < kMostFailures) failures.push_back({std::string(rule), std::string(why)});
+  }
   void OnOperator(int, std::string_view, std::string_view, std::string_view) override {}
   void OnState(int, std::string_view, mind::StateReason, bool) override {}
   void OnStateGone(int, std::string_view) override {}
@@ -79,6 +84,7 @@ struct SoarMind::Writing
   std::unique_ptr<Observation> observation;
 #endif
   std::string text;
+  std::vector<ActionFailure> failures;
 };
 
 void SoarMind::EndWriting::operator()(Writing* writing) const {
@@ -243,6 +249,10 @@ void SoarMind::Answer(const Outcome& outcome) {
       if (!outcome.parameter.empty()) word.CreateStringWME("parameter", outcome.parameter.c_str());
       break;
   }
+}
+
+std::vector<ActionFailure> SoarMind::TakeFailures() {
+  return std::exchange(writing_->failures, {});
 }
 
 std::vector<std::string> SoarMind::TakeWritten() {

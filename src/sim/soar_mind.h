@@ -29,6 +29,12 @@ struct MindSettings {
   MindDetail detail = MindDetail::kNone;  ///< How much of what it does is noted.
 };
 
+/// A rule fired and one of its actions could not be done.
+struct ActionFailure {
+  std::string rule;
+  std::string text;  ///< In the kernel's words: "Error: attempt to divide ('/') by zero.\n"
+};
+
 /// The mind of one agent as a Soar program: what it perceives stands on its input link, each identifier directly on
 /// its output link is a command.
 ///
@@ -57,6 +63,8 @@ class SoarMind {
 
   /// What rules have written since the last call, in whole lines.
   std::vector<std::string> TakeWritten();
+  /// Actions that failed since the last call, up to a hundred; none are known of a kernel in another process.
+  std::vector<ActionFailure> TakeFailures();
 
   /// True once the program has halted; it then does nothing more until it is restarted.
   bool Halted() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/sourced_files.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -24,10 +25,8 @@ void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::s
   if (found.size() >= kMostFiles || !found.insert(file).second) return;
   std::istringstream lines(explain::BlankComments(ReadText(file).value_or("")));
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string command, name;
-    if (!(words >> command >> name) || command != "source") continue;
-    if (name.size() > 1 && name.front() == '"') name = name.substr(1, name.size() - 2);
+    const std::string name = NameSourcedBy(line);
+    if (name.empty()) continue;
     // A file names its neighbours by their own names, wherever it is sourced from.
     const fs::path sourced = file.parent_path() / name;
     if (MayBeRead(sourced, readable)) AddSourced(sourced, readable, found);
@@ -35,6 +34,20 @@ void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::s
 }
 
 }  // namespace
+
+std::string NameSourcedBy(std::string_view line) {
+  constexpr std::string_view kSource = "source", kBlanks = " \t\r";
+  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  if (!line.starts_with(kSource)) return {};
+  line.remove_prefix(kSource.size());
+  const std::size_t begin = line.find_first_not_of(kBlanks);
+  if (begin == 0 || begin == std::string_view::npos) return {};
+  line.remove_prefix(begin);
+  const char closing = line.front() == '"' ? '"' : line.front() == '{' ? '}' : '\0';
+  if (closing == '\0') return std::string(line.substr(0, line.find_first_of(" \t\r;")));
+  const std::size_t end = line.rfind(closing);
+  return end == 0 || end == std::string_view::npos ? std::string() : std::string(line.substr(1, end - 1));
+}
 
 std::set<fs::path> WithSourcedFiles(const fs::path& rules, std::span<const fs::path> readable) {
   std::set<fs::path> found;

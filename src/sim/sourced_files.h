@@ -4,11 +4,16 @@
 #include <filesystem>
 #include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace soarbox::sim {
 
 struct Scenario;
+
+/// The name of the file that a line of rules sources, without its quotes or braces; empty if it is another line.
+std::string NameSourcedBy(std::string_view line);
 
 /// A file of rules and those that it sources, with all below them. Reads the disk: plain files only, and of them only
 /// those that lie below the `readable` folders, if any are named.

@@ -5,8 +5,11 @@
 #include <sstream>
 #include <system_error>
 
+#include "explain/rule_slips.h"
+#include "explain/rule_text.h"
 #include "sim/check.h"
 #include "sim/live_edits.h"
+#include "sim/sourced_files.h"
 
 namespace soarbox::sim {
 namespace {
@@ -18,13 +21,9 @@ std::string WithoutSourced(const std::string& text, const fs::path& file) {
   std::istringstream lines(text);
   std::string rest;
   for (std::string line; std::getline(lines, line); rest += '\n') {
-    std::istringstream words(line);
-    std::string command, name;
     std::error_code error;
-    if (words >> command >> name && command == "source") {
-      std::erase(name, '"');
-      if (fs::is_regular_file(file.parent_path() / name, error)) continue;
-    }
+    const std::string name = NameSourcedBy(line);
+    if (!name.empty() && fs::is_regular_file(file.parent_path() / name, error)) continue;
     rest += line;
   }
   return rest;
@@ -49,7 +48,11 @@ bool HasError(const std::vector<Diagnostic>& problems) {
 }
 
 std::vector<Diagnostic> VetRuleFile(const std::string& text, const fs::path& file) {
-  return WithUnclosed(CheckRuleText(WithoutSourced(text, file), file.string()), SplitRules(text), file.string());
+  std::vector<Diagnostic> problems =
+      WithUnclosed(CheckRuleText(WithoutSourced(text, file), file.string()), SplitRules(text), file.string());
+  for (Diagnostic& twice : explain::FindDuplicates({{file, explain::BlankComments(text)}}))
+    problems.push_back(std::move(twice));
+  return problems;
 }
 
 std::vector<Diagnostic> VetTypedRules(const std::string& line) {

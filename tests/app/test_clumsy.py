@@ -72,6 +72,17 @@ class Files(ScenarioCase):
         self.assertEqual((run.code, run.err), (0, ""))
         self.assertTrue(run.of("command", command="wander"))
 
+    def test_signs_in_the_name_of_a_folder_are_part_of_the_name(self):
+        for name in ("a}}b", "{a", "two words", "#1", "a;b", 'say "a"', "back\\slash", "|bar|"):
+            with self.subTest(name):
+                (self.folder / name).mkdir()
+                self.write(f"{name}/scenario.toml", AGENT)
+                file = self.write(f"{name}/hero.soar", RULES)
+                check = Run("check", self.folder / name)
+                self.assertEqual((check.code, check.out), (0, "0 errors, 0 warnings\n"), check.err)
+                self.assertTrue(run_json(self.folder / name, "--seconds", 0.1).of("command", command="wander"))
+                self.assertEqual(Run("check", file).code, 0)
+
     def test_files_that_source_each_other_are_told_once(self):
         self.write("a.soar", "source b.soar\n")
         self.write("b.soar", "source a.soar\n")
@@ -113,6 +124,18 @@ class Scenarios(ScenarioCase):
         run = run_json(self.folder, "--seconds", 0.3)
         told = [event["text"] for event in run.of("log") if "fire again and again" in event["text"]]
         self.assertEqual(len(told), 1, run.out)
+
+    def test_an_action_that_fails_is_told_with_its_rule_once(self):
+        self.write("scenario.toml", AGENT)
+        self.write("hero.soar", RULES + "sp {hero*share (state <s> ^superstate nil ^io.input-link <in>)\n"
+                   "   (<in> ^time <t>)\n-->\n   (<s> ^share (/ <t> (- <t> <t>)))\n}\n")
+        run = run_json(self.folder, "--seconds", 0.3)
+        told = [problem for problem in run.diagnostics() if "divides by zero" in problem["message"]]
+        self.assertEqual([(problem["line"], problem["severity"]) for problem in told], [(5, "warning")], run.out)
+        self.assertIn("rule hero*share divides by zero with /", told[0]["message"])
+        self.assertIn("<> 0", told[0]["hint"])
+        # What Soar prints is printed as it was.
+        self.assertTrue(any(event["text"] == "Error: attempt to divide ('/') by zero." for event in run.of("log")))
 
     def test_a_full_disk_behind_standard_output_is_told(self):
         with open("/dev/full", "w", encoding="utf-8") as full:

@@ -18,7 +18,9 @@ sp {hero*tell (state <s> ^superstate nil ^heard <n>) --> (write |old | <n> (crlf
 """
 
 
-class LiveEdits(ScenarioCase):
+class LiveEditCase(ScenarioCase):
+    """A world that runs while its files are edited."""
+
     def run_and_edit(self, edit, rules=COUNT):
         if rules is not None:
             self.write("hero.soar", rules)
@@ -39,6 +41,8 @@ class LiveEdits(ScenarioCase):
         self.last_tick = max((event["tick"] for event in events if event["event"] == "log"), default=0)
         return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
 
+
+class LiveEdits(LiveEditCase):
     def test_replace_rules_and_keep_working_memory(self):
         texts, err, _ = self.run_and_edit(lambda: self.write("hero.soar", COUNT.replace("|old |", "|new |")))
         self.assertIn("hero.soar: note: reloaded\n", err)

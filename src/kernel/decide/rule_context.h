@@ -21,6 +21,7 @@ class RuleContext final : public FunctionContext {
 
   /// The instantiation that runs its actions.
   void SetFiring(InstantiationId id) { firing_ = id; }
+  InstantiationId firing() const { return firing_; }
   /// An element that the firing copied, and what it became.
   struct Copied {
     WmeId element = WmeId::kNone;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <mutex>
 
+#include "cli/tokens.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/hold.h"
 #include "sml/client/sml_ClientAnalyzedXML.h"
@@ -27,7 +28,7 @@ bool Agent::LoadProductions(char const* pFilename, bool echoResults) {
   }
   AgentLink* link = data_->Usable();
   if (!link) return false;
-  const std::string line = "source {" + std::string(Unwrapped(pFilename)) + "}";
+  const std::string line = "source " + soarbox::cli::QuoteWord(Unwrapped(pFilename));
   KernelData& kernel = data_->kernel_data();
   LineAnswer answer = kernel.link->Execute(GetAgentName(), link, {line, echoResults, !kernel.filtering, false, true});
   kernel.last_line_ok = answer.ok;

@@ -98,7 +98,10 @@ class LocalObservation final : public Observation, kernel::Observer {
                        info.reason);
   }
   void OnPrint(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
-  void OnError(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
+  void OnError(const kernel::Agent& agent, std::string_view text) override {
+    listener_.OnWritten(text);
+    if (const std::string_view rule = agent.FiringRule(); !rule.empty()) listener_.OnActionFailed(rule, text);
+  }
   void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override {
     // Of the warnings, what matters to whoever reads what rules write.
     // Once: it comes in each decision from then on.

@@ -76,12 +76,17 @@ class MindObserver {
   /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go
   /// the same way to clients, are not among it.
   virtual void OnWritten(std::string_view text) { (void)text; }
+  /// An action of this rule could not be done; why was written just before.
+  virtual void OnActionFailed(std::string_view rule, std::string_view text) {
+    (void)rule;
+    (void)text;
+  }
 };
 
 enum class MindDetail : std::uint8_t {
   kDecisions,
   kAll,
-  kWritten,  ///< OnWritten alone.
+  kWritten,  ///< OnWritten and OnActionFailed alone.
 };
 
 /// Ends when it is destroyed, which must happen before the agent or the observer goes.

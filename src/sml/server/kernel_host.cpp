@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "cli/tokens.h"
+
 namespace soarbox::server {
 
 using namespace ::sml;
@@ -41,7 +43,7 @@ void KernelHost::SourceSettings(HostedAgent& hosted) {
     const bool is_own = home != nullptr && folder == home;
     if (fence_ && !is_own && !fence_->MayRead(file)) continue;
     const cli::Interpreter::Fenced fenced(interpreter_, is_own ? nullptr : fence_.get());
-    interpreter_.Execute(hosted.session(), "source {" + file.string() + "}");
+    interpreter_.Execute(hosted.session(), "source " + cli::QuoteWord(file.string()));
     return;
   }
 }
