@@ -28,6 +28,37 @@
   const color = (i) => COLORS[i % COLORS.length];
   const dash = (i) => DASHES[Math.floor(i / COLORS.length) % DASHES.length];
 
+  // Agents of a team share its colour, the one that it is called after if there is one; dashes tell them apart. Without
+  // teams each agent has a colour of its own.
+  const NAMED = { blue: 0, red: 1, green: 2, purple: 3, orange: 4 };
+  function paints(run) {
+    const teams = [...new Set(run.agents.map((agent) => agent.team || ''))];
+    if (teams.length < 2 || teams.length > COLORS.length) return run.agents.map((_, i) => ({ color: color(i), dash: dash(i) }));
+    const taken = new Set(teams.filter((team) => Object.hasOwn(NAMED, team)).map((team) => NAMED[team]));
+    const free = COLORS.map((_, i) => i).filter((i) => !taken.has(i)), of = {}, members = {};
+    teams.forEach((team) => { of[team] = Object.hasOwn(NAMED, team) ? NAMED[team] : free.shift(); members[team] = 0; });
+    return run.agents.map((agent) => ({ color: color(of[agent.team || '']), dash: DASHES[members[agent.team || '']++ % DASHES.length] }));
+  }
+
+  // Where a name goes beside a dot: where it covers no other name and no dot, if there is such a place.
+  const SIDES = [[9, 4, 'start'], [-9, 4, 'end'], [9, 17, 'start'], [9, -9, 'start'], [-9, 17, 'end'], [-9, -9, 'end'], [9, 30, 'start'], [9, -22, 'start']];
+  function placeNames(places) {
+    const boxes = places.map((place) => [place.x - 7, place.y - 7, place.x + 7, place.y + 7]);
+    places.forEach((place) => {
+      const width = 7.2 * place.name.length;
+      const boxAt = ([dx, dy, anchor]) => {
+        const left = place.x + dx - (anchor === 'end' ? width : 0);
+        return [left, place.y + dy - 11, left + width, place.y + dy + 3];
+      };
+      const isFree = (box) => boxes.every((other, i) => places[i] === place || box[2] < other[0] || box[0] > other[2] || box[3] < other[1] || box[1] > other[3]);
+      const side = SIDES.find((each) => isFree(boxAt(each))) || SIDES[0];
+      place.text.setAttribute('x', side[0]);
+      place.text.setAttribute('y', side[1]);
+      place.text.setAttribute('text-anchor', side[2]);
+      boxes.push(boxAt(side));
+    });
+  }
+
   function section(title, children, id) {
     const head = h('h2', { id: id + '-head' }, title);
     return h('section', { 'aria-labelledby': id + '-head', id: id }, [head].concat(children));
@@ -180,6 +211,7 @@
       svg.appendChild(s('circle', { cx: X(place.x), cy: Z(place.z), r: 5, fill: 'none', stroke: 'var(--quiet)' }));
       svg.appendChild(s('text', { x: X(place.x) + 8, y: Z(place.z) + 4, class: 'quiet' }, place.name));
     });
+    const paint = paints(run);
     const dots = run.agents.map((agent, i) => {
       if (!agent.x) return null;
       let path = '', lastX = null, lastZ = null;
@@ -189,10 +221,11 @@
         path += (lastX === null ? 'M' : 'L') + X(x).toFixed(1) + ' ' + Z(z).toFixed(1);
         lastX = x; lastZ = z;
       });
-      svg.appendChild(s('path', { d: path, fill: 'none', stroke: color(i), 'stroke-width': 1.5, 'stroke-dasharray': dash(i), 'stroke-opacity': 0.55 }));
-      const dot = s('g', {}, [s('circle', { r: 6, fill: color(i), stroke: 'var(--card)', 'stroke-width': 1.5 }), s('text', { x: 9, y: 4 }, agent.name)]);
-      svg.appendChild(dot);
-      return dot;
+      svg.appendChild(s('path', { d: path, fill: 'none', stroke: paint[i].color, 'stroke-width': 1.5, 'stroke-dasharray': paint[i].dash, 'stroke-opacity': 0.55 }));
+      const text = s('text', { x: 9, y: 4 }, agent.name);
+      const group = s('g', {}, [s('circle', { r: 6, fill: paint[i].color, stroke: 'var(--card)', 'stroke-width': 1.5 }), text]);
+      svg.appendChild(group);
+      return { group: group, text: text, name: agent.name, x: 0, y: 0 };
     });
     moved.push((t) => {
       const k = indexAt(run.times, t);
@@ -201,9 +234,12 @@
         const at = Math.max(0, Math.min(agent.x.length - 1, k - agent.from));
         const next = Math.min(agent.x.length - 1, at + 1), t0 = run.times[at + agent.from], t1 = run.times[next + agent.from];
         const share = t1 > t0 ? Math.min(1, Math.max(0, (t - t0) / (t1 - t0))) : 0;
-        dots[i].setAttribute('transform', 'translate(' + X(agent.x[at] + share * (agent.x[next] - agent.x[at])) + ' ' + Z(agent.z[at] + share * (agent.z[next] - agent.z[at])) + ')');
-        dots[i].setAttribute('opacity', agent.hp[at] > 0 ? 1 : 0.35);
+        dots[i].x = X(agent.x[at] + share * (agent.x[next] - agent.x[at]));
+        dots[i].y = Z(agent.z[at] + share * (agent.z[next] - agent.z[at]));
+        dots[i].group.setAttribute('transform', 'translate(' + dots[i].x + ' ' + dots[i].y + ')');
+        dots[i].group.setAttribute('opacity', agent.hp[at] > 0 ? 1 : 0.35);
       });
+      placeNames(dots.filter((dot) => dot !== null));
     });
     return h('figure', {}, [h('figcaption', {}, 'Everybody\'s way, seen from above, ' + Math.round(side) + ' m wide. The dots stand where they are at the moment of the slider.'), svg]);
   }
@@ -266,12 +302,13 @@
       svg.appendChild(s('text', { x: left - 4, y: Y(v) + 4, 'text-anchor': 'end', class: 'quiet' }, short(v)));
     });
     ticks(0, run.seconds || 1, 6).forEach((t) => svg.appendChild(s('text', { x: X(t), y: height - 4, 'text-anchor': 'middle', class: 'quiet' }, t + ' s')));
+    const paint = paints(run);
     run.agents.forEach((agent, i) => {
       if (!agent[key]) return;
       const step = Math.max(1, Math.floor(agent[key].length / 600));
       let path = '';
       agent[key].forEach((v, k) => { if (k % step === 0) path += (path ? 'L' : 'M') + X(run.times[k + agent.from]).toFixed(1) + ' ' + Y(v).toFixed(1); });
-      svg.appendChild(s('path', { d: path, fill: 'none', stroke: color(i), 'stroke-dasharray': dash(i) }, s('title', {}, agent.name)));
+      svg.appendChild(s('path', { d: path, fill: 'none', stroke: paint[i].color, 'stroke-dasharray': paint[i].dash }, s('title', {}, agent.name)));
     });
     const line = s('line', { y1: 8, y2: height - 22, stroke: 'var(--accent)' });
     svg.appendChild(line);
