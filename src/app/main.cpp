@@ -82,11 +82,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(CLI::Range(75, 200));
   run->add_option("--ui-script", options.ui_script,
                   "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
-  run->add_option("--width", options.width_px, "Width of the window in pixels")
-      ->capture_default_str()
+  run->add_option("--width", options.width_px,
+                  "Width of the window in pixels (default: what suits the display; 1280 for a picture)")
       ->check(NumberIn(160, 7680));
-  run->add_option("--height", options.height_px, "Height of the window in pixels")
-      ->capture_default_str()
+  run->add_option("--height", options.height_px, "Height of the window in pixels (720 for a picture)")
       ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
@@ -225,12 +224,8 @@ void AddLearn(CLI::App& program, soarbox::app::LearnOptions& options) {
   learn->add_flag("--headless", options.headless, "Do not open the window");
   RunOptions& window = options.window;
   learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
-  learn->add_option("--width", window.width_px, "As for `soarbox run`")
-      ->capture_default_str()
-      ->check(NumberIn(160, 7680));
-  learn->add_option("--height", window.height_px, "As for `soarbox run`")
-      ->capture_default_str()
-      ->check(NumberIn(120, 4320));
+  learn->add_option("--width", window.width_px, "As for `soarbox run`")->check(NumberIn(160, 7680));
+  learn->add_option("--height", window.height_px, "As for `soarbox run`")->check(NumberIn(120, 4320));
   learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
   learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
   learn->add_option("--ui-script", window.ui_script, "Play the mouse and keyboard events in this file, then end");
@@ -426,8 +421,8 @@ int Main(int argc, char** argv) {
     run.render_scale = recording.render_scale;
     run.panels = recording.panels;
     run.text_percent = recording.text_percent;
-    run.width_px = recording.width_px.value_or(run.width_px);
-    run.height_px = recording.height_px.value_or(run.height_px);
+    run.width_px = recording.width_px;
+    run.height_px = recording.height_px;
     run.ui_script = recording.ui_script;
     return FollowedByOthers(soarbox::app::Replay(recording), run);
   }

@@ -105,8 +105,9 @@ int Run(const RunOptions& given) {
 
   sim::SimulationSettings settings;
   settings.seed = seed;
-  settings.screen_width_px = options.width_px;
-  settings.screen_height_px = options.height_px;
+  const WindowSize window = WindowSizeOf(options);
+  settings.screen_width_px = window.width;
+  settings.screen_height_px = window.height;
   settings.every_command = options.every_command;
   settings.soar.seed = seed;
   settings.soar.threads = options.threads;

@@ -31,8 +31,7 @@ struct RunOptions {
   int text_percent = 100;           ///< Of the panels named above.
   std::filesystem::path ui_script;  ///< Plays the user of a window; empty: none.
   std::size_t ui_script_from = 0;   ///< So many of its steps another window has done.
-  int width_px = 1280;
-  int height_px = 720;
+  std::optional<int> width_px, height_px;  ///< Of the window; none: what suits the display (WindowSizeOf).
   std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.
   std::string kernel;                      ///< HOST:PORT of a Soar kernel in another process; empty: our own.
   std::string input;                       ///< File of inputs with ticks; empty: none.

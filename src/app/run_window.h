@@ -11,6 +11,14 @@ namespace soarbox::app {
 /// Whether this build can open a window at all (CMake option SOARBOX_VIEWER).
 extern const bool kHasWindow;
 
+/// Width and height of a window in px.
+struct WindowSize {
+  int width = 1280, height = 720;
+};
+/// What was asked for. If nothing was, a window for somebody to look at takes most of the display, and a picture or a
+/// window that a script uses has the same size everywhere.
+WindowSize WindowSizeOf(const RunOptions& options);
+
 /// What a run was made from, so that a window can make it again; kept up to date when it begins again.
 struct WindowRun {
   const sim::Scenario& scenario;

@@ -8,6 +8,10 @@ namespace soarbox::app {
 
 const bool kHasWindow = false;
 
+WindowSize WindowSizeOf(const RunOptions&) {
+  return {};
+}
+
 int RunWindow(RunSession&, const RunOptions&, const sim::DataFolders&, const WindowRun&) {
   std::cerr << "soarbox: error: this build has no window; build with -DSOARBOX_VIEWER=ON, or use --headless\n";
   return kCannotStart;

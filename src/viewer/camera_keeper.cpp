@@ -25,6 +25,9 @@ constexpr float kRecent_s = 3, kRecentStep_s = 0.25f;
 /// Up to here the camera goes back for places; for agents up to kFurthest_m, those in the middle first.
 constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
 constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
+/// Scenery: so far beside what is in the picture already, of that size at most, and not of a world that is full of it.
+constexpr float kBeside_m = 3.5f, kLongestPiece_m = 16, kSceneryWithin_m = 58;
+constexpr std::size_t kMostPieces = 100;
 
 float Tangent(float fov_deg) {
   return std::tan(fov_deg * std::numbers::pi_v<float> / 360);
@@ -104,6 +107,22 @@ Quat Comfortable(Quat orientation) {
   return world::Normalized(turn * tilt);
 }
 
+/// The ground that a box or a figure stands on; empty: it is something else, or a part of the landscape.
+std::vector<FramedBody> CornersOf(const world::DrawableSnapshot& drawable) {
+  const Vec3 at = drawable.position;
+  if (drawable.belongs_to_agent || !drawable.visible || !world::IsFinite(at)) return {};
+  if (!drawable.bones.value().empty()) return {{at + Vec3{0, 0.9f, 0}, {}, 0.5f, 1.8f}};
+  if (drawable.shape != world::ShapeKind::kBox) return {};
+  const Vec3 size{drawable.size.x * drawable.scale.x, drawable.size.y * drawable.scale.y,
+                  drawable.size.z * drawable.scale.z};
+  if (std::max({size.x, size.y, size.z}) > kLongestPiece_m) return {};
+  std::vector<FramedBody> corners;
+  for (const float x : {-0.5f, 0.5f})
+    for (const float z : {-0.5f, 0.5f})
+      corners.push_back({at + Rotate(drawable.orientation, {x * size.x, 0, z * size.z}), {}, 0.1f, size.y});
+  return corners;
+}
+
 }  // namespace
 
 CameraSnapshot FramingPose(std::span<const FramedBody> bodies, Quat orientation, float vertical_fov_deg, float aspect) {
@@ -160,7 +179,7 @@ void RecentGround::AddTo(std::vector<FramedBody>& bodies) const {
 }
 
 std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const Vec3> places, Quat orientation,
-                                   float vertical_fov_deg, float aspect) {
+                                   float vertical_fov_deg, float aspect, std::span<const FramedBody> scenery) {
   std::vector<FramedBody> all(agents.begin(), agents.end());
   if (agents.empty()) return all;
   const Vec3 middle = Middle(agents);
@@ -173,16 +192,58 @@ std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span
     const CameraSnapshot pose = FramingPose(all, orientation, vertical_fov_deg, aspect);
     if (world::Distance(pose.position, Middle(all)) > kPlacesWithin_m) all.pop_back();
   }
+  if (scenery.empty()) return all;
+  const std::size_t without = all.size();
+  all.insert(all.end(), scenery.begin(), scenery.end());
+  const CameraSnapshot pose = FramingPose(all, orientation, vertical_fov_deg, aspect);
+  if (world::Distance(pose.position, Middle(all)) > kSceneryWithin_m) all.resize(without);
   return all;
 }
 
+std::vector<FramedBody> SceneryAround(const world::SceneSnapshot& scene, std::span<const Vec3> places) {
+  Vec3 low{1e9f, 1e9f, 1e9f}, high = low * -1;
+  const auto reach = [&](Vec3 at) {
+    low = Lowest(low, at);
+    high = Highest(high, at);
+  };
+  for (const world::AgentSnapshot& agent : scene.agents)
+    if (world::IsFinite(agent.position)) reach(agent.position);
+  for (const Vec3 place : places)
+    if (world::IsFinite(place)) reach(place);
+  std::vector<FramedBody> found;
+  if (low.x > high.x) return found;
+  std::vector<std::vector<FramedBody>> pieces;
+  for (const world::DrawableSnapshot& drawable : scene.drawables) {
+    if (std::vector<FramedBody> corners = CornersOf(drawable); !corners.empty()) pieces.push_back(std::move(corners));
+    if (pieces.size() > kMostPieces) return found;
+  }
+  // What is next to something that is in the picture belongs to it.
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (std::vector<FramedBody>& piece : pieces) {
+      const bool is_near = std::ranges::any_of(piece, [&](const FramedBody& corner) {
+        return corner.position.x > low.x - kBeside_m && corner.position.x < high.x + kBeside_m &&
+               corner.position.z > low.z - kBeside_m && corner.position.z < high.z + kBeside_m;
+      });
+      if (!is_near) continue;
+      for (const FramedBody& corner : piece) reach(corner.position);
+      found.insert(found.end(), piece.begin(), piece.end());
+      piece.clear();
+      grows = true;
+    }
+  }
+  return found;
+}
+
 std::optional<CameraSnapshot> CameraKeeper::Follow(std::span<const FramedBody> agents, std::span<const Vec3> places,
-                                                   const CameraSnapshot& goal, float aspect, float seconds) {
+                                                   const CameraSnapshot& goal, float aspect, float seconds,
+                                                   std::span<const FramedBody> scenery) {
   if (agents.empty()) return std::nullopt;
   const std::vector<FramedBody> kept = WithinReach(agents, goal, aspect);
   const Quat orientation = Comfortable(goal.orientation);
   const auto frame = [&] {
-    const std::vector<FramedBody> all = WithPlaces(WithRoom(kept), places, orientation, goal.vertical_fov_deg, aspect);
+    const std::vector<FramedBody> all =
+        WithPlaces(WithRoom(kept), places, orientation, goal.vertical_fov_deg, aspect, scenery);
     CameraSnapshot pose = FramingPose(all, orientation, goal.vertical_fov_deg, aspect);
     pose.position.y = std::max(pose.position.y, 0.5f);
     return pose;

@@ -30,8 +30,10 @@ class CameraKeeper {
  public:
   /// Agents come first: places (of waypoints, regions, items) join in as long as agents stay large enough.
   /// `goal`: where the camera is or is on its way to. Returns the new goal; none: the present one is good.
+  /// Then scenery does.
   std::optional<world::CameraSnapshot> Follow(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
-                                              const world::CameraSnapshot& goal, float aspect, float seconds);
+                                              const world::CameraSnapshot& goal, float aspect, float seconds,
+                                              std::span<const FramedBody> scenery = {});
   /// Forgets how long the picture has been too wide.
   void Begin() { wide_s_ = 0; }
 
@@ -56,8 +58,13 @@ class RecentGround {
   std::deque<Span> spans_;  ///< The newest last.
 };
 
-/// Those of the places that can be shown with the agents without making them too small.
+/// Those of the places that can be shown with the agents without making them too small; and of scenery, all or nothing.
 std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
-                                   world::Quat orientation, float vertical_fov_deg, float aspect);
+                                   world::Quat orientation, float vertical_fov_deg, float aspect,
+                                   std::span<const FramedBody> scenery = {});
+
+/// What stands about between the agents and beside them and would look odd if the picture's edge cut it: walls, crates
+/// and figures, as the corners of their ground. Of a wide landscape nothing.
+std::vector<FramedBody> SceneryAround(const world::SceneSnapshot& scene, std::span<const world::Vec3> places);
 
 }  // namespace soarbox::viewer

@@ -52,11 +52,11 @@ class Watcher {
       if (place.kind != world::PlaceSnapshot::Kind::kThing) places.push_back(place.position);
     if (!std::exchange(has_begun_, true)) {
       camera_.MoveTo(scene.camera);
-      camera_.Frame(agents, Aspect(), true, places);
+      camera_.Frame(agents, Aspect(), true, places, false, SceneryAround(scene, places));
       camera_.Arrive();
       camera_.BeginKeeping();
     }
-    camera_.Keep(bodies, places, Aspect(), kFrame_s);
+    camera_.Keep(bodies, places, Aspect(), kFrame_s, SceneryAround(scene, places));
     const Vec3 before = camera_.pose().position;
     camera_.Update({}, kFrame_s, nullptr, static_cast<float>(height_));
     const Vec3 step = camera_.pose().position - before;
@@ -133,6 +133,40 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Scenarios,
                                name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
                            return name;
                          });
+
+/// How many of the walls and figures that stand around are in the picture whole, and how many there are.
+std::pair<int, int> SceneryIn(const std::string& name, int tick) {
+  const std::string root = SOARBOX_SOURCE_DIR;
+  const auto scenario = sim::FindScenario(name, {root + "/scenarios", root + "/media"});
+  if (!scenario.ok()) return {0, 0};
+  const auto simulation = std::move(sim::Simulation::Create(*scenario, {}).value());
+  Watcher watcher(1280, 720);
+  std::vector<FramedBody> scenery;
+  for (int i = 0; i <= tick; ++i) {
+    if (i > 0) simulation->Tick();
+    const world::OverlaySnapshot overlays = simulation->Overlays({});
+    std::vector<Vec3> places;
+    for (const auto& place : overlays.places)
+      if (place.kind != world::PlaceSnapshot::Kind::kThing) places.push_back(place.position);
+    watcher.Show(simulation->Snapshot(), overlays);
+    scenery = SceneryAround(simulation->Snapshot(), places);
+  }
+  const Projection view(watcher.camera().pose(), 1280, 720);
+  int seen = 0;
+  for (const FramedBody& body : scenery) {
+    const auto at = view.Project(body.position);
+    seen += at && at->x > 0 && at->x < 1280 && at->y > 0 && at->y < 720 ? 1 : 0;
+  }
+  return {seen, static_cast<int>(scenery.size())};
+}
+
+TEST(CameraKeeper, ShowsTheWallsAndFiguresThatStandAroundTheAgents) {
+  // Two walls with two wings each; 32 soldiers, most of them with a rifle.
+  EXPECT_EQ(SceneryIn("soar_reward", 30), (std::pair{24, 24}));
+  const auto [seen, all] = SceneryIn("animation", 30);
+  EXPECT_EQ(seen, all);
+  EXPECT_GT(all, 32);
+}
 
 TEST(CameraKeeper, RestsWhileNobodyIsAboutToLeaveThePicture) {
   Watcher watcher(1280, 720);

@@ -77,9 +77,10 @@ void CameraRig::BeginKeeping() {
   keeper_.Begin();
 }
 
-void CameraRig::Keep(std::span<const FramedBody> agents, std::span<const Vec3> places, float aspect, float seconds) {
+void CameraRig::Keep(std::span<const FramedBody> agents, std::span<const Vec3> places, float aspect, float seconds,
+                     std::span<const FramedBody> scenery) {
   if (!keeps_) return;
-  const auto goal = keeper_.Follow(agents, places, pose_, aspect, seconds);
+  const auto goal = keeper_.Follow(agents, places, pose_, aspect, seconds, scenery);
   if (!goal) return;
   pose_ = *goal;
   if (mode_ == CameraMode::kMap) {
@@ -216,14 +217,14 @@ bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
 }
 
 void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side,
-                      std::span<const Vec3> places, bool from_above) {
+                      std::span<const Vec3> places, bool from_above, std::span<const FramedBody> scenery) {
   if (agents.empty()) return;
   Glide();
   std::vector<FramedBody> bodies;
   for (const world::AgentSnapshot* agent : agents)
     bodies.push_back({agent->position, {}, agent->radius_m, agent->height_m});
   const auto pose_from = [&](Quat orientation, float fov_deg) {
-    return FramingPose(WithPlaces(bodies, places, orientation, fov_deg, aspect), orientation, fov_deg, aspect);
+    return FramingPose(WithPlaces(bodies, places, orientation, fov_deg, aspect, scenery), orientation, fov_deg, aspect);
   };
   Vec3 low = agents.front()->position, high = low;
   for (const FramedBody& body : bodies) {

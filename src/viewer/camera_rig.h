@@ -48,13 +48,15 @@ class CameraRig {
   void BeginKeeping();
   bool keeps() const { return keeps_; }
   /// What is to stay in the picture of that shape (width over height); before each Update. Does nothing unless keeps().
-  void Keep(std::span<const FramedBody> agents, std::span<const world::Vec3> places, float aspect, float seconds);
+  void Keep(std::span<const FramedBody> agents, std::span<const world::Vec3> places, float aspect, float seconds,
+            std::span<const FramedBody> scenery = {});
 
   /// Glides to where all these agents fill the picture of that shape (width over height), in the present mode if that
   /// can be. `best_side`: from where they are seen best, else from the side that the camera is on now. Places join in
   /// as long as agents stay large enough. `from_above`: walls stand between them, so it looks down steeply.
   void Frame(std::span<const world::AgentSnapshot* const> agents, float aspect, bool best_side,
-             std::span<const world::Vec3> places = {}, bool from_above = false);
+             std::span<const world::Vec3> places = {}, bool from_above = false,
+             std::span<const FramedBody> scenery = {});
 
   /// Glides towards the place on the ground that lies that way from the camera, and brings it to the middle of the
   /// picture; nothing happens above the horizon.

@@ -65,6 +65,20 @@ Result<std::unique_ptr<Engine>> Engine::Start(const ViewerOptions& options) {
   return engine;
 }
 
+std::optional<std::pair<int, int>> RoomOnDisplay() {
+  const char* display = std::getenv("DISPLAY");
+  if (display == nullptr || *display == '\0') return std::nullopt;
+  SDL_SetMainReady();
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return std::nullopt;
+  SDL_Rect room;
+  const bool is_known = SDL_GetDisplayUsableBounds(0, &room) == 0;
+  SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  if (!is_known || room.w < 1 || room.h < 1) return std::nullopt;
+  return std::pair{room.w, room.h};
+}
+
 Result<void> Engine::OpenWindow(const ViewerOptions& options) {
   width_ = window_width_ = options.width;
   height_ = window_height_ = options.height;

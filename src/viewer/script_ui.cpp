@@ -153,7 +153,15 @@ struct Stand {
   ImVec2 corner;
   const UiSnapshot* top = nullptr;
 };
-Stand StandOf(const UiSnapshot& ui, const PanelsById& by_id) {
+/// How far a panel that was placed for the window must go to be in the picture.
+float ShiftInto(float begin, float size, float room, float window) {
+  constexpr float kMargin_px = 12;
+  const float end = begin + size;
+  if (begin < 0 || end <= room || end > window) return 0;  // In it already, or where its script wants it: outside.
+  return std::max(-begin, std::min(0.0f, room - kMargin_px - end));
+}
+
+Stand StandOf(const UiSnapshot& ui, const PanelsById& by_id, const ScreenRoom& room) {
   Stand stand{{ui.x, ui.y}, &ui};
   // A family is never deeper than there are panels.
   for (std::size_t depth = 0; stand.top->parent_id != 0 && depth < by_id.size(); ++depth) {
@@ -162,26 +170,30 @@ Stand StandOf(const UiSnapshot& ui, const PanelsById& by_id) {
     stand.top = parent->second;
     stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
   }
+  if (stand.top->in_world) return stand;
+  stand.corner.x += ShiftInto(stand.top->x, stand.top->width, room.width, room.window_width);
+  stand.corner.y += ShiftInto(stand.top->y, stand.top->height, room.height, room.window_height);
   return stand;
 }
 
 }  // namespace
 
-std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot) {
+std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room) {
   std::vector<ScreenBox> boxes;
   if (snapshot.ui.empty()) return boxes;
   const PanelsById by_id = ById(snapshot);
   for (const UiSnapshot& ui : snapshot.ui) {
     const bool hides = ui.has_gradient || !ui.text.empty() || !ui.caption.empty() || !ui.material.empty();
     if (!ui.visible || !hides || ui.width <= 0 || ui.height <= 0) continue;
-    const Stand stand = StandOf(ui, by_id);
+    const Stand stand = StandOf(ui, by_id, room);
     if (stand.top->in_world) continue;
     boxes.push_back({stand.corner.x, stand.corner.y, stand.corner.x + ui.width, stand.corner.y + ui.height});
   }
   return boxes;
 }
 
-void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host) {
+void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host,
+                  const ScreenRoom& room) {
   if (snapshot.ui.empty()) return;
   const PanelsById by_id = ById(snapshot);
   std::vector<const UiSnapshot*> order;
@@ -191,7 +203,7 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   for (const UiSnapshot* ui : order) {
     if (!ui->visible || static_cast<std::size_t>(out.VtxBuffer.Size) > kMostCorners) continue;
-    const auto [corner, top] = StandOf(*ui, by_id);
+    const auto [corner, top] = StandOf(*ui, by_id, room);
     const int first = out.VtxBuffer.Size;
     if (top->in_world) out.PushClipRectFullScreen();
     DrawPanel(out, *ui, corner, snapshot, host);

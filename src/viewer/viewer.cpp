@@ -172,7 +172,8 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
     has_walls = kManyPieces < std::count_if(
                                   newest.drawables.begin(), newest.drawables.end(),
                                   [](const auto& drawable) {
-                                    return !drawable.belongs_to_agent && drawable.shape == world::ShapeKind::kMesh;
+                                    return !drawable.belongs_to_agent && drawable.shape == world::ShapeKind::kMesh &&
+                                           drawable.mesh.value().find("/modular_") != std::string::npos;
                                   });
     if (newest.camera_moves == 0 || has_walls || !SeesAgentsWell()) Frame({}, true);
     camera.Arrive();

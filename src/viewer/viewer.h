@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -80,6 +81,9 @@ struct FrameCosts {
   double draw_s = 0;    ///< The renderer; where the processor draws, most of it is other threads' work.
   std::size_t draw_calls = 0, triangles = 0;
 };
+
+/// Width and height in px that the display has for windows, without its own bars; nothing if there is no display.
+std::optional<std::pair<int, int>> RoomOnDisplay();
 
 /// The window: it shows the newest snapshot of a world and reports what the user does.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The camera of the window: whom it frames, follows and keeps in view.
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/viewer_impl.h"
 
@@ -13,8 +14,11 @@ void Viewer::Impl::Frame(const std::vector<std::uint32_t>& agents, bool best_sid
     if (wanted && world::IsFinite(agent.position)) framed.push_back(&agent);
   }
   const float aspect = static_cast<float>(engine->width()) / static_cast<float>(engine->height());
-  camera.Frame(framed, aspect, best_side, agents.empty() ? Places() : std::vector<world::Vec3>{},
-               best_side && has_walls);
+  const bool are_all = agents.empty();
+  framed_aspect = are_all ? aspect : 0;
+  const std::vector<world::Vec3> places = are_all ? Places() : std::vector<world::Vec3>{};
+  camera.Frame(framed, aspect, best_side, places, best_side && has_walls,
+               are_all && !has_walls ? SceneryAround(scene, places) : std::vector<FramedBody>{});
   if (framed.empty()) return;
   kept = agents;
   camera.BeginKeeping();
@@ -50,7 +54,12 @@ void Viewer::Impl::KeepInView(float seconds) {
   } else {
     recent_ground.Forget();
   }
-  camera.Keep(framed, kept.empty() ? Places() : std::vector<world::Vec3>{}, aspect, seconds);
+  if (!kept.empty()) return camera.Keep(framed, {}, aspect, seconds);
+  // Panels that come and go leave a picture of another shape.
+  constexpr float kOtherShape = 0.05f;
+  if (framed_aspect > 0 && std::abs(aspect / framed_aspect - 1) > kOtherShape) Frame({}, false);
+  const std::vector<world::Vec3> places = Places();
+  camera.Keep(framed, places, aspect, seconds, has_walls ? std::vector<FramedBody>{} : SceneryAround(scene, places));
 }
 
 void Viewer::Impl::SetCamera(CameraMode mode) {
@@ -72,11 +81,16 @@ bool Viewer::Impl::SeesAgentsWell() {
   const auto width = static_cast<float>(engine->width()), height = static_cast<float>(engine->height());
   camera.Arrive();
   const Projection view = View();
+  const auto is_in_picture = [&](const std::optional<ScreenPoint>& at) {
+    return at && at->x > 0 && at->x < width && at->y > kStatusBar_px && at->y < height;
+  };
+  const std::vector<FramedBody> scenery = SceneryAround(scene, Places());
+  if (!std::ranges::all_of(scenery, [&](const FramedBody& body) { return is_in_picture(view.Project(body.position)); }))
+    return false;
   return std::all_of(scene.agents.begin(), scene.agents.end(), [&](const world::AgentSnapshot& agent) {
     const world::Vec3 half{0, agent.height_m / 2, 0};
     const auto head = view.Project(agent.position + half), feet = view.Project(agent.position - half);
-    return head && feet && head->x > 0 && head->x < width && head->y > kStatusBar_px && feet->y < height &&
-           feet->y - head->y > kSmallest * height;
+    return is_in_picture(head) && is_in_picture(feet) && feet->y - head->y > kSmallest * height;
   });
 }
 

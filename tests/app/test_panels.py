@@ -108,8 +108,6 @@ class Panels(WindowUser):
             expect-not "Rebuilding"
             expect "seek"
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "sp {walker*propose*seek"
             click "sp {walker*propose*seek"
             key Ctrl+A
@@ -256,8 +254,6 @@ class Panels(WindowUser):
             expect "seek"
             audit "Rules and Trace"
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "sp {walker*propose*seek"
             audit "Edit"
             picture second.png
@@ -399,8 +395,6 @@ class Panels(WindowUser):
                 click "health"
                 expect "100"
                 click "Edit"
-                click "Choose a file"
-                click "walker.soar"
                 expect "sp {walker*propose*seek"
                 click "Trace"
                 expect "walker"

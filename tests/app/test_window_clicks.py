@@ -40,8 +40,6 @@ STORY = (
         """),
     ("Change a rule in the running world", """
         click "Edit"
-        click "Choose a file"
-        click "walker.soar"
           expect "sp {walker*propose*seek"
         click "sp {walker*propose*seek"
         type "# mine "

@@ -42,8 +42,6 @@ class Crash(WindowUser):
             key P
             click-agent walker
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "# mine"
             expect "This is your draft"
             click "Revert"
@@ -54,8 +52,6 @@ class Crash(WindowUser):
             key P
             click-agent walker
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "sp {walker*propose*seek"
             expect-not "# mine"
             """)

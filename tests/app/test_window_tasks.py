@@ -15,8 +15,6 @@ TYPE_INTO_EDIT = """
             expect "Paused"
             click-agent walker
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "sp {walker*propose*seek"
             click "sp {walker*propose*seek"
             key Home
@@ -53,8 +51,6 @@ class TypedText(WindowUser):
             key P
             click-agent walker
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "# mine"
             expect "This is your draft"
             click "Undo"
@@ -74,8 +70,6 @@ class TypedText(WindowUser):
             key P
             click-agent walker
             click "Edit"
-            click "Choose a file"
-            click "walker.soar"
             expect "# mine"
             expect-not "This is your draft"
             key Ctrl+Q
@@ -126,6 +120,46 @@ class TypedText(WindowUser):
             click "Stay"
             expect "Goal stack"
             """)
+
+
+# A mistake typed into walker.soar, as events, and what the panel says to it.
+TYPED_MISTAKES = (
+    ('click "sp {walker*propose*seek"\nkey Home\ntype "p"', "expected sp { here, found 'psp'"),
+    ('double-click "<name> ^here"\ntype "("', "line 4"),
+    ('click "sp {walker*propose*seek"\nkey Ctrl+A\nkey Delete', "the text is empty"),
+    ('click "sp {walker*propose*seek"\nkey Home\ntype "source nowhere.soar"\nkey Return', "Failed to open file"),
+    ('click "sp {walker*propose*seek"\nkey Home\ntype "// mine"\nkey Return', "comments start with #"),
+)
+
+
+@unittest.skipUnless(can_draw(), "no virtual display at hand")
+class Mistakes(WindowUser):
+    def test_what_is_typed_wrong_and_applied_is_told_there_and_changes_nothing(self):
+        script = """
+            until 0.3
+            key P
+            expect "Paused"
+            click-agent walker
+            click "Edit"
+            expect "sp {walker*propose*seek"
+            """
+        for events, said in TYPED_MISTAKES:
+            script += f"""
+                {events}
+                click "Apply"
+                expect "{said}"
+                expect "Nothing was changed"
+                audit "a mistake"
+                click "Revert"
+                expect-not "{said}"
+                expect "sp {{walker*propose*seek"
+                """
+        self.play(script + """
+            click "Rules"
+            expect "walker*propose*seek"
+            expect "walker*apply*seek"
+            """)
+        self.assertEqual((self.folder / "walker.soar").read_text(encoding="utf-8"), WALKER, "nothing was saved")
 
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")

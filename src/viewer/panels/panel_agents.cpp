@@ -52,6 +52,19 @@ std::string ActivityOf(const PanelFrame& frame, std::uint32_t id) {
   return found == frame.contents.activities.end() ? std::string() : found->second;
 }
 
+/// What stands beside the name, without the health, px: as much as a row's texts need.
+float RoomBeside(const AgentRow& row, const std::string& activity, bool is_wide, float pad) {
+  const auto width = [pad](const std::string& text, const char* title) {
+    constexpr float kSortSign_em = 1.2f;
+    return std::max(ImGui::CalcTextSize(text.c_str()).x,
+                    ImGui::CalcTextSize(title).x + kSortSign_em * ImGui::GetFontSize()) +
+           pad;
+  };
+  const float doing = width(Doing(row, activity), "Doing");
+  if (!is_wide) return doing;
+  return doing + width(row.team, "Team") + width(row.kind, "Kind") + width("10000 us", "Decision");
+}
+
 class AgentsPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -68,9 +81,15 @@ class AgentsPanel final : public Panel {
                                        ImGuiTableFlags_SizingStretchProp;
     // Names first: as wide as the longest, if that leaves room for what they do.
     float longest = 0;
+    // What they do changes all the time: the columns only move when something longer comes.
+    if (scale_ != frame.scale || is_wide_ != is_wide) others_ = 0;
+    scale_ = frame.scale;
+    is_wide_ = is_wide;
+    const float pad = 2 * ImGui::GetStyle().CellPadding.x + 1;
     for (const AgentRow& row : all) {
       const float sign = row.errors > 0 ? 3 * ImGui::GetFontSize() : 0;
       longest = std::max(longest, ImGui::CalcTextSize(row.name.c_str()).x + sign);
+      others_ = std::max(others_, RoomBeside(row, ActivityOf(frame, row.id), is_wide, pad));
     }
     const float health = ImGui::CalcTextSize("Health").x + ImGui::GetFontSize();
     // In a very narrow list health stands in the tooltip alone.
@@ -79,8 +98,9 @@ class AgentsPanel final : public Panel {
     const float room = ImGui::GetContentRegionAvail().x - (has_health ? health : 0);
     // Where nobody has a mind, what they do needs little room.
     const bool is_quiet = std::none_of(all.begin(), all.end(), [](const AgentRow& row) { return row.has_mind; });
-    const float most = is_wide ? 0.3f : is_quiet ? 0.66f : 0.5f;
-    const float names = std::clamp(longest + 2.2f * ImGui::GetFontSize(), 0.3f * room, most * room);
+    const float share = is_wide ? 0.3f : is_quiet ? 0.66f : 0.5f;
+    const float most = std::max(share * room, room - others_);
+    const float names = std::clamp(longest + 2.2f * ImGui::GetFontSize(), 0.3f * room, most);
     // Widths that the user has dragged stay while names and text size do.
     const std::string id = Formatted("%s/%.0f/%.0f",
                                      is_wide      ? "agents-wide"
@@ -204,6 +224,9 @@ class AgentsPanel final : public Panel {
   }
 
   std::string filter_;
+  float others_ = 0;  ///< The most room that texts beside the names have needed so far, px.
+  float scale_ = 0;
+  bool is_wide_ = false;
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ class EditPanel final : public Panel {
     DrawFiles(frame);
     const EditContents& edit = frame.contents.edit;
     if (edit.file.empty()) {
+      OpenOwnRules(frame);
       EmptyNote(
           frame.contents.moment.is_recording ? "A recording has no files to edit." : "No file is open.",
           frame.contents.moment.is_recording
@@ -80,6 +81,13 @@ class EditPanel final : public Panel {
   void Tokenize() {
     tokens_ = debugger::Tokenize(text_);
     lines_ = LineCount(text_);
+  }
+
+  /// Who looks in here first most likely wants the rules of the agent that is selected.
+  void OpenOwnRules(PanelFrame& frame) {
+    const auto& files = frame.contents.files;
+    if (files.empty() || !files.front().is_rules || frame.contents.moment.is_recording) return;
+    if (const std::string own = files.front().file.string(); offered_ != own) frame.Ask(EditRequest{offered_ = own, 0});
   }
 
   static void DrawFiles(PanelFrame& frame) {
@@ -300,6 +308,7 @@ class EditPanel final : public Panel {
   }
 
   std::string file_, text_, went_file_, find_, found_;
+  std::string offered_;                           ///< Opened unasked; if that failed, not again.
   std::map<std::string, TextHistory> histories_;  ///< By file.
   bool is_active_ = false;                        ///< The text had the keyboard in the last frame.
   bool replaces_ = false;                         ///< The active field is to take over text_.

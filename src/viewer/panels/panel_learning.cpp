@@ -38,6 +38,8 @@ class LearningPanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     if (!HasMind(frame)) return;
     const debugger::LearningView& view = frame.contents.learning;
+    // Until somebody chooses, it shows what there is.
+    if (!has_chosen_) page_ = view.rules.empty() && view.learners > 0 ? kValues : kRules;
     DrawLearningBar(frame, view);
     ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoNav);
     if (page_ == kRules) {
@@ -80,7 +82,10 @@ class LearningPanel final : public Panel {
       const bool is_on = page_ == page;
       if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
       const std::string label = pages[page].first + "###page" + std::to_string(page);
-      if (ImGui::Button(label.c_str())) page_ = page;
+      if (ImGui::Button(label.c_str())) {
+        page_ = page;
+        has_chosen_ = true;
+      }
       if (is_on) ImGui::PopStyleColor();
       Tooltip(pages[page].second);
     }
@@ -241,6 +246,9 @@ class LearningPanel final : public Panel {
     const bool is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
     const ImVec2 size = is_wide ? ImVec2{room.x * 0.5f, 0} : ImVec2{0, room.y * 0.55f};
     const std::vector<std::string> curves = Curves(rows);
+    // Those whose curves are drawn come first: their colours say which curve is whose.
+    std::ranges::stable_partition(
+        rows, [&](const explain::NumberFact* row) { return std::ranges::find(curves, row->rule) != curves.end(); });
     ImGui::BeginChild("numbers", size, false, ImGuiWindowFlags_NoNav);
     DrawValueTable(frame, rows, curves);
     ImGui::EndChild();
@@ -406,6 +414,7 @@ class LearningPanel final : public Panel {
   }
 
   int page_ = kRules;
+  bool has_chosen_ = false;  ///< The page, by hand.
   std::string filter_;
   std::vector<std::string> curves_;  ///< That the user chose; none: those that moved most often.
 };

@@ -70,11 +70,27 @@ class TracePanel final : public Panel {
  private:
   void DrawBar(PanelFrame& frame) {
     const char* kLevels[] = {"errors", "decisions", "commands", "events", "input", "percepts", "rules", "elements"};
-    ImGui::SetNextItemWidth(frame.Px(110));
+    // Where lines have little room, all of this stands in one row.
+    constexpr float kNarrow = 330;
+    const bool is_narrow = ImGui::GetContentRegionAvail().x < frame.Px(kNarrow);
+    ImGui::SetNextItemWidth(frame.Px(is_narrow ? 98 : 110));
     int level = static_cast<int>(filter_.most);
     if (ImGui::Combo("##level", &level, kLevels, IM_ARRAYSIZE(kLevels))) filter_.most = static_cast<TraceKind>(level);
     Tooltip(
         "How much to show: each level includes those above it. Rules and elements are noted for the selected agent.");
+    if (is_narrow) {
+      ImGui::SameLine(0, frame.Px(4));
+      if (ImGui::BeginCombo("##about", nullptr, ImGuiComboFlags_NoPreview)) {
+        ImGui::Checkbox("selected agent", &only_selected_);
+        ImGui::Separator();
+        DrawChoices(frame);
+        ImGui::EndCombo();
+      }
+      Tooltip("Only lines about the selected agent, a rule, an operator, a command or an attribute");
+      ImGui::SameLine(0, frame.Px(4));
+      DrawSearch(only_selected_ ? "Search the agent's" : "Search");
+      return;
+    }
     FlowLine(frame.Px(110), frame.Px(4));
     ImGui::SetNextItemWidth(frame.Px(110));
     if (ImGui::BeginCombo("##about", "Only ...")) {
@@ -86,7 +102,11 @@ class TracePanel final : public Panel {
     FlowLine(box + ImGui::CalcTextSize("selected agent").x, frame.Px(6));
     ImGui::Checkbox("selected agent", &only_selected_);
     FlowLine(frame.Px(150), frame.Px(6));
-    SearchField("##search", "Search; rule:NAME op:NAME ^attribute", filter_.text);
+    DrawSearch("Search; rule:NAME op:NAME ^attribute");
+  }
+
+  void DrawSearch(const char* hint) {
+    SearchField("##search", hint, filter_.text);
     Tooltip(
         "The line must contain each word. rule:NAME, op:NAME, command:NAME and ^attribute show lines about these "
         "alone.");

@@ -60,11 +60,17 @@ Workspace::Metrics Workspace::Measure(int width, int height) const {
   m.menu = std::round(23 * m.scale);
   m.toolbar = std::round(36 * m.scale);
   m.scrubber = std::round(32 * m.scale);
+  m.across = m.down = m.scale;
   if (only_picture) return m;
+  // In a window with much room panels take their share of it.
+  constexpr float kUsualWidth = 1280, kUsualHeight = 720, kMostShare = 1.3f;
+  m.across = m.scale * std::clamp(m.width / (kUsualWidth * m.scale), 1.0f, kMostShare);
+  m.down = m.scale * std::clamp(m.height / (kUsualHeight * m.scale), 1.0f, kMostShare);
   const auto size = [&](Area area, float most) {
     const AreaLayout& side = layout.at(area);
     if (!side.shown || side.panels.empty()) return 0.0f;
-    return std::round(std::clamp(side.size * m.scale, 80 * m.scale, std::max(80 * m.scale, most)));
+    const float unit = area == Area::kBottom ? m.down : m.across;
+    return std::round(std::clamp(side.size * unit, 80 * m.scale, std::max(80 * m.scale, most)));
   };
   // The picture keeps a third of the window each way, whatever was set in a larger one.
   m.right = size(Area::kRight, 0.45f * m.width);
@@ -148,19 +154,81 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
   ImGui::End();
 }
 
+namespace {
+
+/// "Problems 3"
+std::string TitleOf(PanelId panel, const PanelContents& contents) {
+  std::string title(InfoOf(panel).title);
+  if (panel == PanelId::kProblems && !contents.problems.empty())
+    title.append(1, ' ').append(std::to_string(contents.problems.size()));
+  return title;
+}
+
+ImVec2 SizeOfTab(const std::string& title) {
+  const ImVec2 pad = ImGui::GetStyle().FramePadding, text = ImGui::CalcTextSize(title.c_str());
+  return {text.x + 1.6f * pad.x, text.y + 1.6f * pad.y};
+}
+
+/// Which panels of an area get a tab. All of them, in as many rows as they take; but where rows of tabs would leave
+/// the panel itself too little, those that fit into one row, and a menu has the others. The one in front has a tab.
+std::vector<PanelId> WithTabs(const AreaLayout& side, const PanelContents& contents, float gap) {
+  constexpr float kLow_em = 17;
+  if (ImGui::GetContentRegionAvail().y > kLow_em * ImGui::GetFontSize()) return side.panels;
+  const float room = ImGui::GetContentRegionAvail().x, more = SizeOfTab("+88").x + gap;
+  std::vector<PanelId> shown;
+  float taken = 0;
+  for (std::size_t i = 0; i < side.panels.size(); ++i) {
+    const float width = SizeOfTab(TitleOf(side.panels[i], contents)).x + gap;
+    const bool is_last = i + 1 == side.panels.size();
+    if (taken + width + (is_last ? 0 : more) > room) break;
+    taken += width;
+    shown.push_back(side.panels[i]);
+  }
+  if (side.front >= side.panels.size()) return shown;
+  const PanelId front = side.panels[side.front];
+  if (std::find(shown.begin(), shown.end(), front) != shown.end()) return shown;
+  for (const float width = SizeOfTab(TitleOf(front, contents)).x + gap; !shown.empty() && taken + width + more > room;
+       shown.pop_back())
+    taken -= SizeOfTab(TitleOf(shown.back(), contents)).x + gap;
+  shown.push_back(front);
+  return shown;
+}
+
+}  // namespace
+
+/// The panels of an area that have no tab.
+void Workspace::DrawOtherTabs(PanelFrame& frame, const std::vector<PanelId>& panels,
+                              const std::vector<PanelId>& shown) {
+  if (shown.size() == panels.size()) return;
+  const std::string title = "+" + std::to_string(panels.size() - shown.size());
+  const ImVec2 size = SizeOfTab(title), pad = ImGui::GetStyle().FramePadding;
+  ImGui::SameLine(0, frame.Px(2));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("more", size)) ImGui::OpenPopup("other panels");
+  const bool hovered = ImGui::IsItemHovered();
+  Tooltip("More panels that are open here");
+  PutText(*ImGui::GetWindowDrawList(), {at.x + 0.8f * pad.x, at.y + 0.8f * pad.y},
+          theme::Packed(hovered ? theme::kText : theme::kAccent), title);
+  if (!ImGui::BeginPopup("other panels")) return;
+  for (const PanelId panel : panels) {
+    if (std::find(shown.begin(), shown.end(), panel) != shown.end()) continue;
+    if (ImGui::MenuItem(TitleOf(panel, frame.contents).c_str(), ("Alt+" + std::string(1, InfoOf(panel).key)).c_str()))
+      layout.Show(panel);
+  }
+  ImGui::EndPopup();
+}
+
 void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   AreaLayout& side = layout.at(area);
   const ImVec2 pad = ImGui::GetStyle().FramePadding;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, gap = frame.Px(2);
-  const std::vector<PanelId> panels = side.panels;
+  const std::vector<PanelId> all = side.panels, panels = WithTabs(side, frame.contents, gap);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const PanelInfo& info = InfoOf(panels[i]);
-    const bool is_front = i == side.front;
-    std::string title(info.title);
+    const bool is_front = side.front < all.size() && panels[i] == all[side.front];
     const bool alarms = panels[i] == PanelId::kProblems && !frame.contents.problems.empty();
-    if (alarms) title.append(1, ' ').append(std::to_string(frame.contents.problems.size()));
-    const ImVec2 text = ImGui::CalcTextSize(title.c_str());
-    const ImVec2 size{text.x + 1.6f * pad.x, text.y + 1.6f * pad.y};
+    const std::string title = TitleOf(panels[i], frame.contents);
+    const ImVec2 size = SizeOfTab(title);
     if (i > 0) {
       ImGui::SameLine(0, gap);
       if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
@@ -187,6 +255,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
     PutText(out, {at.x + 0.8f * pad.x, at.y + 0.8f * pad.y}, theme::Packed(color), title);
     ImGui::PopID();
   }
+  DrawOtherTabs(frame, all, panels);
   const ImVec2 line = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine({line.x, line.y - ImGui::GetStyle().ItemSpacing.y},
                                       {right, line.y - ImGui::GetStyle().ItemSpacing.y}, theme::Packed(theme::kEdge));
@@ -260,7 +329,7 @@ void Workspace::DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metric
   const float wanted = area == Area::kLeft    ? mouse.x
                        : area == Area::kRight ? m.width - mouse.x
                                               : m.height - m.scrubber - mouse.y;
-  layout.at(area).size = std::clamp(wanted / m.scale, 80.0f, 4000.0f);
+  layout.at(area).size = std::clamp(wanted / (area == Area::kBottom ? m.down : m.across), 80.0f, 4000.0f);
 }
 
 }  // namespace soarbox::viewer

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "viewer/panels/closing.h"
 #include "viewer/panels/finder.h"
@@ -64,6 +65,7 @@ class Workspace {
   /// Where everything stands, in px.
   struct Metrics {
     float scale, menu, toolbar, scrubber;
+    float across, down;  ///< What a unit of an area's width and height is.
     float width, height;
     float left, right, bottom;  ///< Sizes of the areas; 0: hidden.
     float top() const { return menu + toolbar; }
@@ -79,6 +81,7 @@ class Workspace {
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
   void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);
   void DrawTabs(PanelFrame& frame, Area area);
+  void DrawOtherTabs(PanelFrame& frame, const std::vector<PanelId>& panels, const std::vector<PanelId>& shown);
   void DrawTabMenu(PanelFrame& frame, PanelId panel);
   void Copy(PanelFrame& frame, PanelId panel);
   void DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metrics& metrics);
