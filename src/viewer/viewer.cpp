@@ -160,6 +160,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
     camera_moves = newest.camera_moves;
     camera.MoveTo(newest.camera);
   }
+  if (camera.keeps() || !has_framed) scenery = SceneryAround(newest, Places());
   if (options.hidden && passed_s > 0) {
     KeepInView(passed_s);
     camera.Update({}, passed_s, camera.agent() != 0 ? Find(camera.agent()) : nullptr,

@@ -18,7 +18,7 @@ void Viewer::Impl::Frame(const std::vector<std::uint32_t>& agents, bool best_sid
   framed_aspect = are_all ? aspect : 0;
   const std::vector<world::Vec3> places = are_all ? Places() : std::vector<world::Vec3>{};
   camera.Frame(framed, aspect, best_side, places, best_side && has_walls,
-               are_all && !has_walls ? SceneryAround(scene, places) : std::vector<FramedBody>{});
+               are_all && !has_walls ? scenery : std::vector<FramedBody>{});
   if (framed.empty()) return;
   kept = agents;
   camera.BeginKeeping();
@@ -59,7 +59,7 @@ void Viewer::Impl::KeepInView(float seconds) {
   constexpr float kOtherShape = 0.05f;
   if (framed_aspect > 0 && std::abs(aspect / framed_aspect - 1) > kOtherShape) Frame({}, false);
   const std::vector<world::Vec3> places = Places();
-  camera.Keep(framed, places, aspect, seconds, has_walls ? std::vector<FramedBody>{} : SceneryAround(scene, places));
+  camera.Keep(framed, places, aspect, seconds, has_walls ? std::vector<FramedBody>{} : scenery);
 }
 
 void Viewer::Impl::SetCamera(CameraMode mode) {
@@ -84,7 +84,6 @@ bool Viewer::Impl::SeesAgentsWell() {
   const auto is_in_picture = [&](const std::optional<ScreenPoint>& at) {
     return at && at->x > 0 && at->x < width && at->y > kStatusBar_px && at->y < height;
   };
-  const std::vector<FramedBody> scenery = SceneryAround(scene, Places());
   if (!std::ranges::all_of(scenery, [&](const FramedBody& body) { return is_in_picture(view.Project(body.position)); }))
     return false;
   return std::all_of(scene.agents.begin(), scene.agents.end(), [&](const world::AgentSnapshot& agent) {

@@ -74,8 +74,9 @@ struct Viewer::Impl {
   std::string notice;
   float notice_s = 0;  ///< For how long it is still shown.
   bool has_framed = false;
-  float framed_aspect = 0;  ///< Of the picture that all agents were framed in; 0: others were, or a script did.
-  bool has_walls = false;   ///< The scene is full of pieces of buildings.
+  std::vector<FramedBody> scenery;  ///< Around the agents; up to date while the camera keeps them in view.
+  float framed_aspect = 0;          ///< Of the picture that all agents were framed in; 0: others were, or a script did.
+  bool has_walls = false;           ///< The scene is full of pieces of buildings.
   bool failed = false;
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
