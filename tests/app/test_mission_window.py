@@ -130,7 +130,7 @@ class Lessons(WindowUser):
             self.play(f"""
                 until 0.5
                 expect "1. A rule fires once for each match"
-                expect "Greet each visitor by name"
+                expect "visitor by name"
                 expect "anna is greeted"
                 audit "a lesson"
                 {picture("lesson-%d" % size[0])}

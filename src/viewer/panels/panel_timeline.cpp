@@ -284,11 +284,14 @@ class TimelinePanel final : public Panel {
       out.AddRectFilled({x, y + 1}, {end, y + height - 1}, fill, is_wide && detail.is_full ? 3.0f : 0.0f);
       out.AddRectFilled({x, y + 1}, {x + 1, y + height - 1}, theme::Packed(color));
       const float from = std::max(x, left_) + frame.Px(3);
-      if (end - from > frame.Px(14) && detail.is_full) {
-        out.PushClipRect({from, y}, {end - 1, y + height}, true);
-        MayCut({from, y}, {end - 1, y + height});
+      // The tick in which something ended is that in which the next began: letters of both would lie over each other.
+      const bool is_moment = !span.open && span.first_tick == span.last_tick;
+      const float text_end = span.open || is_moment ? end - 1 : X(static_cast<double>(span.last_tick)) - 1;
+      if (text_end - from > frame.Px(is_moment ? 60 : 13) && detail.is_full) {
+        out.PushClipRect({from, y}, {text_end, y + height}, true);
+        MayCut({from, y}, {text_end, y + height});
         // Letters that the clip would hide cost as much as others.
-        const auto most = static_cast<std::size_t>((std::min(end, left_ + width_) - from) / frame.Px(2.5f)) + 1;
+        const auto most = static_cast<std::size_t>((std::min(text_end, left_ + width_) - from) / frame.Px(2.5f)) + 1;
         PutText(out, {from, y + frame.Px(1)}, theme::Packed(theme::kText), std::string_view(text).substr(0, most));
         out.PopClipRect();
       }
