@@ -154,4 +154,48 @@ void AlphaMemories::Release() {
   std::fill(states_.begin(), states_.end(), AlphaState());
 }
 
+std::uint32_t AlphaMemories::Use(Network& network, ElementLinks& links, const WmeTable& wmes,
+                                 const std::uint32_t (&constants)[3], std::uint32_t mask, bool acceptable) {
+  std::uint32_t alpha = network.FindAlpha(constants, mask, acceptable);
+  if (alpha != kNil) {
+    network.UseAlpha(alpha);
+    return alpha;
+  }
+  std::uint32_t general = kNil;
+  for (const std::uint32_t drop : {1u, 4u, 5u}) {
+    const std::uint32_t rest = mask & ~drop;
+    if (rest != mask && general == kNil) {
+      const std::uint32_t fewer[3] = {(rest & 1u) ? constants[0] : 0, constants[1], (rest & 4u) ? constants[2] : 0};
+      general = network.FindAlpha(fewer, rest, acceptable);
+    }
+  }
+  alpha = network.AddAlpha(constants, mask, acceptable);
+  Begin(alpha);
+  const auto add_if_fits = [&](std::uint32_t wme) {
+    const Wme& element = wmes[wme];
+    if (element.acceptable == acceptable && ((mask & 1u) == 0 || element.id.bits() == constants[0]) &&
+        ((mask & 2u) == 0 || element.attribute.bits() == constants[1]) &&
+        ((mask & 4u) == 0 || element.value.bits() == constants[2])) {
+      Insert(alpha, wme, element, links[wme].first_item);
+    }
+  };
+  if (general != kNil) {
+    for (std::uint32_t at = (*this)[general].first; at != kNil; at = item(at).next) {
+      add_if_fits(item(at).wme);
+    }
+  } else {
+    for (std::uint32_t wme = links.newest(); wme != kNil; wme = links[wme].next) {
+      add_if_fits(wme);
+    }
+  }
+  (*this)[alpha].sparse |= (*this)[alpha].count > 1 ? AlphaState::kPrimed : 0;
+  return alpha;
+}
+
+void AlphaMemories::GiveUp(Network& network, ElementLinks& links, std::uint32_t alpha) {
+  if (network.DropAlpha(alpha)) {
+    Drop(alpha, links);
+  }
+}
+
 }  // namespace soarbox::kernel

@@ -44,7 +44,7 @@ struct AlphaState {
   std::uint32_t sparse = 0;  ///< Joins that feed sparse memories; kInPaths, kBusy, kPrimed.
 
   static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
-  static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see ReteState::only_id.
+  static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see OnlyIds.
   static constexpr std::uint32_t kPrimed = 0x20000000u;   ///< Its items may be in another order than elements came.
   static constexpr std::uint32_t kFlags = kInPaths | kBusy | kPrimed;
 };
@@ -120,6 +120,12 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     items_[index].next = free_;
     free_ = index;
   }
+  /// The memory with these constant tests, for one more node: made if there is none, and filled from the next more
+  /// general memory or from all elements, newest first; each becomes the first item.
+  std::uint32_t Use(Network & network, ElementLinks & links, const WmeTable& wmes, const std::uint32_t(&constants)[3],
+                    std::uint32_t mask, bool acceptable);
+  /// A node that used a memory has gone.
+  void GiveUp(Network & network, ElementLinks & links, std::uint32_t alpha);
   /// A memory goes, with all of its items.
   void Drop(std::uint32_t alpha, ElementLinks & elements);
 

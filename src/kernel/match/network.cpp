@@ -7,6 +7,8 @@
 #include <iterator>
 #include <mutex>
 
+#include "kernel/base/sole_owner.h"
+
 namespace soarbox::kernel {
 
 namespace {
@@ -367,6 +369,15 @@ void Network::RemoveRule(std::uint32_t number) {
 }
 
 // Sharing -------------------------------------------------------------------------------------------------------------
+
+void Network::Own(std::shared_ptr<Network>& network) {
+  if (IsSoleOwner(network)) {
+    network->BeginChange();
+    return;
+  }
+  // One of two owners is the store of shared rules (decide/rule_sharing.h).
+  network = network->Fork(network.use_count() > 2);
+}
 
 std::shared_ptr<Network> Network::Fork(bool many) const {
   const std::lock_guard lock(forks);

@@ -201,6 +201,10 @@ class [[gnu::visibility("hidden")]] Network {
   const Node* nodes() const {
     return nodes_.data();
   }
+  /// The memory below a memory's only join.
+  std::uint32_t MemoryBelow(std::uint32_t memory) const {
+    return nodes_[nodes_[memory].first_child].only_memory;
+  }
   std::uint32_t node_limit() const {
     return static_cast<std::uint32_t>(nodes_.size());
   }
@@ -260,7 +264,7 @@ class [[gnu::visibility("hidden")]] Network {
     return kNil;
   }
 
-  // Building. The caller keeps the agent's state in step (rete_build.cpp). ----------------------------------------
+  // Building. The caller keeps the agent's state in step (rete_nodes.cpp). ----------------------------------------
 
   std::uint32_t AddAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
   void UseAlpha(std::uint32_t alpha) {
@@ -295,6 +299,8 @@ class [[gnu::visibility("hidden")]] Network {
   /// Nobody else holds this one any more, and it is about to be changed.
   void StopSharing();
 
+  /// Lets an agent have the network that it holds for itself, to change it: a fork if others hold it, too.
+  static void Own(std::shared_ptr<Network> & network);
   /// A copy to be changed. `many`: more copies may be asked for. They share what they leave as it is, page by page, if
   /// there is enough of it. Any thread may ask.
   std::shared_ptr<Network> Fork(bool many) const;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/match/node_states.h"
+
 namespace soarbox::kernel {
 
 /// Of right-linked nodes of busy alpha memories: the identifier that an element must have to join, because the node's
@@ -20,6 +22,12 @@ class OnlyIds {
   std::uint32_t& operator[](std::uint32_t node) { return ids_[node]; }
   std::uint32_t operator[](std::uint32_t node) const { return ids_[node]; }
   const std::uint32_t* data() const { return ids_.data(); }
+  /// A memory has its second token: elements with more than one identifier may join with it.
+  [[gnu::noinline]] void SecondToken(const NodeStates& nodes, std::uint32_t first_join) {
+    for (std::uint32_t join = first_join; join != kNil; join = nodes[join].next_left) {
+      ids_[join] = 0;
+    }
+  }
   /// From now on there are some, of so many nodes.
   void Begin(std::size_t nodes) { ids_.resize(nodes); }
   /// There are so many nodes now.

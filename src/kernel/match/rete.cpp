@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/match/rete.h"
 
+#include "kernel/match/fixed_match.h"
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_state.h"
 
@@ -12,6 +13,7 @@ ReteState::ReteState(MatchSet& match_set, const SymbolTable& symbol_table, const
       wmes(wme_table),
       network(std::make_shared<Network>()),
       support(match_set, wme_table),
+      pair_tests(network, tokens, wme_table, symbol_table, goals),
       builder(std::make_unique<ReteBuilder>(*this)) {
   nodes.MakeRoom(1);
   sparse.ParkAfter(256);
@@ -26,12 +28,12 @@ Rete::~Rete() = default;
 
 Rete::Added Rete::AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options) {
   state_->goals = goals;
-  return state_->AddProduction(std::move(production), options);
+  return state_->builder->AddProduction(std::move(production), options);
 }
 
 void Rete::ExciseProduction(ProductionId production) {
   if (Index(production) < state_->network->rule_limit() && state_->network->rule(Index(production))) {
-    state_->ExciseProduction(Index(production));
+    state_->builder->ExciseProduction(Index(production));
   }
 }
 
@@ -77,7 +79,7 @@ void Rete::Abandon() {
 }
 
 MatchId Rete::AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation) {
-  return state_->AddFixedMatch(wmes, goal, level, instantiation);
+  return kernel::AddFixedMatch(state_->tokens, state_->links, matches_, wmes, goal, level, instantiation);
 }
 
 void Rete::RetractFixedMatch(MatchId match) {
@@ -86,7 +88,7 @@ void Rete::RetractFixedMatch(MatchId match) {
 }
 
 void Rete::RemoveFixedMatch(MatchId match) {
-  if (!state_->abandoned) state_->FreeFixedMatch(matches_.TokenOf(match));
+  if (!state_->abandoned) FreeElementTokens(state_->tokens, state_->links, matches_.TokenOf(match));
   matches_.Drop(match);
 }
 

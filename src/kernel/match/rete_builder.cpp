@@ -290,7 +290,8 @@ std::uint32_t ReteBuilder::FindOrMake(std::uint32_t parent, NodeKind kind, const
   const Network& network = *state_.network;
   NodePlan plan;
   plan.parent = parent;
-  plan.alpha = state_.MakeAlpha(tests_.constants, tests_.mask, condition.tests_acceptable);
+  plan.alpha = state_.alphas.Use(*state_.network, state_.links, state_.wmes, tests_.constants, tests_.mask,
+                                 condition.tests_acceptable);
   plan.shape = tests_.key;
   plan.shape.kind = kind;
   plan.tests = tests_.tests;
@@ -299,7 +300,7 @@ std::uint32_t ReteBuilder::FindOrMake(std::uint32_t parent, NodeKind kind, const
   const bool childless = network.node(parent).first_child == kNil;
   const std::uint32_t shared = childless ? kNil : network.FindShared(plan, hash);
   if (shared != kNil) {
-    state_.DropAlpha(plan.alpha);
+    state_.alphas.GiveUp(*state_.network, state_.links, plan.alpha);
     return shared;
   }
   plan.ancestor = NearestAncestor(parent, plan.alpha);

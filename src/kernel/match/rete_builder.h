@@ -2,17 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "kernel/match/network.h"
+#include "kernel/match/rete.h"
 #include "kernel/rules/production.h"
 
 namespace soarbox::kernel {
 
 struct ReteState;
 
-/// Turns the conditions of one rule into nodes, sharing those that exist.
+/// Adds rules to the network of an agent and takes them out: turns the conditions of one rule into nodes, sharing those
+/// that exist.
 ///
 /// Depth counts conditions from the top, negated ones and conjunctive negations as one each; inside a conjunctive
 /// negation it goes on from the conditions in front of it. A binding at depth b is seen from a condition at depth d as
@@ -22,14 +25,10 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
  public:
   explicit ReteBuilder(ReteState & state) : state_(state) {}
 
-  /// The node that emits the rule's complete matches.
-  std::uint32_t Build(std::span<const Condition> conditions);
-  /// The node that emits while all of a rule's negated conditions hold, whatever else matches (rete_guard.cpp).
-  std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
-  /// A join of this memory has gone.
-  void JoinRemoved(std::uint32_t memory) {
-    MoveIfJoinsAre(1, memory);
-  }
+  /// See Rete::AddProduction. The goals are those of the state.
+  Rete::Added AddProduction(ProductionPtr production, const Rete::AddOptions& options);
+  /// See Rete::ExciseProduction; the rule is there.
+  void ExciseProduction(std::uint32_t production);
 
  private:
   struct Binding {
@@ -48,6 +47,20 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
     std::vector<std::uint32_t> disjuncts;
     NodeShape key;  ///< Only its key fields.
   };
+
+  /// The node that emits the rule's complete matches.
+  std::uint32_t Build(std::span<const Condition> conditions);
+  /// The node that emits while all of a rule's negated conditions hold, whatever else matches (rete_guard.cpp).
+  std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
+  bool CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const;
+  bool AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, const Rete::AddOptions& options);
+  void EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, std::uint32_t node);
+  void MatchNewRule(std::uint32_t node, const Rete::AddOptions& options);
+  void RemoveUnused(std::uint32_t node);
+  /// A join of this memory has gone.
+  void JoinRemoved(std::uint32_t memory) {
+    MoveIfJoinsAre(1, memory);
+  }
 
   std::uint32_t BuildAll(std::span<const Condition> conditions, std::uint32_t emitter, std::uint32_t depth);
   std::uint32_t BuildPositive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth);

@@ -104,7 +104,7 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
     return true;  // As an equal rule would be.
   }
   memory.shape.kind = NodeKind::kMemory;
-  return state_.network->FindShared(memory, memory.Hash()) == kNil && state_.Emissions(emitter).size() < 2;
+  return state_.network->FindShared(memory, memory.Hash()) == kNil && state_.emissions().Of(emitter).size() < 2;
 }
 
 std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {

@@ -81,8 +81,7 @@ class Checker {
            join);
     s_.nodes.ForEachToken(s_.tokens, network_.node(join).parent, [&](std::uint32_t token) {
       const Wme& element = s_.wmes[ElementAt(s_.tokens.records(), token, memory.key_id_levels)];
-      Expect(s_.FieldOf(element, memory.key_id_field) == s_.only_ids[join], "node that waits for another identifier",
-             join);
+      Expect(BitsOf(element, memory.key_id_field) == s_.only_ids[join], "node that waits for another identifier", join);
     });
   }
 
@@ -135,7 +134,8 @@ class Checker {
       ++count;
       Expect((s_.tokens[token].node & Token::kNodeMask) == index, "token of another node", token);
       if (node.kind == NodeKind::kMemory || node.kind == NodeKind::kNegative || node.kind == NodeKind::kPaths) {
-        Expect(s_.tokens[token].key == s_.KeyOfToken(node, token), "wrong key", token);
+        Expect(s_.tokens[token].key == KeyOfPair(s_, node, s_.tokens[token].parent, s_.tokens[token].wme).key,
+               "wrong key", token);
       }
     });
     if (marks.Is(NodeMarks::kSparse)) {
@@ -143,12 +143,12 @@ class Checker {
       CheckSparse(index);
     } else {
       Expect(count == state.count, "wrong count of a memory", index);
-      Expect(node.kind != NodeKind::kMemory || state.score == kNil || s_.CanBeSparse(index),
+      Expect(node.kind != NodeKind::kMemory || state.score == kNil || SparseMemories::CanBeSparse(network_, index),
              "score on a memory that cannot be sparse", index);
     }
     count = state.count;
     Expect((node.kind == NodeKind::kGuard && state.first_linked == kNil) || TestsLinks(network_.node(node.parent)) ||
-               s_.Emissions(node.parent).size() == count,
+               s_.emissions().Of(node.parent).size() == count,
            "memory differs from what reaches it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(right_linked == (count != 0), "negative node linked wrongly", index);
@@ -174,13 +174,14 @@ class Checker {
   std::size_t ResultsWanted(std::uint32_t index) {
     const std::uint32_t bottom = network_.node(network_.node(index).partner()).parent;
     if (network_.node(bottom).kind != NodeKind::kPaths) {
-      return s_.Emissions(bottom).size();
+      return s_.emissions().Of(bottom).size();
     }
     std::size_t wanted = 0;
     s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t owner) {
       std::uint32_t found = 0;
       s_.nodes.ForEachToken(s_.tokens, bottom, [&](std::uint32_t path) {
-        if (s_.tokens.TopOf(path) == s_.tokens[owner].pairs && s_.Pairs(owner, path)) {
+        if (s_.tokens.TopOf(path) == s_.tokens[owner].pairs &&
+            SharedConjunctions::Pairs(network_, s_.tokens, s_.wmes, s_.pair_tests, owner, path)) {
           ++found;
         }
       });
@@ -218,11 +219,11 @@ class Checker {
     const Node& node = network_.node(index);
     const std::uint32_t above = network_.node(node.parent).parent;
     Expect(s_.nodes.marks(node.parent).Is(NodeMarks::kFeedsSparse), "unmarked join of a sparse memory", index);
-    Expect(s_.nodes.marks(above).Is(NodeMarks::kAboveSparse) && s_.SparseBelow(above) == index,
+    Expect(s_.nodes.marks(above).Is(NodeMarks::kAboveSparse) && network_.MemoryBelow(above) == index,
            "unmarked memory above a sparse one", index);
-    std::map<ReteState::Emission, int> pairs;
+    std::map<Emission, int> pairs;
     std::map<std::uint32_t, std::uint32_t> of_token;
-    for (const ReteState::Emission& emission : s_.Emissions(node.parent)) {
+    for (const Emission& emission : s_.emissions().Of(node.parent)) {
       pairs[emission] = 1;
       ++of_token[emission.first];
     }
@@ -231,14 +232,14 @@ class Checker {
     });
     const SparseState& memory = s_.SparseOf(index);
     for (std::uint32_t n = 0; n < memory.logged; ++n) {
-      if (!s_.IsStale(memory.log[n])) {
+      if (!SparseMemories::IsStale(s_.tokens, s_.links, memory.log[n])) {
         --pairs[{memory.log[n].parent, memory.log[n].wme}];
       }
     }
     std::uint32_t indexed = 0;
     s_.sparse.ForEachIndexed(memory, [&](const ParkedPair& pair) {
       ++indexed;
-      if (!s_.IsStale(pair)) {
+      if (!SparseMemories::IsStale(s_.tokens, s_.links, pair)) {
         --pairs[{pair.parent, pair.wme}];
         Expect(pair.key == KeyOfPair(s_, node, pair.parent, pair.wme).key, "wrong key of a parked pair", index);
       }
@@ -274,8 +275,8 @@ class Checker {
     std::size_t wanted = 0;
     for (std::uint32_t item = s_.alphas[node.alpha].first; item != kNil; item = s_.alphas.item(item).next) {
       const Wme& wme = s_.wmes[s_.alphas.item(item).wme];
-      if (KeyOfElement(node, wme) == s_.tokens[token].key && HasKey(s_, node, token, wme) &&
-          s_.Passes(node, token, wme)) {
+      if (KeyOfElement(node, wme) == s_.tokens[token].key && HasKey(s_.tokens, s_.wmes, node, token, wme) &&
+          s_.pair_tests.Passes(node, token, wme)) {
         ++wanted;
       }
     }

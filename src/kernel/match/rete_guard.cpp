@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
+#include "kernel/match/fixed_match.h"
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_inline.h"
 
@@ -36,44 +37,37 @@ std::uint32_t ReteBuilder::BuildGuard(std::span<const Condition> negations, std:
 }
 
 /// Whether a rule that is to be added is a justification whose elements are all there, and that has negated conditions.
-bool ReteState::CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const {
+bool ReteBuilder::CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const {
   const Production& rule = *info.rule;
   return rule.type == ProductionType::kJustification && info.positives != 0 &&
          info.positives < rule.conditions.size() && options.refracted.size() == info.positives &&
          std::ranges::all_of(std::span(rule.conditions).first(info.positives),
                              [](const Condition& condition) { return condition.kind == ConditionKind::kPositive; }) &&
-         std::ranges::all_of(options.refracted, [this](WmeId wme) { return links[Index(wme)].in_match; });
+         std::ranges::all_of(options.refracted, [this](WmeId wme) { return state_.links[Index(wme)].in_match; });
 }
 
 /// Makes the nodes of a guarded rule; false, and nothing has changed, if a negated condition does not hold.
-bool ReteState::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number,
-                           const Rete::AddOptions& options) {
+bool ReteBuilder::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number,
+                             const Rete::AddOptions& options) {
   NodePlan plan;
-  plan.parent = builder->BuildGuard(std::span(info->rule->conditions).subspan(info->positives), number);
-  if (Emissions(plan.parent).empty()) {
+  plan.parent = BuildGuard(std::span(info->rule->conditions).subspan(info->positives), number);
+  if (state_.emissions().Of(plan.parent).empty()) {
     RemoveUnused(plan.parent);
     return false;
   }
   plan.shape.kind = NodeKind::kGuard;
   plan.digest = number + 1u;
   plan.rule = number;
-  const std::uint32_t node = network->AddNode(plan, plan.Hash());
+  const std::uint32_t node = state_.network->AddNode(plan, plan.Hash());
   EnterRule(info, number, node);
-  std::uint32_t first = kNil;
-  for (const WmeId wme : options.refracted) {
-    const std::uint32_t token = NewToken(Token::kFixedMatchNode, kNil, Index(wme));
-    tokens[token].key = node;
-    tokens[token].previous_in_bucket = Token::kGuarded;
-    tokens[token].next_in_bucket = first;
-    first = token;
-  }
-  nodes[node].first_linked = first;
+  state_.nodes[node].first_linked =
+      MakeElementTokens(state_.tokens, state_.links, options.refracted, node, Token::kGuarded);
   return true;
 }
 
 /// One of the elements that a guarded rule matched is leaving: it never matches again.
 void ReteState::GuardedElementGone(std::uint32_t node) {
-  FreeFixedMatch(std::exchange(nodes[node].first_linked, kNil));
+  FreeElementTokens(tokens, links, std::exchange(nodes[node].first_linked, kNil));
   RemoveTokens(node);
 }
 

@@ -8,6 +8,11 @@ namespace soarbox::kernel {
 
 namespace {
 
+/// JoinLinks::FindOnlyId, out of line.
+[[gnu::noinline]] void FindOnlyId(ReteState& state, std::uint32_t node) {
+  state.joins().FindOnlyId(node);
+}
+
 /// The first of the items from `item` on whose element passes the tests of a join with (parent, wme).
 [[gnu::always_inline]] inline std::uint32_t FirstPassing(const ReteState& state, const RightSide& right,
                                                          const Node& join, const KeyParts& key, std::uint32_t parent,
@@ -115,17 +120,17 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
   do {
     const Records<Token> tokens = state.tokens.records();
     if (id_levels == 0) {
-      key.id = ReteState::FieldOf(wmes[wme], id_field);
+      key.id = BitsOf(wmes[wme], id_field);
     } else if (!one_parent || first) {
-      key.id = ReteState::FieldOf(wmes[ElementAt(state.tokens.read(), parent, id_levels - 1u)], id_field);
+      key.id = BitsOf(wmes[ElementAt(state.tokens.read(), parent, id_levels - 1u)], id_field);
     }
     if (!with_value) {
       key.key = key.id;
     } else {
       if (value_levels == 0) {
-        key.value = ReteState::FieldOf(wmes[wme], value_field);
+        key.value = BitsOf(wmes[wme], value_field);
       } else if (!one_parent || first) {
-        key.value = ReteState::FieldOf(wmes[ElementAt(state.tokens.read(), parent, value_levels - 1u)], value_field);
+        key.value = BitsOf(wmes[ElementAt(state.tokens.read(), parent, value_levels - 1u)], value_field);
       }
       key.key = PairKey(key.id, key.value);
     }
@@ -175,7 +180,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
 template <bool one_parent, typename Source>
 [[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, const Source& source) {
   const std::uint32_t join = state.network->node(index).first_child;
-  state.LinkOnlyJoin(index, join);
+  state.joins().LinkOnlyJoin(index, join);
   const RightSide right(state.alphas, state.network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
@@ -199,25 +204,6 @@ template <bool one_parent, typename Source>
 
 // Left side -----------------------------------------------------------------------------------------------------------
 
-/// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the join
-/// is then off its memory's list.
-[[gnu::always_inline]] inline bool ReteState::LinkJoin(std::uint32_t node) {
-  LinkRight(node);
-  if (alphas[network->node(node).alpha].count == 0) {
-    UnlinkLeft(node);
-    return false;
-  }
-  return true;
-}
-
-/// A pair is coming to a sparse memory. While there are others its join is linked.
-[[gnu::always_inline]] inline void ReteState::LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
-  if (nodes[memory].count == 0 && nodes.marks(join).Is(NodeMarks::kLeftLinked) &&
-      !nodes.marks(join).Is(NodeMarks::kRightLinked)) {
-    LinkJoin(join);
-  }
-}
-
 /// A pair joins: a sparse memory makes a token of it.
 void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
                              KeyParts key, std::uint32_t item) {
@@ -239,7 +225,7 @@ template <RightSide::Kind kind>
   SparseState& parked = sparse[memory.place];
   KeyParts key;
   if (kWithValue) {
-    key.value = FieldOf(wmes.data()[ElementAt(tokens.read(), token, node.key_value_levels - 1u)], node.key_value_field);
+    key.value = BitsOf(wmes.data()[ElementAt(tokens.read(), token, node.key_value_levels - 1u)], node.key_value_field);
   }
   ParkedRun run{token, 0, tokens.next_serial(), 0, 0};
   while (item != kNil) {
@@ -290,7 +276,7 @@ template <RightSide::Kind kind>
 
 void ReteState::JoinHop(std::uint32_t index, std::uint32_t token, std::uint32_t id, std::uint32_t item) {
   const std::uint32_t join = network->node(index).first_child;
-  LinkOnlyJoin(index, join);
+  joins().LinkOnlyJoin(index, join);
   const RightSide right(alphas, network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
@@ -342,7 +328,7 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
 void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t join = node.first_child;
-  LinkOnlyJoin(index, join);
+  joins().LinkOnlyJoin(index, join);
   const Node& joined = network->node(join);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   const std::uint64_t serial = tokens.TakeSerial();
@@ -435,11 +421,11 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
   for (; more; more = source.Next(left, wme)) {
     const std::uint32_t token = MakeToken(*this, index, parent, wme);
     if (id_moves) {
-      key.key = key.id = ReteState::FieldOf(wmes.data()[wme], node.key_id_field);
+      key.key = key.id = BitsOf(wmes.data()[wme], node.key_id_field);
     }
     if (with_value) {
       if (value_moves) {
-        key.value = ReteState::FieldOf(wmes.data()[wme], node.key_value_field);
+        key.value = BitsOf(wmes.data()[wme], node.key_value_field);
       }
       key.key = PairKey(key.id, key.value);
     }
@@ -476,7 +462,7 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   while (next != kNil) {
     const std::uint32_t join = next;
     next = nodes[join].next_left;
-    if (nodes.marks(join).Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+    if (nodes.marks(join).Is(NodeMarks::kRightLinked) || joins().LinkJoin(join)) {
       JoinOne(join, token, key);
     }
   }
@@ -493,10 +479,10 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   const std::uint32_t next = nodes[join].next_left;
   if (memory.count != 1) {
     if (memory.count == 2 && !only_ids.empty()) [[unlikely]] {
-      SecondToken(join);
+      only_ids.SecondToken(nodes, join);
     }
     JoinOne(join, token, key);
-  } else if (nodes.marks(join).Is(NodeMarks::kRightLinked) || LinkJoin(join)) {
+  } else if (nodes.marks(join).Is(NodeMarks::kRightLinked) || joins().LinkJoin(join)) {
     JoinOne(join, token, key);
   }
   if (next != kNil) {
@@ -534,7 +520,7 @@ template <typename Visit>
   while (token != kNil) {
     const Token& left = state.tokens[token];
     const std::uint32_t next = left.next_in_bucket;
-    if (left.key == key && HasKey(state, node, left.parent, left.wme, element) &&
+    if (left.key == key && HasKey(state.tokens, state.wmes, node, left.parent, left.wme, element) &&
         PassesAll(state, *state.network, node, left.parent, left.wme, element)) {
       visit(token);
     }
@@ -652,13 +638,13 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
     } else {
       const bool waited = !nodes.marks(index).Is(NodeMarks::kLeftLinked);
       if (waited) {
-        LinkLeft(index);
+        joins().LinkLeft(index);
         if (!only_ids.empty()) [[unlikely]] {
-          FindOnlyId(index);  // Nobody told of tokens that came meanwhile.
+          FindOnlyId(*this, index);  // Nobody told of tokens that came meanwhile.
         }
       }
       if (waited && nodes[node.parent].count == 0) {
-        UnlinkRight(index);
+        joins().UnlinkRight(index);
       } else {
         RightJoin(index, node, wme, wmes[wme]);
       }
@@ -724,7 +710,7 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     }
     if (node.kind == NodeKind::kJoin) {
       if (wanted == 0 && nodes[node.parent].count == 1) {
-        FindOnlyId(index);  // It had more tokens.
+        FindOnlyId(*this, index);  // It had more tokens.
         if (ids[index] != 0 && ids[index] != id) {
           continue;
         }
@@ -733,13 +719,6 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     } else {
       RightNegative(index, node, wme);
     }
-  }
-}
-
-/// A memory has its second token: elements with more than one identifier may join with it.
-void ReteState::SecondToken(std::uint32_t first_join) {
-  for (std::uint32_t join = first_join; join != kNil; join = nodes[join].next_left) {
-    only_ids[join] = 0;
   }
 }
 

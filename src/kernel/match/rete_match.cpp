@@ -1,102 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 
-#include "kernel/base/symbol_table.h"
 #include "kernel/match/rete_inline.h"
 
 namespace soarbox::kernel {
-
-namespace {
-
-std::strong_ordering CompareSymbols(const SymbolTable& symbols, std::uint32_t left, std::uint32_t right) {
-  if (AreSmallIntegers(left, right)) {
-    return static_cast<std::int32_t>(left << 3) <=> static_cast<std::int32_t>(right << 3);
-  }
-  return symbols.Compare(Symbol::FromBits(left), Symbol::FromBits(right));
-}
-
-}  // namespace
-
-// Tests ---------------------------------------------------------------------------------------------------------------
-
-/// One test that Compare does not decide.
-bool ReteState::PassesTest(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
-  const std::uint32_t value = FieldOf(wme, test.field);
-  std::uint32_t referent = test.referent;
-  if (test.against_binding) {
-    referent = test.levels == 0 ? FieldOf(wme, test.referent_field)
-                                : FieldOf(wmes.data()[ElementAt(tokens.records(), parent, left, test.levels - 1u)],
-                                          test.referent_field);
-  }
-  bool passed = false;
-  switch (test.op) {
-    case TestOp::kEqual:
-    case TestOp::kNotEqual:
-      break;  // Decided above.
-    case TestOp::kLess:
-      passed = CompareSymbols(symbols, value, referent) < 0;
-      break;
-    case TestOp::kGreater:
-      passed = CompareSymbols(symbols, value, referent) > 0;
-      break;
-    case TestOp::kLessOrEqual:
-      passed = CompareSymbols(symbols, value, referent) <= 0;
-      break;
-    case TestOp::kGreaterOrEqual:
-      passed = CompareSymbols(symbols, value, referent) >= 0;
-      break;
-    case TestOp::kSameType:
-      passed = Symbol::FromBits(value).kind() == Symbol::FromBits(referent).kind();
-      break;
-    case TestOp::kDisjunction: {
-      const std::uint32_t* first = network->disjuncts(test);
-      passed = std::find(first, first + test.count, value) != first + test.count;
-      break;
-    }
-    case TestOp::kIsGoal:
-      passed = goals.LevelOf(Symbol::FromBits(value)) != 0;
-      break;
-    case TestOp::kNever:
-      passed = false;
-      break;
-    case TestOp::kSameLti:
-    case TestOp::kNotSameLti: {
-      const Symbol other = Symbol::FromBits(referent);
-      const std::uint64_t lti = goals.LtiOf(Symbol::FromBits(value));
-      const std::uint64_t wanted =
-          other.IsInteger() ? static_cast<std::uint64_t>(symbols.IntegerValue(other)) : goals.LtiOf(other);
-      passed = (lti != 0 && lti == wanted) == (test.op == TestOp::kSameLti);
-      break;
-    }
-    case TestOp::kIsLti:
-      passed = goals.LtiOf(Symbol::FromBits(value)) != 0;
-      break;
-    case TestOp::kIsNotLti:
-      passed = goals.LtiOf(Symbol::FromBits(value)) == 0;
-      break;
-  }
-  return passed;
-}
-
-bool ReteState::PassesOne(const NodeTest& test, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
-  bool decided;
-  return Compare(*this, test, parent, left, wme, decided) || (!decided && PassesTest(test, parent, left, wme));
-}
-
-bool ReteState::Passes(const Node& node, std::uint32_t parent, std::uint32_t left, const Wme& wme) const {
-  return std::ranges::all_of(network->tests(node),
-                             [&](const NodeTest& test) { return PassesOne(test, parent, left, wme); });
-}
-
-// Tokens --------------------------------------------------------------------------------------------------------------
-
-std::uint32_t ReteState::NewToken(std::uint32_t node, std::uint32_t parent, std::uint32_t wme) {
-  return MakeToken(*this, node, parent, wme);
-}
-
-std::uint32_t ReteState::KeyOfToken(const Node& memory, std::uint32_t token) const {
-  return KeyOfPair(*this, memory, tokens[token].parent, tokens[token].wme).key;
-}
 
 // Blocking -----------------------------------------------------------------------------------------------------------
 
@@ -107,7 +14,7 @@ void ReteState::Block(std::uint32_t token, std::uint32_t wme) {
       RemoveSubtree(tokens[token].first_child);
     }
   }
-  NewToken(tokens[token].node | Token::kResultBit, token, wme);
+  MakeToken(*this, tokens[token].node | Token::kResultBit, token, wme);
 }
 
 // Left side -----------------------------------------------------------------------------------------------------------
@@ -160,12 +67,12 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   nodes.Insert(tokens, node_index, token, key.key, node.key != KeyKind::kNone);
   if (nodes[node_index].count == 1) {
-    LinkRight(node_index);
+    joins().LinkRight(node_index);
   }
   bool blocked = false;
   RightSide(alphas, node).ForEach(key, [&](std::uint32_t element) {
     if (PassesAll(*this, *network, node, parent, wme, wmes[element])) {
-      NewToken(node_index | Token::kResultBit, token, element);
+      MakeToken(*this, node_index | Token::kResultBit, token, element);
       blocked = true;
     }
   });
@@ -181,7 +88,7 @@ void ReteState::LeftConjunctive(std::uint32_t node_index, std::uint32_t parent, 
       return;  // Its conjunction matched first and blocks it.
     }
   }
-  const std::uint32_t token = NewToken(node_index, parent, wme);
+  const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   nodes.Insert(tokens, node_index, token, key, true);
   Emit(node_index, token, kNil);
 }
@@ -200,7 +107,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
     owner = tokens[owner].next_in_bucket;
   }
   if (owner == kNil) {
-    owner = NewToken(node.partner() | Token::kBlockedBit, owner_parent, owner_wme);
+    owner = MakeToken(*this, node.partner() | Token::kBlockedBit, owner_parent, owner_wme);
     nodes.Insert(tokens, node.partner(), owner, key, true);
   }
   BlockOwner(owner, parent, wme);
@@ -215,7 +122,7 @@ void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint3
     tokens[owner].node |= Token::kBlockedBit;
   }
   const std::uint32_t partner = network->node(tokens[owner].node & Token::kNodeMask).partner();
-  const std::uint32_t result = NewToken(partner, parent, wme);
+  const std::uint32_t result = MakeToken(*this, partner, parent, wme);
   const std::uint32_t head = tokens[owner].first_child;
   tokens[result].key = owner;
   tokens[result].previous_in_bucket = kNil;
@@ -288,28 +195,6 @@ void ReteState::LeftGuard(std::uint32_t node, std::uint32_t parent, std::uint32_
     *--place = static_cast<WmeId>(tokens[token].wme);
   }
   NewMatch(node, parent, wme, production, rule);
-}
-
-MatchId ReteState::AddFixedMatch(std::span<const WmeId> elements, Symbol goal, GoalLevel level,
-                                 InstantiationId instantiation) {
-  MatchSet::Arrival arrival;
-  arrival.production = kNil;
-  arrival.elements = elements;
-  arrival.goal = goal;
-  arrival.level = level;
-  std::uint32_t first = kNil;
-  for (const WmeId wme : elements) {
-    const std::uint32_t token = NewToken(Token::kFixedMatchNode, kNil, Index(wme));
-    tokens[token].next_in_bucket = first;
-    tokens[token].previous_in_bucket = kNil;
-    first = token;
-  }
-  arrival.token = first;
-  const MatchId match = matches.AddFired(arrival, instantiation);
-  for (std::uint32_t token = first; token != kNil; token = tokens[token].next_in_bucket) {
-    tokens[token].key = Index(match);
-  }
-  return match;
 }
 
 }  // namespace soarbox::kernel

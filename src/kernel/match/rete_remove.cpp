@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernel/match/fixed_match.h"
 #include "kernel/match/rete_inline.h"
 
 namespace soarbox::kernel {
@@ -23,7 +24,7 @@ namespace soarbox::kernel {
   if (--memory.count == 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
       if (nodes.marks(node).Is(NodeMarks::kLeftLinked)) {  // Only joins ever are.
-        UnlinkLeft(node);
+        joins().UnlinkLeft(node);
       }
     }
   }
@@ -61,17 +62,6 @@ void ReteState::RemoveWme(std::uint32_t wme) {
     RemoveTokenOfElement(token);
   }
   links.Leave(link);
-}
-
-/// Frees all results of a blocked conjunctive token.
-void ReteState::FreeResults(std::uint32_t owner) {
-  for (std::uint32_t result = tokens[owner].first_child; result != kNil;) {
-    const std::uint32_t next = tokens[result].next_in_bucket;
-    tokens.Unlink(links, result);
-    tokens.Free(result);
-    result = next;
-  }
-  tokens[owner].first_child = kNil;
 }
 
 /// An element that blocked a negative token is going.
@@ -115,7 +105,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
       if (!nodes.marks(node).Is(NodeMarks::kUncommonEnd)) {
         nodes.UnlinkFromBucket(all, node, leaf);
         if (--nodes[node].count == 0) {
-          MemoryEmptied(node);
+          joins().MemoryEmptied(node);
         }
       } else if (nodes.marks(node).Is(NodeMarks::kOther)) {
         RemoveRareLeaf(token);
@@ -129,7 +119,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         nodes.UnlinkFromBucket(all, node, leaf);
         if (nodes.marks(node).Is(NodeMarks::kAboveSparse)) {
           if (leaf.pairs != 0) {
-            ForgetPairsOf(SparseBelow(node), leaf.pairs);
+            ForgetPairsOf(network->MemoryBelow(node), leaf.pairs);
             leaf.pairs = 0;
           }
           leaf.forgotten = tokens.next_serial();
@@ -137,7 +127,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
         if (nodes.marks(node).Is(NodeMarks::kSparse)) {
           --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
         } else if (--nodes[node].count == 0) {
-          MemoryEmptied(node);
+          joins().MemoryEmptied(node);
         }
       }
     }
@@ -149,28 +139,13 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
   }
 }
 
-/// The last token of a memory or a negative node is going: nothing can join with it from the right.
-void ReteState::MemoryEmptied(std::uint32_t node) {
-  if (nodes.marks(node).Is(NodeMarks::kNegative)) {
-    if (nodes.marks(node).Is(NodeMarks::kRightLinked)) {
-      UnlinkRight(node);
-    }
-    return;
-  }
-  for (std::uint32_t join = nodes[node].first_linked; join != kNil; join = nodes[join].next_left) {
-    if (nodes.marks(join).Is(NodeMarks::kRightLinked)) {
-      UnlinkRight(join);
-    }
-  }
-}
-
 void ReteState::RemoveRareLeaf(std::uint32_t index) {
   const std::uint32_t node_bits = tokens[index].node;
   const std::uint32_t node = node_bits & Token::kNodeMask;
   switch (network->node(node).kind) {
     case NodeKind::kConjunctive:
       if ((node_bits & Token::kBlockedBit) != 0) {
-        FreeResults(index);
+        tokens.FreeResults(links, index);
       }
       nodes.RemoveFromBucket(tokens, node, index);
       tokens.Free(index);
@@ -178,7 +153,10 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
         tokens[index].node = 0;  // Nobody takes it for an owner any more.
         shared.last_owner = shared.last_owner == index ? kNil : shared.last_owner;
-        OwnerGone(anchor);
+        if (--tokens[anchor].previous_sibling == 0) {  // The last of its owners.
+          tokens[anchor].previous_sibling = kNil;
+          RemoveSubtree(anchor);
+        }
       }
       break;
     case NodeKind::kPartner: {
@@ -223,22 +201,13 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
 
 // Fixed matches -------------------------------------------------------------------------------------------------------
 
-void ReteState::FreeFixedMatch(std::uint32_t first) {
-  for (std::uint32_t token = first; token != kNil;) {
-    const std::uint32_t next = tokens[token].next_in_bucket;
-    tokens.Unlink(links, token);
-    tokens.Free(token);
-    token = next;
-  }
-}
-
 void ReteState::RetractFixedMatch(std::uint32_t token) {
   if (tokens[token].previous_in_bucket == Token::kGuarded) {
     GuardedElementGone(tokens[token].key);
     return;
   }
   const MatchId match = static_cast<MatchId>(tokens[token].key);
-  FreeFixedMatch(matches.TokenOf(match));
+  FreeElementTokens(tokens, links, matches.TokenOf(match));
   matches.TokenGone(match, false, links.last_timetag());
 }
 

@@ -22,28 +22,6 @@ namespace soarbox::kernel {
 
 // Meeting -------------------------------------------------------------------------------------------------------------
 
-/// Whether a path that has an owner's key blocks it.
-bool ReteState::Pairs(std::uint32_t owner, std::uint32_t path) const {
-  const Network& net = *network;
-  const Token& left = tokens[owner];
-  const Token& right = tokens[path];
-  const Node& node = net.node(left.node & Token::kNodeMask);
-  const Node& paths = net.node(right.node & Token::kNodeMask);
-  const Records<const Token> all = tokens.records();
-  if (node.key == KeyKind::kIdValue &&
-      FieldOf(wmes.data()[ElementAt(all, left.parent, left.wme, node.key_id_levels)], node.key_id_field) !=
-          FieldOf(wmes.data()[ElementAt(all, right.parent, right.wme, paths.key_id_levels)], Field::kId)) {
-    return false;
-  }
-  for (const NodeTest& test : net.tests(node)) {
-    const Wme& element = wmes.data()[ElementAt(all, right.parent, right.wme, test.count)];
-    if (!PassesOne(test, left.parent, left.wme, element)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t anchors = node.ancestor;
@@ -70,7 +48,7 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   tokens[owner].pairs = anchor;
   nodes.Insert(tokens, index, owner, key.key, true);
   for (std::uint32_t path = nodes.BucketHead(paths, key.key); path != kNil; path = tokens[path].next_in_bucket) {
-    if (tokens[path].key == key.key && Pairs(owner, path) &&
+    if (tokens[path].key == key.key && SharedConjunctions::Pairs(*network, tokens, wmes, pair_tests, owner, path) &&
         (links.leaving() == kNil || !tokens.Holds(path, links.leaving()))) {
       BlockOwner(owner, path, kNil);
     }
@@ -80,16 +58,9 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   }
 }
 
-void ReteState::OwnerGone(std::uint32_t anchor) {
-  if (--tokens[anchor].previous_sibling == 0) {
-    tokens[anchor].previous_sibling = kNil;
-    RemoveSubtree(anchor);
-  }
-}
-
 void ReteState::LeftPath(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
-  const std::uint32_t path = NewToken(index, parent, wme);
-  nodes.Insert(tokens, index, path, KeyOfToken(network->node(index), path), true);
+  const std::uint32_t path = MakeToken(*this, index, parent, wme);
+  nodes.Insert(tokens, index, path, KeyOfPair(*this, network->node(index), parent, wme).key, true);
   shared.new_paths.push_back(path);
 }
 
@@ -108,7 +79,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
     const std::uint32_t key = tokens[path].key;
     for (std::uint32_t owner = nodes.BucketHead(conjunctive, key); owner != kNil;
          owner = tokens[owner].next_in_bucket) {
-      if (tokens[owner].key != key || !Pairs(owner, path)) {
+      if (tokens[owner].key != key || !SharedConjunctions::Pairs(*network, tokens, wmes, pair_tests, owner, path)) {
         continue;
       }
       if ((tokens[owner].node & Token::kBlockedBit) != 0) {
@@ -135,101 +106,13 @@ void ReteState::BlockOwners(std::uint32_t above) {
 
 // Opening -------------------------------------------------------------------------------------------------------------
 
-/// Whether a token belongs to a shared conjunction's own conditions.
-bool ReteState::IsInPath(const Token& token) const {
-  return token.node != Token::kFixedMatchNode && (token.node & Token::kResultBit) == 0 &&
-         nodes.marks(token.node & Token::kNodeMask).Is(NodeMarks::kInPath);
-}
-
-/// Whether a path without the element blocks an owner.
-bool ReteState::StaysBlocked(std::uint32_t owner, std::uint32_t wme) const {
-  std::uint32_t result = tokens[owner].first_child;
-  while (result != kNil && tokens.Holds(tokens[result].parent, wme)) {
-    result = tokens[result].next_in_bucket;
-  }
-  return result != kNil;
-}
-
-/// Finds the owners that nothing will block when the paths with an element have gone: those that are opened first
-/// come last. The element's tokens in paths move behind its other ones.
-void ReteState::FindOpenings(std::uint32_t wme) {
-  const MeetingOrder order(tokens, links);
-  shared.pairings.clear();
-  shared.new_paths.clear();
-  std::uint32_t last = kNil;
-  for (std::uint32_t token = links[wme].first_token; token != kNil; token = tokens[token].next_of_wme) {
-    if (IsInPath(tokens[token])) {
-      shared.new_paths.push_back(token);
-    }
-    last = token;
-  }
-  for (const std::uint32_t top : shared.new_paths) {
-    if (top != last) {
-      Token& moved = tokens[top];
-      tokens[moved.next_of_wme].previous_of_wme = moved.previous_of_wme;
-      (moved.previous_of_wme != kNil ? tokens[moved.previous_of_wme].next_of_wme : links[wme].first_token) =
-          moved.next_of_wme;
-      moved.previous_of_wme = last;
-      moved.next_of_wme = kNil;
-      tokens[last].next_of_wme = top;
-      last = top;
-    }
-    // What is below another token of the same element goes with that one.
-    for (std::uint32_t token = top;;) {
-      std::uint32_t next = kNil;
-      if (token == top || tokens[token].wme != wme) {
-        if (network->node(tokens[token].node & Token::kNodeMask).kind == NodeKind::kPaths) {
-          for (std::uint32_t result = tokens[token].first_child; result != kNil; result = tokens[result].next_sibling) {
-            const std::uint32_t owner = tokens[result].key;
-            if (StaysBlocked(owner, wme)) {
-              continue;
-            }
-            OwnerAndPath meeting = order.Meeting(owner, top);
-            meeting.due = std::max(meeting.serial, tokens[top].serial);
-            meeting.place = ~static_cast<std::uint32_t>(shared.pairings.size());  // The newest path goes first.
-            shared.pairings.push_back(meeting);
-          }
-        } else {
-          next = tokens[token].first_child;
-        }
-      }
-      while (next == kNil && token != top) {
-        next = tokens[token].next_sibling;
-        if (next == kNil) {
-          token = tokens[token].parent;
-        }
-      }
-      if (next == kNil) {
-        break;
-      }
-      token = next;
-    }
-  }
-
-  shared.new_paths.clear();
-  shared.openings.clear();
-  std::ranges::sort(shared.pairings, {}, &OwnerAndPath::owner);
-  // An owner that several paths blocked is opened when the last of them goes.
-  for (std::size_t first = 0, end; first < shared.pairings.size(); first = end) {
-    OwnerAndPath opening = shared.pairings[first];
-    for (end = first + 1; end < shared.pairings.size() && shared.pairings[end].owner == opening.owner; ++end) {
-      if (order.CameLater(opening, shared.pairings[end])) {
-        opening = shared.pairings[end];
-      }
-    }
-    shared.openings.push_back(opening);
-  }
-  std::ranges::sort(shared.openings,
-                    [&](const OwnerAndPath& a, const OwnerAndPath& b) { return order.CameLater(b, a); });
-}
-
 /// The last path that blocked an owner is going.
 void ReteState::OpenOwner(const OwnerAndPath& opening) {
   const std::uint32_t owner = opening.owner;
   if (tokens[owner].node != (opening.node | Token::kBlockedBit) || tokens[owner].serial != opening.serial) {
     return;  // It went itself meanwhile.
   }
-  FreeResults(owner);
+  tokens.FreeResults(links, owner);
   tokens[owner].node &= ~Token::kBlockedBit;
   Emit(opening.node, owner, kNil);
 }
@@ -237,11 +120,11 @@ void ReteState::OpenOwner(const OwnerAndPath& opening) {
 /// Removes the tokens of an element that may be part of paths.
 void ReteState::RemoveTokensInOrder(std::uint32_t wme) {
   shared.path_element = false;
-  FindOpenings(wme);
+  shared.FindOpenings(*network, nodes, tokens, links, wme);
   while (!shared.openings.empty()) {
     const OwnerAndPath& opening = shared.openings.back();
     const std::uint32_t token = links[wme].first_token;
-    if (token != kNil && tokens[token].serial > opening.due && !IsInPath(tokens[token])) {
+    if (token != kNil && tokens[token].serial > opening.due && !SharedConjunctions::IsInPath(nodes, tokens[token])) {
       RemoveTokenOfElement(token);
       continue;
     }

@@ -27,30 +27,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Tests whose result cannot change while the elements stay.
-bool IsStable(const NodeTest& test) {
-  switch (test.op) {
-    case TestOp::kIsGoal:
-    case TestOp::kSameLti:
-    case TestOp::kNotSameLti:
-    case TestOp::kIsLti:
-    case TestOp::kIsNotLti:
-      return false;
-    default:
-      return true;
-  }
-}
-
-bool AreStable(const Network& network, const Node& node) {
-  return std::ranges::all_of(network.tests(node), IsStable);
-}
-
 constexpr std::size_t kMostRuns = 2048;  ///< That are searched one by one.
-
-bool IsOnlyChild(const Network& network, const Node& node) {
-  const Node& first = network.node(network.node(node.parent).first_child);
-  return &first == &node && node.next_sibling == kNil;
-}
 
 }  // namespace
 
@@ -78,7 +55,7 @@ void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint3
         }
         continue;
       }
-      if (tokens[token].key != item.id || !HasKey(*this, node, token, item.wme, element) ||
+      if (tokens[token].key != item.id || !HasKey(tokens, wmes, node, token, item.wme, element) ||
           !PassesAll(*this, net, node, token, item.wme, element)) {
         continue;
       }
@@ -178,10 +155,10 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
   }
   const std::size_t before = gathered.size();
   sparse.TakePairs(memory, key, [&](const ParkedPair& pair) {
-    if (IsStale(pair)) {
+    if (SparseMemories::IsStale(tokens, links, pair)) {
       return true;
     }
-    if (!HasKey(*this, node, pair.parent, pair.wme, element) ||
+    if (!HasKey(tokens, wmes, node, pair.parent, pair.wme, element) ||
         !PassesAll(*this, net, node, pair.parent, pair.wme, element)) {
       return false;
     }
@@ -223,7 +200,7 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   std::uint32_t pairs = 0;
   for (std::uint32_t token = nodes.BucketHead(node.parent, key); token != kNil;) {
     Token& left = tokens[token];
-    if (left.key == key && HasKey(*this, node, left.parent, left.wme, element) &&
+    if (left.key == key && HasKey(tokens, wmes, node, left.parent, left.wme, element) &&
         PassesAll(*this, net, node, left.parent, left.wme, element)) {
       --left.pairs;
       ++pairs;
@@ -235,27 +212,7 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   }
 }
 
-/// The last pair of a sparse memory is gone.
-void ReteState::SparseEmptied(std::uint32_t memory) {
-  const std::uint32_t join = network->node(memory).first_child;
-  if (nodes.marks(join).Is(NodeMarks::kLeftLinked) && nodes.marks(join).Is(NodeMarks::kRightLinked)) {
-    UnlinkRight(join);
-  }
-}
-
 // Becoming sparse, and plain again ------------------------------------------------------------------------------------
-
-bool ReteState::CanBeSparse(std::uint32_t index) const {
-  const Network& net = *network;
-  const Node& node = net.node(index);
-  if (node.kind != NodeKind::kMemory || node.key == KeyKind::kNone || node.first_child == kNil) {
-    return false;
-  }
-  const Node& join = net.node(node.first_child);
-  const Node& feeding = net.node(node.parent);
-  return join.next_sibling == kNil && AreStable(net, join) && feeding.kind == NodeKind::kJoin &&
-         IsOnlyChild(net, node) && AreStable(net, feeding) && IsOnlyChild(net, feeding);
-}
 
 void ReteState::MakeSparse(std::uint32_t index) {
   const std::uint32_t place = sparse.Take();
@@ -266,7 +223,7 @@ void ReteState::MakeSparse(std::uint32_t index) {
   state.place = place;
   nodes.marks(index).Set(NodeMarks::kSparse);
   if (!only_ids.empty()) {
-    SecondToken(state.first_linked);
+    only_ids.SecondToken(nodes, state.first_linked);
   }
   const std::uint32_t join = network->node(index).parent;
   nodes.marks(join).Set(NodeMarks::kFeedsSparse);
@@ -284,20 +241,16 @@ void ReteState::MakeScoredSparse() {
   }
   sparse.becoming_sparse().clear();
   for (const std::uint32_t node : sparse.becoming_plain()) {
-    MakePlainForNow(node);
+    if (node >= nodes.size() || !nodes.marks(node).Is(NodeMarks::kSparse)) {
+      continue;
+    }
+    // It may become sparse again, but takes longer to each time: what happens while an agent sets itself up tells
+    // little of what it does later.
+    const std::uint32_t tries = std::min(SparseOf(node).tries + 1u, SparseMemories::kTryMask);
+    MakePlain(node);
+    nodes[node].score = tries;
   }
   sparse.becoming_plain().clear();
-}
-
-/// It may become sparse again, but takes longer to each time: what happens while an agent sets itself up tells little
-/// of what it does later.
-void ReteState::MakePlainForNow(std::uint32_t index) {
-  if (index >= nodes.size() || !nodes.marks(index).Is(NodeMarks::kSparse)) {
-    return;
-  }
-  const std::uint32_t tries = std::min(SparseOf(index).tries + 1u, SparseMemories::kTryMask);
-  MakePlain(index);
-  nodes[index].score = tries;
 }
 
 /// Makes tokens of all parked pairs, puts all buckets in order and lets the memory be as any other from now on.
@@ -313,7 +266,7 @@ void ReteState::MakePlain(std::uint32_t index) {
   ExpandRuns(index);
   sparse.Index(tokens, links, memory);
   sparse.TakeTable(memory, [&](const ParkedPair& pair) {
-    if (!IsStale(pair)) {
+    if (!SparseMemories::IsStale(tokens, links, pair)) {
       Unpark(index, pair);
     }
   });
@@ -355,7 +308,7 @@ void ReteState::ChildAdded(std::uint32_t child) {
       MakePlain(memory);
     }
   }
-  if (kind == NodeKind::kMemory && CanBeSparse(parent)) {
+  if (kind == NodeKind::kMemory && SparseMemories::CanBeSparse(*network, parent)) {
     nodes[parent].score = 0;
   }
 }

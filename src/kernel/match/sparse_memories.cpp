@@ -6,6 +6,33 @@
 
 namespace soarbox::kernel {
 
+namespace {
+
+/// Tests whose result cannot change while the elements stay.
+bool IsStable(const NodeTest& test) {
+  switch (test.op) {
+    case TestOp::kIsGoal:
+    case TestOp::kSameLti:
+    case TestOp::kNotSameLti:
+    case TestOp::kIsLti:
+    case TestOp::kIsNotLti:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool AreStable(const Network& network, const Node& node) {
+  return std::ranges::all_of(network.tests(node), IsStable);
+}
+
+bool IsOnlyChild(const Network& network, const Node& node) {
+  const Node& first = network.node(network.node(node.parent).first_child);
+  return &first == &node && node.next_sibling == kNil;
+}
+
+}  // namespace
+
 std::uint32_t SparseMemories::Take() {
   if (free_.empty()) {
     states_.push_back(std::make_unique<SparseState>());
@@ -145,6 +172,17 @@ std::size_t SparseMemories::MemoryBytes() const {
     bytes += state->log.capacity() * sizeof(ParkedPair) + state->runs.capacity() * sizeof(ParkedRun);
   }
   return bytes;
+}
+
+bool SparseMemories::CanBeSparse(const Network& net, std::uint32_t index) {
+  const Node& node = net.node(index);
+  if (node.kind != NodeKind::kMemory || node.key == KeyKind::kNone || node.first_child == kNil) {
+    return false;
+  }
+  const Node& join = net.node(node.first_child);
+  const Node& feeding = net.node(node.parent);
+  return join.next_sibling == kNil && AreStable(net, join) && feeding.kind == NodeKind::kJoin &&
+         IsOnlyChild(net, node) && AreStable(net, feeding) && IsOnlyChild(net, feeding);
 }
 
 }  // namespace soarbox::kernel

@@ -59,6 +59,9 @@ struct SparseState {
 /// indexed is counted.
 class [[gnu::visibility("hidden")]] SparseMemories {
  public:
+  /// Whether a memory may be sparse at all: it, the join above and the one below it stand in a row of single children.
+  static bool CanBeSparse(const Network& net, std::uint32_t index);
+
   SparseState& operator[](std::uint32_t place) {
     return *states_[place];
   }

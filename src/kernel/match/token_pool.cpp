@@ -89,4 +89,14 @@ std::size_t TokenPool::CountInUse() const {
   return count;
 }
 
+void TokenPool::FreeResults(ElementLinks& links, std::uint32_t owner) {
+  for (std::uint32_t result = records_[owner].first_child; result != kNil;) {
+    const std::uint32_t next = records_[result].next_in_bucket;
+    Unlink(links, result);
+    Free(result);
+    result = next;
+  }
+  records_[owner].first_child = kNil;
+}
+
 }  // namespace soarbox::kernel

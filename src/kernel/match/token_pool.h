@@ -156,6 +156,8 @@ class [[gnu::visibility("hidden")]] TokenPool {
   }
   /// Takes a token off the lists of its parent and its element.
   void Unlink(ElementLinks & elements, std::uint32_t token);
+  /// Frees all results of a blocked conjunctive token.
+  void FreeResults(ElementLinks & links, std::uint32_t owner);
   /// A token that is on no list any more gives its record back.
   [[gnu::always_inline]] void Free(Token & token, std::uint32_t index) {
     token.next_sibling = free_;

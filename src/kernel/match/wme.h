@@ -32,6 +32,10 @@ inline Symbol FieldOf(const Wme& wme, Field field) {
   return Symbol::FromBits(bits);
 }
 
+inline std::uint32_t BitsOf(const Wme& wme, Field field) {
+  return FieldOf(wme, field).bits();
+}
+
 /// The elements of one agent, by WmeId. Indices of removed elements are used again, but not before the phase ends in
 /// which they were removed.
 using WmeTable = std::vector<Wme>;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "kernel/match/element_links.h"
+#include "kernel/match/match_set.h"
+#include "kernel/match/token_pool.h"
+
+namespace soarbox::kernel {
+
+/// Makes the tokens of a match that has no nodes: one for each element, in a list through their buckets that begins
+/// with the last one. `key` and `mark` are those of each token (Token::previous_in_bucket).
+std::uint32_t MakeElementTokens(TokenPool& tokens, ElementLinks& links, std::span<const WmeId> elements,
+                                std::uint32_t key, std::uint32_t mark);
+/// Frees such a list.
+void FreeElementTokens(TokenPool& tokens, ElementLinks& links, std::uint32_t first);
+
+/// See Rete::AddFixedMatch.
+MatchId AddFixedMatch(TokenPool& tokens, ElementLinks& links, MatchSet& matches, std::span<const WmeId> elements,
+                      Symbol goal, GoalLevel level, InstantiationId instantiation);
+
+}  // namespace soarbox::kernel
