@@ -679,6 +679,10 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   view.note = "reinforcement learning is off: rl --set learning on";
   chosen = {};
   stage->Draw(PanelId::kLearning);
+  EXPECT_THAT(stage->shown, HasSubstr("rl*walker*1")) << "values, where no rule was learned";
+  view.learners = 0;
+  view.numbers.clear();
+  stage->Draw(PanelId::kLearning);
   EXPECT_THAT(stage->shown, HasSubstr("No rule has been learned yet."));
 }
 
