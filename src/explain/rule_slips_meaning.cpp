@@ -34,6 +34,7 @@ class MeaningChecker {
   std::vector<Slip> slips;
 
   void CheckConditions(const RuleText& rule) {
+    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
     std::set<std::string> inputs, states;
     for (const RuleAttribute& condition : rule.conditions) {
       if (condition.attribute == "input-link") inputs.insert(FirstWord(condition.value));
@@ -47,6 +48,8 @@ class MeaningChecker {
         continue;
       }
       if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
+      // (FindSlipsOfMemory knows what memories answer.)
+      if (const auto path = paths.find(condition.id); path != paths.end() && IsMemoryAnswer(path->second)) continue;
       if (inputs.contains(condition.id) && vocabulary::IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
       if (vocabulary::IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || vocabulary::IsPerceptAttribute(attribute) || !known_.complete) continue;

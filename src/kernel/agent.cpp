@@ -333,6 +333,15 @@ std::string_view Agent::FiringRule() const {
   const ProductionId rule = engine_->instantiations[firing].production;
   return rule == ProductionId::kNone ? std::string_view() : std::string_view(production(rule).name);
 }
+std::string_view Agent::NextRule() const {
+  const MatchSet& matches = engine_->rete.matches();
+  for (const MatchSet::List list : {MatchSet::List::kOAssertions, MatchSet::List::kIAssertions}) {
+    const std::vector<PendingMatch> pending = matches.Pending(list);
+    if (!pending.empty() && pending.front().production != ProductionId::kNone)
+      return production(pending.front().production).name;
+  }
+  return {};
+}
 std::size_t Agent::learned_rule_count() const {
   return engine_->chunker.learned_count();
 }

@@ -220,7 +220,7 @@ class Checker {
                                     around.has_database, complete};
     for (const auto& slips :
          {explain::FindSlipsOfForm(rules), explain::FindSlipsOfUse(rules), explain::FindSlipsOfMeaning(rules, known),
-          explain::FindSlipsOfWorld(rules, known.places)}) {
+          explain::FindSlipsOfMemory(rules), explain::FindSlipsOfWorld(rules, known.places)}) {
       for (const explain::Slip& slip : slips) {
         if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
         problems.push_back(explain::PlaceSlip(slip, file, text));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "sim/minds.h"
 
-// What all minds of a world take together. It is counted in bytes that the kernel says it has laid out, never timed.
+// What all minds of a world take together, and how much one may do in a tick. It is counted in bytes that the kernel
+// says it has laid out, and in firings, never timed.
 
 namespace soarbox::sim {
 namespace {
@@ -17,6 +20,10 @@ constexpr std::size_t kLarge_bytes = std::size_t{4} << 20;
 constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
 /// What a partial match takes, and what it takes with all that becomes of it.
 constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
+
+/// No rules that somebody wrote on purpose fire so often in a tick, and a world that waits for it stands still: it
+/// takes the better part of a second.
+constexpr std::uint64_t kMostFirings = 200'000;
 
 /// A mind that takes this part of the world's memory is told of.
 constexpr std::size_t kMuch = 8;
@@ -54,6 +61,7 @@ void Minds::LimitMemory() {
 void Minds::KeepWithinMemory() {
   for (const std::size_t i : ready_) {
     Mind& mind = minds_[i];
+    if (!mind.lost && HaltForWork(mind)) continue;
     const bool is_due = mind.memory_bytes == 0 || mind.memory_bytes > kLarge_bytes || (world_.tick() + i) % kTurns == 0;
     if (!is_due || mind.lost) continue;
     const std::size_t now = mind.soar.MemoryBytes();
@@ -107,6 +115,20 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
   return true;
 }
 
+bool Minds::HaltForWork(Mind& mind) {
+  const std::uint64_t fired = mind.soar.fired();
+  if (fired < kMostFirings) return false;
+  const std::string& name = world_.FindAgent(mind.agent)->name();
+  RunEvent event = AboutMind(EventKind::kMindFailed, name, mind.rules);
+  event.diagnostic.message = name + " stops for good: its rules fired " + std::to_string(fired) +
+                             " times in one tick, most often " + mind.soar.BusiestRule();
+  event.diagnostic.hint =
+      "look for a rule whose action makes it match again, or match more and more elements; to count, let an operator "
+      "take one step in each decision";
+  Halt(mind, std::move(event));
+  return true;
+}
+
 void Minds::HaltForMemory(Mind& mind) {
   const std::string& name = world_.FindAgent(mind.agent)->name();
   RunEvent event = AboutMind(EventKind::kMindFailed, name, mind.rules);
@@ -115,13 +137,17 @@ void Minds::HaltForMemory(Mind& mind) {
                              Megabytes(scripts_bytes_) + ", bodies " + Megabytes(bodies_bytes_) + "), and its " +
                              Megabytes(mind.memory_bytes) + " are the most of any mind";
   event.diagnostic.hint = kGrowingRules;
+  Halt(mind, std::move(event));
+}
+
+void Minds::Halt(Mind& mind, RunEvent reason) {
   memory_bytes_ -= mind.memory_bytes;
   mind.memory_bytes = 0;
   mind.lost = mind.gone = true;
   mind.decided = false;
   mind.soar.Forget();
-  host_.DestroyAgent(name);
-  report_(std::move(event));
+  host_.DestroyAgent(world_.FindAgent(mind.agent)->name());
+  report_(std::move(reason));
 }
 
 }  // namespace soarbox::sim

@@ -147,6 +147,8 @@ class Minds final : public script::MindFactory {
   void LimitMemory();
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);
+  /// Ends its program and says why.
+  void Halt(Mind& mind, RunEvent reason);
   void TellMemory(Mind& mind);
   void TellLearned(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);
@@ -154,6 +156,8 @@ class Minds final : public script::MindFactory {
   void TellHalt(Mind& mind, const world::Agent& body);
   void TellCause(Mind& mind, const world::Agent& body, std::string text);
   bool TellBreakdown(Mind& mind, const world::Agent& body);
+  /// Halts a mind whose rules fired more often in this tick than any world can wait for. True if they did.
+  bool HaltForWork(Mind& mind);
   void TellWritten(Mind& mind, const world::Agent& body);
   /// Names the rules whose actions failed, each once.
   void TellFailures(Mind& mind, const world::Agent& body);

@@ -35,7 +35,8 @@ Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile
 
 /// "Error: attempt to divide ('/') by zero.": the rule that it is about, and what to do.
 explain::Slip SlipOf(const ActionFailure& failure) {
-  constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('";
+  constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('",
+                             kEndless = "reached max-elaborations";
   std::string text = failure.text;
   text.erase(0, text.find_first_not_of(" \t\n"));
   text.erase(text.find_last_not_of(" \t\n.") + 1);
@@ -43,6 +44,13 @@ explain::Slip SlipOf(const ActionFailure& failure) {
   explain::Slip slip;
   slip.rule = failure.rule;
   slip.in_actions = true;
+  if (text.find(kEndless) != std::string::npos) {
+    slip.message = "rules fire again and again in one phase, and rule " + failure.rule +
+                   " would be next: each firing makes one match again, until max-elaborations ends the phase";
+    slip.hint =
+        "let its conditions test that the work is not done yet, or let an operator do it: one step per decision";
+    return slip;
+  }
   if (text.starts_with(kDivision)) {
     slip.word = text.substr(kDivision.size(), text.find('\'', kDivision.size()) - kDivision.size());
     slip.message = "rule " + failure.rule + " divides by zero with " + slip.word + ": the action does nothing";
@@ -77,9 +85,10 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   }
   std::vector<explain::RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;
-  for (const auto& slips : {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfUse(reasons.rules()),
-                            explain::FindSlipsOfMeaning(reasons.rules(), known),
-                            explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
+  for (const auto& slips :
+       {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfUse(reasons.rules()),
+        explain::FindSlipsOfMeaning(reasons.rules(), known), explain::FindSlipsOfMemory(reasons.rules()),
+        explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
     for (const explain::Slip& slip : slips) {
       if (!only.empty() && !only.contains(slip.rule)) continue;
       Diagnostic warning = Placed(slip, files);

@@ -132,7 +132,14 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
 
 void SoarMind::Decide() {
   agent_->Commit();
+#ifdef SOARBOX_OWN_KERNEL
+  const std::uint64_t before = MindFirings(*agent_);
+#endif
   answer_ = agent_->RunSelfTilOutput();
+#ifdef SOARBOX_OWN_KERNEL
+  const std::uint64_t after = MindFirings(*agent_);
+  fired_ = after < before ? after : after - before;  // Less: a rule has initialised it.
+#endif
   ReadOutput();
 }
 
@@ -297,6 +304,11 @@ std::string SoarMind::MostLearnedFrom() const {
   return std::to_string(most.count) + " of them from '" + most.rule + "'";
 }
 
+std::string SoarMind::BusiestRule() const {
+  const BusyRule busiest = MindBusiestRule(*agent_);
+  return "'" + busiest.rule + "', which has fired " + std::to_string(busiest.firings) + " times";
+}
+
 void SoarMind::AllowMatches(std::uint64_t most) {
   // Powers of two, so that it seldom changes.
   const auto rounded = static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(most, 1, 1u << 30)));
@@ -321,6 +333,9 @@ std::size_t SoarMind::LearnedRules() const {
   return 0;
 }
 std::string SoarMind::MostLearnedFrom() const {
+  return {};
+}
+std::string SoarMind::BusiestRule() const {
   return {};
 }
 void SoarMind::AllowMatches(std::uint64_t) {}

@@ -29,7 +29,7 @@ struct MindSettings {
   MindDetail detail = MindDetail::kNone;  ///< How much of what it does is noted.
 };
 
-/// A rule fired and one of its actions could not be done.
+/// A rule fired and one of its actions could not be done, or it would fire without end.
 struct ActionFailure {
   std::string rule;
   std::string text;  ///< In the kernel's words: "Error: attempt to divide ('/') by zero.\n"
@@ -79,6 +79,10 @@ class SoarMind {
   std::size_t LearnedRules() const;
   /// The rule that most of them came from, with their number: "478 of them from 'tour*look*note'".
   std::string MostLearnedFrom() const;
+  /// How often its rules fired in the last Decide; 0 if the kernel is in another process.
+  std::uint64_t fired() const { return fired_; }
+  /// Which of them has fired most often, and how often: "'count', which has fired 12000 times".
+  std::string BusiestRule() const;
   /// It may have about so many partial matches, or as many as it was allowed before if that is less.
   void AllowMatches(std::uint64_t most);
   /// It may grow to about so much memory; beyond that it breaks down.
@@ -115,6 +119,7 @@ class SoarMind {
   InputMirror own_body_, messages_, surroundings_, rows_;
   std::uint32_t heard_ = 0;  ///< The number of the last message that it was told.
   std::string answer_;       ///< The kernel's to the last run.
+  std::uint64_t fired_ = 0;
   std::vector<vocabulary::SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;
   std::vector<Standing> standing_;  ///< By tag; there are few at a time.

@@ -124,6 +124,22 @@ class Scenarios(ScenarioCase):
         run = run_json(self.folder, "--seconds", 0.3)
         told = [event["text"] for event in run.of("log") if "fire again and again" in event["text"]]
         self.assertEqual(len(told), 1, run.out)
+        named = [problem for problem in run.diagnostics() if "fire again and again" in problem["message"]]
+        self.assertEqual([problem["line"] for problem in named], [1], run.out)
+        self.assertIn("rule hero*count would be next", named[0]["message"])
+
+    def test_a_mind_that_fires_ever_more_rules_is_halted_and_the_world_goes_on(self):
+        self.write("scenario.toml", AGENT + '[[agent]]\nname = "other"\nrules = "other.soar"\n')
+        self.write("other.soar", RULES)
+        self.write("hero.soar", "sp {hero*begin (state <s> ^superstate nil) --> (<s> ^n 0)}\n"
+                                "sp {hero*count (state <s> ^superstate nil ^n <n>) --> (<s> ^n (+ <n> 1) ^n <n> -)}\n")
+        run = run_json(self.folder, "--seconds", 10)
+        halted = [problem for problem in run.diagnostics() if "stops for good" in problem["message"]]
+        self.assertEqual(len(halted), 1, run.out)
+        self.assertRegex(halted[0]["message"], r"^hero stops for good: its rules fired \d{6,} times in one tick, "
+                                               r"most often 'hero\*count', which has fired \d+ times$")
+        self.assertTrue(run.of("command", agent="other", command="wander"), run.out)
+        self.assertEqual(run.of("ended")[0]["time"], 10)
 
     def test_an_action_that_fails_is_told_with_its_rule_once(self):
         self.write("scenario.toml", AGENT)

@@ -102,12 +102,15 @@ class LocalObservation final : public Observation, kernel::Observer {
     listener_.OnWritten(text);
     if (const std::string_view rule = agent.FiringRule(); !rule.empty()) listener_.OnActionFailed(rule, text);
   }
-  void OnWarning(const kernel::Agent&, kernel::WarningKind kind, std::string_view text) override {
+  void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override {
     // Of the warnings, what matters to whoever reads what rules write.
     // Once: it comes in each decision from then on.
     if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
-      if (!std::exchange(told_of_elaborations_, true))
-        listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+      if (std::exchange(told_of_elaborations_, true)) return;
+      const std::string_view written =
+          "Warning: reached max-elaborations: its rules fire again and again in one phase\n";
+      listener_.OnWritten(written);
+      if (const std::string_view rule = agent.NextRule(); !rule.empty()) listener_.OnActionFailed(rule, written);
     }
     if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) listener_.OnWritten(text);
   }
@@ -243,6 +246,22 @@ LearnedSource MindLearnedFrom(sml::Agent& agent) {
   if (mind == nullptr) return {};
   kernel::LearnedRules learned = mind->LearnedBySource();
   return {std::move(learned.source), learned.of_source};
+}
+
+std::uint64_t MindFirings(sml::Agent& agent) {
+  const kernel::Agent* mind = KernelAgent(agent);
+  return mind == nullptr ? 0 : mind->counters().firings;
+}
+
+BusyRule MindBusiestRule(sml::Agent& agent) {
+  BusyRule busiest;
+  const kernel::Agent* mind = KernelAgent(agent);
+  if (mind == nullptr) return busiest;
+  for (const kernel::ProductionId id : mind->Productions()) {
+    if (mind->FiringCount(id) <= busiest.firings) continue;
+    busiest = {std::string(mind->production(id).name), mind->FiringCount(id)};
+  }
+  return busiest;
 }
 
 std::uint32_t MindMatchLimit(sml::Agent& agent) {

@@ -76,7 +76,7 @@ class MindObserver {
   /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go
   /// the same way to clients, are not among it.
   virtual void OnWritten(std::string_view text) { (void)text; }
-  /// An action of this rule could not be done; why was written just before.
+  /// An action of this rule could not be done, or it fires without end; why was written just before.
   virtual void OnActionFailed(std::string_view rule, std::string_view text) {
     (void)rule;
     (void)text;
@@ -124,6 +124,15 @@ struct LearnedSource {
   std::size_t count = 0;
 };
 LearnedSource EXPORT MindLearnedFrom(sml::Agent& agent);
+
+/// How often rules of the agent have fired since it was made or initialised; 0 if its kernel is in another process.
+std::uint64_t EXPORT MindFirings(sml::Agent& agent);
+/// The rule that has fired most often, and how often.
+struct BusyRule {
+  std::string rule;
+  std::uint64_t firings = 0;
+};
+BusyRule EXPORT MindBusiestRule(sml::Agent& agent);
 
 /// How many partial matches the agent may have ('soar max-partial-matches'); 0 if its kernel is in another process.
 std::uint32_t EXPORT MindMatchLimit(sml::Agent& agent);

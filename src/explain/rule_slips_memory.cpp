@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Slips on the links of long-term memory and reward: words that no memory knows, links of one's own beside the agent's.
+#include <algorithm>
+#include <charconv>
+
+#include "diagnostics/diagnostic.h"
+#include "explain/mind_view.h"
+#include "explain/rule_slips.h"
+
+namespace soarbox::explain {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/// What a memory is asked by, and what it answers with (docs/memory.md).
+struct Memory {
+  std::string_view link, name;
+  Words commands, answers;
+};
+const std::vector<Memory>& Memories() {
+  static const std::vector<Memory> kMemories = {
+      {"smem",
+       "semantic memory",
+       {"store", "store-new", "retrieve", "query", "neg-query", "math-query", "prohibit", "depth", "link-to-ltm",
+        "link-to-new-ltm"},
+       {"success", "failure", "bad-cmd", "retrieved", "depth-retrieved"}},
+      {"epmem",
+       "episodic memory",
+       {"store", "retrieve", "next", "previous", "query", "neg-query", "before", "after", "prohibit"},
+       {"status", "success", "failure", "retrieved", "memory-id", "present-id", "match-score", "cue-size",
+        "normalized-match-score", "match-cardinality", "graph-match", "mapping"}}};
+  return kMemories;
+}
+
+/// The memory on whose link ("command", "result") a path ends, or null.
+const Memory* MemoryOn(const std::vector<std::string>& path, std::string_view link) {
+  if (path.size() < 2 || path.back() != link) return nullptr;
+  const auto memory = std::ranges::find(Memories(), path[path.size() - 2], &Memory::link);
+  return memory == Memories().end() ? nullptr : &*memory;
+}
+
+std::string HintOf(const std::string& word, const Words& words, std::string_view otherwise) {
+  if (const std::string_view near = Suggest(word, words); !near.empty())
+    return "did you mean ^" + std::string(near) + "?";
+  std::string hint(otherwise);
+  for (const std::string_view one : words) hint += (one == words.front() ? " ^" : ", ^") + std::string(one);
+  return hint;
+}
+
+void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  for (const RuleAttribute& action : rule.actions) {
+    const auto path = paths.find(action.id);
+    const Memory* const memory = path == paths.end() ? nullptr : MemoryOn(path->second, "command");
+    if (memory == nullptr || !IsConstantAttribute(action.attribute)) continue;
+    if (std::ranges::find(memory->commands, action.attribute) != memory->commands.end()) continue;
+    slips.push_back({rule.name, action.attribute, true,
+                     "rule " + rule.name + " asks " + std::string(memory->name) + " by ^" + action.attribute +
+                         ", which is no command of it: the whole command is refused",
+                     HintOf(action.attribute, memory->commands, "its commands are"), true});
+  }
+  for (const RuleAttribute& condition : rule.conditions) {
+    const auto path = paths.find(condition.id);
+    const Memory* const memory = path == paths.end() ? nullptr : MemoryOn(path->second, "result");
+    if (memory == nullptr || !IsConstantAttribute(condition.attribute)) continue;
+    if (std::ranges::find(memory->answers, condition.attribute) != memory->answers.end()) continue;
+    slips.push_back({rule.name, condition.attribute, true,
+                     "rule " + rule.name + " tests ^" + condition.attribute + ", which " + std::string(memory->name) +
+                         " never answers",
+                     HintOf(condition.attribute, memory->answers, "it answers with")});
+  }
+}
+
+bool IsNumber(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+/// A reward that is no number, or that hangs where nobody looks.
+void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  std::set<std::string> rewards;
+  for (const RuleAttribute& action : rule.actions) {
+    const auto path = paths.find(action.id);
+    if (path == paths.end() || path->second.empty() || path->second.back() != "reward-link") continue;
+    if (action.attribute == "reward") {
+      rewards.insert(FirstWord(action.value));
+    } else if (IsConstantAttribute(action.attribute)) {
+      slips.push_back(
+          {rule.name, action.attribute, true,
+           "rule " + rule.name + " puts ^" + action.attribute + " on the reward link, where only ^reward counts",
+           "(<link> ^reward.value 1)", true});
+    }
+  }
+  for (const RuleAttribute& action : rule.actions) {
+    if (!rewards.contains(action.id) || action.attribute != "value") continue;
+    const std::string word = FirstWord(action.value);
+    if (word.empty() || IsVariable(word) || word.front() == '(' || IsNumber(word)) continue;
+    slips.push_back({rule.name, word, false,
+                     "rule " + rule.name + " gives " + word + " as a reward, which is no number: it does not count",
+                     "a reward is a number, such as ^value 1 or ^value -0.5", true});
+  }
+}
+
+/// "(<s> ^reward-link.reward.value 1)": a path in an action makes a second link, at which nobody looks.
+void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
+  std::set<std::string> states;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) states.insert(condition.id);
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string& link = action.attribute;
+    if (!states.contains(action.id) || (link != "reward-link" && link != "smem" && link != "epmem")) continue;
+    const std::string made = FirstWord(action.value);
+    const bool is_bound = std::ranges::any_of(
+        rule.conditions, [&](const RuleAttribute& condition) { return FirstWord(condition.value) == made; });
+    if (is_bound || action.value.ends_with(" -")) continue;
+    const bool is_reward = link == "reward-link";
+    slips.push_back({rule.name, link, true,
+                     "rule " + rule.name + " makes a second ^" + link +
+                         " on its state: a path in an action makes new objects, so this " +
+                         (is_reward ? "gives no reward" : "asks nothing"),
+                     is_reward
+                         ? "bind the link in a condition, (state <s> ^reward-link <r>), and write (<r> ^reward.value 1)"
+                         : "bind the link in a condition, (state <s> ^" + link + ".command <c>), and write on <c>",
+                     true});
+    return;
+  }
+}
+
+}  // namespace
+
+bool IsMemoryAnswer(const std::vector<std::string>& path) {
+  return MemoryOn(path, "result") != nullptr;
+}
+
+std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules) {
+  std::vector<Slip> slips;
+  for (const RuleText& rule : rules) {
+    FindUnknownWords(rule, slips);
+    FindOddRewards(rule, slips);
+    FindSecondMemories(rule, slips);
+  }
+  return slips;
+}
+
+}  // namespace soarbox::explain
