@@ -139,7 +139,7 @@ class Scenarios(ScenarioCase):
         self.assertRegex(halted[0]["message"], r"^hero stops for good: its rules fired \d{6,} times in one tick, "
                                                r"most often 'hero\*count', which has fired \d+ times$")
         self.assertTrue(run.of("command", agent="other", command="wander"), run.out)
-        self.assertEqual(run.of("ended")[0]["time"], 10)
+        self.assertEqual(run.of("end")[0]["ticks"], 300)
 
     def test_an_action_that_fails_is_told_with_its_rule_once(self):
         self.write("scenario.toml", AGENT)
