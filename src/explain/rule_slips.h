@@ -48,8 +48,8 @@ std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const K
 /// paths that may lead to different objects, words that no state has, variables that only a negation binds.
 std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules);
 
-/// Slips on the links of long-term memory and reward: words that no memory knows, rewards that are no numbers, links that
-/// an action makes beside the agent's own.
+/// Slips on the links of long-term memory and reward: words that no memory knows, rewards that are no numbers, links
+/// that an action makes beside the agent's own.
 std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules);
 /// True if a path ends where a memory answers: "smem", "result".
 bool IsMemoryAnswer(const std::vector<std::string>& path);
