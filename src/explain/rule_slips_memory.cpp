@@ -129,6 +129,44 @@ void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
+bool GivesReward(const RuleText& rule) {
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
+    const auto path = paths.find(action.id);
+    return action.attribute == "reward" && path != paths.end() && !path->second.empty() &&
+           path->second.back() == "reward-link";
+  });
+}
+
+/// "<o> = 0.500000": the number as one writes it, "0.5", or nothing.
+std::string NumberOf(const RuleAttribute& action) {
+  const std::size_t sign = action.value.rfind("= ");
+  if (action.attribute != "operator" || sign == std::string::npos) return {};
+  std::string word = FirstWord(action.value.substr(sign + 2));
+  if (!IsNumber(word)) return {};
+  if (const std::size_t point = word.find('.'); point != std::string::npos)
+    word.erase(std::max(word.find_last_not_of('0') + 1, point + 2));
+  return word;
+}
+
+/// Agents that give reward, but whose numbers stand in rules that do something else, too: these never change.
+void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  if (std::ranges::none_of(rules, GivesReward)) return;
+  for (const RuleText& rule : rules) {
+    const auto numeric =
+        std::ranges::find_if(rule.actions, [](const auto& action) { return !NumberOf(action).empty(); });
+    if (numeric == rule.actions.end() || rule.actions.size() == 1) continue;
+    slips.push_back(
+        {rule.name, NumberOf(*numeric), false,
+         "rule " + rule.name + " gives an operator the number " + NumberOf(*numeric) +
+             " and has other actions, so that reward does not change the number",
+         "give it in a rule of its own, which tests the proposal, (<s> ^operator <o> +), and has one action: (<s> "
+         "^operator <o> = " +
+             NumberOf(*numeric) + ")",
+         true});
+  }
+}
+
 }  // namespace
 
 bool IsMemoryAnswer(const std::vector<std::string>& path) {
@@ -142,6 +180,7 @@ std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules) {
     FindOddRewards(rule, slips);
     FindSecondMemories(rule, slips);
   }
+  FindNumbersThatStay(rules, slips);
   return slips;
 }
 

@@ -157,6 +157,10 @@ SLIPS = {
         "makes a second ^reward-link on its state", "(<r> ^reward.value 1)"),
     "a reward that is a word": ("(<out> ^wander <c>)\n}", "(<out> ^wander <c>)\n}\nsp {hero*reward\n   (state <s> ^superstate nil ^reward-link <r>)\n-->\n   (<r> ^reward.value ten)\n}", 17,
         "gives ten as a reward, which is no number", "^value 1"),
+    "a number for reward beside other actions": (
+        "(<s> ^operator <o> +)\n   (<o> ^name go)\n}", "(<s> ^operator <o> + = 0.5)\n   (<o> ^name go)\n}\n"
+        "sp {hero*reward (state <s> ^superstate nil ^reward-link <r>) --> (<r> ^reward.value 1)}", 5,
+        "the number 0.5 and has other actions, so that reward does not change", "(<s> ^operator <o> = 0.5)"),
     "a reward without its object": ("(<out> ^wander <c>)\n}", "(<out> ^wander <c>)\n}\nsp {hero*reward\n   (state <s> ^superstate nil ^reward-link <r>)\n-->\n   (<r> ^value 1)\n}", 17,
         "puts ^value on the reward link", "^reward.value 1"),
     "a minus before an action": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   -(<s> ^next <o>)", 13, "found '-'", "ends with a minus"),
