@@ -105,7 +105,9 @@ def soak(name, seconds, folder, timed=True):
     recording.unlink(missing_ok=True)
     run = play(["run", name, "--port", "0", "--speed", "1000", "--record", str(recording)], user, script(until, early))
     complaints = compare("run", run["early"], run["late"], timed)
-    replay = play(["replay", str(recording)], user, f"until {early}\n" + at_rest("early") + f"until {until}\n" + at_rest("late"))
+    # As fast as it goes: a replay begins at the speed of the run.
+    again = f"key O\nuntil {early}\n" + at_rest("early") + f"until {until}\n" + at_rest("late")
+    replay = play(["replay", str(recording)], user, again)
     complaints += [text for text in compare("replay", replay["early"], replay["late"], timed) if "memory" not in text]
     figures = " ".join(f"{key} {run['early'][key]} -> {run['late'][key]}" for key in ("frame_ms", "panels_ms", "memory_mb", "corners"))
     return complaints, f"{figures} recording {recording.stat().st_size >> 10} KB ({time.monotonic() - begun:.0f} s)"
