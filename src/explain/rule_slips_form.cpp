@@ -8,6 +8,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "explain/rule_slips.h"
+#include "explain/slip_words.h"
 
 namespace soarbox::explain {
 namespace {
@@ -127,12 +128,6 @@ bool IsOtherLanguagesVariable(const std::string& word) {
   return word.size() > 1 && word.front() == '$' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
 }
 
-bool IsNumberText(const std::string& word) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size();
-}
-
 /// The tests of a value one by one, "{ > 2m <x> }" as "> 2m" and "<x>"; words between bars keep them.
 std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& value) {
   std::vector<std::pair<std::string, std::string>> tests;
@@ -208,7 +203,7 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
 std::string LeadingNumber(const std::string& word) {
   const std::size_t end = word.find_first_not_of("0123456789.-");
   const std::string number = word.substr(0, end);
-  return IsNumberText(number) ? number : std::string();
+  return IsNumber(number) ? number : std::string();
 }
 
 /// Only numbers are less or greater than each other: with a word such a test never comes true.
@@ -218,12 +213,12 @@ void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
       const bool compares = relation == "<" || relation == "<=" || relation == ">" || relation == ">=";
       const bool is_quoted = text.size() > 1 && text.front() == '|' && text.back() == '|';
       const std::string word = is_quoted ? text.substr(1, text.size() - 2) : text;
-      if (!compares || word.empty() || IsVariable(word) || (!is_quoted && IsNumberText(word))) continue;
+      if (!compares || word.empty() || IsVariable(word) || (!is_quoted && IsNumber(word))) continue;
       if (IsHalfVariable(word) || word.find_first_not_of("<>=!") == std::string::npos) continue;  // Reported as that.
       const std::string number = LeadingNumber(word);
       slips.push_back({rule.name, word, false,
                        "rule " + rule.name + " tests ^" + condition.attribute + " " + relation + " " +
-                           (IsNumberText(word) ? text : word) + ", which is a word and no number: that never matches",
+                           (IsNumber(word) ? text : word) + ", which is a word and no number: that never matches",
                        number.empty()   ? "< <= > >= compare numbers; a word is equal, or not equal: <>"
                        : number == word ? "write the number without bars: " + number
                                         : "write the number alone: " + number});

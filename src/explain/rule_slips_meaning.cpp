@@ -8,17 +8,12 @@
 #include "explain/mind_view.h"
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
+#include "explain/slip_words.h"
 #include "vocabulary/command_check.h"
 #include "vocabulary/vocabulary.h"
 
 namespace soarbox::explain {
 namespace {
-
-bool IsNumber(const std::string& word) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size();
-}
 
 class MeaningChecker {
  public:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Slips on the links of long-term memory and reward: words that no memory knows, links of one's own beside the agent's.
 #include <algorithm>
-#include <charconv>
 
 #include "diagnostics/diagnostic.h"
 #include "explain/mind_view.h"
 #include "explain/rule_slips.h"
+#include "explain/slip_words.h"
 
 namespace soarbox::explain {
 namespace {
@@ -71,13 +71,6 @@ void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-bool IsNumber(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc() && end == word.data() + word.size();
-}
-
 /// A reward that is no number, or that hangs where nobody looks.
 void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
   const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
@@ -97,7 +90,8 @@ void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     if (!rewards.contains(action.id) || action.attribute != "value") continue;
     const std::string word = FirstWord(action.value);
-    if (word.empty() || IsVariable(word) || word.front() == '(' || IsNumber(word)) continue;
+    if (word.empty() || IsVariable(word) || word.front() == '(') continue;
+    if (IsNumber(std::string_view(word).substr(word.starts_with('+') ? 1 : 0))) continue;
     slips.push_back({rule.name, word, false,
                      "rule " + rule.name + " gives " + word + " as a reward, which is no number: it does not count",
                      "a reward is a number, such as ^value 1 or ^value -0.5", true});
@@ -106,16 +100,11 @@ void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
 
 /// "(<s> ^reward-link.reward.value 1)": a path in an action makes a second link, at which nobody looks.
 void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
-  std::set<std::string> states;
-  for (const RuleAttribute& condition : rule.conditions)
-    if (condition.on_state) states.insert(condition.id);
+  const std::set<std::string> states = StatesOf(rule);
   for (const RuleAttribute& action : rule.actions) {
     const std::string& link = action.attribute;
     if (!states.contains(action.id) || (link != "reward-link" && link != "smem" && link != "epmem")) continue;
-    const std::string made = FirstWord(action.value);
-    const bool is_bound = std::ranges::any_of(
-        rule.conditions, [&](const RuleAttribute& condition) { return FirstWord(condition.value) == made; });
-    if (is_bound || action.value.ends_with(" -")) continue;
+    if (IsBoundByConditions(rule, FirstWord(action.value)) || action.value.ends_with(" -")) continue;
     const bool is_reward = link == "reward-link";
     slips.push_back({rule.name, link, true,
                      "rule " + rule.name + " makes a second ^" + link +

@@ -7,6 +7,7 @@
 #include "diagnostics/diagnostic.h"
 #include "explain/mind_view.h"
 #include "explain/rule_slips.h"
+#include "explain/slip_words.h"
 
 namespace soarbox::explain {
 namespace {
@@ -21,13 +22,6 @@ std::string ConstantOf(const std::string& value) {
   if (word.empty() || word.front() == '<' || word.front() == '{' || word.front() == '(' || word == "+") return {};
   if (word.size() > 2 && word.front() == '|' && word.back() == '|') word = word.substr(1, word.size() - 2);
   return word;
-}
-
-std::set<std::string> StatesOf(const RuleText& rule) {
-  std::set<std::string> states;
-  for (const RuleAttribute& condition : rule.conditions)
-    if (condition.on_state) states.insert(condition.id);
-  return states;
 }
 
 /// "^operator go" instead of ^operator.name go, and "(<s> ^operator <o> + best)": the word becomes a second operator.
@@ -108,9 +102,7 @@ void FindSecondLinks(const RuleText& rule, std::vector<Slip>& slips) {
     if (action.attribute != "io" || !states.contains(action.id)) continue;
     const std::string made = FirstWord(action.value);
     // Substates get the ^io of the state above them.
-    const bool is_bound = std::ranges::any_of(
-        rule.conditions, [&](const RuleAttribute& condition) { return FirstWord(condition.value) == made; });
-    if (is_bound) continue;
+    if (IsBoundByConditions(rule, made)) continue;
     const bool reaches_output = std::ranges::any_of(
         rule.actions, [&](const RuleAttribute& other) { return other.id == made && other.attribute == "output-link"; });
     slips.push_back(

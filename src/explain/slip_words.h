@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <charconv>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "explain/rule_text.h"
+
+// What several of the searches for slips (rule_slips_*.cpp) ask of a rule and its words.
+
+namespace soarbox::explain {
+
+inline bool IsNumber(std::string_view word) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+/// The variables of a rule that stand for states.
+inline std::set<std::string> StatesOf(const RuleText& rule) {
+  std::set<std::string> states;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) states.insert(condition.id);
+  return states;
+}
+
+/// True if a condition binds the value of an action; else the action makes it.
+inline bool IsBoundByConditions(const RuleText& rule, std::string_view value) {
+  for (const RuleAttribute& condition : rule.conditions)
+    if (FirstWord(condition.value) == value) return true;
+  return false;
+}
+
+}  // namespace soarbox::explain
