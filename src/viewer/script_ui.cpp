@@ -2,7 +2,6 @@
 #include "viewer/script_ui.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "viewer/markup.h"
 #include "viewer/palette.h"
@@ -140,62 +139,12 @@ void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Proje
   for (int i = first; i < out.VtxBuffer.Size; ++i) out.VtxBuffer[i].col = 0;
 }
 
-using PanelsById = std::unordered_map<std::uint32_t, const UiSnapshot*>;
-
-PanelsById ById(const world::SceneSnapshot& snapshot) {
-  PanelsById by_id;
-  for (const UiSnapshot& ui : snapshot.ui) by_id[ui.id] = &ui;
-  return by_id;
-}
-
-/// Where a panel begins, and the one that its family hangs on.
-struct Stand {
-  ImVec2 corner;
-  const UiSnapshot* top = nullptr;
-};
-/// How far a panel that was placed for the window must go to be in the picture.
-float ShiftInto(float begin, float size, float room, float window) {
-  constexpr float kMargin_px = 12;
-  const float end = begin + size;
-  if (begin < 0 || end <= room || end > window) return 0;  // In it already, or where its script wants it: outside.
-  return std::max(-begin, std::min(0.0f, room - kMargin_px - end));
-}
-
-Stand StandOf(const UiSnapshot& ui, const PanelsById& by_id, const ScreenRoom& room) {
-  Stand stand{{ui.x, ui.y}, &ui};
-  // A family is never deeper than there are panels.
-  for (std::size_t depth = 0; stand.top->parent_id != 0 && depth < by_id.size(); ++depth) {
-    const auto parent = by_id.find(stand.top->parent_id);
-    if (parent == by_id.end()) break;
-    stand.top = parent->second;
-    stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
-  }
-  if (stand.top->in_world) return stand;
-  stand.corner.x += ShiftInto(stand.top->x, stand.top->width, room.width, room.window_width);
-  stand.corner.y += ShiftInto(stand.top->y, stand.top->height, room.height, room.window_height);
-  return stand;
-}
-
 }  // namespace
-
-std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room) {
-  std::vector<ScreenBox> boxes;
-  if (snapshot.ui.empty()) return boxes;
-  const PanelsById by_id = ById(snapshot);
-  for (const UiSnapshot& ui : snapshot.ui) {
-    const bool hides = ui.has_gradient || !ui.text.empty() || !ui.caption.empty() || !ui.material.empty();
-    if (!ui.visible || !hides || ui.width <= 0 || ui.height <= 0) continue;
-    const Stand stand = StandOf(ui, by_id, room);
-    if (stand.top->in_world) continue;
-    boxes.push_back({stand.corner.x, stand.corner.y, stand.corner.x + ui.width, stand.corner.y + ui.height});
-  }
-  return boxes;
-}
 
 void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host,
                   const ScreenRoom& room) {
   if (snapshot.ui.empty()) return;
-  const PanelsById by_id = ById(snapshot);
+  const ScriptUiPlaces places(snapshot, room);
   std::vector<const UiSnapshot*> order;
   for (const UiSnapshot& ui : snapshot.ui) order.push_back(&ui);
   std::stable_sort(order.begin(), order.end(),
@@ -203,10 +152,10 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
   ImDrawList& out = *ImGui::GetBackgroundDrawList();
   for (const UiSnapshot* ui : order) {
     if (!ui->visible || static_cast<std::size_t>(out.VtxBuffer.Size) > kMostCorners) continue;
-    const auto [corner, top] = StandOf(*ui, by_id, room);
+    const auto [corner, top] = places.Of(*ui);
     const int first = out.VtxBuffer.Size;
     if (top->in_world) out.PushClipRectFullScreen();
-    DrawPanel(out, *ui, corner, snapshot, host);
+    DrawPanel(out, *ui, {corner.x, corner.y}, snapshot, host);
     if (top->in_world) {
       MoveIntoWorld(out, first, *top, projection);
       out.PopClipRect();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "viewer/panels/widgets.h"
 
@@ -19,6 +20,8 @@ constexpr std::array<std::string_view, FirstSteps::kSteps + 1> kTexts{
     "Drag the bar at the bottom to any earlier moment. Live brings you back.",
     "That is how you find out why. Hold the mouse over a word to see what it means. Press ? for all keys.",
 };
+
+constexpr const char* kTitle = "First steps";
 
 bool IsOfAsking(const PanelRequest& request) {
   const auto* why = std::get_if<WhyRequest>(&request);
@@ -55,7 +58,29 @@ void FirstSteps::Note(const Seen& seen) {
   if (IsDone(seen)) ++at_;
 }
 
-StripPlace DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, ImVec2 corner, ImVec2 size) {
+ScreenBox PlaceOfStrip(const ScreenBox& area, float width, const std::function<float(float)>& height_of,
+                       std::span<const ScreenBox> not_over) {
+  constexpr float kNarrowest = 0.45f;
+  enum class Side : std::uint8_t { kMiddle, kLeft, kRight };
+  const auto place = [&](Side side, bool is_low, float wide) {
+    const float high = height_of(wide), free = area.width() - wide;
+    const float left = area.left + (side == Side::kMiddle ? free / 2 : side == Side::kLeft ? 0 : free);
+    const float top = is_low ? area.bottom - high : area.top;
+    return ScreenBox{left, top, left + wide, top + high};
+  };
+  for (const bool is_low : {true, false}) {
+    for (float wide = width; wide >= kNarrowest * width; wide -= 0.05f * width) {
+      for (const Side side : {Side::kMiddle, Side::kLeft, Side::kRight}) {
+        const ScreenBox box = place(side, is_low, wide);
+        if (std::ranges::none_of(not_over, [&](const ScreenBox& other) { return Meet(box, other); })) return box;
+      }
+    }
+  }
+  return place(Side::kMiddle, true, width);
+}
+
+ScreenBox DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, const ScreenBox& area,
+                         std::span<const ScreenBox> not_over) {
   FirstSteps::Seen seen;
   seen.selected = frame.selected;
   seen.agents = frame.scene.agents.size();
@@ -66,18 +91,28 @@ StripPlace DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, ImVec2 corner, I
   seen.is_in_past = !frame.contents.moment.is_live;
   steps.Note(seen);
 
-  const float width = std::min(frame.Px(560), size.x - frame.Px(16));
-  ImGui::SetNextWindowPos({corner.x + size.x / 2, corner.y + size.y - frame.Px(8)}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y});
+  const float edge = frame.Px(8);
+  const ScreenBox inner{area.left + edge, area.top + edge, area.right - edge, area.bottom - edge};
+  const float width = std::min(frame.Px(560), inner.width());
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto height_of = [&](float wide) {
+    const std::string text(steps.text());
+    return 2 * style.WindowPadding.y + ImGui::GetTextLineHeight() + style.ItemSpacing.y +
+           ImGui::CalcTextSize(text.c_str(), nullptr, false, wide - 2 * style.WindowPadding.x).y;
+  };
+  const ScreenBox place = PlaceOfStrip(inner, width, height_of, not_over);
+  const bool is_low = place.bottom >= inner.bottom;
+  ImGui::SetNextWindowPos({place.left, is_low ? place.bottom : place.top}, ImGuiCond_Always, {0, is_low ? 1.0f : 0.0f});
+  ImGui::SetNextWindowSizeConstraints({place.width(), 0}, {place.width(), area.height()});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
   ImGui::PushStyleColor(ImGuiCol_Border, theme::kAccent);
-  ImGui::Begin("First steps", nullptr,
+  ImGui::Begin(kTitle, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollbar);
   const bool is_end = steps.at() >= FirstSteps::kSteps;
-  Heading(frame, "First steps");
+  Heading(frame, kTitle);
   if (!is_end) {
     ImGui::SameLine();
     ColoredText(theme::kQuiet, std::to_string(steps.at() + 1) + " of " + std::to_string(FirstSteps::kSteps));
@@ -92,11 +127,11 @@ StripPlace DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, ImVec2 corner, I
   if (ImGui::SmallButton("Close")) frame.layout.first_steps = false;
   Tooltip("Not shown again; Help > First steps brings it back");
   WrappedText(steps.text());
-  const StripPlace place{ImGui::GetWindowPos(), ImGui::GetWindowSize()};
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar();
-  return place;
+  return {corner.x, corner.y, corner.x + size.x, corner.y + size.y};
 }
 
 }  // namespace soarbox::viewer

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
+#include "viewer/label_layout.h"
 #include "viewer/panels/panel.h"
 
 namespace soarbox::viewer {
@@ -38,11 +41,15 @@ class FirstSteps {
   std::optional<std::uint32_t> first_selected_;
 };
 
-/// Draws the strip at the lower edge of this part of the window, and turns the layout's `first_steps` off once it is
-/// closed. Gives what it covers.
-struct StripPlace {
-  ImVec2 corner, size;
-};
-StripPlace DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, ImVec2 corner, ImVec2 size);
+/// Where a strip stands in an area so that it covers none of the boxes: at the lower edge, in the middle or to a side,
+/// narrower if need be, else at the upper one. If all places cover something, in the middle of the lower edge.
+/// `height_of`: how high it is in a width.
+ScreenBox PlaceOfStrip(const ScreenBox& area, float width, const std::function<float(float)>& height_of,
+                       std::span<const ScreenBox> not_over);
+
+/// Draws the strip over this part of the window, beside these boxes, and turns the layout's `first_steps` off once it
+/// is closed. Gives what it covers.
+ScreenBox DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, const ScreenBox& area,
+                         std::span<const ScreenBox> not_over);
 
 }  // namespace soarbox::viewer

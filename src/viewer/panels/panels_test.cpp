@@ -210,7 +210,8 @@ class PanelStage {
   void Draw(const Layout& arranged, const std::function<void(Workspace&)>& in_the_last = {}) {
     Workspace workspace(arranged);
     workspace.layout.SetText(percent);
-    const world::SceneSnapshot scene = simulation->Snapshot();
+    world::SceneSnapshot scene = simulation->Snapshot();
+    scene.ui = script_ui;
     const RunStatus status;
     std::uint32_t selected = 0;
     for (const world::AgentSnapshot& agent : scene.agents)
@@ -237,6 +238,7 @@ class PanelStage {
       overfull = CutOverfullWindows();  // As the window does: it would end otherwise.
       ImGui::Render();
     }
+    cover = workspace.cover();
     shown.clear();
     for (const ShownText& text : CaptureText(*ImGui::GetDrawData(), *ImGui::GetIO().Fonts)) shown += text.text + "\n";
     complaints = AuditLayout(*ImGui::GetIO().Fonts);
@@ -255,6 +257,8 @@ class PanelStage {
   record::TickRecord last;
   PanelContents contents;
   int width = 1280, height = 720, percent = 100;
+  std::vector<world::UiSnapshot> script_ui;  ///< Panels of the scenario's own.
+  PictureRect cover;                         ///< What lay over the picture.
   std::string shown;
   std::vector<std::string> complaints;
   std::vector<std::string> overfull;  ///< Windows that held more than can be drawn.
@@ -514,6 +518,53 @@ TEST_F(Panels, LeadSomebodyNewThroughTheWindow) {
   layout.first_steps = false;
   stage->Draw(layout);
   EXPECT_THAT(stage->shown, testing::Not(HasSubstr("First steps")));
+}
+
+TEST_F(Panels, TheFirstStepsStandBesideWhatAScenarioShows) {
+  for (const Size& size : {Size{1280, 720, 100}, Size{1766, 993, 100}, Size{1766, 993, 125}}) {
+    stage->SetSize(size.width, size.height, size.percent);
+    stage->Fill("walker");
+    // As the world of the thesis has it: at the lower right of the window, as large as that is.
+    world::UiSnapshot help;
+    help.id = 1;
+    help.width = 320;
+    help.height = 190;
+    help.x = static_cast<float>(size.width) - help.width - 20;
+    help.y = static_cast<float>(size.height) - help.height - 35;
+    help.text = "F2: show or hide this panel";
+    stage->script_ui = {help};
+    Layout layout = DefaultLayout();
+    layout.first_steps = true;
+    stage->Draw(layout);
+    stage->script_ui.clear();
+    layout.SetText(size.percent);
+    const PictureRect picture = Workspace(layout).PictureIn(size.width, size.height);
+    const PictureRect& cover = stage->cover;
+    EXPECT_GT(cover.height, 0);
+    // The picture's lower right corner is where the scenario's panel goes.
+    const int left = picture.x + picture.width - 12 - 320, top = picture.y + picture.height - 12 - 190;
+    EXPECT_TRUE(cover.x + cover.width <= left || cover.y + cover.height <= top)
+        << size.width << "x" << size.height << ": " << cover.x << ", " << cover.y;
+  }
+}
+
+TEST(FirstSteps, CoverNoPanelOfAScenario) {
+  const ScreenBox area{300, 60, 980, 560};
+  const auto height_of = [](float width) { return 560 * 80 / width; };
+  const auto place = [&](const std::vector<ScreenBox>& taken) { return PlaceOfStrip(area, 560, height_of, taken); };
+  EXPECT_EQ(place({}), (ScreenBox{360, 480, 920, 560}));
+  const ScreenBox at_the_right{900, 400, 980, 560}, wide{660, 370, 980, 560}, at_the_left{300, 400, 600, 560};
+  EXPECT_EQ(place({at_the_right}).left, 300);
+  EXPECT_EQ(place({at_the_right}).width(), 560);
+  const ScreenBox narrow = place({wide});
+  EXPECT_EQ(narrow.bottom, 560) << "narrower rather than over what is above";
+  EXPECT_LT(narrow.right, 660);
+  EXPECT_EQ(place({wide, at_the_left}).top, 60);
+  for (const std::vector<ScreenBox>& taken :
+       {std::vector{at_the_right}, std::vector{wide}, std::vector{wide, at_the_left}}) {
+    EXPECT_TRUE(Holds(area, place(taken)));
+    for (const ScreenBox& box : taken) EXPECT_FALSE(Meet(place(taken), box));
+  }
 }
 
 TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {

@@ -8,6 +8,7 @@
 #include "viewer/panels/icons.h"
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
+#include "viewer/script_ui_places.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -100,11 +101,13 @@ void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_
   cover_ = {0, 0, 0, 0};
   if (layout.first_steps && !only_picture) {
     const PictureRect picture = PictureIn(width, height);
-    const StripPlace strip =
-        DrawFirstSteps(frame, first_steps_, {static_cast<float>(picture.x), static_cast<float>(picture.y)},
-                       {static_cast<float>(picture.width), static_cast<float>(picture.height)});
-    cover_ = {static_cast<int>(strip.corner.x), static_cast<int>(strip.corner.y), static_cast<int>(strip.size.x),
-              static_cast<int>(strip.size.y)};
+    const auto x = static_cast<float>(picture.x), y = static_cast<float>(picture.y),
+               wide = static_cast<float>(picture.width), high = static_cast<float>(picture.height);
+    std::vector<ScreenBox> taken = BoxesOfScriptUi(frame.scene, {wide, high, m.width, m.height});
+    for (ScreenBox& box : taken) box = {box.left + x, box.top + y, box.right + x, box.bottom + y};
+    const ScreenBox strip = DrawFirstSteps(frame, first_steps_, {x, y, x + wide, y + high}, taken);
+    cover_ = {static_cast<int>(strip.left), static_cast<int>(strip.top), static_cast<int>(strip.width()),
+              static_cast<int>(strip.height())};
   }
   if (show_help) DrawHelp(frame, width, height);
   finder_.Draw(frame, m.width, m.height, finder_.is_open() ? Actions(frame) : std::vector<Finder::Action>{});

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "viewer/label_layout.h"
+#include "viewer/picking.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::viewer {
+
+/// What a script knows of the screen, and what it has: panels around the picture leave it less than the window, which
+/// is what it was told when it began.
+struct ScreenRoom {
+  float width = 0, height = 0;                ///< Of the picture.
+  float window_width = 0, window_height = 0;  ///< Of the window.
+};
+
+/// Where the panels that scripts make stand in the picture. One that was placed for the whole window and would lie
+/// beside the picture is moved into it. Valid as long as the snapshot.
+class ScriptUiPlaces {
+ public:
+  ScriptUiPlaces(const world::SceneSnapshot& snapshot, const ScreenRoom& room);
+
+  /// Where a panel begins, and the one that its family hangs on.
+  struct Stand {
+    ScreenPoint corner;
+    const world::UiSnapshot* top = nullptr;
+  };
+  Stand Of(const world::UiSnapshot& ui) const;
+
+ private:
+  std::unordered_map<std::uint32_t, const world::UiSnapshot*> by_id_;
+  ScreenRoom room_;
+};
+
+/// The parts of the picture that these panels hide; those that stand in the world not counted.
+std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room);
+
+}  // namespace soarbox::viewer
