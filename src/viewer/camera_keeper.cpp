@@ -26,7 +26,7 @@ constexpr float kRecent_s = 3, kRecentStep_s = 0.25f;
 constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
 constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
 /// Scenery: so far beside what is in the picture already, of that size at most, and not of a world that is full of it.
-constexpr float kBeside_m = 3.5f, kLongestPiece_m = 16, kSceneryWithin_m = 58;
+constexpr float kBeside_m = 6, kLongestPiece_m = 16, kSceneryWithin_m = 58;
 constexpr std::size_t kMostPieces = 100;
 
 float Tangent(float fov_deg) {

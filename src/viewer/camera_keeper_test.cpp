@@ -166,6 +166,9 @@ TEST(CameraKeeper, ShowsTheWallsAndFiguresThatStandAroundTheAgents) {
   const auto [seen, all] = SceneryIn("animation", 30);
   EXPECT_EQ(seen, all);
   EXPECT_GT(all, 32);
+  // The eight covers of a fight, from its first second to its end.
+  for (const int tick : {30, 300, 900, 1800})
+    EXPECT_EQ(SceneryIn("soar_skirmish", tick), (std::pair{32, 32})) << "at " << tick / 30 << " s";
 }
 
 TEST(CameraKeeper, RestsWhileNobodyIsAboutToLeaveThePicture) {
