@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -130,20 +131,29 @@ std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   return text;
 }
 
-/// Tells of traps in what was loaded: numbers that fall between two proposals, and conditions in an order that makes
-/// partial matches without number.
+/// Whether a warning is about something in a rule's text that the rule does not have: nobody finds it later.
+bool IsAboutDroppedText(const Diagnostic& warning) {
+  return warning.severity == Severity::kWarning &&
+         (warning.message.ends_with("only operator takes it") || warning.message.ends_with(" is ignored") ||
+          warning.message.ends_with(" is read as 0"));
+}
+
+/// Tells of traps in what was loaded: what its rules do not have of their text, numbers that fall between two
+/// proposals, and conditions in an order that makes partial matches without number.
 void ReportTraps(CommandCall& call, int loaded) {
   const kernel::Agent& agent = call.agent();
   std::vector<const kernel::Production*> rules;
   for (const kernel::ProductionId id : agent.Productions()) rules.push_back(&agent.production(id));
   std::vector<Diagnostic>& traps = call.result.traps;
+  std::ranges::copy_if(call.result.diagnostics, std::back_inserter(traps), IsAboutDroppedText);
+  const auto known = static_cast<std::ptrdiff_t>(traps.size());
   for (Diagnostic& gap : kernel::FindRuleGaps(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
     traps.push_back(std::move(gap));
   }
   for (Diagnostic& crowd : FindRuleCrowds(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
     traps.push_back(std::move(crowd));
   }
-  call.result.diagnostics.insert(call.result.diagnostics.end(), traps.begin(), traps.end());
+  call.result.diagnostics.insert(call.result.diagnostics.end(), traps.begin() + known, traps.end());
 }
 
 /// While it lives, relative names start from the folder of a file, as after `pushd`.

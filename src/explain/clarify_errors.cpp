@@ -210,6 +210,7 @@ bool IsVerbOfOtherLanguages(std::string_view word) {
 
 /// Where an action should begin.
 std::string HintForAction(const std::string& found) {
+  if (found == "^") return "write attributes between ( and ), behind the object that has them: (<s> ^attribute value)";
   if (found == "-") return "an action that removes an element ends with a minus: (<id> ^attribute value -)";
   if (BeginsComment(found)) return "comments start with #";
   if (found == "-->") return "a rule has one --> only";
@@ -336,6 +337,8 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
       problem.hint = "write --> between the conditions and the actions";
     if (before == '[' || found.front() == '[') problem.hint = "write conditions between ( and )";
     if (found == ")") problem.hint = "there is one ) too many before this";
+    if (found == "^")
+      problem.hint = "write attributes between ( and ), behind the object that has them: (<w> ^attribute value)";
   }
   if (problem.message.find("expected ^attribute") != kNowhere &&
       std::isalpha(static_cast<unsigned char>(found[0])) != 0)
@@ -465,12 +468,28 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
     const auto [at, is_new] = files.try_emplace(problem.file);
     if (is_new) at->second = ReadSource(problem.file);
     const SourceFile& source = at->second;
+    // A rule's text begins behind "sp {": the reader has blanks for that.
+    const std::string& line = source.Line(problem.line);
+    const std::size_t first = problem.excerpt.find_first_not_of(' ');
+    if (first != kNowhere && first <= line.size() && line.substr(first).starts_with(problem.excerpt.substr(first)))
+      problem.excerpt = line;
     const std::string& text = problem.message;
     const std::string word = Between(text + " ", "", " is read as a string");
     // The reader's remark on a word that it has already stumbled over.
     if (!word.empty() && !kept.empty() && kept.back().severity == Severity::kError &&
         kept.back().line == problem.line && kept.back().file == problem.file)
       continue;
+    // Nor its complaint of a text without an end, which it has named already.
+    constexpr std::string_view kNoPartner = "this bar or quote has no partner";
+    if (!kept.empty() && kept.back().message == kNoPartner && kept.back().file == problem.file &&
+        kept.back().line == problem.line && kept.back().column == problem.column)
+      continue;
+    if (text == kNoPartner && problem.column > 0 && static_cast<std::size_t>(problem.column) <= line.size() &&
+        line[static_cast<std::size_t>(problem.column) - 1] == '"') {
+      problem.hint = "write text between bars: |I am going|";
+      kept.push_back(std::move(problem));
+      continue;
+    }
     const bool was_outside = std::exchange(outside, false);
     if (text.starts_with("unexpected eof")) {
       ClarifyUnclosed(problem, source);

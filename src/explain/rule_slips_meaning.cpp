@@ -3,6 +3,7 @@
 #include <charconv>
 #include <functional>
 #include <map>
+#include <sstream>
 
 #include "diagnostics/diagnostic.h"
 #include "explain/mind_view.h"
@@ -42,6 +43,10 @@ class MeaningChecker {
              "it is below ^io: ^io." + attribute);
         continue;
       }
+      // What is on the input link is a percept, whatever rules make elsewhere.
+      if (const auto path = paths.find(condition.id);
+          path != paths.end() && path->second.size() > 1 && path->second[1] == "input-link")
+        CheckComparison(rule, condition);
       if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
       // (FindSlipsOfMemory knows what memories answer.)
       if (const auto path = paths.find(condition.id); path != paths.end() && IsMemoryAnswer(path->second)) continue;
@@ -130,7 +135,7 @@ class MeaningChecker {
       said.name = name;
       if (const vocabulary::CommandFault fault = vocabulary::CheckCommand(said); !fault.ok())
         Tell(rule, name, true, "rule " + rule.name + ": " + fault.text,
-             "say it below the command: (" + id + " ^... ...)");
+             "give it below the command: (" + id + " ^... ...)");
     }
   }
 
@@ -169,7 +174,11 @@ class MeaningChecker {
       for (const std::string& name : rule.proposes) {
         if (name.empty() || applies_any || applied.contains(name) || IsSecondName(rule, name)) continue;
         Tell(rule, name, false, "rule " + rule.name + " proposes the operator " + name + ", which no rule applies",
-             HowToApply(rules_, name));
+             rule.says.empty()
+                 ? HowToApply(rules_, name)
+                 : "it gives its command itself, while its conditions match; give it in a rule that tests "
+                   "^operator.name " +
+                       name);
       }
       for (const std::string& name : rule.applies) {
         if (name.empty() || proposes_any || proposed.contains(name) || proposed.empty()) continue;
@@ -269,6 +278,22 @@ class MeaningChecker {
     Tell(rule, word, false,
          "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + word,
          "write the number without bars: " + word);
+  }
+
+  /// "^name > 3", "^name { > 3 <n> }": words are not less or greater.
+  void CheckComparison(const RuleText& rule, const RuleAttribute& condition) {
+    std::istringstream tests(condition.value);
+    std::string number;
+    for (std::string before, word; tests >> word && number.empty(); before = word)
+      if ((before == "<" || before == "<=" || before == ">" || before == ">=") && IsNumber(word)) number = word;
+    const bool is_word = std::ranges::all_of(vocabulary::Percepts(), [&](const vocabulary::PerceptRow& row) {
+      return row.Attribute() != condition.attribute || row.type == vocabulary::ValueType::kWord;
+    });
+    if (number.empty() || !is_word || !vocabulary::IsPerceptAttribute(condition.attribute)) return;
+    Tell(rule, condition.attribute, true,
+         "rule " + rule.name + " compares ^" + condition.attribute + ", a word, with the number " + number +
+             ": that never matches",
+         "a word is equal, or not equal: ^" + condition.attribute + " <> ...");
   }
 
   /// A word that the percepts of that name never have.

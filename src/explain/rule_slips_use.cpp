@@ -230,6 +230,98 @@ void FindBoundByNegation(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
+/// "(<s> ^operator <o> > other)": operators are compared with operators, not with their names.
+void FindComparedNames(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& action : rule.actions) {
+    if (action.attribute != "operator") continue;
+    for (const char* sign : {" > ", " < "}) {
+      const std::size_t at = action.value.find(sign);
+      const std::string other = at == std::string::npos ? std::string() : FirstWord(action.value.substr(at + 3));
+      if (other.empty() || IsVariable(other) || IsNumber(other) || other.find_first_of("<>=+-!~,(") == 0) continue;
+      slips.push_back({rule.name, other, false,
+                       "rule " + rule.name + " compares its operator with the word " + other + ", which is no operator",
+                       "bind the other operator in a condition: (<s> ^operator <p> +) (<p> ^name " + other + ")",
+                       true});
+      return;
+    }
+  }
+}
+
+/// Two operators "that are selected": only one is at a time.
+void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
+  std::map<std::string, std::string> selected;  // By state.
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.attribute != "operator" || condition.negated || !IsVariable(condition.value)) continue;
+    const auto [first, is_new] = selected.try_emplace(condition.id, condition.value);
+    if (is_new || first->second == condition.value) continue;
+    const bool prefers =
+        std::ranges::any_of(rule.actions, [](const RuleAttribute& action) { return action.attribute == "operator"; });
+    if (!prefers) continue;
+    slips.push_back({rule.name, condition.value, false,
+                     "rule " + rule.name + " tests two operators as selected, " + first->second + " and " +
+                         condition.value + ": only one is selected at a time",
+                     "to compare proposals, add a + behind each: ^operator " + first->second + " + ^operator " +
+                         condition.value + " +"});
+    return;
+  }
+}
+
+/// Tests that no state passes together: the top state has no state above it and no impasse.
+void FindTopAndBelow(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& top : rule.conditions) {
+    if (top.attribute != "superstate" || top.value != "nil" || top.negated || !top.on_state) continue;
+    for (const RuleAttribute& below : rule.conditions) {
+      if (below.id != top.id || below.negated) continue;
+      const bool is_impasse = below.attribute == "impasse" || below.attribute == "item";
+      if (!is_impasse && (below.attribute != "superstate" || below.value == "nil")) continue;
+      slips.push_back({rule.name, "nil", false,
+                       "rule " + rule.name + " never matches: it tests ^superstate nil, which is the top state, and ^" +
+                           below.attribute + " of a substate",
+                       "leave ^superstate nil out of rules for a substate"});
+      return;
+    }
+  }
+}
+
+bool IsForTheTop(const RuleText& rule) {
+  return std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
+    return condition.on_state && condition.attribute == "superstate" && condition.value == "nil";
+  });
+}
+
+bool TestsStateAbove(const RuleText& rule) {
+  return std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
+    return condition.attribute == "superstate" && !condition.negated && IsVariable(condition.value);
+  });
+}
+
+/// "(state <s> ^operator.name walk ^io.output-link <out>)" where walk is proposed in substates alone: they have no ^io.
+void FindLinksOfSubstates(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  for (const RuleText& rule : rules)
+    for (const RuleAttribute& action : rule.actions)
+      if (action.attribute == "io" || IsVariable(action.attribute)) return;  // They may get one.
+  for (const RuleText& rule : rules) {
+    if (rule.applies.empty() || rule.applies.contains("") || IsForTheTop(rule)) continue;
+    const std::set<std::string> states = StatesOf(rule);
+    const bool tests_io = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
+      return condition.attribute == "io" && !condition.negated && condition.on_state && states.contains(condition.id);
+    });
+    if (!tests_io) continue;
+    bool is_proposed = false, may_be_at_top = false;
+    for (const RuleText& other : rules) {
+      const bool proposes =
+          std::ranges::any_of(rule.applies, [&](const std::string& name) { return other.proposes.contains(name); });
+      is_proposed |= proposes;
+      may_be_at_top |= other.proposes.contains("") || (proposes && !TestsStateAbove(other));
+    }
+    if (!is_proposed || may_be_at_top) continue;
+    slips.push_back({rule.name, "io", true,
+                     "rule " + rule.name + " tests ^io of the state where " + *rule.applies.begin() +
+                         " is selected: that is a substate, which has no ^io",
+                     "reach it through the state above: ^superstate.io"});
+  }
+}
+
 }  // namespace
 
 std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules) {
@@ -247,7 +339,11 @@ std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules) {
     FindPartedPaths(rule, slips);
     FindWordsOfStates(rule, made, slips);
     FindBoundByNegation(rule, slips);
+    FindComparedNames(rule, slips);
+    FindTwoSelected(rule, slips);
+    FindTopAndBelow(rule, slips);
   }
+  FindLinksOfSubstates(rules, slips);
   return slips;
 }
 

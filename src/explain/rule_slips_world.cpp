@@ -5,6 +5,7 @@
 #include "diagnostics/diagnostic.h"
 #include "explain/mind_view.h"
 #include "explain/rule_slips.h"
+#include "explain/slip_words.h"
 #include "vocabulary/vocabulary.h"
 
 namespace soarbox::explain {
@@ -59,6 +60,32 @@ void FindRestless(const RuleText& rule, std::vector<Slip>& slips) {
         {rule.name, percept, true,
          "rule " + rule.name + " writes again at each change of ^" + percept + ", which changes all the time",
          "test a word that seldom changes, such as ^visible yes, or draw a conclusion in another rule first"});
+  }
+}
+
+/// "(<s> ^seen <time>)" of a selected operator: what it makes stays, one element for each value of the percept.
+void FindPiles(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  const std::string percept = RestlessPercept(rule);
+  if (percept.empty() || !SpeaksOfSelectedOperator(rule)) return;
+  std::set<std::string> values;  // What the restless percepts are bound to.
+  for (const RuleAttribute& condition : rule.conditions)
+    if (!condition.negated && condition.attribute == percept)
+      for (std::string& variable : VariablesIn(condition.value)) values.insert(std::move(variable));
+  const std::set<std::string> states = StatesOf(rule);
+  for (const RuleAttribute& action : rule.actions) {
+    if (!states.contains(action.id) || !values.contains(action.value)) continue;
+    const bool is_removed = std::ranges::any_of(rules, [&](const RuleText& other) {
+      return std::ranges::any_of(other.actions, [&](const RuleAttribute& removal) {
+        return removal.value.ends_with("-") && (removal.attribute == action.attribute || IsVariable(removal.attribute));
+      });
+    });
+    if (is_removed) continue;
+    slips.push_back({rule.name, action.attribute, true,
+                     "rule " + rule.name + " adds another ^" + action.attribute + " at each change of ^" + percept +
+                         ", and no rule removes the old ones",
+                     "remove the old value in the same rule: (" + action.id + " ^" + action.attribute + " <old> -)",
+                     true});
+    return;
   }
 }
 
@@ -125,6 +152,7 @@ std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const Kno
   PlaceChecker checker(places, slips);
   for (const RuleText& rule : rules) {
     FindRestless(rule, slips);
+    FindPiles(rule, rules, slips);
     FindInputWriters(rule, slips);
     if (places.is_known) checker.Check(rule);
   }

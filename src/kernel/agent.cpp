@@ -335,7 +335,8 @@ std::string_view Agent::FiringRule() const {
 }
 std::string_view Agent::NextRule() const {
   const MatchSet& matches = engine_->rete.matches();
-  for (const MatchSet::List list : {MatchSet::List::kOAssertions, MatchSet::List::kIAssertions}) {
+  for (const MatchSet::List list :
+       {MatchSet::List::kOAssertions, MatchSet::List::kIAssertions, MatchSet::List::kRetractions}) {
     const std::vector<PendingMatch> pending = matches.Pending(list);
     if (!pending.empty() && pending.front().production != ProductionId::kNone)
       return production(pending.front().production).name;

@@ -140,7 +140,7 @@ class Agent {
   bool running() const;  ///< In the middle of Run or Step.
   /// The name of the rule whose actions run now, for observers; empty if none does.
   std::string_view FiringRule() const;
-  /// The rule that is to fire next, of the lowest state in which one is; empty if none is, or if it is a justification.
+  /// The rule that fires next, of the lowest state in which one does, else one to be retracted; empty if there is none.
   std::string_view NextRule() const;
   /// Memory ran out while the agent ran or loaded a rule, and it said so. It is halted and can only be read and
   /// destroyed: whatever would change it is refused.

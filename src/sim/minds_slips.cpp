@@ -45,8 +45,8 @@ explain::Slip SlipOf(const ActionFailure& failure) {
   slip.rule = failure.rule;
   slip.in_actions = true;
   if (text.find(kEndless) != std::string::npos) {
-    slip.message = "rules fire again and again in one phase, and rule " + failure.rule +
-                   " would be next: each firing makes one match again, until max-elaborations ends the phase";
+    slip.message = "rules fire again and again in one phase, rule " + failure.rule +
+                   " among them: each firing makes one match again, until max-elaborations ends the phase";
     slip.hint =
         "let its conditions test that the work is not done yet, or let an operator do it: one step per decision";
     return slip;

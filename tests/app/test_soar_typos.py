@@ -200,6 +200,26 @@ SLIPS = {
     "a division by 0": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   (<c> ^seconds (/ 3 0))", 13, "divides by 0", "another divisor"),
     "a file that is not there": (None, "source helper.soar", 1, "Failed to open file", "relative to the folder"),
     "a backslash in a path": (None, "source rules\\helper.soar", 1, "Failed to open file", "write / between folders"),
+    "an equals sign to remove an element": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*forget\n   (state <s> ^operator <o> ^io.output-link <out>)\n'
+                                            '   (<out> ^wander <c>)\n   (<c> ^status)\n-->\n   (<out> ^wander <c> =)\n}', 19,
+                                            "the preference = means nothing here", "write - behind its value"),
+    "a word compared with a number": ("^health > 10", "^weapon > 2", 3, "compares ^weapon, a word, with the number 2", "not equal: ^weapon <>"),
+    "an operator compared with a name": ("^operator <o> +)", "^operator <o> + > rest)", 5, "compares its operator with the word rest",
+                                         "(<p> ^name rest)"),
+    "two selected operators": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*prefer\n   (state <s> ^operator <a> ^operator <b>)\n   (<a> ^name go)\n'
+                               '   (<b> ^name go)\n-->\n   (<s> ^operator <a> > <b>)\n}', 15, "tests two operators as selected", "add a + behind each"),
+    "the top state at an impasse": ("^superstate nil", "^superstate nil ^impasse tie", 2, "never matches: it tests ^superstate nil, which is the top state, and ^impasse",
+                                    "leave ^superstate nil out"),
+    "the links of a substate": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*go*propose*run\n   (state <s> ^superstate.operator.name go)\n-->\n'
+                                '   (<s> ^operator <o> +)\n   (<o> ^name run)\n}\nsp {hero*apply*run\n   (state <s> ^operator.name run ^io.output-link <out>)\n-->\n'
+                                '   (<out> ^wander <c>)\n}', 21, "tests ^io of the state where run is selected", "^superstate.io"),
+    "a value that piles up": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*remember\n   (state <s> ^operator.name go ^io.input-link.time <t>)\n-->\n'
+                              '   (<s> ^seen <t>)\n}', 17, "adds another ^seen at each change of ^time", "(<s> ^seen <old> -)"),
+    "an action without brackets around it": ("   (<o> ^name go)\n}", "   ^name go\n}", 6, "found '^'", "behind the object that has them"),
+    "a condition without brackets around it": ("   (<me> ^health > 10)", "   ^health > 10", 3, "found '^'", "behind the object that has them"),
+    "a double quote without its partner": ("(<out> ^wander <c>)", '(<out> ^wander <c>)\n   (write "go)', 13, "has no partner", "between bars"),
+    "a command in a proposal": (GOOD[GOOD.index("^io.input"):], "^io <io>)\n   (<io> ^input-link.self <me> ^output-link <out>)\n-->\n   (<s> ^operator <o> +)\n"
+                                "   (<o> ^name go)\n   (<out> ^wander <c>)\n}\n", 6, "operator go, which no rule applies", "it gives its command itself"),
     "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }
 
