@@ -29,8 +29,15 @@ namespace soarbox::app {
 int Check(const CheckOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   const sim::DataFolders* shipped = data ? &*data : nullptr;
+  // A scenario that comes with the program has a name, as for `soarbox run`.
+  std::vector<std::filesystem::path> files = options.files;
+  for (std::filesystem::path& file : files) {
+    std::error_code error;
+    if (shipped == nullptr || std::filesystem::exists(file, error) || file.has_parent_path()) continue;
+    if (std::ranges::count(sim::ListScenarios(*shipped), file.string()) > 0) file = shipped->scenarios / file;
+  }
   const std::vector<Diagnostic> problems =
-      sim::CheckFiles(options.files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
+      sim::CheckFiles(files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
         return mission::CheckMissionFile(file, shipped, found);
       });
   int errors = 0;

@@ -398,6 +398,10 @@ int Main(int argc, char** argv) {
     std::cerr << soarbox::Format(*problem);
     return soarbox::app::kUsage;
   }
+  if (const auto problem = soarbox::app::FindMissingValue(program, argc, argv)) {
+    std::cerr << soarbox::Format(*problem);
+    return soarbox::app::kUsage;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

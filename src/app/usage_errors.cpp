@@ -184,6 +184,24 @@ std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, cons
   return std::nullopt;
 }
 
+std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, const char* const* argv) {
+  const CLI::App* command = nullptr;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    for (const CLI::App* each : SubCommands(program))
+      if (command == nullptr && each->get_name() == word) command = each;
+    if (command == nullptr || !word.starts_with("--")) continue;
+    const CLI::Option* option = command->get_option_no_throw(word);
+    const bool is_followed = i + 1 < argc && Holds(OptionsOf(*command), argv[i + 1]);
+    if (option == nullptr || option->get_items_expected_min() == 0 || !is_followed) continue;
+    Diagnostic problem;
+    problem.message = "soarbox " + command->get_name() + ": " + word + " takes a value, and none is given";
+    problem.hint = word + ": " + option->get_description();
+    return problem;
+  }
+  return std::nullopt;
+}
+
 CLI::Validator NumberIn(double least, double most) {
   const auto check = [least, most](std::string& text) -> std::string {
     char* end = nullptr;

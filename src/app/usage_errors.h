@@ -15,6 +15,9 @@ Diagnostic ExplainUsage(const CLI::App& program, const CLI::ParseError& error);
 /// A long option with one dash, which would be read as a row of short ones: -headless would ask for help.
 std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, const char* const* argv);
 
+/// An option without its value before another option, which would be taken for that value: --record --headless.
+std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, const char* const* argv);
+
 /// Checks of options' values whose refusals read as sentences.
 CLI::Validator NumberIn(double least, double most);
 CLI::Validator WholeNumber();

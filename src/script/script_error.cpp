@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "script/lua_hints.h"
 #include "script/lua_text.h"
 #include "script/script_path.h"
 
@@ -114,6 +115,7 @@ ScriptError DescribeMessage(std::string_view message, std::string_view script_na
   }
   diagnostic.message = std::string(message);
   diagnostic.excerpt = path.LineOf(diagnostic.file, diagnostic.line);
+  diagnostic.hint = HintForLua(diagnostic.message, diagnostic.excerpt);
   diagnostic.file = path.PathOf(diagnostic.file);
   return error;
 }
@@ -128,6 +130,8 @@ ScriptError DescribeError(lua_State* state, const ScriptPath& path) {
   if (error.diagnostic.line == 0 && line > 0) {
     error.diagnostic.line = line;
     error.diagnostic.excerpt = path.LineOf(file, line);
+    if (error.diagnostic.hint.empty())
+      error.diagnostic.hint = HintForLua(error.diagnostic.message, error.diagnostic.excerpt);
   }
   error.traceback = Traceback(state);
   return error;

@@ -107,7 +107,9 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
       for (std::string& candidate : FileNames(folder)) names.push_back(std::move(candidate));
       searched += (searched.empty() ? "" : ", ") + folder.string();
     }
-    const std::string_view near = Suggest(name, {names.begin(), names.end()});
+    std::string_view near = Suggest(name, {names.begin(), names.end()});
+    const auto whole = std::ranges::find(names, std::string(name) + ".lua");  // Its ending was left out.
+    if (whole != names.end()) near = *whole;
     error.hint = near.empty() ? "searched in " + searched : "did you mean \"" + std::string(near) + "\"?";
     return error;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "vocabulary/vocabulary.h"
 
@@ -55,9 +56,19 @@ Diagnostic Bad(std::string message, std::string hint = {}) {
 }
 
 Diagnostic UnknownOption(const std::string& name) {
+  constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
+      {"kind", "body"},      {"type", "body"},         {"class", "body"},   {"model", "body"},
+      {"file", "rules"},     {"soar", "rules"},        {"mind", "rules"},   {"pos", "position"},
+      {"place", "position"}, {"location", "position"}, {"number", "count"}, {"color", "material"},
+  };
   std::vector<std::string_view> names(std::begin(kOthers), std::end(kOthers));
   for (const NumberProperty& number : kNumbers) names.push_back(number.name);
-  const std::string_view near = Suggest(name, names);
+  names.insert(names.end(), {"rules", "count", "across"});
+  std::string_view near = Suggest(name, names);
+  for (const auto& [word, meant] : kOtherWords)
+    if (name == word) near = meant;
+  if (near.starts_with("position")) near = "position";
+  if (IsOfWholeScenario(name)) return Bad("no agent has an option '" + name + "'", kOnTop);
   return Bad("no agent has an option '" + name + "'",
              near.empty() ? "docs/scenarios.md lists the options" : "did you mean '" + std::string(near) + "'?");
 }
@@ -167,6 +178,7 @@ std::optional<Diagnostic> SetOption(const std::string& name, const Value& value,
     if (name == "leader") read.leader = *text;
     return std::nullopt;
   }
+  if (name == "position") return WrongType(name, "two numbers: [x, z]");
   if (name == "heading") {
     const double* number = std::get_if<double>(&value);
     if (number == nullptr || !std::isfinite(*number)) return WrongType(name, "degrees");

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct OptionProblem {
   std::string option;
   Diagnostic problem;
 };
+
+/// Keys that stand on top of a scenario file and are often written below a table, where they would belong to it.
+inline bool IsOfWholeScenario(std::string_view key) {
+  return key == "seconds" || key == "seed" || key == "description";
+}
+inline constexpr const char* kOnTop = "it belongs on top of the file, above the first [[...]]";
 
 /// Reads the options against the kinds of bodies. What is wrong is added to the problems, each option on its own; one
 /// that nothing knows gets a suggestion.

@@ -19,6 +19,7 @@
 #include "explain/rule_surroundings.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
+#include "script/lua_hints.h"
 #include "sim/live_edits.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
@@ -148,6 +149,23 @@ class Checker {
       if (!FindInFolders(agent.rules, {folder}).empty()) continue;
       problems.push_back(Problem(file, "there are no rules '" + agent.rules + "' beside this scenario",
                                  HintForRules(agent.rules, folder)));
+      problems.back().line = agent.line_of_rules;
+    }
+    if (std::ranges::any_of(problems, [&](const Diagnostic& one) { return one.file == file.string(); })) return;
+    if (read.agents.empty()) {
+      problems.push_back(Problem(file, "this scenario has no agents",
+                                 "add one: [[agent]], and below it name = \"scout\" and rules = \"scout.soar\""));
+      problems.back().severity = Severity::kWarning;
+      problems.back().line = 1;
+    }
+    std::map<std::string, int> lines;
+    for (const ScenarioFile::Agent& agent : read.agents) {
+      const auto [first, is_new] = lines.try_emplace(agent.name, agent.line);
+      if (is_new || agent.name.empty()) continue;
+      problems.push_back(
+          Problem(file, "there is another agent named '" + agent.name + "' in line " + std::to_string(first->second),
+                  "give each its own name, or write count = 2: this one is called " + agent.name + "-2"));
+      problems.back().severity = Severity::kWarning;
       problems.back().line = agent.line;
     }
   }
@@ -157,6 +175,7 @@ class Checker {
     if (const auto error = script::CheckSyntax(text, file.string())) {
       problems.push_back(*error);
       if (error->line > 0) problems.back().excerpt = LineOf(text, error->line);
+      problems.back().hint = script::HintForLua(error->message, problems.back().excerpt);
       return;
     }
     const std::vector<Diagnostic> slips = script::CheckNames(text, file.string());
@@ -175,7 +194,7 @@ class Checker {
     if (!is_new) return at->second;
     std::error_code error;
     for (const fs::path& looked : {folder.empty() ? fs::path(".") : folder, folder / ".."}) {
-      bool has_script = false;
+      bool has_script = false, has_faulty = false;
       for (fs::directory_iterator it(looked, error), end; !error && it != end; it.increment(error)) {
         has_script |= it->path().extension() == ".lua";
         if (it->path().extension() != ".toml" || !IsPlainFileBelow(it->path(), folders_)) continue;
@@ -184,8 +203,9 @@ class Checker {
         for (const Waypoint& waypoint : read.waypoints) at->second.waypoints.insert(waypoint.name);
         for (const Region& region : read.regions) at->second.regions.insert(region.name);
         at->second.is_known = true;
+        has_faulty |= !ignored.empty();
       }
-      if (has_script) at->second = {};
+      if (has_script || has_faulty) at->second = {};
       if (has_script || at->second.is_known) break;
     }
     return at->second;

@@ -178,6 +178,26 @@ fs::path FindMain(const fs::path& given, const DataFolders& data) {
 
 }  // namespace
 
+namespace {
+
+/// What a folder that is no scenario holds instead, as far as it can be run.
+std::string HintForFolder(const fs::path& folder) {
+  std::string scenarios, rules;
+  for (const fs::path& entry : Entries(folder)) {
+    const std::string name = entry.filename().string();
+    for (const char* main : {kScenarioFile, kSandboxScript})
+      if (EqualIgnoringCase(name, main)) return "rename " + name + " to " + main;
+    if (IsFile(entry / kScenarioFile) || IsFile(entry / kSandboxScript))
+      scenarios += (scenarios.empty() ? "" : ", ") + entry.string();
+    if (entry.extension() == ".soar" && rules.empty()) rules = entry.string();
+  }
+  if (!scenarios.empty()) return "there are scenarios in it: " + scenarios;
+  if (!rules.empty()) return "soarbox run " + rules + " runs these rules in a world that comes with the program";
+  return "name the folder of a scenario or its file; --path adds folders for scripts and rules";
+}
+
+}  // namespace
+
 Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data, const std::vector<fs::path>& extra) {
   Scenario scenario;
   const fs::path given(argument);
@@ -187,7 +207,7 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
     Diagnostic problem;
     problem.file = given.string();
     problem.message = std::string("this folder holds neither ") + kScenarioFile + " nor " + kSandboxScript;
-    problem.hint = "name the folder of a scenario or its file; --path adds folders for scripts and rules";
+    problem.hint = HintForFolder(given);
     return problem;
   }
   if (main.empty()) return NotFound(argument, data);

@@ -76,6 +76,8 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
   }
   if (const Result<void> made = build.minds.MakeMind(id, request); !made) {
     problem.message = made.error().message;
+    if (agent.line_of_rules > 0 && problem.message.find(request.rules) != std::string::npos)
+      problem.line = agent.line_of_rules;
     problem.hint = made.error().hint;
     return problem;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -33,8 +34,34 @@ const toml::node& EntryAt(const toml::table& table, std::string_view name) {
   return &found == below ? *entry : found;
 }
 
+/// The text of a line, from 1 on.
+std::string_view LineOf(std::string_view text, int number) {
+  while (number-- > 1) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// What to do about the reader's complaint about this line; empty: nothing in it looks like another language's form.
+std::string HintOfLine(std::string_view line, std::string_view complaint) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  for (const std::string_view mark : {"//", "--", ";", "/*"})
+    if (line.substr(first).starts_with(mark)) return "comments start with #";
+  if (complaint.find("expected '=', saw ':'") != std::string_view::npos) return "write = between a key and its value";
+  if (complaint.find("escape sequence") != std::string_view::npos) return "write / between folders, not \\";
+  const std::size_t sign = line.find('=');
+  const std::size_t begin = line.find_first_not_of(" \t", sign == std::string_view::npos ? sign : sign + 1);
+  if (begin == std::string_view::npos) return {};
+  const std::string_view value = line.substr(begin);
+  if (value.starts_with('(')) return "a list stands between square brackets: [1, 2]";
+  for (const std::string_view word : {"yes", "no", "on", "off", "True", "False", "TRUE", "FALSE"})
+    if (value.starts_with(word) && (value.size() == word.size() || value.find_first_of(" \t\r#") == word.size()))
+      return "write true or false";
+  return {};
+}
+
 /// What to do about the reader's complaint.
-std::string HintOf(std::string_view complaint) {
+std::string HintOf(std::string_view complaint, std::string_view line) {
+  if (std::string hint = HintOfLine(line, complaint); !hint.empty()) return hint;
   constexpr std::pair<std::string_view, std::string_view> kHints[] = {
       {"could not determine value type", "put text between quotes: name = \"scout\""},
       {"expected 'nan'", "put text between quotes: name = \"scout\""},
@@ -71,6 +98,8 @@ class Reader {
       std::string hint;
       if (const std::string_view near = Suggest(key.str(), known); !near.empty()) {
         hint = "did you mean '" + std::string(near) + "'?";
+      } else if (IsOfWholeScenario(key.str())) {
+        hint = kOnTop;
       } else {
         hint = "there are:";
         for (const std::string_view name : known) hint += " " + std::string(name);
@@ -111,7 +140,7 @@ class Reader {
     const auto number = node->is_number() ? node->value<double>() : std::nullopt;
     if (number && std::isfinite(*number) && *number >= min && *number <= max) return number;
     std::ostringstream range;
-    range << "'" << key << "' takes a number from " << min << " to " << max;
+    range << std::setprecision(10) << "'" << key << "' takes a number from " << min << " to " << max;
     Problem(*node, range.str());
     return std::nullopt;
   }
@@ -256,6 +285,25 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
   }
 }
 
+/// The name of an agent without its number; without one of its own it is named like its rules.
+std::string NameOf(const ScenarioFile::Agent& agent) {
+  if (!agent.name.empty()) return agent.name;
+  const std::string rules = agent.rules == kGivenRules ? std::string() : agent.rules;
+  return rules.empty() ? "agent" : std::filesystem::path(rules).stem().string();
+}
+
+/// Whoever leads must be there first.
+void CheckLeader(Reader& reader, const toml::table& table, const ScenarioFile::Agent& agent,
+                 const std::set<std::string>& above) {
+  const toml::node* node = table.get("leader");
+  const auto leader = node == nullptr ? std::nullopt : node->value_exact<std::string>();
+  if (!leader || leader->empty() || above.contains(*leader)) return;
+  const std::string_view near = Suggest(*leader, {above.begin(), above.end()});
+  reader.Problem(*node, "the leader of " + NameOf(agent) + ", '" + *leader + "', is not above it in this file",
+                 near.empty() ? "a leader's [[agent]] comes before those of the agents that follow it"
+                              : "did you mean '" + std::string(near) + "'?");
+}
+
 void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
   std::vector<BodyKind> kinds(BodyKinds().begin(), BodyKinds().end());
   const auto check = [&](const toml::node& at, const Result<bool>& set, const std::string& name) {
@@ -280,6 +328,7 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     read.bodies.push_back(std::move(made));
   }
   std::size_t total = 0;
+  std::set<std::string> above;
   for (const toml::table* table : reader.Tables(root, "agent")) {
     ScenarioFile::Agent& made = read.agents.emplace_back();
     made.line = static_cast<int>(table->source().begin.line);
@@ -288,14 +337,22 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     made.count = reader.WholeNumber(*table, "count", 1, 1000).value_or(1);
     made.across = reader.WholeNumber(*table, "across", 1, 1000).value_or(made.across);
     reader.Flatten(*table, {}, made.options);
-    made.options.erase("rules");
-    made.options.erase("count");
-    made.options.erase("across");
+    if (const toml::node* rules = table->get("rules"))
+      made.line_of_rules = static_cast<int>(rules->source().begin.line);
+    // What stands in place of a text or a number is reported as that, whatever it holds.
+    std::erase_if(made.options, [](const auto& option) {
+      const std::string key = option.first.substr(0, option.first.find('.'));
+      return key == "rules" || key == "count" || key == "across";
+    });
     std::vector<OptionProblem> wrong;
     ReadAgentOptions(made.options, kinds, wrong);
     for (const OptionProblem& each : wrong)
       reader.Problem(EntryAt(*table, each.option), each.problem.message, each.problem.hint);
     total += static_cast<std::size_t>(made.count);
+    CheckLeader(reader, *table, made, above);
+    const std::string name = NameOf(made);
+    for (int i = 1; i <= made.count; ++i) above.insert(made.count > 1 ? name + "-" + std::to_string(i) : name);
+    above.insert(name + "-2");  // A second one of the same name gets a number.
   }
   if (total > kMostEntries) reader.Problem(root, "these are too many agents");
 }
@@ -308,9 +365,7 @@ struct Names {
 Names NamesIn(const ScenarioFile& read) {
   Names names;
   for (const ScenarioFile::Agent& agent : read.agents) {
-    const std::string rules = agent.rules == kGivenRules ? std::string() : agent.rules;
-    std::string name = agent.name;
-    if (name.empty()) name = rules.empty() ? "agent" : std::filesystem::path(rules).stem().string();
+    const std::string name = NameOf(agent);
     for (int i = 1; i <= agent.count; ++i) names.agents.insert(agent.count > 1 ? name + "-" + std::to_string(i) : name);
     // A second one of the same name gets a number; nobody else does.
     names.agents.insert(name + "-2");
@@ -412,7 +467,7 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
     problem.line = static_cast<int>(error.source().begin.line);
     problem.column = static_cast<int>(error.source().begin.column);
     problem.message = error.description();
-    problem.hint = HintOf(problem.message);
+    problem.hint = HintOf(problem.message, LineOf(text, problem.line));
     problems.push_back(std::move(problem));
     return read;
   }

@@ -31,7 +31,7 @@ struct ScenarioFile {
     Options options;
     int count = 1;
     int across = 1000;  ///< So many of them stand side by side; the next ones stand behind these.
-    int line = 0;
+    int line = 0, line_of_rules = 0;
   };
   /// All that is given must hold at the same time; reached once.
   struct Condition {

@@ -24,8 +24,8 @@ TEST(ScenarioFile, ObstaclesThatNoBodyCouldBeAreRefusedWithTheirLine) {
               ElementsAre("3: a width of -5 m is none that a body can have",
                           "3: a length of 1e-09 m is none that a body can have"));
   EXPECT_THAT(ProblemsOf("size = [nan, 2, 1]"), ElementsAre("2: 'size' takes [width, height, length] in metres"));
-  EXPECT_THAT(ProblemsOf("mass = -1"), ElementsAre("2: 'mass' takes a number from 0 to 1e+06"));
-  EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1e+06"));
+  EXPECT_THAT(ProblemsOf("mass = -1"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));
+  EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));
 }
 
 TEST(ScenarioFile, ARegionWithABadRadiusHasOneProblem) {

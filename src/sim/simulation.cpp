@@ -128,7 +128,8 @@ void Simulation::Impl::OnScriptTrouble(const script::ScriptTrouble& trouble) {
     event.diagnostic.message += " (" + trouble.callback + " of " + who + ")";
   } else if (trouble.kind == Kind::kKeepsFailing) {
     event.diagnostic.severity = Severity::kWarning;
-    event.diagnostic.message = trouble.callback + " of " + who + " fails time after time; it is called on";
+    event.diagnostic.message =
+        trouble.callback + " of " + who + " fails again and again; it is still called in each tick";
     event.diagnostic.excerpt.clear();
     event.diagnostic.hint.clear();
   } else {

@@ -258,8 +258,10 @@ Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& proble
   problem.file = file.string();
   const std::optional<std::string> text = ReadText(file);
   if (!text) {
-    problem.message = "this sweep cannot be read";
-    problem.hint = "docs/sweeps.md shows one";
+    std::error_code error;
+    const bool is_there = std::filesystem::exists(file, error);
+    problem.message = is_there ? "this sweep cannot be read" : "there is no such file";
+    problem.hint = "a sweep is a .toml file that names a scenario and seeds: docs/sweeps.md shows one";
     problems.push_back(std::move(problem));
     return spec;
   }

@@ -91,6 +91,33 @@ class Scripts(ScenarioCase):
         self.check_world_goes_on(run)
         self.assertTrue(any(d.get("file", "").endswith("Bad.lua") and d.get("line") == 2 for d in run.diagnostics()), run.out)
 
+    def test_forms_of_other_languages_and_names_of_nothing_are_told_with_what_to_write(self):
+        good = "function Agent_Initialize(agent) end\nfunction Agent_Update(agent)\n  %s\nend\n"
+        for text, line, said, hint in (
+                (good % "if 1 != 2 then end", 3, "'then' expected", "not equal is written ~="),
+                (good % "n += 1", 3, "'=' expected", "n = n + 1"),
+                ("// mine\n" + good % "", 1, "unexpected symbol", "comments start with --"),
+                (good % "if true then", 5, "'end' expected", "look from line 2 on"),
+                (good % "print('hello)", 3, "unfinished string", "with the quote that it began with"),
+                (good % "Agent.Walk(agent)", 3, "attempt to call field 'Walk'", "Agent has no function Walk: docs/lua lists"),
+                (good % "Agent.SetTarget(agent, target.position)", 3, "global 'target' (a nil value)", "nothing has given target a value"),
+                (good % "GoThere(agent)", 3, "global 'GoThere' (a nil value)", "is its script loaded with require?")):
+            with self.subTest(text):
+                self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')
+                self.write("Bad.lua", text)
+                run = self.run_()
+                self.check_world_goes_on(run)
+                told = [d for d in run.diagnostics() if d.get("line") == line and d.get("file", "").endswith("Bad.lua")][0]
+                self.assertIn(said, told["message"])
+                self.assertIn(hint, told["hint"])
+                self.assertNotIn("=script", told["message"])
+        check = Run("check", self.write("Bad.lua", good % "n += 1"))
+        self.assertIn("note: write the sum out: n = n + 1", check.out)
+
+    def test_a_script_without_its_ending_is_found(self):
+        self.scenario('Sandbox.CreateAgent(sandbox, "Good");')
+        self.assertIn('did you mean \\"Good.lua\\"?', self.run_().out)
+
     def test_run_time_error_costs_one_call(self):
         self.scenario('for i = 1, 3 do Sandbox.CreateAgent(sandbox, "Bad.lua"); end')
         self.write("Bad.lua", "local ticks = 0\nfunction Agent_Update(agent)\n  ticks = ticks + 1\n  if ticks == 10 then\n    error_here.x = 1\n  end\n"

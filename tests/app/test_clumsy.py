@@ -110,6 +110,48 @@ class Scenarios(ScenarioCase):
             self.assertRegex(run.err, rf"scenario\.toml:{place}: error: .*{said}")
         self.assertIn("did you mean 'height'?", run.err)
 
+    def test_forms_of_other_languages_and_of_haste_are_told_at_their_place_with_what_to_write(self):
+        self.write("hero.soar", RULES)
+        for text, place, said, hint in (
+                (AGENT + 'position = "1, 2"\n', "4:12", "'position' takes two numbers", ""),
+                (AGENT + "position = (1, 2)\n", "4:", "", "between square brackets: [1, 2]"),
+                (AGENT + "armed = yes\n", "4:", "", "write true or false"),
+                (AGENT.replace("name =", "name:"), "2:5", "expected '='", "write = between a key and its value"),
+                (AGENT.replace("hero.soar", "rules\\hero.soar"), "3:", "escape", "write / between folders"),
+                ("// my world\n" + AGENT, "1:", "", "comments start with #"),
+                (AGENT + "seconds = 60\n", "4:11", "no agent has an option 'seconds'", "on top of the file"),
+                (AGENT + '[[waypoint]]\nposition = [1, 2]\nseconds = 60\n', "6:11", "a waypoint has no 'seconds'", "on top of the file"),
+                ('seconds = "60"\n' + AGENT, "1:11", "a number from 0 to 1000000", ""),
+                (AGENT.replace('"hero.soar"', '["hero.soar"]'), "3:9", "'rules' takes a text in quotes", ""),
+                (AGENT + 'kind = "soldier"\n', "4:8", "no agent has an option 'kind'", "did you mean 'body'?"),
+                (AGENT + 'leader = "boss"\n', "4:10", "the leader of hero, 'boss', is not above it", "comes before"),
+                (AGENT.replace("hero.soar", "scout.soar"), "3", "scout.soar", "")):
+            with self.subTest(text):
+                self.write("scenario.toml", text)
+                for run in (Run("check", self.folder), Run("run", self.folder, "--headless", "--seconds", 0.1)):
+                    self.assertIn(run.code, (1, 3))
+                    told = run.out + run.err
+                    self.assertIn(f"scenario.toml:{place}", told)
+                    self.assertIn(said, told)
+                    self.assertIn(hint, told)
+                    self.assertEqual(told.count("error: "), 1, told)
+
+    def test_what_is_odd_in_a_scenario_is_told_by_check(self):
+        self.write("hero.soar", RULES)
+        for text, line, said, hint in ((AGENT + AGENT, 4, "another agent named 'hero' in line 1", "called hero-2"),
+                                       ('description = "later"\n', 1, "this scenario has no agents", "[[agent]]")):
+            self.write("scenario.toml", text)
+            run = Run("check", self.folder)
+            self.assertEqual(run.code, 1)
+            self.assertIn(f"scenario.toml:{line}: warning: ", run.out)
+            self.assertIn(said, run.out)
+            self.assertIn(hint, run.out)
+
+    def test_a_faulty_scenario_says_nothing_about_the_places_that_rules_name(self):
+        self.write("hero.soar", RULES.replace("(<o> ^wander <c>)", "(<o> ^move-to <c>) (<c> ^waypoint gate)"))
+        self.write("scenario.toml", AGENT + "position = (1, 2)\n[[waypoint]]\nname = \"gate\"\nposition = [1, 2]\n")
+        self.assertNotIn("which the scenario does not have", Run("check", self.folder).out)
+
     def test_a_parameter_with_two_values_is_told_as_the_mistake_that_it_is(self):
         self.write("scenario.toml", AGENT)
         self.write("hero.soar", RULES.replace("(<o> ^wander <c>)", "(<o> ^set-speed <c>) (<c> ^speed 1 + 2)"))
@@ -126,7 +168,7 @@ class Scenarios(ScenarioCase):
         self.assertEqual(len(told), 1, run.out)
         named = [problem for problem in run.diagnostics() if "fire again and again" in problem["message"]]
         self.assertEqual([problem["line"] for problem in named], [1], run.out)
-        self.assertIn("rule hero*count would be next", named[0]["message"])
+        self.assertIn("rule hero*count among them", named[0]["message"])
 
     def test_a_mind_that_fires_ever_more_rules_is_halted_and_the_world_goes_on(self):
         self.write("scenario.toml", AGENT + '[[agent]]\nname = "other"\nrules = "other.soar"\n')

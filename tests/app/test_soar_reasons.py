@@ -259,7 +259,7 @@ class Check(ScenarioCase):
         for name, text, line in (("a.soar", "sp {a\n   (state <s> ^superstate nil\n-->\n   (<s> ^x 1)\n}\n", 3),
                                  ("b.lua", "local x = 1\nif x then\nlocal = 3\n", 3),
                                  ("c.toml", 'seed = 1\nsecnods = 3\n', 2),
-                                 ("d.toml", '[[agent]]\nrules = "nowhere.soar"\n', 1)):
+                                 ("d.toml", '[[agent]]\nrules = "nowhere.soar"\n', 2)):
             code, problems = self.check(name, text)
             self.assertEqual(code, 1, name)
             self.assertEqual((problems[0]["severity"], problems[0]["line"]), ("error", line), problems)

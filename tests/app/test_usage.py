@@ -52,6 +52,31 @@ class Usage(ScenarioCase):
         self.assertIn("the argument files is missing", self.refused("check"))
         self.assertIn("--at is missing", self.refused("resume", "x"))
 
+    def test_takes_no_option_for_the_value_of_another(self):
+        self.assertIn("--record takes a value, and none is given", self.refused("run", "thesis", "--record", "--headless"))
+        self.assertIn("--seconds takes a value", self.refused("run", "thesis", "--seconds", "--seed", 3))
+
+    def test_names_what_a_folder_or_a_file_is_instead_of_what_was_wanted(self):
+        for folder in ("two/a", "two/b", "rules", "small"):
+            (self.folder / folder).mkdir(parents=True)
+        self.write("two/a/scenario.toml", "")
+        self.write("two/b/Sandbox.lua", "")
+        self.write("rules/hero.soar", "")
+        self.write("small/sandbox.lua", "")
+        for folder, hint in (("two", "there are scenarios in it: "), ("rules", "hero.soar runs these rules in a world"),
+                             ("small", "rename sandbox.lua to Sandbox.lua")):
+            run = Run("run", self.folder / folder, "--headless")
+            self.assertEqual(run.code, 3)
+            self.assertIn("neither scenario.toml nor Sandbox.lua", run.err)
+            self.assertIn(hint, run.err)
+        run = Run("sweep", self.folder / "nowhere.toml")
+        self.assertEqual(run.code, 3)
+        self.assertIn("nowhere.toml: error: there is no such file\n   note: a sweep is a .toml file", run.err)
+
+    def test_looks_over_a_scenario_by_its_name(self):
+        run = Run("check", "soar_hallway")
+        self.assertEqual((run.code, run.out), (0, "0 errors, 0 warnings\n"))
+
     def test_without_any_argument_is_told_what_there_is(self):
         text = self.refused()
         for command in SUB_COMMANDS:
