@@ -116,6 +116,9 @@ class Desk {
   /// A check of the run's mission came to be known or was decided.
   void NoteCheck(const sim::RunEvent& event);
 
+  /// Writes the window that was asked for as a picture, once menus have closed.
+  void SaveAwaitedPicture(viewer::Viewer& viewer);
+
   // What the user asks for (desk_requests.cpp).
   void Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace);
   void Resume(Pace& pace);
@@ -227,6 +230,7 @@ class Desk {
   std::string refreshed_note_;
   Clock::time_point refreshed_at_;
   Clock::time_point sought_at_;
+  int picture_in_frames_ = 0;               ///< Until a picture is saved; 0: none is wanted.
   std::optional<std::uint64_t> resume_at_;  ///< The run is to go on from this tick, which is being rebuilt.
   world::SceneSnapshot past_scene_;
   std::uint64_t past_scene_tick_ = ~std::uint64_t{0};

@@ -45,6 +45,7 @@ std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
 
 void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
   ShowDraft();
+  SaveAwaitedPicture(viewer);
   for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
   ApplyAwaited();

@@ -42,12 +42,9 @@ struct Desk::Visitor {
   void operator()(const viewer::SpeedRequest& request) const { pace.SetSpeed(request.speed); }
   void operator()(const viewer::TellRequest& request) const { viewer.Tell(request.text); }
   void operator()(const viewer::SavePictureRequest&) const {
-    const std::string file = "soarbox-" + std::to_string(desk.past_.shown_tick()) + ".png";
-    if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
-      desk.NoteProblem(saved.error(), {});
-    } else {
-      viewer.Tell("Saved as " + file);
-    }
+    // The menu that it was asked from is closed by then.
+    constexpr int kSoon = 6;
+    desk.picture_in_frames_ = kSoon;
   }
   void operator()(const viewer::StateRequest& request) const { desk.state_ = request.state; }
   void operator()(const viewer::ObjectRequest& request) const {
@@ -140,6 +137,16 @@ struct Desk::Visitor {
 void Desk::Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace) {
   std::visit(Visitor{*this, viewer, pace}, request);
   is_stale_ = true;
+}
+
+void Desk::SaveAwaitedPicture(viewer::Viewer& viewer) {
+  if (picture_in_frames_ == 0 || --picture_in_frames_ > 0) return;
+  const std::string file = "soarbox-" + std::to_string(past_.shown_tick()) + ".png";
+  if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
+    NoteProblem(saved.error(), {});
+  } else {
+    viewer.Tell("Saved as " + file);
+  }
 }
 
 void Desk::Type(const viewer::ConsoleRequest& request) {

@@ -160,6 +160,7 @@ int Run(const RunOptions& given) {
   printer->Begin({scenario.value().name, seed, options.headless});
   RunSession session(std::move(*simulation), std::move(printer), options);
   session.SetMission(std::move(mission));
+  session.ExpectInputs(!options.input.empty());
   record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
   RunRecordings recordings(options);
   if (is_recorded) {

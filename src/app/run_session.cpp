@@ -174,7 +174,7 @@ bool RunSession::IsOver() const {
 }
 
 int RunSession::Finish() {
-  if (simulation_->waiting_inputs() > 0 && !WasInterrupted()) {
+  if (expects_inputs_ && simulation_->waiting_inputs() > 0 && !WasInterrupted()) {
     Diagnostic warning;
     warning.severity = Severity::kWarning;
     warning.message = "the run ended before " + std::to_string(simulation_->waiting_inputs()) + " of its inputs";

@@ -62,6 +62,9 @@ class RunSession {
   const std::filesystem::path& lesson() const { return lesson_; }
 
   sim::Simulation& simulation() { return *simulation_; }
+  /// Whether inputs that the run ended before are a mistake: those of a file are, keys that were pressed in a paused
+  /// window are not.
+  void ExpectInputs(bool expects) { expects_inputs_ = expects; }
 
  private:
   void PrintEvents();
@@ -85,6 +88,7 @@ class RunSession {
   std::unique_ptr<sim::LiveEdits> edits_;  ///< Null if files are not watched.
   std::chrono::steady_clock::time_point next_look_;
   std::size_t problems_ = 0;
+  bool expects_inputs_ = true;
   std::uint64_t seed_ = 1;
   std::string scenario_name_;
   Make make_;

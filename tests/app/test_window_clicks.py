@@ -114,6 +114,90 @@ STORY = (
           key Delete
           key Escape
         """),
+    ("Go to the moment when an operator was selected", """
+        click "Trace"
+        click "Search; rule:NAME op:NAME ^attribute"
+        type "op:seek"
+        double-click "(seek)"
+          expect "Resume here"
+          click "Live"
+          expect-not "Resume here"
+          click "op:seek"
+          key Ctrl+A
+          key Delete
+          key Escape
+        """),
+    ("See which rule made an element", """
+        click "Memory"
+        click "^operator"
+          expect "Made by"
+          expect "walker*propose*seek"
+        """),
+    ("See what an agent perceives", """
+        click-agent walker
+        click "Senses"
+          expect "Percepts (input link)"
+        """),
+    ("Stop when a rule fires that you look for", """
+        key Ctrl+Shift+P
+        type "apply*forget"
+        key Return
+        click "Break when it fires"
+          click "Breakpoints"
+          expect "a rule fires:"
+          expect "walker*apply*forget"
+          click "\u00d7"
+          expect "No breakpoints."
+        """),
+    ("Plot a number over time", """
+        click "Plots"
+        click "Plot a number of walker"
+        click "speed (m/s)"
+          expect-not "Nothing is plotted yet."
+        """),
+    ("Send an agent a Soar command", """
+        click "Console"
+        click "a Soar command"
+        type "print s1"
+        key Return
+          expect "^superstate nil"
+          key Escape
+        """),
+    ("Find one agent of many", """
+        click "Filter"
+        type "idl"
+          key Ctrl+A
+          key Delete
+          key Escape
+        """),
+    ("Save a picture of the window", """
+        click "File"
+        click "Save picture"
+          expect "Saved as soarbox-"
+        """),
+    ("Switch to light colours", """
+        click "Panels"
+        click "Light colors"
+          audit "light colours"
+          click "Panels"
+          click "Light colors"
+        """),
+    ("Keep an arrangement of panels", """
+        click "Panels"
+        click "Layouts"
+        click "Save as: a name, Enter"
+        type "mine"
+        key Return
+          expect "Layout saved as mine"
+          key Escape
+          key Escape
+        """),
+    ("See the scene alone", """
+        key F11
+          expect-not "Timeline"
+          key F11
+          expect "Timeline"
+        """),
     ("Find a text anywhere", """
         key Ctrl+Shift+P
         type "flee"
@@ -153,6 +237,11 @@ STORY = (
           expect-not "Resume here"
           click "Save"
           expect "Saved"
+        """),
+    ("Start again with the next seed", """
+        click "Next seed"
+          expect "seed 2"
+          expect "walker"
         """),
     ("Open another scenario", """
         key Ctrl+O

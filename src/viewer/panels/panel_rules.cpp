@@ -210,8 +210,9 @@ class RulesPanel final : public Panel {
                                      ? "Its text is not available there."
                                      : "Its text is not recorded: it is shown once the moment is simulated again.");
     }
-    ColoredText(theme::kQuiet, rule.type + ", fired " + std::to_string(rule.firings) + " times, " +
-                                   std::to_string(rule.matches) + (rule.matches == 1 ? " match" : " matches") + " now");
+    ColoredText(theme::kQuiet, rule.type + ", fired " + std::to_string(rule.firings) +
+                                   (rule.firings == 1 ? " time, " : " times, ") + std::to_string(rule.matches) +
+                                   (rule.matches == 1 ? " match" : " matches") + " now");
     TermTooltip(rule.type);
     if (!rule.documentation.empty()) WrappedText(rule.documentation);
     DrawMatch(frame, view.match);

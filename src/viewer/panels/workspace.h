@@ -75,6 +75,7 @@ class Workspace {
   void DrawMenus(PanelFrame& frame);
   void DrawFileMenu(PanelFrame& frame);
   void DrawLayoutMenu(PanelFrame& frame);
+  void ResetLayout();
   /// What the window itself can do, for the finder.
   std::vector<Finder::Action> Actions(PanelFrame& frame);
   void DrawToolbar(PanelFrame& frame, const Metrics& metrics, float frames_per_second);

@@ -108,14 +108,7 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       ImGui::EndMenu();
     }
     ImGui::MenuItem("Light colors", nullptr, &layout.light);
-    if (ImGui::MenuItem("Reset the layout")) {
-      const int text = layout.text_percent;
-      const bool light = layout.light;
-      layout = DefaultLayout();
-      layout.light = light;
-      layout.SetText(text);
-      only_picture = false;
-    }
+    if (ImGui::MenuItem("Reset the layout")) ResetLayout();
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Find")) {
@@ -182,7 +175,7 @@ void Workspace::DrawLayoutMenu(PanelFrame& frame) {
     Tooltip("Right click to delete it");
   }
   ImGui::Separator();
-  ImGui::SetNextItemWidth(frame.Px(170));
+  ImGui::Dummy({frame.Px(190), 0});  // Wide enough for the field's hint.
   SearchField("##name", "Save as: a name, Enter", layout_name_, frame.Px(1));
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !layout_name_.empty()) {
     const Result<void> kept = SaveLayoutAs(layout_name_, layout);
@@ -195,7 +188,16 @@ void Workspace::DrawLayoutMenu(PanelFrame& frame) {
   if (!layout_fault_.empty()) ColoredText(theme::kBad, layout_fault_);
 }
 
-std::vector<Finder::Action> Workspace::Actions(PanelFrame&) {
+void Workspace::ResetLayout() {
+  const int text = layout.text_percent;
+  const bool light = layout.light;
+  layout = DefaultLayout();
+  layout.light = light;
+  layout.SetText(text);
+  only_picture = false;
+}
+
+std::vector<Finder::Action> Workspace::Actions(PanelFrame& frame) {
   std::vector<Finder::Action> actions{
       {"Open scenario ...", "Ctrl+O", [this] { Find(Finder::For::kScenario); }},
       {"Open recording ...", "Ctrl+Shift+O", [this] { Find(Finder::For::kRecording); }},
@@ -203,6 +205,9 @@ std::vector<Finder::Action> Workspace::Actions(PanelFrame&) {
       {"Larger text", "Ctrl +", [this] { layout.SetText(layout.text_percent + 25); }},
       {"Smaller text", "Ctrl -", [this] { layout.SetText(layout.text_percent - 25); }},
       {"Picture only", "F11", [this] { only_picture = !only_picture; }},
+      {"Reset the layout", "", [this] { ResetLayout(); }},
+      {"Save picture", "the window as a PNG file", [&frame] { frame.Ask(SavePictureRequest{}); }},
+      {"Keys and mouse", "?", [this] { show_help = true; }},
       {"First steps", "", [this] {
          layout.first_steps = true;
          first_steps_.Begin();
