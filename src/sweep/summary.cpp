@@ -26,7 +26,9 @@ std::string Percent(double share) {
 
 std::string Short(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", number);
+  // Large numbers as people write them: 13430, not 1.343e+04.
+  const bool is_large = std::abs(number) >= 1e4 && std::abs(number) < 1e9;
+  std::snprintf(text, sizeof text, is_large ? "%.0f" : "%.4g", number);
   return text;
 }
 
@@ -71,6 +73,15 @@ std::vector<double> Values(const std::map<std::uint64_t, double>& by_seed) {
   std::vector<double> values;
   for (const auto& [seed, value] : by_seed) values.push_back(value);
   return values;
+}
+
+/// Whether all numbers of two variants are the same with a seed.
+bool AreAlike(const std::vector<Quantity>& quantities, std::size_t a, std::size_t b, std::uint64_t seed) {
+  return std::ranges::all_of(quantities, [&](const Quantity& quantity) {
+    const auto one = quantity.by_variant[a].find(seed), other = quantity.by_variant[b].find(seed);
+    const bool has_one = one != quantity.by_variant[a].end(), has_other = other != quantity.by_variant[b].end();
+    return has_one == has_other && (!has_one || one->second == other->second);
+  });
 }
 
 void TellDifference(std::ostringstream& out, const Plan& plan, const Quantity& quantity, std::size_t a, std::size_t b) {
@@ -137,7 +148,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
   out << "differences from " << plan.variants.front().variant.name << ", on equal seeds:\n";
   std::size_t told = 0;
   for (std::size_t v = 1; v < plan.variants.size(); ++v) {
-    std::size_t only_first = 0, only_second = 0, equal = 0, both = 0;
+    std::size_t only_first = 0, only_second = 0, equal = 0, alike = 0, both = 0;
     for (const auto& [seed, good] : passed[v]) {
       const auto other = passed.front().find(seed);
       if (other == passed.front().end()) continue;
@@ -145,10 +156,16 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
       only_first += other->second && !good ? 1 : 0;
       only_second += good && !other->second ? 1 : 0;
       equal += hashes[v][seed] == hashes.front()[seed] ? 1 : 0;
+      alike += AreAlike(quantities, 0, v, seed) ? 1 : 0;
     }
     if (both > 0 && equal == both && only_first == 0 && only_second == 0) {
       out << "  " << plan.variants[v].variant.name << " never differs from " << plan.variants.front().variant.name
           << ": does what it changes reach the agents?\n";
+      continue;
+    }
+    if (both > 0 && alike == both && only_first == 0 && only_second == 0) {
+      out << "  " << plan.variants[v].variant.name << " and " << plan.variants.front().variant.name
+          << " have the same numbers on each seed; does what it changes matter in these runs?\n";
       continue;
     }
     if (has_checks && both > 0) {

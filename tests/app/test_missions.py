@@ -495,6 +495,16 @@ class Sweeps(MissionCase):
         self.assertEqual({pathlib.Path(row["recording"]).exists() for row in self.rows()}, {True})
         self.assertIn("0 runs made, 12 were there", Run("sweep", spec).err)
 
+    def test_a_sweep_says_that_a_variant_has_the_numbers_of_the_first(self):
+        self.mission("")
+        spec = self.write("sweep.toml", 'mission = "go.toml"\n[[variant]]\nname = "a"\n[[variant]]\nname = "tough"\n'
+                          'parameters = { "agent.scout.health" = 90 }\n')
+        self.write("go.toml", 'scenario = "."\nseeds = "1..3"\nseconds = 8\n[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\n')
+        run = Run("sweep", spec)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertRegex(run.out, "tough(-90)? and a have the same numbers on each seed")
+        self.assertNotIn("e+0", run.out)
+
     def test_a_folder_of_a_sweep_can_be_taken_elsewhere(self):
         self.mission("")
         rules = self.write("fast.soar", RULES)
