@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // What the user asks for in panels.
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "app/desk.h"
@@ -141,7 +143,10 @@ void Desk::Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pac
 
 void Desk::SaveAwaitedPicture(viewer::Viewer& viewer) {
   if (picture_in_frames_ == 0 || --picture_in_frames_ > 0) return;
-  const std::string file = "soarbox-" + std::to_string(past_.shown_tick()) + ".png";
+  const std::string name = "soarbox-" + std::to_string(past_.shown_tick());
+  std::string file = name + ".png";
+  std::error_code error;  // What is there already stays.
+  for (int i = 2; std::filesystem::exists(file, error); ++i) file = name + "-" + std::to_string(i) + ".png";
   if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
     NoteProblem(saved.error(), {});
   } else {

@@ -302,6 +302,32 @@ class Looking(WindowUser):
             audit "the rules"
             """, "--panels", "default", "--text", "150")
 
+    def test_a_picture_shows_the_window_without_the_menu_and_replaces_no_other(self):
+        self.play(f"""
+            until 0.5
+            key P
+            expect "Paused"
+            click-at 640 300
+            wait 20
+            picture {self.folder}/plain.png
+            click "File"
+            click "Save picture"
+            expect "Saved as soarbox-"
+            key Ctrl+Shift+P
+            type "save picture"
+            key Return
+            expect "-2.png"
+            """)
+        plain = Picture(self.folder / "plain.png")
+        saved = sorted(self.folder.glob("soarbox-*.png"))
+        self.assertEqual(len(saved), 2)
+        for file in saved:
+            picture = Picture(file)
+            # Where the menu and the finder were.
+            places = [(x, y) for x in range(30, 240, 30) for y in range(64, 96, 4)] + \
+                [(x, y) for x in range(930, 955, 5) for y in range(150, 400, 10)]
+            self.assertEqual([place for place in places if picture.at(*place) != plain.at(*place)], [], file.name)
+
     def test_the_camera_follows_until_it_is_taken_and_comes_back(self):
         self.play("""
             until 6

@@ -149,7 +149,7 @@ void Workspace::DrawFileMenu(PanelFrame& frame) {
   }
   ImGui::Separator();
   if (ImGui::MenuItem("Save picture")) frame.Ask(SavePictureRequest{});
-  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started");
+  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file");
   ImGui::Separator();
   CommandItem(frame, ViewerCommand::kQuit);
 }
