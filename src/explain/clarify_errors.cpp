@@ -245,6 +245,11 @@ std::string HintForValue(const std::string& found, const std::string& before) {
   const std::size_t word = before.rfind("(state ");
   if (found == "^" && word != kNowhere && before.find(')', word) == kNowhere)
     return "the word state stands in conditions only: write (" + Trimmed(before.substr(word + 7)) + " ^...";
+  // "(<out> ^move-to ^waypoint gate)"
+  if (const std::string clause = Trimmed(before.substr(before.rfind('(') == kNowhere ? 0 : before.rfind('(') + 1));
+      found == "^" && clause.rfind('^') != kNowhere && clause.find(' ', clause.rfind('^')) == kNowhere)
+    return "write a value after " + clause.substr(clause.rfind('^')) + ": (" + clause +
+           " <new>) (<new> ^attribute value)";
   // "(<command ^waypoint": the variable has no end.
   const std::size_t open = before.rfind('<');
   if (found == "^" && open != kNowhere && before.find('>', open) == kNowhere) {
@@ -266,6 +271,8 @@ std::string HintForTest(const std::string& found, const std::string& before, con
   if (found == "^" && last == '!') return "a negation is written with a minus: -^attribute value";
   if (last == '!') return "not equal is written <>: <> " + found;
   if (found == "^" && last == '^') return "write one ^ only";
+  if (found == "." && last == '>')
+    return "bind it in a condition of its own, and compare with that: (<s> ^near <n>) (<a> ^range < <n>)";
   if (found == "." && last == '^') return "the ^ comes first: ^io.input-link";
   if (found == ".") {
     const std::size_t begin = before.find_last_of(" \t(");
@@ -277,6 +284,9 @@ std::string HintForTest(const std::string& found, const std::string& before, con
   const std::size_t open = tests.rfind(" < ");
   if (found == "^" && tests.ends_with(" >") && open != kNowhere)
     return "a choice is written <<" + tests.substr(open + 2, tests.size() - open - 3) + ">>";
+  if (const std::size_t end = before.find_last_not_of(" \t");
+      found == "^" && end != kNowhere && (before[end] == '<' || before[end] == '>' || before[end] == '='))
+    return "the attribute comes first, then the relation and the value: ^range > 5";
   return {};
 }
 
@@ -374,6 +384,15 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   // "( <o> ^" where a value was expected: the bracket before it was never closed.
   const std::size_t open = line.rfind('(', column);
   if (open == kNowhere || line.find('<', open) > column) return;
+  // "(<out> ^move-to (<command> ^waypoint gate))"
+  const std::string outer = Trimmed(line.substr(0, open));
+  if (const std::size_t attribute = outer.rfind('^');
+      attribute != kNowhere && outer.find(' ', attribute) == kNowhere && outer.rfind('(') != kNowhere) {
+    const std::string inner = Trimmed(line.substr(open + 1, column - open - 1));
+    problem.hint = "objects do not stand within each other: write " + outer.substr(outer.rfind('(')) + " " + inner +
+                   ") (" + inner + " ^attribute value)";
+    return;
+  }
   for (int at = problem.line; at >= 1; --at) {
     const std::string& text = source.Code(at);
     const std::size_t last = text.find_last_not_of(" \t", at == problem.line && open > 0 ? open - 1 : kNowhere);
@@ -498,9 +517,10 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
       outside = text.find("outside any rule") != kNowhere || text.starts_with("a blank is missing between");
       if (outside && was_outside) continue;
     } else if (text.starts_with("Failed to open file")) {
-      problem.hint = source.Code(problem.line).find('\\') != kNowhere
-                         ? "write / between folders, not \\"
-                         : "the name is relative to the folder of the file that sources it";
+      const std::string& code = source.Code(problem.line);
+      problem.hint = code.find('\'') != kNowhere   ? "write the name without quotes"
+                     : code.find('\\') != kNowhere ? "write / between folders, not \\"
+                                                   : "the name is relative to the folder of the file that sources it";
     } else if (text.starts_with("Syntax: sp {") && BeginsRule(source.Code(problem.line))) {
       ClarifyTail(problem, source);
     } else if (ClarifyMissingBrace(problem, source)) {

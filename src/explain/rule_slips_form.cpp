@@ -189,6 +189,10 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
         if (word.find_first_not_of("<>=!") == std::string::npos) {
           slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
                            "the relations are < <= > >= <> (not equal) <=> (of the same type); leave = out"});
+        } else if (const std::size_t number = word.find_first_not_of("<>=");
+                   word.front() == '<' && IsNumber(word.substr(number))) {
+          slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
+                           "put a blank between them: " + word.substr(0, number) + " " + word.substr(number)});
         } else if (word.front() == '<' || word.back() == '>') {
           slips.push_back({rule.name, word, false,
                            word + " in rule " + rule.name + " is read as a word, not as a variable",
@@ -242,6 +246,21 @@ void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
                                      : "conditions need no " + word +
                                            " between them; two tests of one value stand in "
                                            "braces: { > 10 < 20 }"});
+  }
+}
+
+/// "{ > 2 and < 20 }": the word is one more test, for a number that is a word.
+void FindJoinedTests(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (!condition.value.starts_with('{')) continue;
+    for (const auto& [relation, word] : TestsIn(condition.value)) {
+      if (!relation.empty() || (word != "and" && word != "or" && word != "not" && word != "&&")) continue;
+      slips.push_back({rule.name, word, false,
+                       "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
+                       word == "or" ? "a choice is written << a b >>"
+                                    : "tests between braces stand one after another: { > 10 < 20 }"});
+      break;
+    }
   }
 }
 
@@ -374,6 +393,7 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
     FindOddWords(rule, slips);
     FindComparedWords(rule, slips);
     FindJoiningWords(rule, slips);
+    FindJoinedTests(rule, slips);
     FindUnproposed(rule, slips);
     const std::size_t before = slips.size();
     FindUnlinked(rule, slips);

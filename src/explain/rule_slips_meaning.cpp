@@ -45,16 +45,20 @@ class MeaningChecker {
       }
       // What is on the input link is a percept, whatever rules make elsewhere.
       if (const auto path = paths.find(condition.id);
-          path != paths.end() && path->second.size() > 1 && path->second[1] == "input-link")
+          path != paths.end() && path->second.size() > 1 && path->second[1] == "input-link") {
         CheckComparison(rule, condition);
+        CheckItself(rule, condition);
+      }
       if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
       // (FindSlipsOfMemory knows what memories answer.)
       if (const auto path = paths.find(condition.id); path != paths.end() && IsMemoryAnswer(path->second)) continue;
       if (inputs.contains(condition.id) && vocabulary::IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
       if (vocabulary::IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || vocabulary::IsPerceptAttribute(attribute) || !known_.complete) continue;
+      const bool is_operator =
+          std::ranges::any_of(rules_, [&](const RuleText& other) { return other.proposes.contains(attribute); });
       Tell(rule, attribute, true, "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
-           Nearest(attribute));
+           is_operator ? "an operator's name is a value: ^name " + attribute : Nearest(attribute));
     }
   }
 
@@ -264,6 +268,11 @@ class MeaningChecker {
         "it is " + PlacesOfPercept(attribute));
   }
 
+  static bool IsUnit(std::string_view word) {
+    constexpr std::string_view kUnits[] = {"m", "cm", "km", "s", "ms", "deg", "degrees", "metres", "meters", "seconds"};
+    return std::ranges::find(kUnits, word) != std::end(kUnits);
+  }
+
   static bool IsAlwaysNumber(const std::string& attribute) {
     return std::all_of(vocabulary::Percepts().begin(), vocabulary::Percepts().end(),
                        [&](const vocabulary::PerceptRow& row) {
@@ -280,16 +289,29 @@ class MeaningChecker {
          "write the number without bars: " + word);
   }
 
+  /// "(<w> ^name <w>)"
+  void CheckItself(const RuleText& rule, const RuleAttribute& condition) {
+    if (condition.value != condition.id || !IsAlwaysWord(condition.attribute)) return;
+    Tell(rule, condition.attribute, true,
+         "rule " + rule.name + " tests that ^" + condition.attribute + " is " + condition.id +
+             ", the object that has it: that never matches",
+         "give it a variable of its own: ^" + condition.attribute + " <" + condition.attribute + ">");
+  }
+
+  static bool IsAlwaysWord(const std::string& attribute) {
+    return vocabulary::IsPerceptAttribute(attribute) &&
+           std::ranges::all_of(vocabulary::Percepts(), [&](const vocabulary::PerceptRow& row) {
+             return row.Attribute() != attribute || row.type == vocabulary::ValueType::kWord;
+           });
+  }
+
   /// "^name > 3", "^name { > 3 <n> }": words are not less or greater.
   void CheckComparison(const RuleText& rule, const RuleAttribute& condition) {
     std::istringstream tests(condition.value);
     std::string number;
     for (std::string before, word; tests >> word && number.empty(); before = word)
       if ((before == "<" || before == "<=" || before == ">" || before == ">=") && IsNumber(word)) number = word;
-    const bool is_word = std::ranges::all_of(vocabulary::Percepts(), [&](const vocabulary::PerceptRow& row) {
-      return row.Attribute() != condition.attribute || row.type == vocabulary::ValueType::kWord;
-    });
-    if (number.empty() || !is_word || !vocabulary::IsPerceptAttribute(condition.attribute)) return;
+    if (number.empty() || !IsAlwaysWord(condition.attribute)) return;
     Tell(rule, condition.attribute, true,
          "rule " + rule.name + " compares ^" + condition.attribute + ", a word, with the number " + number +
              ": that never matches",
@@ -312,7 +334,7 @@ class MeaningChecker {
     if (words.empty()) {
       Tell(rule, value, false,
            "rule " + rule.name + " compares ^" + condition.attribute + ", a number, with the word " + value,
-           "numbers are compared with < <= > >= <>");
+           IsUnit(value) ? "write the number without its unit" : "numbers are compared with < <= > >= <>");
       return;
     }
     std::string all = "it is one of:";

@@ -94,7 +94,16 @@ void FindInputWriters(const RuleText& rule, std::vector<Slip>& slips) {
   const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
   for (const RuleAttribute& action : rule.actions) {
     const auto path = paths.find(action.id);
-    if (path == paths.end() || path->second.empty() || path->second.back() != "input-link") continue;
+    if (path == paths.end() || path->second.empty()) continue;
+    if (IsBelowInputLink(path->second) && path->second.back() != "input-link" &&
+        vocabulary::IsPerceptAttribute(action.attribute)) {
+      slips.push_back({rule.name, action.attribute, true,
+                       "rule " + rule.name + " writes ^" + action.attribute + " where it is a percept: this changes " +
+                           "nothing in the world",
+                       "only the world changes percepts; commands change the world: docs/commands.md", true});
+      return;
+    }
+    if (path->second.back() != "input-link") continue;
     slips.push_back({rule.name, action.attribute, true,
                      "rule " + rule.name + " writes ^" + action.attribute +
                          " on the input link, which is for percepts: this gives no command",

@@ -220,6 +220,19 @@ SLIPS = {
     "a double quote without its partner": ("(<out> ^wander <c>)", '(<out> ^wander <c>)\n   (write "go)', 13, "has no partner", "between bars"),
     "a command in a proposal": (GOOD[GOOD.index("^io.input"):], "^io <io>)\n   (<io> ^input-link.self <me> ^output-link <out>)\n-->\n   (<s> ^operator <o> +)\n"
                                 "   (<o> ^name go)\n   (<out> ^wander <c>)\n}\n", 6, "operator go, which no rule applies", "it gives its command itself"),
+    "a relation without a blank": ("> 10", "<10", 3, "<10 in rule hero*propose*go is read as a word", "a blank between them: < 10"),
+    "a parameter beside its command": ("(<out> ^wander <c>)", "(<out> ^move-to ^waypoint gate)", 12, "found '^'", "write a value after ^move-to"),
+    "a parameter within its command": ("(<out> ^wander <c>)", "(<out> ^move-to (<c> ^waypoint gate))", 12, "found '^'",
+                                       "objects do not stand within each other: write (<out> ^move-to <c>)"),
+    "a number before its attribute": ("^health > 10", "^weapon none 10 < ^health", 3, "found '^'", "the attribute comes first"),
+    "a unit behind a blank": ("> 10", "> 10 m", 3, "compares ^health, a number, with the word m", "without its unit"),
+    "a path in a comparison": ("> 10", "< <s>.limit", 3, "found '.'", "bind it in a condition of its own"),
+    "and between braces": ("> 10", "{ > 10 and < 20 }", 3, "^health is the word and", "one after another"),
+    "an operator's name as an attribute": ("(<o> ^name go)\n-->", "(<o> ^go)\n-->", 10, "tests ^go", "an operator's name is a value: ^name go"),
+    "an object as its own name": ("^health > 10", "^name <me>", 3, "the object that has it", "a variable of its own"),
+    "a percept that a rule writes": ("^operator <o> +)", "^operator <o> +) (<me> ^health 100)", 5, "writes ^health where it is a percept",
+                                     "commands change the world"),
+    "a file between quotes": (None, "source 'helper.soar'", 1, "Failed to open file", "without quotes"),
     "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }
 
