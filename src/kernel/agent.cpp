@@ -516,7 +516,7 @@ Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acce
   WmeId wme = WmeId::kNone;
   const bool added = Guarded([&] {
     wme = engine_->changes.AddInput(id, attribute, value, acceptable);
-    engine_->elaboration.ApplyWorkingMemoryChanges();
+    engine_->elaboration.ApplyBufferedChanges();
   });
   if (!added) return Refusal("there is no memory for the matches of the element: the agent is halted for good");
   return wme;

@@ -12,7 +12,11 @@ namespace soarbox::kernel {
 
 LinkId LinkGraph::Add(Symbol from, Symbol to) {
   IdentifierRecord& target = At(to);
-  if (target.is_goal || from == to) return LinkId::kNone;
+  if (target.is_goal) return LinkId::kNone;
+  if (from == to) {
+    target.names_itself = true;
+    return LinkId::kNone;
+  }
   const LinkId id = links_.Take();
   Link& link = *id.record;
   link.from = from;
@@ -68,26 +72,29 @@ void LinkGraph::Remove(LinkId id) {
   if (id == LinkId::kNone) return;
   Link& link = *id.record;
   IdentifierRecord& target = At(link.to);
-  if (target.parent_link == id) {
-    DropParent(link.to);
-    Queue(link.to);
-  } else {
-    Touch(link.to);
-  }
+  const bool was_parent = target.parent_link == id;
+  if (was_parent) DropParent(link.to);
   if (link.previous_in != LinkId::kNone) {
     link.previous_in.record->next_in = link.next_in;
   } else {
     target.first_link = link.next_in;
   }
   if (link.next_in != LinkId::kNone) link.next_in.record->previous_in = link.previous_in;
+  if (was_parent || memory_.level(link.from) == target.level) Post(link.to);
   links_.Give(id);
 }
 
-void LinkGraph::Queue(Symbol id) {
+/// The identifier lost a link, or the last element that named it, or is a goal that has gone. The first such loss
+/// counts for its turn. But what loses its last link to garbage has its turn at once.
+void LinkGraph::Post(Symbol id) {
   IdentifierRecord& record = At(id);
-  if (record.queued) return;
+  restless_ = true;
+  if (settling_ && record.first_link == LinkId::kNone) {
+    unheld_.push_back(id);
+  } else if (!record.queued) {
+    (settling_ ? uncertain_ : posted_).push_back(id);
+  }
   record.queued = true;
-  Enqueue(id);
 }
 
 void LinkGraph::SetParent(Symbol id, LinkId link_id) {
@@ -133,63 +140,68 @@ Symbol LinkGraph::TopOf(Symbol id) const {
 
 // Settling ------------------------------------------------------------------------------------------------------------
 
+/// True if something names the identifier, be it garbage, an impasse of which it is an item, or the identifier itself.
+inline bool LinkGraph::IsHeld(Symbol id) const {
+  const IdentifierRecord& record = memory_.identifier(id);
+  if (record.gone) return false;
+  return record.first_link != LinkId::kNone || record.value_of != 0 || (record.names_itself && NamesItself(id));
+}
+
+inline void LinkGraph::BeginToSettle() {
+  settling_ = true;
+  for (std::size_t n = posted_.size(); n-- > 0;) {
+    (IsHeld(posted_[n]) ? uncertain_ : unheld_).push_back(posted_[n]);
+  }
+  posted_.clear();
+  if (uncertain_.size() > 1) std::reverse(uncertain_.begin(), uncertain_.end());
+}
+
 void LinkGraph::Settle(std::vector<Symbol>& garbage) {
   Work(garbage);
-  restless_ = !queue_.empty() || !promoted_.empty() || !uncertain_.empty() || !goals_.empty();
+  settling_ = restless_ = !garbage.empty();
+  if (!settling_) gone_.clear();
 }
 
 inline void LinkGraph::Work(std::vector<Symbol>& garbage) {
   for (const Symbol id : promoted_) Promote(id);
   promoted_.clear();
-  while (!queue_.empty()) {
-    const Symbol id = queue_.back();
-    queue_.pop_back();
+  if (!settling_) BeginToSettle();
+  while (!unheld_.empty()) {
+    const Symbol id = unheld_.back();
+    unheld_.pop_back();
     IdentifierRecord& record = At(id);
     if (!record.queued) continue;  // An older entry of one that has had its turn.
-    record.queued = false;
-    if (!record.live || record.is_goal || record.parent_link != LinkId::kNone) continue;
-    if (record.first_link == LinkId::kNone) {
-      if (record.value_of != record.item_of) continue;
-      if (record.item_of != 0) {  // An item of an impasse counts as a link, but leads nowhere.
-        uncertain_.push_back(id);
-        continue;
-      }
-      record.rooted = false;
-      garbage.push_back(id);
-      return;
+    if (IsHeld(id)) {
+      uncertain_.push_back(id);
+      continue;
     }
-    uncertain_.push_back(id);
-  }
-  if (!goals_.empty()) {
-    garbage.push_back(goals_.front());
-    goals_.erase(goals_.begin());
+    record.queued = false;
+    if (!record.live) continue;
+    if (record.gone && record.level > 1) gone_.push_back(id);  // What a top state named goes with its agent's memory.
+    record.rooted = false;
+    garbage.push_back(id);
     return;
   }
-  while (!uncertain_.empty() && garbage.empty()) {
-    const Symbol id = uncertain_.back();
-    uncertain_.pop_back();
-    const IdentifierRecord& record = At(id);
-    if (record.live && !record.is_goal && record.parent_link == LinkId::kNone) Reattach(id, garbage);
+  if (!uncertain_.empty()) Reattach(garbage);
+}
+
+bool LinkGraph::NamesItself(Symbol id) const {
+  for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
+    for (PreferenceId p = memory_.slot(slot).acceptable; p != PreferenceId::kNone;
+         p = memory_.preference(p).next_in_slot) {
+      if (memory_.preference(p).value == id) return true;
+    }
   }
+  return false;
 }
 
 void LinkGraph::ElementRemoved(Symbol value, bool is_item) {
   IdentifierRecord& record = At(value);
   record.item_of -= is_item ? 1 : 0;
-  if (--record.value_of != 0 || record.is_goal || record.parent_link != LinkId::kNone ||
-      record.first_link != LinkId::kNone)
-    return;
-  if (record.queued) {
-    Enqueue(value);
-  } else {
-    Queue(value);
+  if (--record.value_of == 0 && !record.is_goal && record.parent_link == LinkId::kNone &&
+      record.first_link == LinkId::kNone) {
+    Post(value);
   }
-}
-
-/// Another link to an identifier that waits has gone: its turn is counted from now.
-void LinkGraph::Touch(Symbol id) {
-  const IdentifierRecord& record = At(id);
-  if (record.queued && record.parent_link == LinkId::kNone) Enqueue(id);
 }
 
 /// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
@@ -229,46 +241,59 @@ void LinkGraph::Promote(Symbol id) {
   }
 }
 
-/// Finds the identifier a new parent, or takes what only it reaches apart.
-void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
-  IdentifierRecord& record = At(id);
+/// Finds another link from the identifier's own level.
+bool LinkGraph::FindParent(Symbol id) {
+  const IdentifierRecord& record = At(id);
   for (LinkId link = record.first_link; link != LinkId::kNone; link = link.record->next_in) {
     const Symbol from = link.record->from;
-    if (memory_.level(from) == record.level && Trace(from, id) == Ancestry::kRooted) {
-      SetParent(id, link);
-      return;
-    }
+    if (memory_.level(from) != record.level || Trace(from, id) != Ancestry::kRooted) continue;
+    SetParent(id, link);
+    return true;
   }
-  // The tree below hangs in the air: find every link that enters it from outside, highest level first, and grow from
-  // there.
+  return false;
+}
+
+/// Finds new parents for the uncertain identifiers, or takes what only they reach apart.
+void LinkGraph::Reattach(std::vector<Symbol>& garbage) {
+  roots_.clear();
+  for (std::size_t n = uncertain_.size(); n-- > 0;) {
+    const Symbol id = uncertain_[n];
+    IdentifierRecord& record = At(id);
+    if (!record.queued) continue;
+    record.queued = false;
+    if (!record.live || record.is_goal || record.parent_link != LinkId::kNone || FindParent(id)) continue;
+    roots_.push_back(id);
+  }
+  uncertain_.clear();
+  if (roots_.empty()) return;
+  // What hangs on them hangs in the air.
   if (suspended_.size() < memory_.identifier_limit()) suspended_.resize(memory_.identifier_limit(), 0);
   subtree_.clear();
-  const auto suspend = [&](Symbol member) {
-    subtree_.push_back(member);
-    suspended_[member.index()] = 1;
-  };
-  suspend(id);
+  for (const Symbol root : roots_) Suspend(root);
   for (std::size_t next = 0; next < subtree_.size(); ++next) {
-    const IdentifierRecord& member = At(subtree_[next]);
-    for (LinkId child = member.first_child; child != LinkId::kNone; child = child.record->next_child) {
-      suspend(child.record->to);
-    }
-    if (uncertain_.empty()) continue;
-    // What hangs on another one that waits for its turn must wait with it.
-    for (LinkId link = member.first_link; link != LinkId::kNone; link = link.record->next_in) {
-      const Symbol top = TopOf(link.record->from);
-      if (!memory_.identifier(top).is_goal && suspended_[top.index()] == 0 &&
-          std::find(uncertain_.begin(), uncertain_.end(), top) != uncertain_.end()) {
-        suspend(top);
-      }
+    for (LinkId child = At(subtree_[next]).first_child; child != LinkId::kNone; child = child.record->next_child) {
+      Suspend(child.record->to);
     }
   }
+  Rescue();
+  RescueNamed();
+  ListGarbage(garbage);
+}
+
+void LinkGraph::Suspend(Symbol id) {
+  const IdentifierRecord& record = At(id);
+  subtree_.push_back(id);
+  suspended_[id.index()] = 1 + record.value_of - record.item_of;
+}
+
+/// Finds every link that enters what is suspended from outside, highest level first, and grows from there.
+void LinkGraph::Rescue() {
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.level > b.level; };
   heap_.clear();
   for (const Symbol member : subtree_) {
     for (LinkId link = At(member).first_link; link != LinkId::kNone; link = link.record->next_in) {
       const Symbol from = link.record->from;
-      if (suspended_[from.index()] == 0 && Trace(from, id) == Ancestry::kRooted) {
+      if (suspended_[from.index()] == 0 && Trace(from, member) == Ancestry::kRooted) {
         heap_.push_back({memory_.level(from), link});
       }
     }
@@ -292,12 +317,65 @@ void LinkGraph::Reattach(Symbol id, std::vector<Symbol>& garbage) {
       std::push_heap(heap_.begin(), heap_.end(), lower);
     });
   }
-  for (std::size_t n = subtree_.size(); n-- > 0;) {
-    const Symbol member = subtree_[n];
-    if (suspended_[member.index()] == 0) continue;
-    suspended_[member.index()] = 0;
-    At(member).rooted = false;
-    garbage.push_back(member);
+}
+
+/// Elements may outlive their preferences until their slot is decided. What such an element of others than garbage
+/// names stays, with what it reaches; its turn comes when the last of them goes.
+void LinkGraph::RescueNamed() {
+  const auto for_each_value = [&](Symbol id, auto visit) {
+    for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
+      for (const WmeId first : {memory_.slot(slot).wmes, memory_.slot(slot).acceptable_wmes}) {
+        for (WmeId wme = first; wme != WmeId::kNone; wme = memory_.record(wme).next) {
+          const Symbol value = memory_.wme(wme).value;
+          if (value.IsIdentifier() && value != id && suspended_[value.index()] != 0) visit(value);
+        }
+      }
+    }
+  };
+  const auto forget = [&](Symbol value) {
+    if (suspended_[value.index()] > 1) --suspended_[value.index()];
+  };
+  for (const Symbol goal : gone_) for_each_value(goal, forget);
+  for (const Symbol member : subtree_) {
+    if (suspended_[member.index()] != 0) for_each_value(member, forget);
+  }
+  stack_.clear();
+  for (const Symbol member : subtree_) {
+    if (suspended_[member.index()] > 1) stack_.push_back(member);
+  }
+  while (!stack_.empty()) {
+    const Symbol id = stack_.back();
+    stack_.pop_back();
+    if (suspended_[id.index()] == 0) continue;
+    suspended_[id.index()] = 0;
+    for_each_value(id, [&](Symbol value) { stack_.push_back(value); });
+    ForEachLinkFrom(id, [&](LinkId link) { stack_.push_back(link.record->to); });
+  }
+}
+
+/// What nothing rescued: first what the roots reach, what is reached last first, then the roots themselves.
+void LinkGraph::ListGarbage(std::vector<Symbol>& garbage) {
+  std::erase_if(roots_, [&](Symbol root) { return suspended_[root.index()] == 0; });
+  if (roots_.empty()) return;
+  const std::size_t first = garbage.size();
+  stack_.assign(roots_.rbegin(), roots_.rend());
+  while (!stack_.empty()) {
+    const Symbol id = stack_.back();
+    stack_.pop_back();
+    if (suspended_[id.index()] == 0) continue;
+    suspended_[id.index()] = 0;
+    At(id).rooted = false;
+    garbage.push_back(id);
+    ForEachLinkFrom(id, [&](LinkId link) {
+      if (suspended_[link.record->to.index()] != 0) stack_.push_back(link.record->to);
+    });
+  }
+  for (const Symbol root : roots_) suspended_[root.index()] = 1;
+  std::erase_if(garbage, [&](Symbol id) { return suspended_[id.index()] != 0; });
+  std::reverse(garbage.begin() + static_cast<std::ptrdiff_t>(first), garbage.end());
+  for (const Symbol root : roots_) {
+    suspended_[root.index()] = 0;
+    garbage.push_back(root);
   }
 }
 
@@ -331,19 +409,21 @@ void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
 
 void LinkGraph::Clear() {
   links_.Clear();
-  queue_.clear();
   promoted_.clear();
-  goals_.clear();
+  posted_.clear();
+  unheld_.clear();
   uncertain_.clear();
-  restless_ = false;
+  gone_.clear();
+  restless_ = settling_ = false;
   suspended_.clear();
 }
 
 std::size_t LinkGraph::MemoryBytes() const {
   return links_.MemoryBytes() +
-         (queue_.capacity() + promoted_.capacity() + uncertain_.capacity() + subtree_.capacity() + stack_.capacity()) *
+         (promoted_.capacity() + posted_.capacity() + unheld_.capacity() + uncertain_.capacity() + gone_.capacity() +
+          roots_.capacity() + subtree_.capacity() + stack_.capacity()) *
              sizeof(Symbol) +
-         suspended_.capacity() + heap_.capacity() * sizeof(Candidate);
+         suspended_.capacity() * sizeof(std::uint32_t) + heap_.capacity() * sizeof(Candidate);
 }
 
 std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {

@@ -42,13 +42,13 @@ class LinkGraph {
 
   /// True if links changed in a way that can move levels.
   bool HasWork() const { return restless_; }
-  /// Works out the levels of the identifiers that changed: promotions first, then what lost its parent, the newest loss
-  /// first, then goals that have gone, in the order of going; identifiers that other links may still hold come last.
-  /// Those that no goal reaches any more are appended to `garbage`; the caller removes what they own, which may make
-  /// more work: call again until HasWork() is false.
+  /// Works out the levels of the identifiers that changed: promotions first, then what no link holds and goals that
+  /// have gone, in the order in which they lost their first link or went; what only garbage held follows it at once.
+  /// Identifiers that other links may still hold come last. Those that no goal reaches any more are appended to
+  /// `garbage`; the caller removes what they own, which may make more work: call again until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
-  /// Elements with this value come and go. An identifier that elements still name is not garbage yet, though the links
-  /// are gone: its turn comes when the last of them goes.
+  /// Elements with this value come and go. An identifier that elements of others than garbage still name is not garbage
+  /// yet, though the links are gone: its turn comes when the last of them goes.
   void ElementAdded(Symbol value, bool is_item) {
     ++At(value).value_of;
     At(value).item_of += is_item ? 1 : 0;
@@ -56,8 +56,8 @@ class LinkGraph {
   void ElementRemoved(Symbol value, bool is_item);
   /// Makes the identifier of a goal that has gone garbage. What hangs on it follows when it is collected.
   void Discard(Symbol goal) {
-    goals_.push_back(goal);
-    restless_ = true;
+    At(goal).gone = true;
+    Post(goal);
   }
 
   void Clear();
@@ -69,16 +69,11 @@ class LinkGraph {
   enum class Ancestry : std::uint8_t { kRooted, kBelow, kFloating };
 
   IdentifierRecord& At(Symbol id) { return memory_.mutable_identifier(id); }
-  void Enqueue(Symbol id) {
-    queue_.push_back(id);
-    restless_ = true;
-  }
   void NotePromoted(Symbol id) {
     promoted_.push_back(id);
     restless_ = true;
   }
-  void Queue(Symbol id);
-  void Touch(Symbol id);
+  void Post(Symbol id);
   void SetParent(Symbol id, LinkId link);
   void Root(Symbol id);
   void DropParent(Symbol id);
@@ -87,16 +82,33 @@ class LinkGraph {
   /// Where following parents ends.
   Symbol TopOf(Symbol id) const;
   void Work(std::vector<Symbol>& garbage);
+  void BeginToSettle();
+  bool IsHeld(Symbol id) const;
+  bool NamesItself(Symbol id) const;
   void Promote(Symbol id);
-  void Reattach(Symbol id, std::vector<Symbol>& garbage);
+  bool FindParent(Symbol id);
+  void Reattach(std::vector<Symbol>& garbage);
+  void Suspend(Symbol id);
+  void Rescue();
+  void RescueNamed();
+  void ListGarbage(std::vector<Symbol>& garbage);
   template <typename Visit>
   void ForEachLinkFrom(Symbol id, Visit visit) const;
 
   WorkingMemory& memory_;
   RecordArena<Link, &Link::next_in> links_;
-  bool restless_ = false;  ///< One of the first four is not empty.
-  std::vector<Symbol> queue_, promoted_, goals_, uncertain_, subtree_, stack_;
-  std::vector<std::uint8_t> suspended_;  ///< By identifier index, while Reattach works.
+  bool restless_ = false;  ///< One of the first four is not empty, or settling has not come to its end.
+  bool settling_ = false;
+  std::vector<Symbol> promoted_;
+  std::vector<Symbol> posted_;     ///< What lost a link, and goals that have gone, in order, until links settle.
+  std::vector<Symbol> unheld_;     ///< While they settle: what no link holds; the last one is the next.
+  std::vector<Symbol> uncertain_;  ///< While they settle: what lost a link and may have others, in order.
+  std::vector<Symbol> gone_;       ///< While they settle: goals that have gone and have had their turn.
+  std::vector<Symbol> roots_;      ///< While Reattach works: what has no parent any more, the newest loss first,
+  std::vector<Symbol> subtree_;    ///< and with all that hangs on it.
+  /// By identifier index: not 0 if it is in `subtree_` and not rescued; the others that name it are counted above 1.
+  std::vector<std::uint32_t> suspended_;
+  std::vector<Symbol> stack_;
   struct Candidate {
     GoalLevel level;
     LinkId link;

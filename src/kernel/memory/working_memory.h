@@ -71,6 +71,8 @@ struct alignas(64) IdentifierRecord {
   GoalLevel level = 0;           ///< The highest goal (smallest number) that reaches it.
   bool rooted = false;           ///< Following parents ends at a goal (see links.h).
   bool queued = false;           ///< Waits for its level to be worked out.
+  bool gone = false;             ///< A goal that has gone: what may still name it does not hold it.
+  bool names_itself = false;     ///< It is or was a value of its own.
   bool slots_indexed = false;    ///< It has had more slots than are searched one by one.
   std::uint16_t slot_count = 0;  ///< While not slots_indexed.
   std::uint32_t value_of = 0;    ///< Elements that have it as their value.

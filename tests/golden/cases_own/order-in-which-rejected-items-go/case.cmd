@@ -1,0 +1,3 @@
+source agent.soar
+watch 5
+run 4
