@@ -4,8 +4,9 @@
 
 usage: generate.py FOLDER [NAME ...]
 
-NAME is one of many-rules, load, smem-lookup; all of them by default. The output
-depends on nothing but this script: no random numbers, no clock.
+NAME is one of many-rules, load, smem-lookup, learners-311, learners-3011; all of them
+by default. The output depends on nothing but this script and the agents beside it: no
+random numbers, no clock.
 """
 import pathlib
 import sys
@@ -198,7 +199,12 @@ def load(out):
               "# agent halts in its first decision.\n\nchunk never\n\n")
     out.write("sp {load*propose*finish\n   (state <s> ^superstate nil)\n-->\n   (<s> ^operator <o> + =)\n   (<o> ^name finish)\n}\n\n"
               "sp {load*apply*finish\n   (state <s> ^operator.name finish)\n-->\n   (halt)\n}\n")
-    for k in range(19998):
+    load_rules(out, 19998)
+
+
+def load_rules(out, count):
+    """Rules of eight shapes that do not match."""
+    for k in range(count):
         shape, a, b, c = k % 8, k % 211, (k // 8) % 173, (k * 7) % 89
         head = f"\nsp {{load*rule*{k}\n"
         if shape == 0:
@@ -335,7 +341,16 @@ sp {lookup*finish
 """)
 
 
-GENERATORS = {"many-rules": many_rules, "load": load, "smem-lookup": smem_lookup}
+# ------------------------------------------------------------------ learners
+
+def learners(out, more):
+    """The 11 rules of learning-scale, and more that never match."""
+    out.write((pathlib.Path(__file__).resolve().parent / "agents" / "learning-scale.soar").read_text(encoding="ascii"))
+    load_rules(out, more)
+
+
+GENERATORS = {"many-rules": many_rules, "load": load, "smem-lookup": smem_lookup,
+              "learners-311": lambda out: learners(out, 300), "learners-3011": lambda out: learners(out, 3000)}
 
 
 def main(arguments):
