@@ -19,6 +19,13 @@
 namespace soarbox::explain {
 namespace {
 
+/// "justify3": how a kernel names a result of a substate of which it learned nothing.
+bool IsJustification(std::string_view rule) {
+  constexpr std::string_view kPrefix = "justify";
+  return rule.size() > kPrefix.size() && rule.starts_with(kPrefix) &&
+         rule.find_first_not_of("0123456789-", kPrefix.size()) == std::string_view::npos;
+}
+
 constexpr std::size_t kMostRulesAsked = 60;
 constexpr std::size_t kMostRulesTold = 3;
 constexpr std::size_t kMostValuesShown = 4;
@@ -444,6 +451,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   const RuleText* pending = nullptr;
   bool says = false;
   for (const RuleText& rule : rules()) {
+    if (IsJustification(rule.name)) continue;  // A result: a step on the way.
     if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
     // A rule that only describes the operator does not apply it; one that names none applies any.
     if (!(rule.applies.contains(name) || rule.applies.contains("")) || !Changes(rule)) continue;
