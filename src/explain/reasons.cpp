@@ -275,6 +275,49 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
 }
 
+std::string MindReasons::SubstateOfSelected(const RuleText& rule) {
+  std::string state;
+  bool is_top = true;
+  for (const StackEntry& entry : view_.Stack()) {
+    if (entry.is_state) {
+      is_top = state.empty();
+      state = entry.id;
+    } else if (!is_top && rule.applies.contains(entry.about)) {
+      return state;
+    }
+  }
+  return {};
+}
+
+std::string MindReasons::WhatExcludesAbove(const RuleText& rule, const ConditionText& failing) {
+  if (!IsForSubstate(rule) || failing.path.size() < 2 || failing.path.front() != "superstate") return {};
+  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const std::vector<std::string> above(failing.path.begin(), failing.path.end() - 1);
+  for (const RuleAttribute& condition : rule.conditions) {
+    const auto path = paths.find(condition.id);
+    if (!condition.negated || path == paths.end() || path->second != above) continue;
+    if (!IsConstantAttribute(condition.attribute) || condition.value.find(' ') != std::string::npos) continue;
+    const bool is_any = condition.value.empty() || IsVariable(condition.value);
+    const bool is_group = is_any && std::ranges::any_of(rule.conditions, [&](const RuleAttribute& other) {
+                            return other.negated && other.id == condition.value;
+                          });
+    ConditionText excluded;
+    excluded.path = above;
+    excluded.path.push_back(condition.attribute);
+    if (!is_any) excluded.value = condition.value;
+    const std::vector<std::string> values = view_.ValuesAt(StateOf(rule), excluded.path);
+    const bool is_met = is_any ? !values.empty() : std::ranges::find(values, condition.value) != values.end();
+    if (is_group || !is_met) continue;
+    const std::vector<std::string> shown = is_any ? values : std::vector<std::string>{condition.value};
+    return Say(Situation::kRuleExcluded,
+               {{"rule", rule.name},
+                {"condition", excluded.Text()},
+                {"found", Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
+                              {{"attribute", condition.attribute}, {"values", List(shown)}})}});
+  }
+  return {};
+}
+
 std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
   const RuleMatch match = view_.Match(rule.name);
   if (match.failing.empty()) return {};
@@ -316,6 +359,11 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     bound += " is " + List(others);
   }
   const std::size_t others = values.size() - shown.size();
+  if (shown.empty()) {
+    if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
+    if (const std::string state = SubstateOfSelected(rule); first.path.front() == "io" && !state.empty())
+      return waits(Say(Situation::kNoLinks, {{"state", state}}));
+  }
   if (shown.empty())
     return waits(others == 1 ? Say(Situation::kOneDoesNotFit)
                              : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}));

@@ -58,6 +58,11 @@ class MindReasons {
 
   /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions hold.
   std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
+  /// A negated condition about the state above that is met: the kernel looks further at the top state, which has none
+  /// above it, and names a condition that comes later. Empty: there is none.
+  std::string WhatExcludesAbove(const RuleText& rule, const ConditionText& failing);
+  /// The substate in which the operator is selected that a rule applies; empty: it is none.
+  std::string SubstateOfSelected(const RuleText& rule);
   std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
   /// The nearest of these rules, each explained, and the rules that make what they wait for.
   std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);

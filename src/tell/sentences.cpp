@@ -122,6 +122,7 @@ constexpr std::array kSentences = {
              "the one that is there does not fit the conditions before it"},
     Sentence{kNoneFits, "objects that earlier conditions exclude",
              "none of the {count} that are there fits the conditions before it"},
+    Sentence{kNoLinks, "the links of a substate", "{state} is a substate, which has none: test ^superstate.io"},
     Sentence{kElsewhere, "the value is there, but of something else",
              "the one that has it does not fit the rule's other conditions"},
     Sentence{kOnlyWords, "a word that a percept never has", "; it is never {value}, only {words}"},

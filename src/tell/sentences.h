@@ -90,6 +90,7 @@ enum class Situation : std::uint8_t {
   kOtherValue,
   kOneDoesNotFit,
   kNoneFits,
+  kNoLinks,
   kElsewhere,
   kOnlyWords,
   kOneExists,
