@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/data_folders.h"
@@ -27,6 +29,24 @@ namespace soarbox::app {
 namespace {
 
 constexpr double kHeadlessSeconds = 60;
+
+/// A file of rules alone runs in a world that comes with the program: says so if a scenario beside it uses these rules.
+void NoteOwnScenario(const sim::Scenario& scenario) {
+  if (scenario.rules.empty() || !scenario.rules.has_parent_path()) return;
+  const std::filesystem::path folder = scenario.rules.parent_path();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(folder / "scenario.toml", error))) return;
+  const Result<sim::ScenarioFile> beside = sim::ReadScenarioFile(folder / "scenario.toml");
+  if (!beside || std::ranges::none_of(beside->agents, [&](const sim::ScenarioFile::Agent& agent) {
+        return agent.rules == scenario.rules.filename().string();
+      }))
+    return;
+  Diagnostic note;
+  note.severity = Severity::kNote;
+  note.message = scenario.rules.filename().string() + " runs alone, in a world that comes with the program";
+  note.hint = "soarbox run " + folder.string() + " runs it in the scenario beside it";
+  std::cerr << Format(note);
+}
 
 /// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
 bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
@@ -63,6 +83,7 @@ int Run(const RunOptions& given) {
   if (!scenario) return Refuse(scenario.error());
 
   // What the command line leaves open the scenario's file may say.
+  double headless_s = kHeadlessSeconds;
   if (!scenario.value().definition.empty()) {
     std::vector<Diagnostic> further;
     Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition, &further);
@@ -72,7 +93,7 @@ int Run(const RunOptions& given) {
       return code;
     }
     if (!options.seed) options.seed = file->seed;
-    if (!options.seconds && options.headless) options.seconds = file->seconds;
+    headless_s = file->seconds.value_or(headless_s);
   }
   const std::uint64_t seed = options.seed.value_or(1);
 
@@ -101,7 +122,8 @@ int Run(const RunOptions& given) {
     std::cerr << Format(note);
     options.headless = true;
   }
-  if (options.headless && !options.seconds) options.seconds = kHeadlessSeconds;
+  if (options.headless && !options.seconds) options.seconds = headless_s;
+  NoteOwnScenario(*scenario);
 
   sim::SimulationSettings settings;
   settings.seed = seed;

@@ -73,6 +73,19 @@ class Usage(ScenarioCase):
         self.assertEqual(run.code, 3)
         self.assertIn("nowhere.toml: error: there is no such file\n   note: a sweep is a .toml file", run.err)
 
+    def test_says_that_rules_run_without_the_scenario_beside_them(self):
+        self.write("scenario.toml", '[[agent]]\nrules = "hero.soar"\n')
+        for name in ("hero.soar", "other.soar"):
+            run = Run("run", self.write(name, "sp {a (state <s> ^superstate nil) --> (<s> ^b c)}\n"), "--headless", "--seconds", 0.1)
+            self.assertEqual(run.code, 0)
+            self.assertEqual(f"soarbox run {self.folder} runs it in the scenario beside it" in run.err, name == "hero.soar", run.err)
+
+    def test_runs_as_long_as_the_scenario_says_where_there_is_no_display(self):
+        self.write("hero.soar", "sp {a (state <s> ^superstate nil) --> (<s> ^b c)}\n")
+        self.write("scenario.toml", 'seconds = 2\n[[agent]]\nrules = "hero.soar"\n')
+        for more in ([], ["--headless"]):
+            self.assertIn(" 2.0 s simulated", Run("run", self.folder, *more).out)
+
     def test_looks_over_a_scenario_by_its_name(self):
         run = Run("check", "soar_hallway")
         self.assertEqual((run.code, run.out), (0, "0 errors, 0 warnings\n"))
