@@ -4,6 +4,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET soarbox_window)
+  install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
 # What a user reads; the specification and the design stay with the source.

@@ -14,8 +14,8 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/refuse.h"
-#include "app/replay_window.h"
 #include "app/run_session.h"
+#include "app/window.h"
 #include "diagnostics/read_text.h"
 #include "record/compare.h"
 #include "record/export.h"
@@ -78,10 +78,10 @@ int Replay(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
   if (!reader) return Refuse(reader.error());
   CatchInterrupts();
-  if (!options.headless && !options.json && CanShowReplay()) {
+  if (!options.headless && !options.json && ProgramWindow() != nullptr && HasDisplay()) {
     const Result<sim::DataFolders> data = FindDataFolders();
     if (!data) return Refuse(data.error());
-    return ShowReplay(**reader, RangeOf(**reader, options), *data, options);
+    return ProgramWindow()->Replay(**reader, RangeOf(**reader, options), *data, options);
   }
   const record::TickRange range = RangeOf(**reader, options);
   const Result<void> printed =

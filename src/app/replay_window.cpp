@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -138,11 +137,6 @@ class ReplayWindow {
 };
 
 }  // namespace
-
-bool CanShowReplay() {
-  const char* display = std::getenv("DISPLAY");
-  return display != nullptr && *display != '\0';
-}
 
 int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
                const RecordingOptions& options) {

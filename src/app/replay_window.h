@@ -8,9 +8,6 @@
 
 namespace soarbox::app {
 
-/// Whether this build has a window and there is a display to open it on.
-bool CanShowReplay();
-
 /// Shows a recording in the window, forwards and backwards, with the panels of a run around it; returns an ExitCode
 /// once the window was closed.
 int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,

@@ -17,7 +17,7 @@
 #include "app/run_headless.h"
 #include "app/run_options.h"
 #include "app/run_session.h"
-#include "app/run_window.h"
+#include "app/window.h"
 #include "diagnostics/read_text.h"
 #include "record/header.h"
 #include "record/recorder.h"
@@ -68,11 +68,6 @@ bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   return read.problems.empty();
 }
 
-bool HasDisplay() {
-  const char* display = std::getenv("DISPLAY");
-  return display != nullptr && *display != '\0';
-}
-
 }  // namespace
 
 int Run(const RunOptions& given) {
@@ -108,11 +103,11 @@ int Run(const RunOptions& given) {
     std::cerr << Format(problem);
     return kUsage;
   }
-  if (!options.headless && (!HasDisplay() || !kHasWindow)) {
+  if (!options.headless && (!HasDisplay() || ProgramWindow() == nullptr)) {
     Diagnostic note;
-    note.message = kHasWindow ? "there is no display (DISPLAY is not set)" : "this build has no window";
-    note.hint =
-        kHasWindow ? "on a machine without a screen, xvfb-run gives a virtual one" : "build with -DSOARBOX_VIEWER=ON";
+    note.message = HasDisplay() ? "this build has no window" : "there is no display (DISPLAY is not set)";
+    note.hint = HasDisplay() ? "build with -DSOARBOX_VIEWER=ON, which puts soarbox-window beside this program"
+                             : "on a machine without a screen, xvfb-run gives a virtual one";
     if (wants_screenshot) {
       note.message += ", so no picture can be taken";
       return Refuse(note);
@@ -208,7 +203,7 @@ int Run(const RunOptions& given) {
     tell(recordings.GoOn(session, header, at, inputs));
   });
   if (options.headless) return RunHeadless(session, options);
-  return RunWindow(session, options, data.value(), {*scenario, settings, header});
+  return ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
 }
 
 }  // namespace soarbox::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/run_window.h"
 
-#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -16,8 +15,6 @@
 #include "world/world.h"
 
 namespace soarbox::app {
-
-const bool kHasWindow = true;
 
 namespace {
 
@@ -102,23 +99,6 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
 }
 
 }  // namespace
-
-WindowSize WindowSizeOf(const RunOptions& options) {
-  WindowSize size;
-  const bool is_looked_at = options.screenshot.empty() && options.ui_script.empty() && !options.headless;
-  if (!options.width_px && !options.height_px && is_looked_at) {
-    if (const auto room = viewer::RoomOnDisplay()) {
-      // Panels and picture gain from room up to here; more than that is less than a user wants to look over.
-      constexpr int kMostWidth = 2560, kMostHeight = 1440;
-      const auto share = [](int whole, int least, int most) {
-        constexpr double kShare = 0.92;
-        return std::min({std::max(static_cast<int>(kShare * whole), least), whole, most});
-      };
-      size = {share(room->first, size.width, kMostWidth), share(room->second, size.height, kMostHeight)};
-    }
-  }
-  return {options.width_px.value_or(size.width), options.height_px.value_or(size.height)};
-}
 
 int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data, const WindowRun& run) {
   viewer::ViewerOptions window;

@@ -58,6 +58,9 @@ bool IsMemoryAnswer(const std::vector<std::string>& path);
 /// link, places that the scenario does not have.
 std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownPlaces& places);
 
+/// What all these searches find, one after the other.
+std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known);
+
 /// The slip as a warning at its place in the text of the file (comments blanked). Without a place if the rule is not
 /// there.
 Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const std::string& text);

@@ -102,6 +102,14 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
   return warnings;
 }
 
+std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known) {
+  std::vector<Slip> all;
+  for (const std::vector<Slip>& some : {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known),
+                                  FindSlipsOfMemory(rules), FindSlipsOfWorld(rules, known.places)})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
 Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const std::string& text) {
   Diagnostic warning;
   warning.severity = Severity::kWarning;

@@ -238,13 +238,9 @@ class Checker {
       if (loaded.contains(rule)) problems.push_back(std::move(warning));
     const explain::KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
                                     around.has_database, complete};
-    for (const auto& slips :
-         {explain::FindSlipsOfForm(rules), explain::FindSlipsOfUse(rules), explain::FindSlipsOfMeaning(rules, known),
-          explain::FindSlipsOfMemory(rules), explain::FindSlipsOfWorld(rules, known.places)}) {
-      for (const explain::Slip& slip : slips) {
-        if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
-        problems.push_back(explain::PlaceSlip(slip, file, text));
-      }
+    for (const explain::Slip& slip : explain::FindSlips(rules, known)) {
+      if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
+      problems.push_back(explain::PlaceSlip(slip, file, text));
     }
   }
 

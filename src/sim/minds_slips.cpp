@@ -35,8 +35,7 @@ Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile
 
 /// "Error: attempt to divide ('/') by zero.": the rule that it is about, and what to do.
 explain::Slip SlipOf(const ActionFailure& failure) {
-  constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('",
-                             kEndless = "reached max-elaborations";
+  constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('";
   std::string text = failure.text;
   text.erase(0, text.find_first_not_of(" \t\n"));
   text.erase(text.find_last_not_of(" \t\n.") + 1);
@@ -44,7 +43,7 @@ explain::Slip SlipOf(const ActionFailure& failure) {
   explain::Slip slip;
   slip.rule = failure.rule;
   slip.in_actions = true;
-  if (text.find(kEndless) != std::string::npos) {
+  if (failure.text.empty()) {
     slip.message = "rules fire again and again in one phase, rule " + failure.rule +
                    " among them: each firing makes one match again, until max-elaborations ends the phase";
     slip.hint =
@@ -85,16 +84,11 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   }
   std::vector<explain::RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;
-  for (const auto& slips :
-       {explain::FindSlipsOfForm(reasons.rules()), explain::FindSlipsOfUse(reasons.rules()),
-        explain::FindSlipsOfMeaning(reasons.rules(), known), explain::FindSlipsOfMemory(reasons.rules()),
-        explain::FindSlipsOfWorld(reasons.rules(), known.places)}) {
-    for (const explain::Slip& slip : slips) {
-      if (!only.empty() && !only.contains(slip.rule)) continue;
-      Diagnostic warning = Placed(slip, files);
-      if (!warning.file.empty()) warning.file = scenario_.Original(warning.file).string();
-      warnings.push_back(std::move(warning));
-    }
+  for (const explain::Slip& slip : explain::FindSlips(reasons.rules(), known)) {
+    if (!only.empty() && !only.contains(slip.rule)) continue;
+    Diagnostic warning = Placed(slip, files);
+    if (!warning.file.empty()) warning.file = scenario_.Original(warning.file).string();
+    warnings.push_back(std::move(warning));
   }
   std::set<std::string> loaded = only;
   if (only.empty())
@@ -137,7 +131,8 @@ void Minds::TellSlips() {
 void Minds::TellFailures(Mind& mind, const world::Agent& body) {
   for (const ActionFailure& failure : mind.soar.TakeFailures()) {
     // What it was given may be different each time: a rule's first failure says enough.
-    if (!reported_.insert(mind.rules.string() + '\n' + failure.rule).second) continue;
+    const char* const kind = failure.text.empty() ? "\nfires without end" : "\nfailed";
+    if (!reported_.insert(mind.rules.string() + '\n' + failure.rule + kind).second) continue;
     RunEvent event;
     event.kind = EventKind::kDiagnostic;
     event.agent = body.name();

@@ -74,6 +74,9 @@ struct SoarMind::Writing
   void OnActionFailed(std::string_view rule, std::string_view why) override {
     if (failures.size() < kMostFailures) failures.push_back({std::string(rule), std::string(why)});
   }
+  void OnEndlessFiring(std::string_view rule) override {
+    if (failures.size() < kMostFailures) failures.push_back({std::string(rule), {}});
+  }
   void OnOperator(int, std::string_view, std::string_view, std::string_view) override {}
   void OnState(int, std::string_view, mind::StateReason, bool) override {}
   void OnStateGone(int, std::string_view) override {}

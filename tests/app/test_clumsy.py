@@ -170,6 +170,16 @@ class Scenarios(ScenarioCase):
         self.assertEqual([problem["line"] for problem in named], [1], run.out)
         self.assertIn("rule hero*count among them", named[0]["message"])
 
+    def test_a_rule_that_failed_before_is_named_when_it_fires_without_end(self):
+        self.write("scenario.toml", AGENT)
+        self.write("hero.soar", "sp {hero*count (state <s> ^superstate nil ^n <n>) -->\n"
+                                "   (<s> ^n (+ <n> 1) ^bad (/ 1 (- <n> <n>)))}\n"
+                                "sp {hero*begin (state <s> ^superstate nil) --> (<s> ^n 1)}\n")
+        run = run_json(self.folder, "--seconds", 0.3)
+        for said in "divides by zero with /", "among them:":
+            self.assertEqual(len([problem for problem in run.diagnostics()
+                                  if said in problem["message"]]), 1, run.out)
+
     def test_a_mind_that_fires_ever_more_rules_is_halted_and_the_world_goes_on(self):
         self.write("scenario.toml", AGENT + '[[agent]]\nname = "other"\nrules = "other.soar"\n')
         self.write("other.soar", RULES)

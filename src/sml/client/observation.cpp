@@ -107,10 +107,8 @@ class LocalObservation final : public Observation, kernel::Observer {
     // Once: it comes in each decision from then on.
     if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
       if (std::exchange(told_of_elaborations_, true)) return;
-      const std::string_view written =
-          "Warning: reached max-elaborations: its rules fire again and again in one phase\n";
-      listener_.OnWritten(written);
-      if (const std::string_view rule = agent.NextRule(); !rule.empty()) listener_.OnActionFailed(rule, written);
+      listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+      if (const std::string_view rule = agent.NextRule(); !rule.empty()) listener_.OnEndlessFiring(rule);
     }
     if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) listener_.OnWritten(text);
   }

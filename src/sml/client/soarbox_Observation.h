@@ -76,17 +76,19 @@ class MindObserver {
   /// Its rules wrote this: (write ...), or one of their functions failed, or they fire without end. Traces, which go
   /// the same way to clients, are not among it.
   virtual void OnWritten(std::string_view text) { (void)text; }
-  /// An action of this rule could not be done, or it fires without end; why was written just before.
+  /// An action of this rule could not be done; why was written just before.
   virtual void OnActionFailed(std::string_view rule, std::string_view text) {
     (void)rule;
     (void)text;
   }
+  /// Rules fired without end in one phase, and max-elaborations ended it; this one would have fired next. Told once.
+  virtual void OnEndlessFiring(std::string_view rule) { (void)rule; }
 };
 
 enum class MindDetail : std::uint8_t {
   kDecisions,
   kAll,
-  kWritten,  ///< OnWritten and OnActionFailed alone.
+  kWritten,  ///< OnWritten, OnActionFailed and OnEndlessFiring alone.
 };
 
 /// Ends when it is destroyed, which must happen before the agent or the observer goes.

@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/command_line.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "app/data_folders.h"
+#include "app/exit_codes.h"
+#include "app/inspect_command.h"
+#include "app/kernel_server.h"
+#include "app/learn_command.h"
+#include "app/look_commands.h"
+#include "app/new_scenario.h"
+#include "app/next_run.h"
+#include "app/recording_commands.h"
+#include "app/report_command.h"
+#include "app/run_options.h"
+#include "app/soar_shell.h"
+#include "app/sweep_command.h"
+#include "app/test_command.h"
+#include "app/usage_errors.h"
+#include "app/window.h"
+#include "sim/scenario.h"
+
+namespace soarbox::app {
+namespace {
+
+/// No run lasts longer; its ticks are counted without loss.
+constexpr double kLongest_s = 1e7;
+
+
+void AddRun(CLI::App& program, RunOptions& options) {
+  CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
+  run->add_option("scenario", options.scenario,
+                  "A folder with scenario.toml or Sandbox.lua, a scenario, Lua or rules file (scout.soar: one agent in "
+                  "a field), "
+                  "or a name that `soarbox list` shows")
+      ->capture_default_str();
+  run->add_flag("--headless", options.headless,
+                "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
+  run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
+      ->check(NumberIn(0, kLongest_s));
+  run->add_option("--seed", options.seed,
+                  "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)")
+      ->check(WholeNumber());
+  run->add_option("--speed", options.speed, "Times real time (default: 1 in a window, as fast as possible headless)")
+      ->check(NumberIn(0.001, 1000.0));
+  run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
+      ->check(CLI::ExistingDirectory);
+  run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
+  run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
+      ->capture_default_str()
+      ->check(NumberIn(0, kLongest_s));
+  run->add_option("--detail", options.detail,
+                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "low", "full"}));
+  run->add_option("--render-scale", options.render_scale,
+                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
+                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
+      ->check(NumberIn(0.5, 1.0));
+  run->add_option(
+         "--show", options.show,
+         "Overlays to switch on at the start, separated by commas: labels, trails, senses, paths, targets, shots, "
+         "messages, forces, belief, navigation, influence, physics")
+      ->delimiter(',');
+  run->add_option("--select", options.select, "Select this agent from the start");
+  run->add_option("--camera", options.camera,
+                  "free, orbit, follow, eyes or map; all but free and map require --select");
+  run->add_option("--panels", options.panels,
+                  "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
+  run->add_option("--text", options.text_percent, "Text size of these panels, in percent")
+      ->capture_default_str()
+      ->check(CLI::Range(75, 200));
+  run->add_option("--ui-script", options.ui_script,
+                  "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
+  run->add_option("--width", options.width_px,
+                  "Width of the window in pixels (default: what suits the display; 1280 for a picture)")
+      ->check(NumberIn(160, 7680));
+  run->add_option("--height", options.height_px, "Height of the window in pixels (720 for a picture)")
+      ->check(NumberIn(120, 4320));
+  run->add_flag("--json", options.json, "Print events as lines of JSON");
+  run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
+  run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
+      ->check(NumberIn(0.001, kLongest_s));
+  run->add_option("--threads", options.threads,
+                  "Threads on which the Soar minds decide; 0: one per core. The run is the same with any number")
+      ->capture_default_str()
+      ->check(NumberIn(0, 64));
+  run->add_option("--memory", options.memory_mb,
+                  "MB that the world may use, scripts, minds and bodies together; above it, the largest mind is halted")
+      ->capture_default_str()
+      ->check(NumberIn(64, 1'000'000));
+  run->add_option("--input", options.input,
+                  "Read inputs (keys, pointer, commands) with their ticks from this text file (see docs/command.md)");
+  run->add_flag("--watch", options.watch,
+                "Reload edited rules and scripts into the running world (a window always does)");
+  run->add_option("--port", options.port, "Let Soar debuggers on this machine attach at this TCP port; 0: none")
+      ->check(NumberIn(0, 65535));
+  CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
+  run->add_flag("--no-record", options.no_record, "Do not record; otherwise a run in a window is recorded")
+      ->excludes(record);
+  run->add_option("--record-level", options.record_level, "How much to record: world, decisions or all")
+      ->capture_default_str();
+  run->add_option("--record-limit", options.record_limit_mb,
+                  "Megabytes at which the older half of the recording is dropped")
+      ->check(NumberIn(1.0, 1e6));
+  run->add_option("--kernel", options.kernel,
+                  "HOST:PORT of a Soar kernel in another process, to use instead of Soarbox's own");
+  run->add_option("--kernel-limit", options.kernel_limit_s,
+                  "Seconds without an answer after which this kernel counts as gone")
+      ->capture_default_str()
+      ->check(NumberIn(0.01, 3600.0));
+}
+
+void AddSoar(CLI::App& program, SoarShellOptions& options) {
+  CLI::App* soar = program.add_subcommand("soar", "The interactive shell of the Soar command language");
+  soar->add_option("files", options.files, "Files to source first, in order");
+  soar->add_flag("--json", options.json, "Answer each command with a line of JSON");
+}
+
+void AddLooks(CLI::App& program, CheckOptions& check, WhyOptions& why) {
+  CLI::App* checks = program.add_subcommand("check", "Check rules, scripts and scenario files without running them");
+  checks->add_option("files", check.files, "Files (.soar, .lua, .toml) and folders")->required();
+  checks->add_flag("--json", check.json, "One line of JSON per problem");
+
+  CLI::App* reasons = program.add_subcommand("why", "Explain why an agent does what it does at a moment of a run");
+  reasons->add_option("scenario", why.scenario, "As for `soarbox run`, or a recording")->required();
+  reasons->add_option("topic", why.topic,
+                      "A command, an operator or a rule of the agent: explain why it happens, or does not");
+  reasons->add_flag("--json", why.json, "Print the answer as JSON, as a tree");
+  reasons->add_option("--agent", why.agent, "The agent's name (default: the first one with a mind)");
+  reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
+  reasons->add_option("--seed", why.seed, "As for `soarbox run`")->check(WholeNumber());
+  reasons->add_option("--path", why.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
+}
+
+void AddInspect(CLI::App& program, InspectOptions& options) {
+  CLI::App* inspect = program.add_subcommand("inspect", "Print what a debugger shows of an agent at a moment of a run");
+  inspect->add_option("source", options.source, "A scenario as for `soarbox run`, or a recording")->required();
+  inspect->add_option("--agent", options.agent, "The agent's name (default: the first one with a Soar mind)");
+  inspect->add_option("--at", options.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
+  inspect->add_option("--view", options.view, "What to show: " + ViewsText())->capture_default_str();
+  inspect->add_option("--from", options.from_s, "Where views over ticks begin, in simulated seconds")
+      ->capture_default_str()
+      ->check(NumberIn(0.0, 36000.0));
+  inspect->add_option("--until", options.until,
+                      "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
+  inspect->add_option("--kernel", options.kernel,
+                      "As for `soarbox run`; facts that only Soarbox's own kernel reports are missing");
+  inspect->add_flag("--json", options.json, "Print it as JSON");
+  inspect->add_flag("--recorded", options.recorded, "Show what the recording holds; do not simulate it again");
+  inspect->add_option("--seed", options.seed, "As for `soarbox run`")->check(WholeNumber());
+  inspect->add_option("--path", options.extra_folders, "As for `soarbox run`")->check(CLI::ExistingDirectory);
+}
+
+void AddTest(CLI::App& program, TestOptions& options) {
+  CLI::App* test =
+      program.add_subcommand("test", "Run missions: check that agents do what they should, over many seeds");
+  test->add_option("paths", options.paths, "Missions, scenarios and folders (default: all below this folder)");
+  test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
+  test->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
+      ->capture_default_str()
+      ->check(NumberIn(0, 1000));
+  test->add_option("--junit", options.junit, "Write the results to this file for continuous integration");
+  test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
+  test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
+  test->add_flag("--empty", options.empty,
+                 "Use minds that have no rules: a mission that passes like this tests nothing");
+  CLI::Option* keep = test->add_option("--keep", options.keep, "Keep recordings of runs that fail in this folder");
+  test->add_flag("--no-keep", options.no_keep, "Keep no recordings")->excludes(keep);
+}
+
+void AddSweep(CLI::App& program, SweepOptions& options) {
+  CLI::App* sweep = program.add_subcommand(
+      "sweep", "Run each variant of a scenario with each seed and make a table, on all cores or on Slurm");
+  sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
+  sweep->add_option("--folder", options.folder,
+                    "Where rows, tables and variants go (default: the spec's name with .sweep)");
+  sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
+      ->capture_default_str()
+      ->check(NumberIn(0, 1000));
+  sweep->add_option("--on", options.on, "Where to run: here, or slurm (as a job array)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"here", "slurm"}));
+  sweep->add_option("--tasks", options.tasks, "Tasks of the job array")
+      ->capture_default_str()
+      ->check(NumberIn(1, 100000));
+  sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1, and no tables")
+      ->check(NumberIn(0, 100000));
+  sweep->add_option("--partition", options.partition, "Passed on to sbatch");
+  sweep->add_option("--account", options.account, "Passed on to sbatch");
+  sweep->add_option("--time", options.time, "Passed on to sbatch");
+  sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
+  sweep->add_flag("--mix", options.mix, "Continue with rows that another build of the program made");
+  sweep->add_flag("--retry", options.retry, "Make runs again that crashed or hung three times");
+}
+
+void AddReport(CLI::App& program, ReportOptions& options) {
+  CLI::App* report =
+      program.add_subcommand("report", "Write one page about a recording or a sweep, to send to somebody");
+  report->add_option("source", options.source, "A recording, a folder of recordings, a sweep")->required();
+  report->add_option("-o,--output", options.output, "Write the page to this file")->capture_default_str();
+}
+
+void AddLearn(CLI::App& program, LearnOptions& options) {
+  CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
+  learn->add_option("words", options.words,
+                    "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test [N] to try "
+                    "all lessons or one");
+  learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
+  learn
+      ->add_option("--from", options.from, "Use the lessons in this folder instead of those that come with the program")
+      ->check(CLI::ExistingDirectory);
+  learn->add_flag("--json", options.json, "Print the list as lines of JSON");
+  learn->add_flag("--headless", options.headless, "Do not open the window");
+  RunOptions& window = options.window;
+  learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
+  learn->add_option("--width", window.width_px, "As for `soarbox run`")->check(NumberIn(160, 7680));
+  learn->add_option("--height", window.height_px, "As for `soarbox run`")->check(NumberIn(120, 4320));
+  learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
+  learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
+  learn->add_option("--ui-script", window.ui_script, "Play the mouse and keyboard events in this file, then end");
+}
+
+void AddNew(CLI::App& program, NewOptions& options) {
+  CLI::App* made = program.add_subcommand("new", "Write a commented starter scenario with a test into a new folder");
+  made->add_option("name", options.name, "The folder to create; its last part is the scenario's name")->required();
+  CLI::Option* of_soar = made->add_flag("--soar", options.soar, "One agent made of Soar rules alone (the default)");
+  CLI::Option* of_lua = made->add_flag("--lua", options.lua, "A world made by a Lua script, with a body of its own");
+  CLI::Option* of_team = made->add_flag("--team", options.team, "Two teams of Soar agents");
+  of_soar->excludes(of_lua, of_team);
+  of_lua->excludes(of_team);
+}
+
+void AddKernel(CLI::App& program, KernelServerOptions& options) {
+  CLI::App* kernel = program.add_subcommand("kernel", "Serve a Soar kernel to clients and debuggers on this machine");
+  kernel->add_option("agents", options.agents, "One agent per file of rules");
+  kernel->add_option("--port", options.port, "TCP port; 0: any free one")
+      ->capture_default_str()
+      ->check(NumberIn(0, 65535));
+}
+
+int List() {
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) {
+    std::cerr << Format(data.error());
+    return kCannotStart;
+  }
+  for (const std::string& name : sim::ListScenarios(data.value())) {
+    const std::string about = sim::DescribeScenario(name, data.value());
+    std::cout << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ') << about << '\n';
+  }
+  return kOk;
+}
+
+void AddRecordingFile(CLI::App& command, RecordingOptions& options) {
+  command.add_option("file", options.file, "A recording, as `soarbox run --record` makes them")->required();
+}
+
+void AddRange(CLI::App& command, RecordingOptions& options) {
+  command.add_option("--from", options.from_s, "Begin at this simulated second")->check(NumberIn(0, kLongest_s));
+  command.add_option("--to", options.to_s, "End at this simulated second")->check(NumberIn(0, kLongest_s));
+}
+
+void AddThreads(CLI::App& command, RecordingOptions& options) {
+  command.add_option("--threads", options.threads, "Threads on which the minds decide; 0: one per core")
+      ->check(NumberIn(0, 256));
+}
+
+void AddRecordings(CLI::App& program, RecordingOptions& options) {
+  CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
+  AddRecordingFile(*replay, options);
+  AddRange(*replay, options);
+  replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
+  replay->add_flag("--json", options.json, "Print it as lines of JSON");
+  replay->add_option("--select", options.select, "Select this agent from the start");
+  replay->add_option("--panels", options.panels, "As for `soarbox run`");
+  replay->add_option("--text", options.text_percent, "As for `soarbox run`")
+      ->capture_default_str()
+      ->check(CLI::Range(75, 200));
+  replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
+  replay->add_option("--render-scale", options.render_scale, "As for `soarbox run`")->check(NumberIn(0.5, 1.0));
+  replay->add_option("--width", options.width_px, "As for `soarbox run` (default: as in the recorded window)")
+      ->check(NumberIn(160, 7680));
+  replay->add_option("--height", options.height_px, "As for --width")->check(NumberIn(120, 4320));
+  replay->add_option("--ui-script", options.ui_script, "Play the mouse and keyboard events in this file, then end");
+  CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
+  AddRecordingFile(*verify, options);
+  AddThreads(*verify, options);
+  verify->add_flag("--as-recorded", options.as_recorded,
+                   "Use the scenario's files as they were when the run began, not as they are now");
+  CLI::App* export_data = program.add_subcommand("export", "Write a recording as a table or as JSON");
+  AddRecordingFile(*export_data, options);
+  AddRange(*export_data, options);
+  CLI::Option* csv = export_data->add_flag("--csv", options.csv, "Write a row for each agent and tick (the default)");
+  export_data->add_flag("--json", options.json, "Write everything, one line per tick")->excludes(csv);
+  CLI::Option* output = export_data->add_option("-o,--output", options.output, "Write to this file");
+  export_data
+      ->add_flag("--recording", options.as_recording, "Write the part from --from to --to as a recording of its own")
+      ->excludes(csv)
+      ->needs(output);
+  CLI::App* resume =
+      program.add_subcommand("resume", "Go back to a moment of a recording and continue live from there");
+  AddRecordingFile(*resume, options);
+  AddThreads(*resume, options);
+  resume->add_option("--at", options.at_s, "Continue from this simulated second")
+      ->required()
+      ->check(NumberIn(0, kLongest_s));
+  resume->add_option("--rules", options.rules,
+                     "Replace rules by those of the same names in this file (may be repeated)");
+  resume->add_option("--agent", options.agents, "Replace only this agent's rules (may be repeated)");
+  resume->add_option("--seconds", options.seconds, "Continue for this long (default: as long as the recording)")
+      ->check(NumberIn(0, kLongest_s));
+  resume->add_option("--record", options.output, "Record the whole new run to this file");
+  resume->add_flag("--json", options.json, "Print events as lines of JSON");
+  CLI::App* compare =
+      program.add_subcommand("compare", "Report where two recordings differ first, and how they continue");
+  AddRecordingFile(*compare, options);
+  compare->add_option("other", options.other, "The second recording")->required();
+}
+
+/// What the user of a window asks to see instead of its run opens in a window of its own, when that one has closed.
+int FollowedByOthers(int code, const RunOptions& first) {
+  while (const auto next = TakeNextRun()) {
+    if (next->is_recording) {
+      RecordingOptions recording;
+      recording.file = next->what;
+      recording.detail = first.detail;
+      recording.render_scale = first.render_scale;
+      recording.panels = first.panels;
+      recording.text_percent = first.text_percent;
+      recording.width_px = first.width_px;
+      recording.height_px = first.height_px;
+      recording.ui_script = first.ui_script;
+      recording.ui_script_from = next->script_line;
+      code = Replay(recording);
+    } else {
+      // What was asked of the first run alone (an agent, inputs, a length, a file for its recording) is not asked of
+      // it.
+      RunOptions run;
+      run.scenario = next->what;
+      run.lesson = next->lesson;
+      run.speed = first.speed;
+      run.detail = first.detail;
+      run.render_scale = first.render_scale;
+      run.panels = first.panels;
+      run.text_percent = first.text_percent;
+      run.width_px = first.width_px;
+      run.height_px = first.height_px;
+      run.port = first.port;
+      run.no_record = first.no_record;
+      run.ui_script = first.ui_script;
+      run.ui_script_from = next->script_line;
+      code = Run(run);
+    }
+  }
+  return code;
+}
+
+int Main(int argc, char** argv) {
+  CLI::App program("Soarbox: a 3D sandbox in which people learn and develop Soar agents", "soarbox");
+  program.set_version_flag("--version", SOARBOX_VERSION);
+  program.require_subcommand(1);
+  RunOptions run;
+  AddRun(program, run);
+  SoarShellOptions soar;
+  AddSoar(program, soar);
+  KernelServerOptions kernel;
+  AddKernel(program, kernel);
+  NewOptions made;
+  AddNew(program, made);
+  RecordingOptions recording;
+  AddRecordings(program, recording);
+  CheckOptions check;
+  WhyOptions why;
+  AddLooks(program, check, why);
+  InspectOptions inspect;
+  AddInspect(program, inspect);
+  SweepOptions sweep;
+  AddSweep(program, sweep);
+  ReportOptions report;
+  AddReport(program, report);
+  LearnOptions learn;
+  AddLearn(program, learn);
+  TestOptions test;
+  AddTest(program, test);
+  program.add_subcommand("list", "List the scenarios that come with the program");
+  if (const auto problem = FindSingleDash(program, argc, argv)) {
+    std::cerr << Format(*problem);
+    return kUsage;
+  }
+  if (const auto problem = FindMissingValue(program, argc, argv)) {
+    std::cerr << Format(*problem);
+    return kUsage;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are "errors" of this library too; they print and succeed.
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      program.exit(error);
+      return kOk;
+    }
+    if (argc == 1) {
+      std::cerr << program.help();
+    } else {
+      std::cerr << Format(ExplainUsage(program, error));
+    }
+    return kUsage;
+  }
+  // Before anything is done that would be done twice.
+  if ((program.got_subcommand("run") && !run.headless) || (program.got_subcommand("learn") && !learn.headless) ||
+      (program.got_subcommand("replay") && !recording.headless && !recording.json)) {
+    GoOnInWindow(argv);
+  }
+  if (program.got_subcommand("run")) return FollowedByOthers(Run(run), run);
+  if (program.got_subcommand("inspect")) return Inspect(inspect);
+  if (program.got_subcommand("soar")) return RunSoarShell(soar);
+  if (program.got_subcommand("replay")) {
+    run.detail = recording.detail;
+    run.render_scale = recording.render_scale;
+    run.panels = recording.panels;
+    run.text_percent = recording.text_percent;
+    run.width_px = recording.width_px;
+    run.height_px = recording.height_px;
+    run.ui_script = recording.ui_script;
+    return FollowedByOthers(Replay(recording), run);
+  }
+  if (program.got_subcommand("verify")) return Verify(recording);
+  if (program.got_subcommand("export")) return Export(recording);
+  if (program.got_subcommand("resume")) return Resume(recording);
+  if (program.got_subcommand("compare")) return Compare(recording);
+  if (program.got_subcommand("kernel")) return ServeKernel(kernel);
+  if (program.got_subcommand("sweep")) return Sweep(sweep);
+  if (program.got_subcommand("report")) return Report(report);
+  if (program.got_subcommand("learn")) return FollowedByOthers(Learn(learn), learn.window);
+  if (program.got_subcommand("test")) return Test(test);
+  if (program.got_subcommand("check")) return Check(check);
+  if (program.got_subcommand("why")) return Why(why);
+  if (program.got_subcommand("new")) return NewScenario(made);
+  return List();
+}
+
+/// What a world that is out of memory ends with, on whatever thread it was. What is on disk of a recording stays.
+void TellNoMemory() {
+  static const char kText[] =
+      "soarbox: error: out of memory\n"
+      "   note: the system has less memory than the world may use (--memory, by default 2048 MB); a recording "
+      "contains what happened up to here\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+}
+
+[[noreturn]] void EndOnTerminate() {
+  if (const std::exception_ptr thrown = std::current_exception()) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+      TellNoMemory();
+      _exit(kCannotStart);
+    } catch (...) {
+    }
+  }
+  std::abort();
+}
+
+}  // namespace
+
+int CommandLine(int argc, char** argv, const Window* window) {
+  SetProgramWindow(window);
+  std::set_terminate(EndOnTerminate);
+  // A file that may not grow any further is told of where it is written; the signal would end the program before.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    const int code = Main(argc, argv);
+    std::cout.flush();
+    if (std::cout) return code;
+    std::cerr << "soarbox: error: standard output cannot be written; is the disk full?\n";
+    return kCannotStart;
+  } catch (const std::bad_alloc&) {
+    TellNoMemory();
+    return kCannotStart;
+  } catch (const std::exception& error) {
+    std::cerr << "soarbox: error: " << error.what() << '\n';
+    return kCannotStart;
+  }
+}
+
+}  // namespace soarbox::app

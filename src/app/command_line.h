@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "app/window.h"
+
+namespace soarbox::app {
+
+/// The soarbox command: carries out what its arguments ask for. `window` is what shows runs and recordings; null: this program
+/// has none. Returns an ExitCode.
+int CommandLine(int argc, char** argv, const Window* window);
+
+}  // namespace soarbox::app

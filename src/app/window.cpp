@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/window.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace soarbox::app {
+namespace {
+
+const Window*& TheWindow() {
+  static const Window* window = nullptr;
+  return window;
+}
+
+}  // namespace
+
+const Window* ProgramWindow() {
+  return TheWindow();
+}
+
+void SetProgramWindow(const Window* window) {
+  TheWindow() = window;
+}
+
+bool HasDisplay() {
+  const char* display = std::getenv("DISPLAY");
+  return display != nullptr && *display != '\0';
+}
+
+void GoOnInWindow(char** argv) {
+  if (ProgramWindow() != nullptr || !HasDisplay()) return;
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return;
+  execv((self.parent_path() / "soarbox-window").c_str(), argv);
+}
+
+WindowSize WindowSizeOf(const RunOptions& options) {
+  WindowSize size;
+  const bool is_looked_at = options.screenshot.empty() && options.ui_script.empty() && !options.headless;
+  const Window* window = ProgramWindow();
+  if (!options.width_px && !options.height_px && is_looked_at && window != nullptr) {
+    if (const auto room = window->RoomOnDisplay()) {
+      // Panels and picture gain from room up to here; more than that is less than a user wants to look over.
+      constexpr int kMostWidth = 2560, kMostHeight = 1440;
+      const auto share = [](int whole, int least, int most) {
+        constexpr double kShare = 0.92;
+        return std::min({std::max(static_cast<int>(kShare * whole), least), whole, most});
+      };
+      size = {share(room->first, size.width, kMostWidth), share(room->second, size.height, kMostHeight)};
+    }
+  }
+  return {options.width_px.value_or(size.width), options.height_px.value_or(size.height)};
+}
+
+}  // namespace soarbox::app
