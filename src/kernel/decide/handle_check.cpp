@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <string>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 #include "kernel/decide/engine.h"
 #include "kernel/decide/invariants.h"
@@ -8,7 +11,8 @@
 namespace soarbox::kernel {
 namespace {
 
-/// One pass over everything that an agent keeps. The first thing found wrong stays.
+/// One pass over everything that an agent keeps. The first thing found wrong stays. Text is made only of what is wrong: the
+/// check runs after every phase.
 class HandleCheck {
  public:
   explicit HandleCheck(const Engine& engine) : engine_(engine), memory_(engine.memory) {}
@@ -25,18 +29,26 @@ class HandleCheck {
   }
 
  private:
-  void Require(bool right, const std::string& what) {
-    if (!right && violation_.empty()) violation_ = what;
+  /// `what` is a text, or a function that makes it.
+  template <typename What>
+  void Require(bool right, What&& what) {
+    if (right || !violation_.empty()) return;
+    if constexpr (std::is_invocable_v<What>) {
+      violation_ = std::forward<What>(what)();
+    } else {
+      violation_ = what;
+    }
   }
   void RequireLive(Symbol symbol, const char* holder) {
-    if (!symbol || violation_.size() > 0) return;
-    Require(engine_.symbols.IsLive(symbol), std::string(holder) + " holds a symbol that is gone");
+    if (!symbol || !violation_.empty()) return;
+    Require(engine_.symbols.IsLive(symbol), [&] { return std::string(holder) + " holds a symbol that is gone"; });
     if (symbol.IsIdentifier()) {
-      Require(memory_.identifier(symbol).live, std::string(holder) + " holds an identifier that is gone");
+      Require(memory_.identifier(symbol).live,
+              [&] { return std::string(holder) + " holds an identifier that is gone"; });
     }
   }
   void RequireLive(PreferenceId preference, const char* holder) {
-    Require(preference.record->live, std::string(holder) + " holds a preference that is gone");
+    Require(preference.record->live, [&] { return std::string(holder) + " holds a preference that is gone"; });
   }
   std::string TextOf(Symbol id, Symbol attribute, Symbol value) const {
     return "(" + ToString(engine_.symbols, id) + " ^" + ToString(engine_.symbols, attribute) + " " +
@@ -113,8 +125,10 @@ class HandleCheck {
       }
       if (instantiation.match != MatchId::kNone) {
         Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id,
-                "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
-                    " belongs to another instantiation");
+                [&] {
+                  return "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
+                         " belongs to another instantiation";
+                });
       }
       for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
         ++elements_[Index(trace.wme)];
@@ -138,8 +152,11 @@ class HandleCheck {
       const Instantiation& maker = *preference.instantiation.record;
       const bool may_be_held = maker.production == ProductionId::kNone && maker.justification == 0xFFFFFFFFu;
       Require(preference.references == count || (may_be_held && preference.references == count + 1),
-              "the preference for " + TextOf(preference.id, preference.attribute, preference.value) + " counts " +
-                  std::to_string(preference.references) + " references and has " + std::to_string(count));
+              [&] {
+                return "the preference for " + TextOf(preference.id, preference.attribute, preference.value) +
+                       " counts " + std::to_string(preference.references) + " references and has " +
+                       std::to_string(count);
+              });
     });
   }
 
@@ -164,10 +181,10 @@ class HandleCheck {
       const WmeRecord& record = memory_.record(id);
       const auto counted = elements_.find(index);
       const std::uint32_t count = counted == elements_.end() ? 0 : counted->second;
-      if (record.references < count) {
-        Require(false, "an element counts " + std::to_string(record.references) + " references and has " +
-                           std::to_string(count));
-      }
+      Require(record.references >= count, [&] {
+        return "an element counts " + std::to_string(record.references) + " references and has " +
+               std::to_string(count);
+      });
       if (!wme.live && record.references == 0) continue;
       for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) RequireLive(symbol, "an element");
       if (!wme.live || record.preference == PreferenceId::kNone || !violation_.empty()) continue;
@@ -175,7 +192,7 @@ class HandleCheck {
       RequireLive(record.preference, "an element");
       const Preference& maker = memory_.preference(record.preference);
       Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,
-              "the maker of " + TextOf(wme.id, wme.attribute, wme.value) + " says something else");
+              [&] { return "the maker of " + TextOf(wme.id, wme.attribute, wme.value) + " says something else"; });
     }
   }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/decide/invariants.h"
 
-#include <set>
+#include <algorithm>
+#include <vector>
 
 #include "kernel/decide/engine.h"
 
@@ -14,34 +15,44 @@ std::string Name(const Engine& engine, WmeId wme) {
          ToString(engine.symbols, content.attribute) + " " + ToString(engine.symbols, content.value) + ")";
 }
 
-std::string CheckSlot(const Engine& engine, SlotId id) {
+/// The values of a slot, kept from one to the next so that room is made once.
+struct SlotValues {
+  std::vector<std::uint32_t> accepted, rejected, elements;
+};
+
+std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
   const WorkingMemory& memory = engine.memory;
   const Slot& slot = memory.slot(id);
   if (memory.FindSlot(slot.id, slot.attribute) != id) return "a slot is not found by its identifier and attribute";
-  std::set<std::uint32_t> accepted, rejected, values;
+  auto& [accepted, rejected, values] = found;
+  for (std::vector<std::uint32_t>* some : {&accepted, &rejected, &values}) some->clear();
   std::uint32_t count = 0;
   for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot, ++count) {
     if (!memory.preference(p).live || !memory.preference(p).in_slot) return "a slot holds a preference that is gone";
-    accepted.insert(memory.preference(p).value.bits());
+    accepted.push_back(memory.preference(p).value.bits());
   }
   if (count != slot.acceptable_count) return "a slot miscounts its acceptable preferences";
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (!memory.preference(p).live || !memory.preference(p).in_slot) return "a slot holds a preference that is gone";
     const PreferenceType type = memory.preference(p).type;
     if (type == PreferenceType::kReject || type == PreferenceType::kProhibit) {
-      rejected.insert(memory.preference(p).value.bits());
+      rejected.push_back(memory.preference(p).value.bits());
     }
   }
   for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
     if (!memory.wme(wme).live) return "a slot holds an element that is gone";
-    values.insert(memory.wme(wme).value.bits());
+    values.push_back(memory.wme(wme).value.bits());
     const PreferenceId preference = memory.record(wme).preference;
     if (preference == PreferenceId::kNone || slot.is_operator || slot.changed) continue;
     if (!memory.preference(preference).in_slot) return "no preference supports " + Name(engine, wme);
   }
   if (slot.is_operator || slot.changed) return {};
+  for (std::vector<std::uint32_t>* some : {&rejected, &values}) std::sort(some->begin(), some->end());
   for (const std::uint32_t value : accepted) {
-    if (rejected.count(value) == 0 && values.count(value) == 0) {
+    const auto is_among = [value](const std::vector<std::uint32_t>& sorted) {
+      return std::binary_search(sorted.begin(), sorted.end(), value);
+    };
+    if (!is_among(rejected) && !is_among(values)) {
       return "an accepted value of " + ToString(engine.symbols, slot.id) + " ^" +
              ToString(engine.symbols, slot.attribute) + " has no element";
     }
@@ -56,8 +67,9 @@ std::string FindViolation(const Engine& engine) {
   if (!engine.memory.LargeSlotsAreRight()) return "a large slot miscounts its facts";
   const WorkingMemory& memory = engine.memory;
   std::string violation;
+  SlotValues values;
   memory.ForEachSlot([&](SlotId slot) {
-    if (violation.empty()) violation = CheckSlot(engine, slot);
+    if (violation.empty()) violation = CheckSlot(engine, slot, values);
   });
   if (!violation.empty()) return violation;
   std::uint32_t live = 0;
