@@ -178,10 +178,12 @@ if(SOARBOX_PRECOMPILE)
     target_precompile_headers(soarbox_test_headers PRIVATE ${soarbox_standard_headers} <gmock/gmock.h> <gtest/gtest.h>)
   endif()
 endif()
-# soarbox_reads_headers_of(TARGET HEADERS [SELDOM_RUN]): lets a target read precompiled headers. In a release only what is
-# SELDOM_RUN does: GCC 12 makes 4 % more instructions of the decision cycle where headers are precompiled.
+# The kernel, and what reaches it, is counted by instruction.
+set(soarbox_counted "^soarbox_(diagnostics|kernel|mind|journal|sml|soar_client)")
+# soarbox_reads_headers_of(TARGET HEADERS): lets a target read precompiled headers. In a release the kernel does not: GCC 12
+# makes 4 % more instructions of the decision cycle where headers are precompiled.
 function(soarbox_reads_headers_of target headers)
-  if(SOARBOX_PRECOMPILE AND (NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR "SELDOM_RUN" IN_LIST ARGN))
+  if(SOARBOX_PRECOMPILE AND NOT (CMAKE_BUILD_TYPE STREQUAL "Release" AND target MATCHES "${soarbox_counted}"))
     target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
 endfunction()
@@ -190,7 +192,8 @@ endfunction()
 # compiling a fifth longer and running slower, so only what is fuzzed has it.
 function(soarbox_is_fuzzed target)
   if(SOARBOX_SANITIZE STREQUAL "fuzzer")
-    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    # What -fsanitize=fuzzer-no-link stands for; that itself would forbid the headers that others precompiled.
+    target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table,trace-cmp,indirect-calls)
   endif()
 endfunction()
 
@@ -202,11 +205,7 @@ function(soarbox_library name)
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
   add_library(soarbox::${name} ALIAS soarbox_${name})
   target_link_libraries(soarbox_${name} PUBLIC soarbox_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
-  if(arg_SELDOM_RUN)
-    soarbox_reads_headers_of(soarbox_${name} soarbox_library_headers SELDOM_RUN)
-  else()
-    soarbox_reads_headers_of(soarbox_${name} soarbox_library_headers)
-  endif()
+  soarbox_reads_headers_of(soarbox_${name} soarbox_library_headers)
   if(arg_LARGE_BATCHES)
     soarbox_in_large_batches(soarbox_${name})
   else()
@@ -215,8 +214,8 @@ function(soarbox_library name)
   if(arg_SELDOM_RUN)
     target_compile_options(soarbox_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
-  # The kernel, and what reaches it, is counted by instruction, so it stays as users run it; sanitizers check its assertions.
-  if(SOARBOX_CI AND NOT name MATCHES "^(diagnostics|kernel|mind|journal|sml|soar_client)")
+  # What is counted stays as users run it; sanitizers check its assertions.
+  if(SOARBOX_CI AND NOT soarbox_${name} MATCHES "${soarbox_counted}")
     target_compile_options(soarbox_${name} PRIVATE -UNDEBUG)
   endif()
 endfunction()
@@ -265,7 +264,7 @@ function(soarbox_test name)
   target_link_libraries(${name} PRIVATE soarbox_options ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
   soarbox_paths_for(${name} "${arg_SOURCES}" "SOARBOX_SOURCE_DIR|_fixture\\.h|test_run\\.h" SOARBOX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   soarbox_in_large_batches(${name})
-  soarbox_reads_headers_of(${name} soarbox_test_headers SELDOM_RUN)
+  soarbox_reads_headers_of(${name} soarbox_test_headers)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   # Virtual displays that start at the same moment may pick the same number.
   set(lock "")
