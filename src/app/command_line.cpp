@@ -35,7 +35,6 @@ namespace {
 /// No run lasts longer; its ticks are counted without loss.
 constexpr double kLongest_s = 1e7;
 
-
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
   run->add_option("scenario", options.scenario,

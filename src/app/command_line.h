@@ -5,8 +5,8 @@
 
 namespace soarbox::app {
 
-/// The soarbox command: carries out what its arguments ask for. `window` is what shows runs and recordings; null: this program
-/// has none. Returns an ExitCode.
+/// The soarbox command: carries out what its arguments ask for. `window` is what shows runs and recordings; null: this
+/// program has none. Returns an ExitCode.
 int CommandLine(int argc, char** argv, const Window* window);
 
 }  // namespace soarbox::app

@@ -21,8 +21,9 @@ struct WindowRun {
   const record::Header& header;
 };
 
-/// Shows runs and recordings. Two programs carry out the same commands: soarbox-window has a window; soarbox has none, loads
-/// none of its libraries, and starts in half the time. Where a command needs a window, soarbox goes on as soarbox-window.
+/// Shows runs and recordings. Two programs carry out the same commands: soarbox-window has a window; soarbox has none,
+/// loads none of its libraries, and starts in half the time. Where a command needs a window, soarbox goes on as
+/// soarbox-window.
 class Window {
  public:
   Window() = default;
@@ -49,8 +50,8 @@ void SetProgramWindow(const Window* window);
 /// Whether there is a display to open a window on.
 bool HasDisplay();
 
-/// Goes on as the program soarbox-window in the same folder, with the same arguments. Returns where this program has a window
-/// itself, there is no display, or no such program can be started.
+/// Goes on as the program soarbox-window in the same folder, with the same arguments. Returns where this program has a
+/// window itself, there is no display, or no such program can be started.
 void GoOnInWindow(char** argv);
 
 /// Width and height of a window in px.

@@ -32,7 +32,8 @@ struct MindSettings {
 /// A rule fired and one of its actions could not be done, or it would fire without end.
 struct ActionFailure {
   std::string rule;
-  std::string text;  ///< In the kernel's words: "Error: attempt to divide ('/') by zero.\n". Empty: it fires without end.
+  std::string
+      text;  ///< In the kernel's words: "Error: attempt to divide ('/') by zero.\n". Empty: it fires without end.
 };
 
 /// The mind of one agent as a Soar program: what it perceives stands on its input link, each identifier directly on

@@ -11,8 +11,8 @@
 namespace soarbox::kernel {
 namespace {
 
-/// One pass over everything that an agent keeps. The first thing found wrong stays. Text is made only of what is wrong: the
-/// check runs after every phase.
+/// One pass over everything that an agent keeps. The first thing found wrong stays. Text is made only of what is wrong:
+/// the check runs after every phase.
 class HandleCheck {
  public:
   explicit HandleCheck(const Engine& engine) : engine_(engine), memory_(engine.memory) {}
@@ -124,11 +124,10 @@ class HandleCheck {
         Require(engine_.rete.production(instantiation.production) != nullptr, "the rule of an instantiation is gone");
       }
       if (instantiation.match != MatchId::kNone) {
-        Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id,
-                [&] {
-                  return "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
-                         " belongs to another instantiation";
-                });
+        Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id, [&] {
+          return "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
+                 " belongs to another instantiation";
+        });
       }
       for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
         ++elements_[Index(trace.wme)];
@@ -151,12 +150,10 @@ class HandleCheck {
       // What long-term memory answered it can take back: it holds such preferences, too.
       const Instantiation& maker = *preference.instantiation.record;
       const bool may_be_held = maker.production == ProductionId::kNone && maker.justification == 0xFFFFFFFFu;
-      Require(preference.references == count || (may_be_held && preference.references == count + 1),
-              [&] {
-                return "the preference for " + TextOf(preference.id, preference.attribute, preference.value) +
-                       " counts " + std::to_string(preference.references) + " references and has " +
-                       std::to_string(count);
-              });
+      Require(preference.references == count || (may_be_held && preference.references == count + 1), [&] {
+        return "the preference for " + TextOf(preference.id, preference.attribute, preference.value) + " counts " +
+               std::to_string(preference.references) + " references and has " + std::to_string(count);
+      });
     });
   }
 
