@@ -5,10 +5,10 @@
 //
 //   learner_memory FILE.soar [AGENTS [RULES...]]     defaults: 100 agents that learn 10 and 100 rules
 //
-// FILE is learning-scale.soar, with other rules or without (`generate.py` writes learners-311 and learners-3011): a task
-// is three decisions, and the agent learns a rule for each. Prints one line of JSON for each number of rules. Pages are
-// counted by their share (the kernel's Pss), so that pages which agents share count once. Only the public SML client
-// interface is used, so the same source builds against any library that offers it.
+// FILE is learning-scale.soar, with other rules or without (`generate.py` writes learners-311 and learners-3011): a
+// task is three decisions, and the agent learns a rule for each. Prints one line of JSON for each number of rules.
+// Pages are counted by their share (the kernel's Pss), so that pages which agents share count once. Only the public SML
+// client interface is used, so the same source builds against any library that offers it.
 
 #include <sys/wait.h>
 #include <unistd.h>
