@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """What the command says to command lines that are wrong."""
+import os
+import pathlib
+import shutil
+import subprocess
 import unittest
 
-from soarbox_command import Run, ScenarioCase
+from soarbox_command import COMMAND, REPOSITORY, Run, ScenarioCase
 
 SUB_COMMANDS = ("run", "soar", "kernel", "new", "replay", "verify", "export", "resume", "compare", "check", "why", "list")
 
@@ -94,6 +98,15 @@ class Usage(ScenarioCase):
         text = self.refused()
         for command in SUB_COMMANDS:
             self.assertIn(f"\n  {command} ", text)
+
+    def test_runs_headless_where_the_program_with_the_window_is_not_beside_it(self):
+        alone = pathlib.Path(self.folder) / "soarbox"
+        shutil.copy(COMMAND, alone)
+        done = subprocess.run([alone, "run", "soar_seek", "--seconds", "0.1"], capture_output=True, text=True, timeout=60, check=False,
+                              env={**os.environ, "DISPLAY": ":4711", "SOARBOX_DATA": str(REPOSITORY)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("this build has no window: the world runs headless", done.stderr)
+        self.assertIn("soarbox-window beside this program", done.stderr)
 
 
 if __name__ == "__main__":
