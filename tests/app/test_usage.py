@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from soarbox_command import COMMAND, REPOSITORY, Run, ScenarioCase
+from soarbox_command import COMMAND, Run, ScenarioCase
 
 SUB_COMMANDS = ("run", "soar", "kernel", "new", "replay", "verify", "export", "resume", "compare", "check", "why", "list")
 
@@ -103,7 +103,7 @@ class Usage(ScenarioCase):
         alone = pathlib.Path(self.folder) / "soarbox"
         shutil.copy(COMMAND, alone)
         done = subprocess.run([alone, "run", "soar_seek", "--seconds", "0.1"], capture_output=True, text=True, timeout=60, check=False,
-                              env={**os.environ, "DISPLAY": ":4711", "SOARBOX_DATA": str(REPOSITORY)})
+                              env={**os.environ, "DISPLAY": ":4711", "SOARBOX_DATA": str(pathlib.Path(__file__).resolve().parents[2])})
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("this build has no window: the world runs headless", done.stderr)
         self.assertIn("soarbox-window beside this program", done.stderr)
