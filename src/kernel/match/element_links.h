@@ -43,7 +43,7 @@ class ElementLinks {
     WmeLinks& link = links_[wme];
     link.first_item = kNil;
     link.first_token = kNil;
-    link.serial = serial;
+    link.serial = last_serial_ = serial;
     link.in_match = true;
     link.unsorted = false;
     link.previous = kNil;
@@ -59,7 +59,7 @@ class ElementLinks {
   void BeginLeaving(std::uint32_t wme, std::uint64_t serial) {
     leaving_ = wme;
     arrival_of_leaving_ = links_[wme].serial;
-    links_[wme].serial = serial;
+    links_[wme].serial = last_serial_ = serial;
   }
   /// It has left.
   void Leave(WmeLinks& link) {
@@ -73,6 +73,8 @@ class ElementLinks {
   }
   /// The element that is leaving, or kNil.
   std::uint32_t leaving() const { return leaving_; }
+  /// When the last one came or began to leave.
+  std::uint64_t last_serial() const { return last_serial_; }
   /// When an element of the match came, also if it is leaving.
   std::uint64_t ArrivalOf(std::uint32_t wme) const {
     return wme == leaving_ ? arrival_of_leaving_ : links_[wme].serial;
@@ -92,6 +94,7 @@ class ElementLinks {
   std::uint32_t count_ = 0;
   std::uint32_t leaving_ = kNil;
   std::uint64_t arrival_of_leaving_ = 0;
+  std::uint64_t last_serial_ = 0;
   std::uint64_t last_timetag_ = 0;
 };
 

@@ -230,6 +230,19 @@ TEST_F(MatchPartsTest, TokensOfOneKeyStandNewestFirstHoweverTheTableGrows) {
   EXPECT_THAT(TokensAt(1), IsEmpty());
 }
 
+TEST_F(MatchPartsTest, ATableGrowsWithItsKeysNotWithTokensOfTheSame) {
+  nodes.MakeRoom(3);
+  const std::uint32_t wme = Enter();
+  for (std::uint32_t n = 0; n < 5000; ++n) {
+    nodes.Insert(tokens, 1, tokens.Make(elements, 1, kNil, wme), n % 3, true);
+    nodes.Insert(tokens, 2, tokens.Make(elements, 2, kNil, wme), n < 1000 ? n % 3 : n, true);
+  }
+  EXPECT_EQ(nodes.marks(1).bits(), 8u);
+  EXPECT_EQ(nodes.marks(2).bits(), 12u);  // It was asked at 2,048 and 4,096 tokens, when there were many keys at last.
+  EXPECT_EQ(TokensAt(1).size(), 5000u);
+  EXPECT_EQ(TokensAt(2).size(), 5000u);
+}
+
 TEST_F(MatchPartsTest, AJoinIsOnItsMemorysListWhileItIsLinked) {
   nodes.MakeRoom(4);
   nodes.LinkLeft(2, 1);
@@ -292,6 +305,27 @@ TEST_F(MatchPartsTest, AParkedPairIsFoundByItsKeyUntilItsElementHasLeft) {
   EXPECT_EQ(memory.indexed, 0u);
 }
 
+TEST_F(MatchPartsTest, AFullLogKeepsThePairsWhoseElementsAndTokensAreStillThere) {
+  SparseMemories sparse;
+  SparseState& memory = sparse[sparse.Take()];
+  const std::uint32_t a = Enter(), b = Enter();
+  const std::uint32_t first = tokens.Make(elements, 1, kNil, a), second = tokens.Make(elements, 1, kNil, a);
+  const auto park = [&](std::uint32_t parent, std::uint32_t wme) {
+    if (memory.logged == memory.log_limit) sparse.MakeRoomToPark(tokens, elements, memory);
+    memory.log[memory.logged++] = {parent, wme, tokens.TakeSerial(), 17, kNil};
+  };
+  for (int n = 0; n < 4; ++n) park(first, a), park(second, a), park(first, b);
+  elements.BeginLeaving(b, tokens.TakeSerial());
+  elements.Leave(elements[b]);
+  tokens.ForgetPairs(tokens[second]);
+  for (int n = 0; n < 5; ++n) park(second, a);  // The last one finds the log full.
+  EXPECT_EQ(memory.saved, 8u);
+  EXPECT_EQ(memory.logged, 4u + 5u);
+  for (std::uint32_t n = 0; n < memory.logged; ++n) {
+    EXPECT_FALSE(sparse.IsStale(tokens, elements, memory.log[n])) << n;
+  }
+}
+
 TEST_F(MatchPartsTest, ARunIsStaleOnceItsTokenHasLeftAndThenMakesRoom) {
   SparseMemories sparse;
   SparseState& memory = sparse[sparse.Take()];
@@ -300,7 +334,7 @@ TEST_F(MatchPartsTest, ARunIsStaleOnceItsTokenHasLeftAndThenMakesRoom) {
   for (int n = 0; n < 20; ++n) {
     sparse.Park(tokens, memory,
                 {n == 0 ? second : first, 3, tokens.TakeSerial(), elements[b].serial, elements[a].serial});
-    if (n == 10) tokens[first].forgotten = tokens.next_serial();
+    if (n == 10) tokens.ForgetPairs(tokens[first]);
   }
   EXPECT_EQ(memory.saved, 3 * 10u);  // There was room for sixteen: ten were stale then.
   EXPECT_EQ(memory.runs.size(), 10u);

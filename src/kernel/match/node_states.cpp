@@ -2,6 +2,7 @@
 #include "kernel/match/node_states.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace soarbox::kernel {
 
@@ -23,28 +24,49 @@ void NodeStates::Reset(std::uint32_t node) {
 // Tokens --------------------------------------------------------------------------------------------------------------
 
 // Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
-void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node) {
+/// Tokens of few keys would stand in chains as long as before. Asked again whenever they are twice as many.
+bool NodeStates::IsWorthGrowing(std::uint32_t table, std::uint32_t bits, std::uint32_t count) const {
+  constexpr std::uint32_t kBucketsPerKey = 8;
+  if (!std::has_single_bit(count)) return false;
+  std::uint32_t used = 0;
+  for (std::uint32_t n = 0; n < 1u << bits; ++n) used += tables_[table + n] != kNil ? 1 : 0;
+  return used * kBucketsPerKey > 1u << bits;
+}
+
+void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node, std::uint32_t count) {
+  // Tokens are all over memory: each is looked at once, and those of later buckets are called for in time.
+  constexpr std::uint32_t kAhead = 12;
+  constexpr std::uint32_t kBitsForAll = 8;  // As many as any node gets that has the tokens.
+  constexpr std::uint32_t kFirstBits = 4, kMoreBits = 2;
   NodeState& state = states_[node];
   const std::uint32_t old_bits = marks_[node].bits();
   const std::uint32_t old_head = state.head;
-  const std::uint32_t bits = old_bits == 0 ? 4 : old_bits + 2;
+  if (old_bits >= kBitsForAll && !IsWorthGrowing(state.head, old_bits, count)) return;
+  const std::uint32_t bits = old_bits == 0 ? kFirstBits : old_bits + kMoreBits;
   const std::uint32_t table = tables_.Allocate(bits);
+  const std::uint32_t parts = 1u << (bits - old_bits);  // A bucket's tokens go to so many neighbours.
+  std::uint32_t last[1u << kFirstBits];
   for (std::uint32_t n = 0; n < 1u << old_bits; ++n) {
     std::uint32_t index = old_bits == 0 ? old_head : tables_[old_head + n];
-    while (index != kNil && tokens[index].next_in_bucket != kNil) {
-      index = tokens[index].next_in_bucket;
+    if (old_bits != 0 && n + kAhead < 1u << old_bits) {
+      const std::uint32_t ahead = tables_[old_head + n + kAhead];
+      if (ahead != kNil) __builtin_prefetch(&tokens[ahead].next_in_bucket);
     }
+    if (index == kNil) continue;
+    std::fill_n(last, parts, kNil);
+    const std::uint32_t first = table + n * parts;
     while (index != kNil) {
       Token& token = tokens[index];
-      const std::uint32_t previous = token.previous_in_bucket;
-      std::uint32_t& head = tables_[table + TablePool::Hash(token.key, bits)];
-      token.previous_in_bucket = kNil;
-      token.next_in_bucket = head;
-      if (head != kNil) {
-        tokens[head].previous_in_bucket = index;
-      }
-      head = index;
-      index = previous;
+      const std::uint32_t next = token.next_in_bucket;
+      const std::uint32_t bucket = table + TablePool::Hash(token.key, bits);
+      std::uint32_t& end = last[bucket - first];
+      token.previous_in_bucket = end;
+      (end != kNil ? tokens[end].next_in_bucket : tables_[bucket]) = index;
+      end = index;
+      index = next;
+    }
+    for (std::uint32_t part = 0; part < parts; ++part) {
+      if (last[part] != kNil) tokens[last[part]].next_in_bucket = kNil;
     }
   }
   if (old_bits != 0) {

@@ -134,7 +134,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
       all[next].previous_in_bucket = index;
     }
     if (grow) [[unlikely]] {
-      GrowBuckets(tokens, node);
+      GrowBuckets(tokens, node, count);
     }
   }
   [[gnu::always_inline]] void Insert(TokenPool & tokens, std::uint32_t node, std::uint32_t index, std::uint32_t key,
@@ -212,7 +212,8 @@ class [[gnu::visibility("hidden")]] NodeStates {
   }
 
  private:
-  void GrowBuckets(TokenPool & tokens, std::uint32_t node);
+  void GrowBuckets(TokenPool & tokens, std::uint32_t node, std::uint32_t count);
+  bool IsWorthGrowing(std::uint32_t table, std::uint32_t bits, std::uint32_t count) const;
 
   PlainVector<NodeState> states_;
   PlainVector<NodeMarks> marks_;

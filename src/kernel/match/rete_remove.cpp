@@ -122,7 +122,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
             ForgetPairsOf(network->MemoryBelow(node), leaf.pairs);
             leaf.pairs = 0;
           }
-          leaf.forgotten = tokens.next_serial();
+          tokens.ForgetPairs(leaf);
         }
         if (nodes.marks(node).Is(NodeMarks::kSparse)) {
           --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.

@@ -51,11 +51,14 @@ void SparseMemories::GiveBack(std::uint32_t place) {
 // Pairs ---------------------------------------------------------------------------------------------------------------
 
 void SparseMemories::MakeRoomToPark(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory) {
+  // A pair that was parked since is not stale; the others are looked up.
+  const std::uint64_t last_departure = std::max(tokens.last_forgotten(), elements.last_serial());
   std::uint32_t kept = 0;
   for (std::uint32_t n = 0; n < memory.logged; ++n) {
-    if (!IsStale(tokens, elements, memory.log[n])) {
-      memory.log[kept++] = memory.log[n];
-    }
+    const ParkedPair& pair = memory.log[n];
+    if (pair.serial < last_departure && IsStale(tokens, elements, pair)) continue;
+    if (kept != n) memory.log[kept] = pair;
+    ++kept;
   }
   memory.saved += memory.logged - kept;
   memory.logged = kept;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "kernel/match/element_links.h"
@@ -34,12 +36,29 @@ struct ParkedRun {
   std::uint64_t newest, oldest;  ///< When the first and the last element came.
 };
 
+/// For vectors whose new records are written before they are read: memory that is not used yet is not touched.
+template <typename T>
+struct UnsetAllocator : std::allocator<T> {
+  template <typename U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  template <typename U>
+  void construct(U* place) {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
 /// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
 /// them into a table by their key.
 struct SparseState {
   std::uint32_t node = kNil;
-  std::uint32_t tokens = 0;     ///< Pairs that are tokens.
-  std::vector<ParkedPair> log;  ///< In use: the first `logged`.
+  std::uint32_t tokens = 0;                                 ///< Pairs that are tokens.
+  std::vector<ParkedPair, UnsetAllocator<ParkedPair>> log;  ///< In use: the first `logged`.
   std::uint32_t logged = 0;
   std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
   std::vector<ParkedRun> runs;

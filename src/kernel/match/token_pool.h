@@ -82,6 +82,14 @@ class [[gnu::visibility("hidden")]] TokenPool {
     return next_serial_++;
   }
   /// For loops that count on their own.
+  /// A token above a sparse memory gives its record back: the pairs that it has parked are stale.
+  void ForgetPairs(Token & token) {
+    token.forgotten = last_forgotten_ = next_serial_;
+  }
+  /// When one did so last.
+  std::uint64_t last_forgotten() const {
+    return last_forgotten_;
+  }
   void set_next_serial(std::uint64_t serial) {
     next_serial_ = serial;
   }
@@ -206,6 +214,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
   RecordArray<Token> records_;
   std::uint32_t free_ = kNil;
   std::uint64_t next_serial_ = 1;
+  std::uint64_t last_forgotten_ = 0;
   std::vector<std::uint32_t> sorting_;  ///< Scratch: a list to be sorted.
 };
 
