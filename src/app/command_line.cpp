@@ -53,8 +53,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
-  run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
+  CLI::Option* picture =
+      run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
+      ->needs(picture)
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
   run->add_option("--detail", options.detail,

@@ -11,6 +11,7 @@
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
+#include "app/lesson.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "debugger/json.h"
@@ -38,6 +39,11 @@ int Check(const CheckOptions& options) {
   }
   const std::vector<Diagnostic> problems =
       sim::CheckFiles(files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
+        // What grades a lesson stands beside its scenario.
+        if (shipped != nullptr && file.filename() == "lesson.toml") {
+          ReadLesson(file.has_parent_path() ? file.parent_path() : ".", *shipped, found);
+          return false;
+        }
         return mission::CheckMissionFile(file, shipped, found);
       });
   int errors = 0;

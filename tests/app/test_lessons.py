@@ -254,6 +254,18 @@ class Pages(LessonCase):
                 for line in block.splitlines():
                     self.assertIn(line, rules, page)
 
+    def test_what_grades_a_lesson_is_checked_too(self):
+        graded = REPOSITORY / "lessons"
+        for lesson in sorted(graded.iterdir()):
+            self.assertNotIn("lesson.toml", Run("check", lesson).out)
+        lesson = sorted(graded.iterdir())[0]
+        shutil.copytree(lesson, self.folder / lesson.name)
+        grades = self.folder / lesson.name / "lesson.toml"
+        grades.write_text(grades.read_text(encoding="utf-8").replace("title =", "titel ="), encoding="utf-8")
+        run = Run("check", self.folder / lesson.name)
+        self.assertEqual(run.code, 1)
+        self.assertRegex(run.out, r"lesson\.toml:1:\d+: error: .*'titel'")
+
     def test_each_lesson_names_the_panels_in_which_it_is_to_be_seen(self):
         for page in sorted(LESSONS.glob("*/README.md")):
             text = page.read_text(encoding="utf-8")

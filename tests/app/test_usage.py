@@ -99,6 +99,9 @@ class Usage(ScenarioCase):
         for command in SUB_COMMANDS:
             self.assertIn(f"\n  {command} ", text)
 
+    def test_a_moment_for_a_picture_needs_a_picture(self):
+        self.assertRegex(self.refused("run", "thesis", "--headless", "--at", "3"), "--at .*--screenshot")
+
     def test_runs_headless_where_the_program_with_the_window_is_not_beside_it(self):
         alone = pathlib.Path(self.folder) / "soarbox"
         shutil.copy(COMMAND, alone)
