@@ -45,6 +45,8 @@ class TheInstructionGate(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         check_instructions.measure = counted_once(check_instructions.measure)
+        # A small crowd will do.
+        check_instructions.SCENARIO = "crowd/crowd_10.lua"
         with tempfile.TemporaryDirectory() as work:
             cls.counted = {}
             for name, length in (("decide-loop", 200), ("io_loop 1 self", 20), ("recording decisions", 12)):
