@@ -145,7 +145,9 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   lesson.name = folder.filename().string();
   const std::size_t before = problems.size();
   const std::string text = ReadText(folder / "lesson.toml").value_or("");
-  lesson.loaded.mission = mission::ParseLessonChecks(text, folder / "lesson.toml", problems);
+  lesson.loaded.mission = mission::ParseChecksBeside(text, folder / "lesson.toml", problems, "a lesson",
+                                                     {"title", "idea", "task", "panel", "also", "rules", "hints",
+                                                      "seeds", "pass", "seconds", "wall", "check", "mistake"});
   if (problems.size() > before) return std::nullopt;
   const toml::table root = toml::parse(text);
   lesson.title = root["title"].value_or(lesson.name);

@@ -519,13 +519,15 @@ Mission ParseMission(std::string_view text, const std::filesystem::path& file, b
   return mission;
 }
 
-Mission ParseLessonChecks(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems) {
+Mission ParseChecksBeside(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems,
+                          const std::string& what, const std::vector<std::string_view>& known) {
   const std::size_t before = problems.size();
   Mission mission;
   mission.file = file;
   const std::optional<toml::table> root = ParseToml(text, file, problems);
   if (!root) return mission;
   MissionReader reader(file.string(), problems);
+  if (!known.empty()) reader.CheckKeys(*root, what, known);
   reader.ReadFrame(*root, mission);
   reader.ReadChecks(*root, "check", mission.checks, mission.seeds.size());
   reader.ReadChecks(*root, "mistake", mission.mistakes, 0, mission.checks);

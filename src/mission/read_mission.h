@@ -18,8 +18,10 @@ namespace soarbox::mission {
 Mission ParseMission(std::string_view text, const std::filesystem::path& file, bool is_scenario_file,
                      std::vector<Diagnostic>& problems);
 
-/// Reads [[check]] and [[mistake]] of a lesson file.
-Mission ParseLessonChecks(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems);
+/// Reads the seeds, [[check]] and [[mistake]] of a file that says other things, too: a lesson, a sweep. Keys of the
+/// whole that are not `known` are problems of `what` ("a lesson"), unless none is known.
+Mission ParseChecksBeside(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems,
+                          const std::string& what = {}, const std::vector<std::string_view>& known = {});
 
 /// Checks that a run of this many seconds never looks at, or that cannot come true in it.
 void CheckTimes(const Mission& mission, double seconds, std::vector<Diagnostic>& problems);

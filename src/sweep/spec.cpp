@@ -266,7 +266,7 @@ Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& proble
     return spec;
   }
   // Checks and seeds are those of missions.
-  spec.mission = mission::ParseLessonChecks(*text, file, problems);
+  spec.mission = mission::ParseChecksBeside(*text, file, problems);
   if (!problems.empty()) return spec;
   const toml::table root = toml::parse(*text, file.string());
   SpecReader(spec, problems, is_copy).Read(root);
