@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/run_control.h"
+#include "app/window/run_control.h"
 
 #include <memory>
 #include <string>

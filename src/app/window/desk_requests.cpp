@@ -5,9 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/desk.h"
 #include "app/next_run.h"
-#include "app/open_editor.h"
+#include "app/window/desk.h"
+#include "app/window/open_editor.h"
 #include "sim/vet_rules.h"
 
 namespace soarbox::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/desk.h"
+#include "app/window/desk.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/replay_window.h"
+#include "app/window/replay_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "app/desk.h"
 #include "app/exit_codes.h"
 #include "app/next_run.h"
-#include "app/pace.h"
-#include "app/recent.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
-#include "app/window_layout.h"
+#include "app/window/desk.h"
+#include "app/window/pace.h"
+#include "app/window/recent.h"
+#include "app/window/window_layout.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {

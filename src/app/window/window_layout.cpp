@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window_layout.h"
+#include "app/window/window_layout.h"
 
 #include <sstream>
 #include <string_view>

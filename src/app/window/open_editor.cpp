@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/open_editor.h"
+#include "app/window/open_editor.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/drafts.h"
-#include "app/lesson_desk.h"
 #include "app/next_run.h"
-#include "app/pace.h"
 #include "app/run_session.h"
-#include "app/time_machine.h"
+#include "app/window/drafts.h"
+#include "app/window/lesson_desk.h"
+#include "app/window/pace.h"
+#include "app/window/time_machine.h"
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/recorded_mind.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/pace.h"
+#include "app/window/pace.h"
 
 #include <algorithm>
 #include <iterator>

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "app/desk.h"
+#include "app/window/desk.h"
 #include "debugger/watch.h"
 #include "tell/mind_words.h"
 

@@ -4,7 +4,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "app/desk.h"
+#include "app/window/desk.h"
 #include "debugger/learning.h"
 #include "debugger/recall.h"
 #include "debugger/why.h"

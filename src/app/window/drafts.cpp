@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/drafts.h"
+#include "app/window/drafts.h"
 
 #include <cstdint>
 #include <cstdio>

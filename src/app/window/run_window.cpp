@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/run_window.h"
+#include "app/window/run_window.h"
 
 #include <chrono>
 #include <iostream>
 #include <thread>
 
-#include "app/desk.h"
 #include "app/exit_codes.h"
-#include "app/live_window.h"
-#include "app/recent.h"
 #include "app/refuse.h"
-#include "app/window_layout.h"
+#include "app/window/desk.h"
+#include "app/window/live_window.h"
+#include "app/window/recent.h"
+#include "app/window/window_layout.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/drafts.h"
+#include "app/window/drafts.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "app/next_run.h"
-#include "app/recent.h"
+#include "app/window/recent.h"
 #include "record/test_ticks.h"
 
 namespace soarbox::app {

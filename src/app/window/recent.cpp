@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/recent.h"
+#include "app/window/recent.h"
 
 #include <algorithm>
 #include <fstream>
 #include <system_error>
 
-#include "app/drafts.h"
+#include "app/window/drafts.h"
 
 namespace soarbox::app {
 namespace fs = std::filesystem;

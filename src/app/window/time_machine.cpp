@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/time_machine.h"
+#include "app/window/time_machine.h"
 
 #include <algorithm>
 #include <chrono>

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/data_folders.h"
-#include "app/desk.h"
-#include "app/recent.h"
+#include "app/window/desk.h"
+#include "app/window/recent.h"
 #include "debugger/memory.h"
 #include "sim/scenario.h"
 

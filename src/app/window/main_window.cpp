@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The program soarbox-window: the same commands as soarbox, with the window.
 #include "app/command_line.h"
-#include "app/replay_window.h"
-#include "app/run_window.h"
+#include "app/window/replay_window.h"
+#include "app/window/run_window.h"
 #include "viewer/viewer.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The flow of time in a window, and runs that begin again; no display is needed.
-#include "app/run_control.h"
+#include "app/window/run_control.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "app/event_printer.h"
-#include "app/pace.h"
 #include "app/record_run.h"
 #include "app/run_session.h"
-#include "app/time_machine.h"
+#include "app/window/pace.h"
+#include "app/window/time_machine.h"
 #include "record/compare.h"
 #include "record/reader.h"
 #include "record/rerun.h"

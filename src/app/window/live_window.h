@@ -4,11 +4,11 @@
 #include <chrono>
 #include <optional>
 
-#include "app/desk.h"
-#include "app/pace.h"
 #include "app/run_options.h"
 #include "app/run_session.h"
-#include "app/run_window.h"
+#include "app/window/desk.h"
+#include "app/window/pace.h"
+#include "app/window/run_window.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/live_window.h"
+#include "app/window/live_window.h"
 
 #include <cstdio>
 #include <iostream>
@@ -7,7 +7,7 @@
 
 #include "app/exit_codes.h"
 #include "app/next_run.h"
-#include "app/run_control.h"
+#include "app/window/run_control.h"
 #include "world/world.h"
 
 namespace soarbox::app {
