@@ -334,13 +334,7 @@ int FollowedByOthers(int code, const RunOptions& first) {
     if (next->is_recording) {
       RecordingOptions recording;
       recording.file = next->what;
-      recording.detail = first.detail;
-      recording.render_scale = first.render_scale;
-      recording.panels = first.panels;
-      recording.text_percent = first.text_percent;
-      recording.width_px = first.width_px;
-      recording.height_px = first.height_px;
-      recording.ui_script = first.ui_script;
+      static_cast<WindowWishes&>(recording) = first;
       recording.ui_script_from = next->script_line;
       code = Replay(recording);
     } else {
@@ -350,15 +344,9 @@ int FollowedByOthers(int code, const RunOptions& first) {
       run.scenario = next->what;
       run.lesson = next->lesson;
       run.speed = first.speed;
-      run.detail = first.detail;
-      run.render_scale = first.render_scale;
-      run.panels = first.panels;
-      run.text_percent = first.text_percent;
-      run.width_px = first.width_px;
-      run.height_px = first.height_px;
+      static_cast<WindowWishes&>(run) = first;
       run.port = first.port;
       run.no_record = first.no_record;
-      run.ui_script = first.ui_script;
       run.ui_script_from = next->script_line;
       code = Run(run);
     }
@@ -426,13 +414,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("inspect")) return Inspect(inspect);
   if (program.got_subcommand("soar")) return RunSoarShell(soar);
   if (program.got_subcommand("replay")) {
-    run.detail = recording.detail;
-    run.render_scale = recording.render_scale;
-    run.panels = recording.panels;
-    run.text_percent = recording.text_percent;
-    run.width_px = recording.width_px;
-    run.height_px = recording.height_px;
-    run.ui_script = recording.ui_script;
+    static_cast<WindowWishes&>(run) = recording;
     return FollowedByOthers(Replay(recording), run);
   }
   if (program.got_subcommand("verify")) return Verify(recording);

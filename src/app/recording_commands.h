@@ -6,22 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "app/window_wishes.h"
+
 namespace soarbox::app {
 
 /// What the commands that work on recordings were asked for. Which fields count is in docs/command.md.
-struct RecordingOptions {
+struct RecordingOptions : WindowWishes {
   std::filesystem::path file;
-  std::filesystem::path other;             ///< compare: the second recording.
-  std::optional<double> from_s, to_s;      ///< Simulated seconds; none: as far as the recording goes.
-  bool headless = false;                   ///< replay: print, do not open a window.
-  std::string panels;                      ///< replay: as of `soarbox run`.
-  std::string select;                      ///< replay: name of the agent that is selected from the start.
-  std::string detail = "auto";             ///< replay: as of `soarbox run`.
-  double render_scale = 0;                 ///< replay: as of `soarbox run`; 0: what suits the machine.
-  int text_percent = 100;                  ///< replay: of the panels named.
-  std::optional<int> width_px, height_px;  ///< replay: none: as large as the run's window was.
-  std::filesystem::path ui_script;         ///< replay: plays the user of the window.
-  std::size_t ui_script_from = 0;          ///< replay: so many of its steps another window has done.
+  std::filesystem::path other;         ///< compare: the second recording.
+  std::optional<double> from_s, to_s;  ///< Simulated seconds; none: as far as the recording goes.
+  bool headless = false;               ///< replay: print, do not open a window.
+  std::string select;                  ///< replay: name of the agent that is selected from the start.
   bool json = false;
   bool csv = false;
   bool as_recording = false;                 ///< export: a part as a recording of its own.

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/window_wishes.h"
+
 namespace soarbox::app {
 
 /// What `soarbox run` was asked for.
-struct RunOptions {
+struct RunOptions : WindowWishes {
   std::string scenario = "thesis";
   std::vector<std::filesystem::path> extra_folders;
   bool headless = false;
@@ -22,16 +24,9 @@ struct RunOptions {
   std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
   std::string screenshot;          ///< PNG file; empty: none.
   double screenshot_at_s = 5;
-  std::string detail = "auto";  ///< Of the picture: low, full, or what suits the machine.
-  double render_scale = 0;      ///< Share of the picture\'s size that the scene is drawn in; 0: what suits the machine.
-  std::vector<std::string> show;    ///< Overlays that are on from the start: "trails", "belief".
-  std::string select;               ///< Name of the agent that is selected from the start.
-  std::string camera;               ///< "map", "follow"; empty: all agents are framed.
-  std::string panels;               ///< With a picture: which panels it shows, "default" or their words; empty: none.
-  int text_percent = 100;           ///< Of the panels named above.
-  std::filesystem::path ui_script;  ///< Plays the user of a window; empty: none.
-  std::size_t ui_script_from = 0;   ///< So many of its steps another window has done.
-  std::optional<int> width_px, height_px;  ///< Of the window; none: what suits the display (WindowSizeOf).
+  std::vector<std::string> show;           ///< Overlays that are on from the start: "trails", "belief".
+  std::string select;                      ///< Name of the agent that is selected from the start.
+  std::string camera;                      ///< "map", "follow"; empty: all agents are framed.
   std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.
   std::string kernel;                      ///< HOST:PORT of a Soar kernel in another process; empty: our own.
   std::string input;                       ///< File of inputs with ticks; empty: none.

@@ -15,30 +15,11 @@
 #include "app/window/desk.h"
 #include "app/window/pace.h"
 #include "app/window/recent.h"
-#include "app/window/window_layout.h"
+#include "app/window/window_options.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {
 namespace {
-
-viewer::ViewerOptions OptionsOf(const record::Reader& recording, const sim::DataFolders& data,
-                                const RecordingOptions& options) {
-  const record::Header& header = recording.header();
-  viewer::ViewerOptions window;
-  window.width = options.width_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_width_px, 7680)));
-  window.height = options.height_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_height_px, 4320)));
-  window.title = "Soarbox replay: " + recording.file().filename().string();
-  window.media_dir = data.media;
-  window.frame_agents = true;
-  window.detail = options.detail == "low"    ? viewer::Detail::kLow
-                  : options.detail == "full" ? viewer::Detail::kFull
-                                             : viewer::Detail::kAuto;
-  window.render_scale = options.render_scale;
-  window.ui_script = options.ui_script;
-  window.ui_script_from = options.ui_script_from;
-  window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
-  return window;
-}
 
 /// A recording in a window: the desk's panels, with a head that runs along it.
 class ReplayWindow {
@@ -140,17 +121,13 @@ class ReplayWindow {
 
 int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
                const RecordingOptions& options) {
-  viewer::ViewerOptions window = OptionsOf(recording, data, options);
-  // As with a run: the user's own arrangement unless one is asked for.
-  const bool is_own = options.panels.empty() && options.ui_script.empty();
-  if (!options.panels.empty()) {
-    Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
-    if (!layout) return Refuse(layout.error());
-    window.layout = *layout;
-  } else {
-    window.layout = is_own ? viewer::LoadLayout(viewer::LayoutFile()) : viewer::DefaultLayout();
-  }
-  Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
+  Result<viewer::ViewerOptions> window = WindowOptionsOf(options, data, false);
+  if (!window) return Refuse(window.error());
+  const record::Header& header = recording.header();
+  window->width = options.width_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_width_px, 7680)));
+  window->height = options.height_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_height_px, 4320)));
+  window->title = "Soarbox replay: " + recording.file().filename().string();
+  Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(*window);
   if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   ReplayWindow replay(recording, range, data, viewer, !options.ui_script.empty());
@@ -160,13 +137,7 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
     return Refuse(problem);
   }
   NoteRecentRun(recording.file().string());
-  const int code = replay.Run();
-  if (is_own && !viewer::LayoutFile().empty()) {
-    if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
-      std::cerr << Format(saved.error());
-  }
-  if (viewer.ui_script_failure()) return Refuse(*viewer.ui_script_failure());
-  return code;
+  return AfterWindow(viewer, options, replay.Run());
 }
 
 }  // namespace soarbox::app

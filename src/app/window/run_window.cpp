@@ -10,7 +10,7 @@
 #include "app/window/desk.h"
 #include "app/window/live_window.h"
 #include "app/window/recent.h"
-#include "app/window/window_layout.h"
+#include "app/window/window_options.h"
 #include "viewer/viewer.h"
 #include "world/world.h"
 
@@ -101,46 +101,19 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
 }  // namespace
 
 int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data, const WindowRun& run) {
-  viewer::ViewerOptions window;
-  window.width = run.settings.screen_width_px;
-  window.height = run.settings.screen_height_px;
-  window.title = "Soarbox: " + options.scenario;
-  window.media_dir = data.media;
-  window.hidden = !options.screenshot.empty();
-  window.frame_agents = true;
-  window.vsync = !window.hidden;
-  window.detail = options.detail == "low"    ? viewer::Detail::kLow
-                  : options.detail == "full" ? viewer::Detail::kFull
-                                             : viewer::Detail::kAuto;
-  window.render_scale = options.render_scale;
-  window.ui_script = options.ui_script;
-  window.ui_script_from = options.ui_script_from;
-  window.on_diagnostic = [](const Diagnostic& diagnostic) { std::cerr << Format(diagnostic); };
-  // What is asked for by name is for once; else the user's own arrangement is used, and remembered.
-  const bool is_own = options.panels.empty() && !window.hidden && options.ui_script.empty();
-  if (!options.panels.empty()) {
-    Result<viewer::Layout> layout = LayoutNamed(options.panels, options.text_percent);
-    if (!layout) return Refuse(layout.error());
-    window.layout = *layout;
-  } else if (is_own) {
-    window.layout = viewer::LoadLayout(viewer::LayoutFile());
-  } else if (!window.hidden) {
-    window.layout = viewer::DefaultLayout();
-  }
-  Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(window);
+  Result<viewer::ViewerOptions> window = WindowOptionsOf(options, data, !options.screenshot.empty());
+  if (!window) return Refuse(window.error());
+  window->width = run.settings.screen_width_px;
+  window->height = run.settings.screen_height_px;
+  window->title = "Soarbox: " + options.scenario;
+  Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(*window);
   if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   if (const Result<void> prepared = Prepare(viewer, session.simulation(), options); !prepared)
     return Refuse(prepared.error());
-  if (window.hidden) return TakePicture(session, viewer, run, options);
+  if (window->hidden) return TakePicture(session, viewer, run, options);
   NoteRecentRun(options.scenario);
-  const int code = LiveWindow(session, viewer, run, options).Run();
-  if (is_own && !viewer::LayoutFile().empty()) {
-    if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
-      std::cerr << Format(saved.error());
-  }
-  if (viewer.ui_script_failure()) return Refuse(*viewer.ui_script_failure());
-  return code;
+  return AfterWindow(viewer, options, LiveWindow(session, viewer, run, options).Run());
 }
 
 }  // namespace soarbox::app
