@@ -45,6 +45,13 @@ std::vector<const CLI::App*> SubCommands(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
+/// The sub-command of this name; null: there is none.
+const CLI::App* FindCommand(const CLI::App& program, const std::string& name) {
+  for (const CLI::App* each : SubCommands(program))
+    if (each->get_name() == name) return each;
+  return nullptr;
+}
+
 /// Something that `soarbox run` takes, given without the word run.
 bool IsScenario(const std::string& word) {
   std::error_code error;
@@ -170,8 +177,7 @@ std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, cons
   const CLI::App* command = nullptr;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    for (const CLI::App* each : SubCommands(program))
-      if (command == nullptr && each->get_name() == word) command = each;
+    if (command == nullptr) command = FindCommand(program, word);
     const bool is_word = word.size() > 2 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
     if (!is_word || (command != nullptr && command->get_name() == "soar")) continue;
     const std::string doubled = "-" + word.substr(0, word.find('='));
@@ -188,8 +194,7 @@ std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, co
   const CLI::App* command = nullptr;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    for (const CLI::App* each : SubCommands(program))
-      if (command == nullptr && each->get_name() == word) command = each;
+    if (command == nullptr) command = FindCommand(program, word);
     if (command == nullptr || !word.starts_with("--")) continue;
     const CLI::Option* option = command->get_option_no_throw(word);
     const bool is_followed = i + 1 < argc && Holds(OptionsOf(*command), argv[i + 1]);

@@ -2,7 +2,6 @@
 #include "app/window/run_window.h"
 
 #include <chrono>
-#include <iostream>
 #include <thread>
 
 #include "app/exit_codes.h"
