@@ -235,28 +235,20 @@ function(soarbox_paths_for target files pattern)
   endforeach()
 endfunction()
 
-# soarbox_test(NAME SOURCES file... [DEPENDS target...] [LABELS label...])
+# soarbox_test(NAME SOURCES file... [DEPENDS target...] [LABELS label...] [STAGES stage...])
 # A GoogleTest program whose cases become tests of CTest; with SOARBOX_WHOLE_TESTS it is one test, as continuous
-# integration wants it: a thousand processes less.
+# integration wants it: a thousand processes less. STAGES says which stages of continuous integration build and run it
+# (tests/CMakeLists.txt): release, sanitized, threads; without it, sanitized.
 function(soarbox_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS;STAGES" ${ARGN})
   if(NOT SOARBOX_TESTS)
     return()
   endif()
-  # The stages of continuous integration that build and run the program (tests/CMakeLists.txt) become labels, as its name
-  # does, so that what is built there is run, too.
-  set(stages "")
-  if(name MATCHES "^(viewer|debugger|explain|mission|sim|vocabulary|world|run_control)_")
-    list(APPEND stages stage_release)
-  elseif(NOT name MATCHES "^threads_")
-    list(APPEND stages stage_sanitized)
+  # The stages become labels, as the name does, so that what is built there is run, too.
+  if(NOT arg_STAGES)
+    set(arg_STAGES sanitized)
   endif()
-  if(name MATCHES "^(sml|record|kernel_allocation|kernel_random|kernel_chunking|kernel_match)_")
-    list(APPEND stages stage_release)
-  endif()
-  if(name MATCHES "^(sml|threads)_")
-    list(APPEND stages stage_threads)
-  endif()
+  list(TRANSFORM arg_STAGES PREPEND stage_ OUTPUT_VARIABLE stages)
   if(SOARBOX_CI AND NOT "stage_release" IN_LIST stages)
     return()
   endif()

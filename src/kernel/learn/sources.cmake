@@ -22,4 +22,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/selection_knowledge.cpp
   learn/singletons.cpp)
 soarbox_kernel_test(kernel_reinforcement_test SOURCES learn/reinforcement_test.cpp)
-soarbox_kernel_test(kernel_chunking_test SOURCES learn/chunking_test.cpp learn/soundness_test.cpp)
+soarbox_kernel_test(kernel_chunking_test STAGES release sanitized SOURCES learn/chunking_test.cpp learn/soundness_test.cpp)
