@@ -115,6 +115,8 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(1.0, 1e6));
   run->add_option("--kernel", options.kernel,
                   "HOST:PORT of a Soar kernel in another process, to use instead of Soarbox's own");
+  run->add_option("--dis", options.dis,
+                  "Join other simulations (IEEE 1278.1): ADDRESS:PORT[,SITE,APPLICATION,EXERCISE]; docs/dis.md");
   run->add_option("--kernel-limit", options.kernel_limit_s,
                   "Seconds without an answer after which this kernel counts as gone")
       ->capture_default_str()

@@ -19,6 +19,7 @@
 #include "app/run_session.h"
 #include "app/window.h"
 #include "diagnostics/read_text.h"
+#include "dis/gateway.h"
 #include "record/header.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
@@ -66,6 +67,19 @@ bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
     simulation.Submit(std::move(input));
   }
   return read.problems.empty();
+}
+
+/// How the run takes part in an exercise of other simulations; nothing if neither the command line nor the scenario
+/// speaks of one.
+Result<std::optional<dis::Settings>> ExerciseOf(const RunOptions& options, const sim::Scenario& scenario,
+                                                const sim::DataFolders& data) {
+  Result<dis::Settings> table = dis::ReadTable(data.media / "dis" / "entities.toml");
+  if (!table) return table.error();
+  Result<std::optional<dis::Settings>> own = dis::ReadSettings(scenario.definition, *table);
+  if (!own || options.dis.empty()) return own;
+  Result<dis::Settings> asked = dis::ParseOption(options.dis, own->value_or(*table));
+  if (!asked) return asked.error();
+  return std::optional<dis::Settings>(std::move(*asked));
 }
 
 }  // namespace
@@ -139,6 +153,10 @@ int Run(const RunOptions& given) {
     settings.soar.port = options.port.value_or(options.headless ? 0 : kDefaultPort);
   }
 
+  Result<std::optional<dis::Settings>> exercise = ExerciseOf(options, *scenario, *data);
+  if (!exercise) return Refuse(exercise.error());
+  const std::optional<dis::Settings>& joins = *exercise;
+
   const Result<record::Level> level = record::LevelNamed(options.record_level);
   if (!level) {
     std::cerr << Format(level.error());
@@ -177,6 +195,14 @@ int Run(const RunOptions& given) {
   printer->Begin({scenario.value().name, seed, options.headless});
   RunSession session(std::move(*simulation), std::move(printer), options);
   session.SetMission(std::move(mission));
+  if (joins) {
+    Result<std::unique_ptr<dis::Gateway>> gateway = dis::Gateway::Open(*joins);
+    if (!gateway) return Refuse(gateway.error());
+    session.Join(std::move(*gateway));
+    // Others live in real time.
+    if (!options.speed) options.speed = 1;
+    std::cerr << "soarbox: " << session.gateway()->Describe() << '\n';
+  }
   session.ExpectInputs(!options.input.empty());
   record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
   RunRecordings recordings(options);
@@ -202,8 +228,10 @@ int Run(const RunOptions& given) {
   session.SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
     tell(recordings.GoOn(session, header, at, inputs));
   });
-  if (options.headless) return RunHeadless(session, options);
-  return ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
+  if (!options.headless) return ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
+  const int code = RunHeadless(session, options);
+  if (session.gateway() != nullptr) tell(session.gateway()->Describe());
+  return code;
 }
 
 }  // namespace soarbox::app

@@ -39,7 +39,8 @@ struct RunOptions : WindowWishes {
   std::string remark;                      ///< For the window's status bar: where the recording goes.
   std::filesystem::path lesson;  ///< The folder of the lesson that this world belongs to; empty: looked up by name.
   bool watch = false;            ///< Edits of rules and scripts reach the running world; a window always watches.
-  double kernel_limit_s = 2.0;   ///< How long that kernel may be silent before it counts as gone.
+  std::string dis;  ///< ADDRESS:PORT[,...]: joins an exercise of other simulations; empty: as the scenario says.
+  double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };
 
 /// Carries out `soarbox run`; returns an ExitCode.

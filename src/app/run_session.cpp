@@ -6,6 +6,7 @@
 #include <csignal>
 #include <iostream>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "app/exit_codes.h"
@@ -69,9 +70,19 @@ void RunSession::SetMission(std::unique_ptr<MissionWatch> mission) {
   if (mission_ != nullptr) mission_->Begin(*simulation_, unrecorded_);
 }
 
+void RunSession::Join(std::unique_ptr<dis::Gateway> gateway) {
+  gateway_ = std::move(gateway);
+}
+
 void RunSession::Tick() {
+  if (gateway_ != nullptr && gateway_->IsFrozen()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return Idle();
+  }
   TakeEdits();
+  if (gateway_ != nullptr) gateway_->Receive(*simulation_);
   simulation_->Tick();
+  if (gateway_ != nullptr) gateway_->Send(*simulation_);
   PrintEvents();
   RecordTick();
   if (report_every_s_ > 0 && simulation_->time_s() >= next_report_s_) {
@@ -82,6 +93,7 @@ void RunSession::Tick() {
 
 void RunSession::Idle() {
   TakeEdits();
+  if (gateway_ != nullptr) gateway_->Idle(*simulation_);
   simulation_->Idle();
   PrintEvents();
 }

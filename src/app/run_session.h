@@ -12,6 +12,7 @@
 #include "app/event_printer.h"
 #include "app/mission_watch.h"
 #include "app/run_options.h"
+#include "dis/gateway.h"
 #include "record/recorder.h"
 #include "sim/simulation.h"
 
@@ -31,6 +32,10 @@ class RunSession {
   bool IsOver() const;
   /// Follows the checks of a mission, from what is there now; before anybody records or hears of ticks. Null: none.
   void SetMission(std::unique_ptr<MissionWatch> mission);
+  /// Joins the run to other simulations: what they say is submitted before each tick.
+  void Join(std::unique_ptr<dis::Gateway> gateway);
+  /// Null: this run is on its own.
+  const dis::Gateway* gateway() const { return gateway_.get(); }
   /// What minds are to note even if nobody looks at them.
   sim::MindDetail LeastDetail() const { return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone; }
   /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
@@ -75,6 +80,7 @@ class RunSession {
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<EventPrinter> printer_;
   std::unique_ptr<MissionWatch> mission_;
+  std::unique_ptr<dis::Gateway> gateway_;
   std::filesystem::path lesson_;
   std::unique_ptr<record::Recorder> recorder_;
   OnTick on_tick_;

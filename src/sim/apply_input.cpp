@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "script/script_host.h"
+#include "sim/foreign_bodies.h"
 #include "sim/soar_host.h"
 #include "world/world.h"
 
@@ -87,6 +88,11 @@ struct Applier {
     to.scripts.AddOrder(agent->id(), in.order);
     to.order(agent->id(), in.order);
   }
+
+  void operator()(const ForeignBodyInput& in) const { to.foreign.Apply(in, to.kinds); }
+  void operator()(const ForeignGoneInput& in) const { to.foreign.Apply(in); }
+  void operator()(const ForeignShotInput& in) const { to.foreign.Apply(in); }
+  void operator()(const ForeignMessageInput& in) const { to.foreign.Apply(in); }
 };
 
 }  // namespace

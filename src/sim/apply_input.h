@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "diagnostics/diagnostic.h"
@@ -18,6 +19,8 @@ class ScriptHost;
 
 namespace soarbox::sim {
 
+struct BodyKind;
+class ForeignBodies;
 class SoarHost;
 
 /// What an input can reach.
@@ -28,6 +31,8 @@ struct InputTargets {
   std::function<void(const CommandInput& asked, const Result<std::string>& answer)> answer;
   std::function<void(Diagnostic)> warn;
   std::function<void(world::EntityId agent, const std::string& order)> order;
+  ForeignBodies& foreign;
+  std::span<const BodyKind> kinds;  ///< Of bodies.
 };
 
 /// Lets an input take effect. What it cannot do is told.

@@ -32,6 +32,7 @@ class Arena {
   Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
   /// Null for agents that were not added.
   Actor* Find(world::EntityId agent);
+  const Actor* Find(world::EntityId agent) const { return const_cast<Arena*>(this)->Find(agent); }
   std::span<const std::unique_ptr<Actor>> actors() const { return actors_; }
   /// Any agent of the world, by name; kNoEntity if there is none.
   world::EntityId FindAgentNamed(std::string_view name) const;

@@ -76,8 +76,51 @@ struct OrderInput {
   friend bool operator==(const OrderInput&, const OrderInput&) = default;
 };
 
-using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput, ScreenInput, CameraInput, CommandInput,
-                                ScriptInput, OrderInput>;
+/// Where another simulation says that a body of its own is and how it moves: it is made if it was not there yet, and
+/// moves on from here until the next one comes.
+struct ForeignBodyInput {
+  std::string id;    ///< By which its simulation knows it: "1:7:12".
+  std::string name;  ///< Shown, and perceived.
+  std::string team;
+  std::string body;  ///< A kind of body.
+  float health = 100;
+  std::string stance = "standing";  ///< Or "crouching".
+  world::Vec3 position;             ///< Of the feet, m.
+  world::Vec3 velocity;             ///< m/s
+  world::Vec3 acceleration;         ///< m/s2
+  float heading_deg = 0;            ///< 0 along z, 90 along x.
+  float turn_dps = 0;               ///< Degrees per second towards larger headings.
+  friend bool operator==(const ForeignBodyInput&, const ForeignBodyInput&) = default;
+};
+
+/// Such a body has left.
+struct ForeignGoneInput {
+  std::string id;
+  friend bool operator==(const ForeignGoneInput&, const ForeignGoneInput&) = default;
+};
+
+/// A shot of another simulation as it went. It takes that much health from the agent that it hit.
+struct ForeignShotInput {
+  std::string id;      ///< The shooter's.
+  std::string target;  ///< Name of an agent of ours; empty: it hit none.
+  float damage = 0;
+  float radius_m = 0;  ///< It also takes health from those who stand so near to where it ended, less with distance.
+  world::Vec3 from, to;
+  friend bool operator==(const ForeignShotInput&, const ForeignShotInput&) = default;
+};
+
+/// What a foreign body says to a team.
+struct ForeignMessageInput {
+  std::string id;
+  std::string team;  ///< Empty: its own.
+  std::string about;
+  std::string text;  ///< Names and values, one after the other: "waypoint gate range 12".
+  friend bool operator==(const ForeignMessageInput&, const ForeignMessageInput&) = default;
+};
+
+using InputValue =
+    std::variant<KeyInput, ButtonInput, PointerInput, WheelInput, ScreenInput, CameraInput, CommandInput, ScriptInput,
+                 OrderInput, ForeignBodyInput, ForeignGoneInput, ForeignShotInput, ForeignMessageInput>;
 
 /// Something that reaches a simulation from outside, at the beginning of a tick. The first tick is 1.
 struct Input {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 #include "diagnostics/plain_text.h"
@@ -15,7 +16,9 @@ namespace {
 constexpr const char* kForms =
     "there are: key NAME down|up|press, button NAME down|up|click X Y, pointer X Y, wheel NOTCHES, screen WIDTH "
     "HEIGHT, "
-    "camera X Y Z, command AGENT TEXT, script AGENT TEXT, order AGENT TEXT";
+    "camera X Y Z, command AGENT TEXT, script AGENT TEXT, order AGENT TEXT, "
+    "foreign ID NAME TEAM BODY HEALTH STANCE and 14 numbers, foreign-gone ID, foreign-shot ID TARGET and 8 numbers, "
+    "foreign-message ID TEAM ABOUT TEXT";
 
 /// The words of one line, taken one after the other; the first thing that is wrong stays.
 class LineReader {
@@ -70,6 +73,12 @@ class LineReader {
     if (ok() && (!is_number || !std::isfinite(static_cast<double>(value))))
       Fail("'" + word + "' is not " + what + (is_number ? ": it must be finite" : ""));
     return value;
+  }
+
+  world::Vec3 Vector(const char* what) {
+    world::Vec3 v;
+    for (float* at : {&v.x, &v.y, &v.z}) *at = Value<float>(what);
+    return v;
   }
 
   std::string Name(const char* what, const std::vector<std::string>& names) {
@@ -140,6 +149,22 @@ void AddPresses(KeyOrButton input, std::string_view how, std::vector<InputValue>
   }
 }
 
+ForeignBodyInput ReadForeignBody(LineReader& line) {
+  ForeignBodyInput input;
+  input.id = line.Word("the number of a foreign body");
+  input.name = line.Word("a name");
+  input.team = line.Word("a team");
+  input.body = line.Word("a kind of body");
+  input.health = line.Value<float>("a number");
+  input.stance = line.Word("a stance");
+  input.position = line.Vector("a coordinate");
+  input.velocity = line.Vector("a speed");
+  input.acceleration = line.Vector("an acceleration");
+  input.heading_deg = line.Value<float>("an angle");
+  input.turn_dps = line.Value<float>("degrees per second");
+  return input;
+}
+
 /// What the line says; several inputs for "press" and "click". Empty if it is wrong.
 std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
   const std::string kind = line.Word("what comes in");
@@ -200,6 +225,26 @@ std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
     OrderInput input{line.Word("an agent"), {}};
     input.order = line.Text("an order");
     values.push_back(std::move(input));
+  } else if (kind == "foreign") {
+    values.push_back(ReadForeignBody(line));
+  } else if (kind == "foreign-gone") {
+    values.push_back(ForeignGoneInput{line.Word("the number of a foreign body")});
+  } else if (kind == "foreign-shot") {
+    ForeignShotInput input;
+    input.id = line.Word("the number of a foreign body");
+    input.target = line.Word("an agent, or \"\"");
+    input.damage = line.Value<float>("a number");
+    input.radius_m = line.Value<float>("a number of metres");
+    input.from = line.Vector("a coordinate");
+    input.to = line.Vector("a coordinate");
+    values.push_back(std::move(input));
+  } else if (kind == "foreign-message") {
+    ForeignMessageInput input;
+    input.id = line.Word("the number of a foreign body");
+    input.team = line.Word("a team, or \"\"");
+    input.about = line.Word("what the message is about");
+    input.text = line.Text("names and values");
+    values.push_back(std::move(input));
   } else if (line.ok()) {
     line.Fail("'" + kind + "' is not a kind of input", kForms);
   }
@@ -225,6 +270,13 @@ std::string Quote(std::string_view text) {
 std::string Number(float value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string Numbers(std::initializer_list<world::Vec3> vectors) {
+  std::string text;
+  for (const world::Vec3& v : vectors)
+    for (const float part : {v.x, v.y, v.z}) text += " " + Number(part);
+  return text;
 }
 
 struct Writer {
@@ -253,6 +305,19 @@ struct Writer {
     return "script " + (in.agent.empty() ? "sandbox" : Quote(in.agent)) + " " + Quote(in.text);
   }
   std::string operator()(const OrderInput& in) const { return "order " + Quote(in.agent) + " " + Quote(in.order); }
+  std::string operator()(const ForeignBodyInput& in) const {
+    return "foreign " + Quote(in.id) + " " + Quote(in.name) + " " + Quote(in.team) + " " + Quote(in.body) + " " +
+           Number(in.health) + " " + Quote(in.stance) + Numbers({in.position, in.velocity, in.acceleration}) + " " +
+           Number(in.heading_deg) + " " + Number(in.turn_dps);
+  }
+  std::string operator()(const ForeignGoneInput& in) const { return "foreign-gone " + Quote(in.id); }
+  std::string operator()(const ForeignShotInput& in) const {
+    return "foreign-shot " + Quote(in.id) + " " + Quote(in.target) + " " + Number(in.damage) + " " +
+           Number(in.radius_m) + Numbers({in.from, in.to});
+  }
+  std::string operator()(const ForeignMessageInput& in) const {
+    return "foreign-message " + Quote(in.id) + " " + Quote(in.team) + " " + Quote(in.about) + " " + Quote(in.text);
+  }
 };
 
 }  // namespace

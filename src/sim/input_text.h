@@ -27,6 +27,10 @@ struct InputText {
 ///   TICK command AGENT TEXT              a line for the agent's Soar mind
 ///   TICK script AGENT|sandbox TEXT       Lua for the agent's machine
 ///   TICK order AGENT TEXT
+///   TICK foreign ID NAME TEAM BODY HEALTH STANCE X Y Z VX VY VZ AX AY AZ HEADING TURN
+///   TICK foreign-gone ID
+///   TICK foreign-shot ID TARGET|"" DAMAGE RADIUS X Y Z X Y Z
+///   TICK foreign-message ID TEAM|"" ABOUT TEXT
 ///
 /// Names and texts with blanks stand between quotes, in which \n, \t, \" and \\ mean what they do in C; a text that
 /// does not begin with a quote is the rest of its line.

@@ -9,6 +9,7 @@
 
 #include "sim/arena.h"
 #include "sim/directions.h"
+#include "sim/foreign_bodies.h"
 #include "vocabulary/vocabulary_percepts.h"
 #include "world/sight.h"
 
@@ -212,6 +213,10 @@ void SenseAgents(const Actor& actor, PerceptSink& sink) {
     sink.Word(RowOf("agent.name"), other.name());
     sink.Word(RowOf("agent.team"), other.Team());
     sink.Word(RowOf("agent.relation"), other.Team() == actor.body().Team() ? "friend" : "enemy");
+    if (other.kind() == kForeignKind) {
+      sink.Word(RowOf("agent.foreign"), "yes");
+      if (const Actor* foreign = actor.arena().Find(id)) sink.Word(RowOf("agent.kind"), foreign->kind().name);
+    }
     sink.Word(RowOf("agent.visible"), YesNo(contact.visible));
     const bool now = contact.noticed_tick + 1 >= actor.world().tick() || contact.source != Contact::Source::kMemory;
     sink.Word(RowOf("agent.known-by"), contact.visible                                      ? "sight"

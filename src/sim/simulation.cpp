@@ -10,6 +10,7 @@
 #include "script/script_host.h"
 #include "sim/apply_input.h"
 #include "sim/arena.h"
+#include "sim/foreign_bodies.h"
 #include "sim/input_door.h"
 #include "sim/minds.h"
 #include "sim/overlays.h"
@@ -83,6 +84,7 @@ struct Simulation::Impl final : script::ScriptListener {
   // The kernel outlives the minds, which outlive the scripts that ask for them.
   std::unique_ptr<SoarHost> soar;
   std::unique_ptr<Arena> arena;
+  std::unique_ptr<ForeignBodies> foreign;
   std::unique_ptr<Minds> minds;
   std::unique_ptr<script::ScriptHost> scripts;
   std::unique_ptr<ScenarioEnd> end;  ///< Null without a scenario file.
@@ -209,7 +211,9 @@ void Simulation::Impl::ApplyInputs() {
       *soar,
       [this](const CommandInput& asked, const Result<std::string>& answer) { ReportAnswer(asked, answer); },
       [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
-      [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); }};
+      [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); },
+      *foreign,
+      minds->body_kinds()};
   for (const auto& [asked, answer] : std::exchange(answered, {})) ReportAnswer(asked, answer);
   for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input, targets);
 }
@@ -335,6 +339,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->soar = std::move(*host);
   const auto report = [self = impl.get()](RunEvent event) { self->Report(std::move(event)); };
   impl->arena = std::make_unique<Arena>(impl->world, report);
+  impl->foreign = std::make_unique<ForeignBodies>(impl->world, *impl->arena, report);
   impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
   impl->minds->SetDetail(settings.mind_detail);
   impl->minds->SetMemoryLimit(settings.limits.memory_bytes);
@@ -396,6 +401,7 @@ void Simulation::Tick() {
     s.Act(s.order[i]);
   }
   s.arena->Step();
+  s.foreign->Move();
   s.minds->Answer();
   watch.Lap(s.costs.act_s);
   // Move.
@@ -444,6 +450,9 @@ const world::World& Simulation::world() const {
 const Arena& Simulation::arena() const {
   return *impl_->arena;
 }
+const ForeignBodies& Simulation::foreign() const {
+  return *impl_->foreign;
+}
 world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
 }
@@ -458,6 +467,7 @@ std::uint64_t Simulation::StateHash() const {
   if (impl_->arena->actors().empty()) return impl_->world.Hash();
   hash.Add(impl_->world.Hash());
   impl_->arena->AddTo(hash);
+  impl_->foreign->AddTo(hash);
   return hash.value();
 }
 std::size_t Simulation::soar_agents() const {

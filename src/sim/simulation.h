@@ -30,6 +30,7 @@ class World;
 namespace soarbox::sim {
 
 class Arena;
+class ForeignBodies;
 
 /// What one Soar mind did in a tick.
 struct MindReport {
@@ -85,6 +86,8 @@ class Simulation {
   const world::World& world() const;
   /// Places, items and what actors carry and know, for whoever only looks.
   const Arena& arena() const;
+  /// Bodies that other simulations own.
+  const ForeignBodies& foreign() const;
   world::SceneSnapshot Snapshot() const;
   /// The same in the place of an earlier one, whose memory is used again.
   void Snapshot(world::SceneSnapshot& scene) const;

@@ -53,6 +53,8 @@ inline constexpr PerceptRow kPerceptTable[] = {
     Word("agent.name", "agents", "", "Its name"),
     Word("agent.team", "agents", "", "Its team"),
     Word("agent.relation", "agents", "friend enemy", "friend: in the same team"),
+    Word("agent.foreign", "agents", "yes", "yes: another simulation moves it; absent for all others"),
+    Word("agent.kind", "agents", "", "The kind of body of a foreign agent; absent for all others"),
     Word("agent.visible", "agents", "yes no", "Whether it is in view now"),
     Word("agent.known-by", "agents", "sight hearing memory", "How it knows of the other agent"),
     Number("agent.range", "agents", "m", 0, kFar_m, 0.1, "Distance to where it is or was last noticed"),

@@ -29,13 +29,14 @@ ALLOWED = {
     "script": {"diagnostics", "world"},
     # So does sim.
     "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
+    "dis": {"diagnostics", "world", "sim"},
     "record": {"diagnostics", "mind", "tell", "world", "script", "sim"},
     "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
-    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "script", "sim", "record", "mission", "sweep",
+    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.

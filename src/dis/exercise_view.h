@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dis/settings.h"
+#include "sim/input.h"
+
+namespace soarbox::dis {
+
+class StateSender;
+
+/// In the place of a site or an application: all of them.
+inline constexpr std::uint16_t kAllSites = 0xFFFF;
+
+/// What others say of the exercise, as inputs for a run of ours: of each entity the newest state only.
+class ExerciseView {
+ public:
+  enum class Taken : std::uint8_t { kYes, kOurs, kTooMany };
+
+  explicit ExerciseView(const Settings& settings) : settings_(settings), frame_(settings.anchor) {}
+
+  /// `now_s`: real time, from any beginning on.
+  Taken Take(const Body& body, double now_s);
+  /// Entities that were silent for too long leave.
+  void ForgetSilent(double now_s);
+  /// What came since the last call. `ours` knows the names of our entities.
+  std::vector<sim::InputValue> TakeInputs(const StateSender& ours);
+  std::size_t entities() const { return heard_.size(); }
+
+ private:
+  struct Heard {
+    double at_s = 0;
+    EntityState state;
+    bool is_news = false;
+  };
+  bool IsOurs(const EntityId& id) const { return id.site == settings_.site && id.application == settings_.application; }
+  sim::ForeignBodyInput ToInput(const EntityState& state) const;
+  sim::ForeignShotInput ToInput(const Detonation& hit, const StateSender& ours) const;
+
+  const Settings& settings_;
+  LocalFrame frame_;
+  std::map<EntityId, Heard> heard_;
+  std::vector<EntityId> gone_;
+  std::vector<Detonation> hits_;
+  std::vector<Comment> comments_;
+};
+
+}  // namespace soarbox::dis

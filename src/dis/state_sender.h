@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dis/earth.h"
+#include "dis/pdu.h"
+#include "dis/settings.h"
+#include "world/ids.h"
+
+namespace soarbox::sim {
+class Actor;
+class Simulation;
+}  // namespace soarbox::sim
+namespace soarbox::world {
+class Agent;
+}
+
+namespace soarbox::dis {
+
+/// Seconds of an exercise as the timestamp of a PDU: since a beginning of the sender's own (relative time).
+std::uint32_t RelativeTimestamp(double seconds);
+
+/// What others have to know of our agents, as PDUs: a state when an entity leaves the way on which others suppose it to
+/// be, when it looks different, and once in a while; shots, collisions and messages as they happen.
+class StateSender {
+ public:
+  explicit StateSender(const Settings& settings) : settings_(settings), frame_(settings.anchor) {}
+
+  /// After each tick. `now_s`: real time, from any beginning on.
+  std::vector<Pdu> AfterTick(const sim::Simulation& simulation, double now_s);
+  /// While the run stands still: that all stand still, and are still there.
+  std::vector<Pdu> WhileStill(const sim::Simulation& simulation, double now_s);
+  /// That all leave.
+  std::vector<Pdu> Leave();
+  /// The agent of a number; empty if there is none.
+  std::string NameOf(std::uint16_t entity) const;
+
+ private:
+  struct Entity {
+    std::uint16_t number = 0;
+    std::string name;
+    EntityState sent;
+    double sent_at_s = -1e9;   ///< Real time.
+    double sent_at_sim_s = 0;  ///< The run's.
+    Vector sent_position;      ///< Local.
+    Vector sent_velocity;
+    float sent_heading_deg = 0;
+  };
+  bool IsOurs(const sim::Simulation& simulation, world::EntityId id) const;
+  Entity& EntityOf(const world::Agent& agent);
+  /// Nobody for what is no agent.
+  EntityId IdOf(const sim::Simulation& simulation, world::EntityId id) const;
+  EntityState StateOf(const sim::Simulation& simulation, const world::Agent& agent, bool is_still);
+  bool MustBeTold(const Entity& entity, const EntityState& now, const world::Agent& agent, double now_s,
+                  double sim_s) const;
+  void AddStates(const sim::Simulation& simulation, double now_s, bool is_still, std::vector<Pdu>& pdus);
+  void AddShots(const sim::Simulation& simulation, std::vector<Pdu>& pdus);
+  void AddCollisions(const sim::Simulation& simulation, std::vector<Pdu>& pdus);
+  void AddMessages(const sim::Simulation& simulation, std::vector<Pdu>& pdus);
+
+  const Settings& settings_;
+  LocalFrame frame_;
+  std::map<world::EntityId, Entity> entities_;
+  std::uint16_t events_ = 0;
+  std::uint32_t last_message_ = 0;
+};
+
+}  // namespace soarbox::dis

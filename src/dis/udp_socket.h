@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "diagnostics/result.h"
+
+namespace soarbox::dis {
+
+/// How datagrams of an exercise travel.
+///
+/// 127.0.0.1 reaches every program on this machine that listens on the port, and hears no other machine. A multicast
+/// group (224.0.0.0 to 239.255.255.255) goes out over the interface; that of 127.0.0.1 stays on this machine, too.
+/// Other addresses are a host or a broadcast address. Never blocks. Used by one thread.
+class UdpSocket {
+ public:
+  static Result<std::unique_ptr<UdpSocket>> Open(const std::string& address, std::uint16_t port,
+                                                 const std::string& interface);
+  ~UdpSocket();
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+
+  /// False if the system did not take it: it has no room, or nothing leads there.
+  bool Send(std::span<const std::byte> datagram);
+  /// The next datagram that has arrived, in a room of its own until the next call; empty if none has.
+  std::span<const std::byte> Receive();
+  /// Whether no other machine hears or is heard.
+  bool IsOfThisMachine() const;
+
+ private:
+  struct Impl;
+  explicit UdpSocket(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soarbox::dis
