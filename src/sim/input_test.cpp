@@ -9,17 +9,24 @@ namespace soarbox::sim {
 namespace {
 
 InputList AllKinds() {
-  return {{1, KeyInput{"f1_key", true}},
-          {1, KeyInput{"f1_key", false}},
-          {2, ButtonInput{"left_button", true, 500, 300.25f}},
-          {3, PointerInput{10, 20, -1, 2.5f}},
-          {4, WheelInput{-2, 10, 20}},
-          {5, ScreenInput{1280, 720}},
-          {6, CameraInput{{0.1f, -3e10f, 2}, {0.5f, 0.5f, -0.5f, 0.5f}}},
-          {7, CommandInput{"agent 1", "sp {a\n  (state <s>)\n--> # \"q\" \\n}"}},
-          {8, ScriptInput{"", "x = 1"}},
-          {8, ScriptInput{"agent-2", "print(\"\t\")"}},
-          {18446744073709551615u, OrderInput{"agent-2", "go home"}}};
+  return {
+      {1, KeyInput{"f1_key", true}},
+      {1, KeyInput{"f1_key", false}},
+      {2, ButtonInput{"left_button", true, 500, 300.25f}},
+      {3, PointerInput{10, 20, -1, 2.5f}},
+      {4, WheelInput{-2, 10, 20}},
+      {5, ScreenInput{1280, 720}},
+      {6, CameraInput{{0.1f, -3e10f, 2}, {0.5f, 0.5f, -0.5f, 0.5f}}},
+      {7, CommandInput{"agent 1", "sp {a\n  (state <s>)\n--> # \"q\" \\n}"}},
+      {8, ScriptInput{"", "x = 1"}},
+      {8, ScriptInput{"agent-2", "print(\"\t\")"}},
+      {9,
+       ForeignBodyInput{
+           "1:7:12", "tank 3", "red", "soldier", 70, "crouching", {1, 0.5f, -2}, {0.25f, 0, 1}, {0, 0, 0.5f}, 90, -3}},
+      {9, ForeignShotInput{"1:7:12", "", 20, 4, {1, 2, 3}, {4, 5, 6}}},
+      {9, ForeignMessageInput{"1:7:12", "", "enemy-seen", "name x range 12"}},
+      {10, ForeignGoneInput{"1:7:12"}},
+      {18446744073709551615u, OrderInput{"agent-2", "go home"}}};
 }
 
 TEST(InputText, WhatIsWrittenReadsAsTheSame) {
