@@ -26,6 +26,7 @@ ALLOWED = {
     # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
     "explain": {"diagnostics", "mind", "tell", "vocabulary"},
     "world": {"diagnostics"},
+    "stream": {"mind", "world"},
     "script": {"diagnostics", "world"},
     # So does sim.
     "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
@@ -36,7 +37,7 @@ ALLOWED = {
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
-    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "script", "sim", "dis", "record", "mission", "sweep",
+    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.

@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "stream/scene_encoder.h"
+
+#include <algorithm>
+
+#include "mind/byte_stream.h"
+#include "stream/deflate.h"
+#include "stream/quantise.h"
+#include "world/body_meshes.h"
+
+namespace soarbox::stream {
+namespace {
+
+using world::Vec3;
+
+constexpr std::uint8_t kMark = 0x53, kVersion = 1, kFull = 1, kDeflated = 2;
+constexpr double kSlack_s = 1e-4;
+constexpr std::size_t kManyBodies = 4;
+constexpr double kBones_s = 1.0 / 15, kBonesOfMany_s = 1.0 / 10;
+constexpr std::size_t kMostBones = 256;
+
+enum Tag : std::uint8_t {
+  kEnd,
+  kSurroundings,
+  kCamera,
+  kThings,
+  kPeople,
+  kComponents,
+  kLines,
+  kParticles,
+  kMinds,
+  kShotsAndSpeech,
+  kPlaces,
+  kPushes,
+  kOverlayLines,
+};
+
+enum Part : std::uint8_t { kDescription = 1, kPlace = 2, kTurn = 4, kBones = 8, kState = 16 };
+
+float Finite(float value) {
+  return std::isfinite(value) ? value : 0;
+}
+
+/// Writes ids of a list in ascending order as differences.
+class Ids {
+ public:
+  explicit Ids(mind::ByteWriter& out) : out_(out) {}
+  void Write(std::uint32_t id) {
+    out_.Number(id - last_);
+    last_ = id;
+  }
+
+ private:
+  mind::ByteWriter& out_;
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace
+
+/// The bytes of a section, and how values of the scene are put there.
+class SceneEncoder::Out : public mind::ByteWriter {
+ public:
+  explicit Out(std::string& bytes) : ByteWriter(bytes) {}
+  void Signed(std::int64_t value) {
+    Number((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+  }
+  void Difference(const Triple& now, const Triple& before) {
+    for (std::size_t i = 0; i < 3; ++i) Signed(static_cast<std::int64_t>(now[i]) - before[i]);
+  }
+  void Whole(Vec3 place, double per_unit = kPerMetre) { Difference(Steps(place, per_unit), {}); }
+  void Floats(Vec3 v) { ManyFloats(Finite(v.x), Finite(v.y), Finite(v.z)); }
+  void Number01(float value) {
+    Byte(static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(Finite(value), 0.0f), 1.0f) * 255)));
+  }
+  void Color(world::Color c) {
+    for (const float part : {c.r, c.g, c.b, c.a}) Number01(part);
+  }
+};
+
+void SceneEncoder::Begin() {
+  texts_.clear();
+  sections_.clear();
+  things_.clear();
+  people_.clear();
+  minds_.clear();
+}
+
+/// Texts are written once between two full blocks; number 0 is the empty one.
+std::uint64_t SceneEncoder::TextIndex(std::string_view text) {
+  if (text.empty()) return 0;
+  if (const auto known = texts_.find(text); known != texts_.end()) return known->second;
+  new_texts_.emplace_back(text);
+  return texts_.emplace(std::string(text), texts_.size() + 1).first->second;
+}
+
+void SceneEncoder::WriteSection(std::string& payload, std::uint8_t tag, const std::string& bytes) {
+  mind::ByteWriter out(payload);
+  out.Byte(tag);
+  out.Text(bytes);
+}
+
+void SceneEncoder::WriteIfChanged(std::string& payload, std::uint8_t tag, const std::string& bytes) {
+  std::string& before = sections_.try_emplace(tag).first->second;
+  if (before == bytes) return;
+  before = bytes;
+  WriteSection(payload, tag, bytes);
+}
+
+std::string SceneEncoder::Surroundings(const world::SceneSnapshot& scene) {
+  std::string bytes;
+  Out out(bytes);
+  out.Floats(scene.ambient);
+  out.Number(TextIndex(scene.sky));
+  out.Floats(scene.sky_rotation_deg);
+  for (const world::Color& color : scene.markup_palette) out.Color(color);
+  out.Number(scene.lights.size());
+  for (const world::LightSnapshot& light : scene.lights) {
+    out.Number(light.id);
+    out.Byte(static_cast<std::uint8_t>(light.kind));
+    out.Byte(light.casts_shadows ? 1 : 0);
+    out.Floats(light.position);
+    out.Floats(light.direction);
+    out.Floats(light.diffuse);
+    out.Floats(light.specular);
+    out.Float(Finite(light.range_m));
+    for (const float part : light.attenuation) out.Float(Finite(part));
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Camera(const world::SceneSnapshot& scene) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(scene.camera_moves);
+  out.Whole(scene.camera.position);
+  out.Whole(TurnVector(scene.camera.orientation), kPerRadian);
+  out.Float(Finite(scene.camera.vertical_fov_deg));
+  return bytes;
+}
+
+std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bones) {
+  std::string changed;
+  Out out(changed);
+  Ids ids(out);
+  for (const world::DrawableSnapshot& drawn : scene.drawables) {
+    const auto [at, is_new] = things_.try_emplace(drawn.id);
+    Thing& thing = at->second;
+    thing.seen = blocks_;
+
+    std::string description;
+    Out told(description);
+    told.Number(drawn.owner_id);
+    told.Byte(static_cast<std::uint8_t>((drawn.belongs_to_agent ? 1 : 0) | (drawn.visible ? 2 : 0) |
+                                        (drawn.shows_skeleton ? 4 : 0)));
+    told.Byte(static_cast<std::uint8_t>(drawn.shape));
+    told.Number(TextIndex(drawn.mesh.value()));
+    told.Number(TextIndex(drawn.material.value()));
+    told.Floats(drawn.size);
+    told.Floats(drawn.texture_repeats);
+    told.Floats(drawn.scale);
+
+    const Triple place = Steps(drawn.position, kPerMetre);
+    const Triple turn = Steps(TurnVector(drawn.orientation), kPerRadian);
+    std::vector<Bone> bones;
+    if (!drawn.bones.empty() && (with_bones || is_new)) {
+      // Relative to their parents they change least.
+      const world::BodyMesh* mesh = world::FindBodyMesh(drawn.mesh.value());
+      const std::vector<world::BonePose>& poses = drawn.bones.value();
+      bones.resize(std::min(poses.size(), kMostBones));
+      for (std::size_t i = 0; i < bones.size(); ++i) {
+        world::BonePose pose = poses[i];
+        if (mesh != nullptr && i < mesh->rig().skeleton.bones().size()) {
+          const int parent = mesh->rig().skeleton.bones()[i].parent;
+          if (parent >= 0) pose = world::Inverse(poses[static_cast<std::size_t>(parent)]) * pose;
+        }
+        const Bone before = i < thing.bones.size() ? thing.bones[i] : Bone{};
+        bones[i] = {SteadySteps(TurnVector(pose.orientation), kBonePerRadian, before.turn),
+                    SteadySteps(pose.position, kBonePerMetre, before.place)};
+      }
+    } else {
+      bones = thing.bones;
+    }
+
+    std::uint8_t parts = 0;
+    if (is_new || description != thing.description) parts |= kDescription;
+    if (place != thing.place) parts |= kPlace;
+    if (turn != thing.turn) parts |= kTurn;
+    if (bones != thing.bones) parts |= kBones;
+    if (parts == 0) continue;
+    ids.Write(drawn.id);
+    out.Byte(parts);
+    if ((parts & kDescription) != 0) out.Text(description);
+    if ((parts & kPlace) != 0) out.Difference(place, thing.place);
+    if ((parts & kTurn) != 0) out.Difference(turn, thing.turn);
+    if ((parts & kBones) != 0) {
+      thing.bones.resize(bones.size());
+      out.Number(bones.size());
+      for (std::size_t i = 0; i < bones.size(); ++i) {
+        const bool turned = bones[i].turn != thing.bones[i].turn, moved = bones[i].place != thing.bones[i].place;
+        if (turned || moved) {
+          out.Byte(static_cast<std::uint8_t>((turned ? 1 : 0) | (moved ? 2 : 0)));
+          if (turned) out.Difference(bones[i].turn, thing.bones[i].turn);
+          if (moved) out.Difference(bones[i].place, thing.bones[i].place);
+        } else {
+          out.Byte(0);
+        }
+      }
+    }
+    thing.description = std::move(description);
+    thing.place = place;
+    thing.turn = turn;
+    thing.bones = std::move(bones);
+  }
+  std::string bytes;
+  Out whole(bytes);
+  std::vector<std::uint32_t> gone;
+  for (const auto& [id, thing] : things_)
+    if (thing.seen != blocks_) gone.push_back(id);
+  if (gone.empty() && changed.empty()) return {};
+  whole.Number(gone.size());
+  Ids gone_ids(whole);
+  for (const std::uint32_t id : gone) {
+    gone_ids.Write(id);
+    things_.erase(id);
+  }
+  return bytes + changed;
+}
+
+std::string SceneEncoder::People(const world::SceneSnapshot& scene) {
+  std::vector<const world::AgentSnapshot*> agents;
+  for (const world::AgentSnapshot& agent : scene.agents) agents.push_back(&agent);
+  std::sort(agents.begin(), agents.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
+  std::string changed;
+  Out out(changed);
+  Ids ids(out);
+  for (const world::AgentSnapshot* agent : agents) {
+    const auto [at, is_new] = people_.try_emplace(agent->id);
+    Person& person = at->second;
+    person.seen = blocks_;
+    std::string description, state;
+    Out told(description), stated(state);
+    told.Number(TextIndex(agent->name));
+    told.Number(TextIndex(agent->kind));
+    told.Number(TextIndex(agent->script));
+    told.Number(TextIndex(agent->team));
+    told.Float(Finite(agent->radius_m));
+    told.Float(Finite(agent->height_m));
+    stated.Signed(Steps(agent->health, 10));
+    stated.Byte(static_cast<std::uint8_t>((agent->alive ? 1 : 0) | (agent->failed ? 2 : 0)));
+    stated.Number(TextIndex(agent->last_command));
+    const Triple place = Steps(agent->position, kPerMetre), forward = Steps(agent->forward, kPerDirection);
+    std::uint8_t parts = 0;
+    if (is_new || description != person.description) parts |= kDescription;
+    if (place != person.place) parts |= kPlace;
+    if (forward != person.forward) parts |= kTurn;
+    if (is_new || state != person.state) parts |= kState;
+    if (parts == 0) continue;
+    ids.Write(agent->id);
+    out.Byte(parts);
+    if ((parts & kDescription) != 0) out.Text(description);
+    if ((parts & kPlace) != 0) out.Difference(place, person.place);
+    if ((parts & kTurn) != 0) out.Difference(forward, person.forward);
+    if ((parts & kState) != 0) out.Text(state);
+    person.description = std::move(description);
+    person.state = std::move(state);
+    person.place = place;
+    person.forward = forward;
+  }
+  std::string bytes;
+  Out whole(bytes);
+  std::vector<std::uint32_t> gone;
+  for (const auto& [id, person] : people_)
+    if (person.seen != blocks_) gone.push_back(id);
+  if (gone.empty() && changed.empty()) return {};
+  whole.Number(gone.size());
+  Ids gone_ids(whole);
+  for (const std::uint32_t id : gone) {
+    gone_ids.Write(id);
+    people_.erase(id);
+  }
+  return bytes + changed;
+}
+
+std::string SceneEncoder::Components(const world::SceneSnapshot& scene) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(scene.ui.size());
+  for (const world::UiSnapshot& c : scene.ui) {
+    out.Number(c.id);
+    out.Number(c.parent_id);
+    out.Signed(c.layer);
+    for (const float value : {c.x, c.y, c.width, c.height, c.margin_left, c.margin_top}) out.Float(Finite(value));
+    out.Byte(static_cast<std::uint8_t>((c.visible ? 1 : 0) | (c.has_gradient ? 2 : 0) |
+                                       (c.gradient_is_vertical ? 4 : 0) | (c.gradient_is_diagonal ? 8 : 0) |
+                                       (c.is_markup ? 16 : 0) | (c.in_world ? 32 : 0)));
+    out.Color(c.gradient_from);
+    out.Color(c.gradient_to);
+    out.Color(c.text_color);
+    out.Byte(static_cast<std::uint8_t>(c.font));
+    out.Number(TextIndex(c.text));
+    out.Number(TextIndex(c.material));
+    out.Number(TextIndex(c.caption));
+    if (!c.in_world) continue;
+    out.Whole(c.world_position);
+    out.Whole(TurnVector(c.world_orientation), kPerRadian);
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Particles(const world::SceneSnapshot& scene) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(scene.particles.size());
+  for (const world::ParticleSnapshot& p : scene.particles) {
+    out.Number(p.id);
+    out.Number(TextIndex(p.effect));
+    out.Byte(static_cast<std::uint8_t>((p.visible ? 1 : 0) | (p.has_direction ? 2 : 0)));
+    out.Number(p.restarts);
+    out.Whole(p.position);
+    out.Whole(p.has_direction ? p.direction : world::Rotate(p.orientation, {0, 0, 1}), kPerDirection);
+  }
+  return bytes;
+}
+
+/// Each point as the way from the point before.
+std::string SceneEncoder::Lines(const std::vector<world::LineSnapshot>& lines,
+                                const std::vector<world::CircleSnapshot>& circles,
+                                const std::vector<world::TriangleSnapshot>& triangles) {
+  std::string bytes;
+  Out out(bytes);
+  Triple last{};
+  const auto point = [&](Vec3 at) {
+    const Triple now = Steps(at, kPerMetre);
+    out.Difference(now, last);
+    last = now;
+  };
+  const auto most = [this](std::size_t count) { return std::min(count, settings_.most_lines); };
+  out.Number(most(lines.size()));
+  for (std::size_t i = 0; i < most(lines.size()); ++i) {
+    point(lines[i].from);
+    point(lines[i].to);
+    out.Color(lines[i].color);
+  }
+  out.Number(most(circles.size()));
+  for (std::size_t i = 0; i < most(circles.size()); ++i) {
+    point(circles[i].center);
+    out.Signed(Steps(circles[i].radius_m, kPerMetre));
+    out.Color(circles[i].color);
+  }
+  out.Number(most(triangles.size()));
+  for (std::size_t i = 0; i < most(triangles.size()); ++i) {
+    point(triangles[i].a);
+    point(triangles[i].b);
+    point(triangles[i].c);
+    out.Color(triangles[i].color);
+  }
+  return bytes;
+}
+
+Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlay, bool want_full) {
+  Block block;
+  block.is_full = want_full || !has_block_ || scene.time_s < time_s_ ||
+                  scene.time_s - full_at_s_ >= settings_.full_every_s - kSlack_s;
+  ++blocks_;
+  has_block_ = true;
+  time_s_ = scene.time_s;
+  if (block.is_full) {
+    Begin();
+    full_at_s_ = scene.time_s;
+  }
+  std::size_t bodies = 0;
+  for (const world::DrawableSnapshot& drawn : scene.drawables) bodies += drawn.bones.empty() ? 0 : 1;
+  const bool with_bones =
+      block.is_full || scene.time_s - bones_at_s_ >= (bodies > kManyBodies ? kBonesOfMany_s : kBones_s) - kSlack_s;
+  if (with_bones) bones_at_s_ = scene.time_s;
+
+  std::string sections;
+  WriteIfChanged(sections, kSurroundings, Surroundings(scene));
+  WriteIfChanged(sections, kCamera, Camera(scene));
+  if (const std::string bytes = Things(scene, with_bones); !bytes.empty()) WriteSection(sections, kThings, bytes);
+  if (const std::string bytes = People(scene); !bytes.empty()) WriteSection(sections, kPeople, bytes);
+  WriteIfChanged(sections, kComponents, Components(scene));
+  WriteIfChanged(sections, kLines, Lines(scene.lines, scene.circles, scene.triangles));
+  WriteIfChanged(sections, kParticles, Particles(scene));
+  if (overlay != nullptr) {
+    if (const std::string bytes = Minds(*overlay); !bytes.empty()) WriteSection(sections, kMinds, bytes);
+    WriteIfChanged(sections, kShotsAndSpeech, ShotsAndSpeech(*overlay, scene.time_s));
+    WriteIfChanged(sections, kPlaces, Places(*overlay));
+    WriteIfChanged(sections, kPushes, Pushes(*overlay));
+    WriteIfChanged(sections, kOverlayLines, Lines(overlay->lines, {}, overlay->triangles));
+  }
+
+  std::string payload;
+  mind::ByteWriter out(payload);
+  out.Number(scene.tick);
+  out.Double(scene.time_s);
+  out.Number(new_texts_.size());
+  for (const std::string& text : new_texts_) out.Text(text);
+  new_texts_.clear();
+  payload += sections;
+  out.Byte(kEnd);
+
+  std::uint8_t flags = block.is_full ? kFull : 0;
+  if (payload.size() > settings_.deflate_above) {
+    if (std::string small = Deflate(payload); !small.empty() && small.size() < payload.size()) {
+      payload = std::move(small);
+      flags |= kDeflated;
+    }
+  }
+  mind::ByteWriter head(block.bytes);
+  for (const std::uint8_t byte : {kMark, kVersion, flags}) head.Byte(byte);
+  block.bytes += payload;
+  return block;
+}
+
+std::string SceneEncoder::OneMind(const world::AgentOverlay& agent) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(TextIndex(agent.operator_name));
+  out.Number(TextIndex(agent.doing));
+  out.Byte(static_cast<std::uint8_t>((agent.has_senses ? 1 : 0) | (agent.measured ? 2 : 0) | (agent.goal ? 4 : 0) |
+                                     (agent.path_is_whole ? 8 : 0)));
+  // Of what is drawn as a sign on the ground, decimetres are enough: it changes less often.
+  constexpr double kSign = 10;
+  if (agent.has_senses) {
+    out.Signed(Steps(agent.sight_m, kSign));
+    out.Signed(Steps(agent.view_deg, 1));
+    out.Signed(Steps(agent.hearing_m, kSign));
+  }
+  if (agent.measured) out.Whole(*agent.measured, kSign);
+  if (agent.goal) out.Whole(*agent.goal, kSign);
+  out.Number(agent.target_id);
+  out.Number(agent.leader_id);
+  out.Number(agent.path.size());
+  Triple last{};
+  for (const Vec3 corner : agent.path) {
+    const Triple now = Steps(corner, kSign);
+    out.Difference(now, last);
+    last = now;
+  }
+  out.Number(agent.contacts.size());
+  for (const world::ContactSnapshot& contact : agent.contacts) {
+    out.Number(contact.agent_id);
+    out.Whole(contact.position, kSign);
+    out.Byte(static_cast<std::uint8_t>((contact.visible ? 1 : 0) | (contact.heard ? 2 : 0) | (contact.alive ? 4 : 0)));
+    // How much of it is forgotten, 0 to 20.
+    const double share = contact.memory_s > 0 ? contact.age_s / contact.memory_s : 1;
+    out.Byte(static_cast<std::uint8_t>(std::lround(20 * std::fmin(std::fmax(share, 0.0), 1.0))));
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Minds(const world::OverlaySnapshot& overlay) {
+  std::string changed;
+  Out out(changed);
+  Ids ids(out);
+  for (const world::AgentOverlay& agent : overlay.agents) {
+    Mind& mind = minds_.try_emplace(agent.id).first->second;
+    mind.seen = blocks_;
+    std::string bytes = OneMind(agent);
+    if (bytes == mind.bytes) continue;
+    ids.Write(agent.id);
+    out.Text(bytes);
+    mind.bytes = std::move(bytes);
+  }
+  std::string bytes;
+  Out whole(bytes);
+  std::vector<std::uint32_t> gone;
+  for (const auto& [id, mind] : minds_)
+    if (mind.seen != blocks_) gone.push_back(id);
+  if (gone.empty() && changed.empty()) return {};
+  whole.Number(gone.size());
+  Ids gone_ids(whole);
+  for (const std::uint32_t id : gone) {
+    gone_ids.Write(id);
+    minds_.erase(id);
+  }
+  return bytes + changed;
+}
+
+/// When they were, not how long ago: that does not change from moment to moment.
+std::string SceneEncoder::ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s) {
+  std::string bytes;
+  Out out(bytes);
+  const auto moment = [&](double age_s) { out.Signed(std::lround((time_s - age_s) * 100)); };
+  out.Number(overlay.shots.size());
+  for (const world::ShotSnapshot& shot : overlay.shots) {
+    out.Whole(shot.from);
+    out.Whole(shot.to);
+    out.Number(shot.shooter_id);
+    out.Number(shot.hit_agent_id);
+    moment(shot.age_s);
+  }
+  out.Number(overlay.speech.size());
+  for (const world::SpeechSnapshot& speech : overlay.speech) {
+    out.Number(speech.from_id);
+    out.Number(speech.to_id);
+    out.Number(TextIndex(speech.text));
+    moment(speech.age_s);
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Places(const world::OverlaySnapshot& overlay) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(overlay.places.size());
+  for (const world::PlaceSnapshot& place : overlay.places) {
+    out.Byte(static_cast<std::uint8_t>(place.kind));
+    out.Number(TextIndex(place.name));
+    out.Whole(place.position, 100);
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Pushes(const world::OverlaySnapshot& overlay) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(overlay.pushes.size());
+  for (const world::PushSnapshot& push : overlay.pushes) {
+    out.Number(push.owner_id);
+    out.Whole(push.position);
+    out.Floats(push.force_n);
+    out.Float(Finite(push.mass_kg));
+  }
+  return bytes;
+}
+
+}  // namespace soarbox::stream

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/overlay_snapshot.h"
+#include "world/scene_snapshot.h"
+
+namespace soarbox::stream {
+
+/// One moment of a scene as bytes for a page (docs/stream.md).
+struct Block {
+  std::string bytes;
+  bool is_full = false;  ///< A reader may begin here; else it needs the block before.
+};
+
+/// Writes what there is to see, moment after moment, as full blocks and as differences to the block before.
+///
+/// Places are rounded to millimetres, turns to 1/2048 rad, bones to 1/256 rad and 4 mm. What is not finite is written
+/// as 0. Bones are written at most 15 times a second, 10 times where more than 4 bodies have some. A reader that got a
+/// full block and all blocks since has the whole moment. One thread at a time.
+class SceneEncoder {
+ public:
+  struct Settings {
+    double full_every_s = 1;          ///< Time of the world between two full blocks; 0: each block is full.
+    std::size_t deflate_above = 300;  ///< Payloads of more bytes are compressed if that makes them smaller.
+    std::size_t most_lines = 20'000;  ///< Lines, circles and triangles beyond so many of each are left out.
+  };
+
+  SceneEncoder() = default;
+  explicit SceneEncoder(const Settings& settings) : settings_(settings) {}
+
+  /// The overlay may be null. `want_full`: whatever was written before, this block stands alone. So does one whose
+  /// time does not follow the one before.
+  Block Encode(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlay = nullptr,
+               bool want_full = false);
+
+ private:
+  using Triple = std::array<std::int32_t, 3>;
+  struct Bone {
+    Triple turn{}, place{};
+    friend bool operator==(const Bone&, const Bone&) = default;
+  };
+  struct Thing {
+    std::string description;
+    Triple place{}, turn{};
+    std::vector<Bone> bones;
+    std::uint64_t seen = 0;
+  };
+  struct Person {
+    std::string description, state;
+    Triple place{}, forward{};
+    std::uint64_t seen = 0;
+  };
+  struct Mind {
+    std::string bytes;
+    std::uint64_t seen = 0;
+  };
+  class Out;
+
+  void Begin();
+  std::uint64_t TextIndex(std::string_view text);
+  void WriteSection(std::string& payload, std::uint8_t tag, const std::string& bytes);
+  void WriteIfChanged(std::string& payload, std::uint8_t tag, const std::string& bytes);
+  std::string Surroundings(const world::SceneSnapshot& scene);
+  std::string Camera(const world::SceneSnapshot& scene);
+  std::string Things(const world::SceneSnapshot& scene, bool with_bones);
+  std::string People(const world::SceneSnapshot& scene);
+  std::string Components(const world::SceneSnapshot& scene);
+  std::string Particles(const world::SceneSnapshot& scene);
+  std::string Lines(const std::vector<world::LineSnapshot>& lines, const std::vector<world::CircleSnapshot>& circles,
+                    const std::vector<world::TriangleSnapshot>& triangles);
+  std::string Minds(const world::OverlaySnapshot& overlay);
+  std::string OneMind(const world::AgentOverlay& agent);
+  std::string ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s);
+  std::string Places(const world::OverlaySnapshot& overlay);
+  std::string Pushes(const world::OverlaySnapshot& overlay);
+
+  Settings settings_;
+  std::uint64_t blocks_ = 0;
+  bool has_block_ = false;
+  double time_s_ = 0, full_at_s_ = 0, bones_at_s_ = 0;
+  std::map<std::string, std::uint64_t, std::less<>> texts_;
+  std::vector<std::string> new_texts_;
+  std::map<std::uint8_t, std::string> sections_;
+  std::map<std::uint32_t, Thing> things_;
+  std::map<std::uint32_t, Person> people_;
+  std::map<std::uint32_t, Mind> minds_;
+};
+
+}  // namespace soarbox::stream
