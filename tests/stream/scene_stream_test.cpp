@@ -3,6 +3,9 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "mind/byte_stream.h"
@@ -278,6 +281,73 @@ TEST(SceneEncoder, TakesAtMost400KilobytesASecondForTwoHundredSoldiers) {
   std::printf("%zu soldiers: %.1f KB/s\n", soldiers, static_cast<double>(bytes) / kSeconds / 1000);
   EXPECT_GE(soldiers, 200u);
   EXPECT_LE(bytes / kSeconds, 400'000u);
+}
+
+world::SceneSnapshot HandMade() {
+  world::SceneSnapshot scene;
+  scene.tick = 300;
+  scene.time_s = 10;
+  scene.sky = "Evening";
+  world::DrawableSnapshot box;
+  box.id = 4;
+  box.shape = world::ShapeKind::kBox;
+  box.material = "Soarbox/Crate";
+  box.size = {1, 2, 3};
+  box.position = {1.5f, -2.25f, 1000};
+  scene.drawables.push_back(box);
+  world::DrawableSnapshot body;
+  body.id = 9;
+  body.owner_id = 2;
+  body.belongs_to_agent = true;
+  body.mesh = "models/of/nobody.mesh";
+  body.orientation = {std::sqrt(0.5f), 0, std::sqrt(0.5f), 0};
+  body.bones = std::vector<world::BonePose>{{{0, 1, 0}, {}}, {{0.5f, 1, 0}, {0, 1, 0, 0}}};
+  scene.drawables.push_back(body);
+  world::AgentSnapshot agent;
+  agent.id = 2;
+  agent.name = "<b>zo\u00eb</b>";
+  agent.kind = "soar";
+  agent.team = "blue";
+  agent.position = {-3, 0, 0.001f};
+  agent.health = 62.5f;
+  scene.agents.push_back(agent);
+  scene.lines.push_back({{0, 0, 0}, {1, 0, -1}, {1, 0, 0, 1}});
+  return scene;
+}
+
+/// The tests of the page read the same bytes (web/src/format/scene_reader.test.ts).
+TEST(SceneEncoder, WritesTheBytesThatThePageReads) {
+  SceneEncoder encoder({.deflate_above = 1 << 20});
+  world::SceneSnapshot scene = HandMade();
+  world::OverlaySnapshot overlay;
+  overlay.agents.emplace_back().id = 2;
+  overlay.agents[0].operator_name = "wander";
+  overlay.agents[0].path = {{1, 0, 1}, {2, 0, 1}};
+  overlay.speech.push_back({2, 0, "hello", 0.5});
+  overlay.places.push_back({world::PlaceSnapshot::Kind::kItem, "medkit", {1, 0.5f, 2}});
+  std::string hex;
+  const auto add = [&hex](const std::string& bytes) {
+    for (const char c : bytes) {
+      char text[3];
+      std::snprintf(text, sizeof text, "%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      hex += text;
+    }
+    hex += '\n';
+  };
+  add(encoder.Encode(scene, &overlay).bytes);
+  scene.tick = 301;
+  scene.time_s = 10.5;
+  scene.drawables.Erase(scene.drawables.Find(4));
+  scene.drawables.Edit(scene.drawables.Find(9)).position = {0.25f, 0, 0};
+  scene.agents[0].alive = false;
+  scene.lines.clear();
+  overlay.speech.clear();
+  add(encoder.Encode(scene, &overlay).bytes);
+  const std::string file = std::string(SOARBOX_SOURCE_DIR) + "/tests/stream/scene_blocks.hex";
+  if (std::getenv("SOARBOX_WRITE_GOLDEN") != nullptr) std::ofstream(file) << hex;
+  std::ifstream in(file);
+  const std::string golden{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_EQ(hex, golden) << "SOARBOX_WRITE_GOLDEN=1 writes the file anew; the page must read it, too";
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** What a reader throws when bytes do not make sense. */
+export class BadBytes extends Error {}
+
+const decoder = new TextDecoder("utf-8");
+
+/** Reads the values of docs/stream.md one after another. */
+export class ByteReader {
+  private at = 0;
+  private readonly view: DataView;
+
+  constructor(private readonly bytes: Uint8Array) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  }
+
+  atEnd(): boolean {
+    return this.at >= this.bytes.length;
+  }
+
+  byte(): number {
+    const value = this.bytes[this.at];
+    if (value === undefined) throw new BadBytes("the bytes end too early");
+    this.at += 1;
+    return value;
+  }
+
+  /** Whole and not negative; more than 53 bits are refused. */
+  number(): number {
+    let value = 0;
+    for (let factor = 1; factor < 2 ** 56; factor *= 128) {
+      const byte = this.byte();
+      value += (byte & 0x7f) * factor;
+      if (value > Number.MAX_SAFE_INTEGER) break;
+      if (byte < 0x80) return value;
+    }
+    throw new BadBytes("a number is too large");
+  }
+
+  signed(): number {
+    const n = this.number();
+    return n % 2 === 0 ? n / 2 : -(n + 1) / 2;
+  }
+
+  /** How many things follow that take at least so many bytes each. */
+  count(leastBytes = 1): number {
+    const count = this.number();
+    if (count * leastBytes > this.bytes.length - this.at) throw new BadBytes("a count is too large");
+    return count;
+  }
+
+  float(): number {
+    return this.fixed(4, () => this.view.getFloat32(this.at, true));
+  }
+
+  double(): number {
+    return this.fixed(8, () => this.view.getFloat64(this.at, true));
+  }
+
+  /** The next bytes, with their number before them. */
+  piece(): Uint8Array {
+    const size = this.count();
+    this.at += size;
+    return this.bytes.subarray(this.at - size, this.at);
+  }
+
+  text(): string {
+    return decoder.decode(this.piece());
+  }
+
+  private fixed(bytes: number, read: () => number): number {
+    if (this.at + bytes > this.bytes.length) throw new BadBytes("the bytes end too early");
+    const value = read();
+    this.at += bytes;
+    return value;
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** What there is to see at one moment, as the scene stream tells it. Metres, radians and seconds unless a name says otherwise. */
+
+export type Vec3 = readonly [number, number, number];
+/** Red, green, blue, alpha: 0 to 1. */
+export type Color = readonly [number, number, number, number];
+/** x, y, z, w. */
+export type Quat = readonly [number, number, number, number];
+
+export enum Shape { Mesh, Box, Capsule, Cylinder, Plane, Sphere }
+
+export interface Bone { turn: Quat; place: Vec3 }
+
+export interface Drawable {
+  owner: number;
+  ofAgent: boolean;
+  visible: boolean;
+  skeletonShown: boolean;
+  shape: Shape;
+  mesh: string;
+  material: string;
+  size: Vec3;
+  repeats: Vec3;
+  scale: Vec3;
+  place: Vec3;
+  turn: Quat;
+  /** Relative to their parents. */
+  bones: readonly Bone[];
+}
+
+export interface Agent {
+  name: string;
+  kind: string;
+  script: string;
+  team: string;
+  radius: number;
+  height: number;
+  place: Vec3;
+  forward: Vec3;
+  health: number;
+  alive: boolean;
+  failed: boolean;
+  lastCommand: string;
+}
+
+export interface Light {
+  id: number;
+  directional: boolean;
+  castsShadows: boolean;
+  place: Vec3;
+  direction: Vec3;
+  diffuse: Vec3;
+  specular: Vec3;
+  range: number;
+  attenuation: Vec3;
+}
+
+export interface Surroundings { ambient: Vec3; sky: string; skyTurnDeg: Vec3; palette: readonly Color[]; lights: readonly Light[] }
+export interface Camera { moves: number; place: Vec3; turn: Quat; fovDeg: number }
+export interface Line { from: Vec3; to: Vec3; color: Color }
+export interface Circle { center: Vec3; radius: number; color: Color }
+export interface Triangle { a: Vec3; b: Vec3; c: Vec3; color: Color }
+export interface Lines { lines: readonly Line[]; circles: readonly Circle[]; triangles: readonly Triangle[] }
+export interface Contact { agent: number; place: Vec3; visible: boolean; heard: boolean; alive: boolean; forgotten: number }
+export interface Mind {
+  operator: string;
+  doing: string;
+  senses: { sight: number; viewDeg: number; hearing: number } | null;
+  measured: Vec3 | null;
+  goal: Vec3 | null;
+  target: number;
+  leader: number;
+  pathIsWhole: boolean;
+  path: readonly Vec3[];
+  contacts: readonly Contact[];
+}
+export interface Shot { from: Vec3; to: Vec3; shooter: number; hit: number; time: number }
+export interface Speech { from: number; to: number; text: string; time: number }
+export interface NamedPlace { kind: "waypoint" | "region" | "item" | "thing"; name: string; place: Vec3 }
+
+export interface Scene {
+  tick: number;
+  time: number;
+  surroundings: Surroundings | null;
+  camera: Camera | null;
+  drawables: ReadonlyMap<number, Drawable>;
+  agents: ReadonlyMap<number, Agent>;
+  lines: Lines;
+  overlayLines: Lines;
+  minds: ReadonlyMap<number, Mind>;
+  shots: readonly Shot[];
+  speech: readonly Speech[];
+  places: readonly NamedPlace[];
+}
