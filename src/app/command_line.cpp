@@ -12,6 +12,7 @@
 #include <string>
 
 #include "app/data_folders.h"
+#include "app/editor_commands.h"
 #include "app/exit_codes.h"
 #include "app/inspect_command.h"
 #include "app/kernel_server.h"
@@ -251,6 +252,16 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
       ->check(NumberIn(0, 65535));
 }
 
+void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datamap) {
+  CLI::App* lays_out = program.add_subcommand("format", "Lay files of rules out, in place");
+  lays_out->add_option("files", format.files, "Files of rules (.soar) and folders")->required();
+  lays_out->add_flag("--check", format.check, "Change nothing; name the files that would be changed");
+  CLI::App* maps = program.add_subcommand("datamap", "Write a project for VisualSoar, with a datamap of the rules");
+  maps->add_option("rules", datamap.rules, "The file of rules that loads all others")->required();
+  maps->add_option("-o,--output", datamap.output, "Write to this file, such as scout.vsa.json");
+  program.add_subcommand("lsp", "Serve an editor on standard input and output (docs/editors.md)");
+}
+
 int List() {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) {
@@ -383,6 +394,9 @@ int Main(int argc, char** argv) {
   AddLearn(program, learn);
   TestOptions test;
   AddTest(program, test);
+  FormatOptions format;
+  DatamapOptions datamap;
+  AddEditors(program, format, datamap);
   program.add_subcommand("list", "List the scenarios that come with the program");
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
@@ -430,6 +444,9 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("test")) return Test(test);
   if (program.got_subcommand("check")) return Check(check);
   if (program.got_subcommand("why")) return Why(why);
+  if (program.got_subcommand("format")) return FormatFiles(format);
+  if (program.got_subcommand("datamap")) return WriteDatamap(datamap);
+  if (program.got_subcommand("lsp")) return ServeLanguage();
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();
 }

@@ -45,8 +45,7 @@ std::vector<std::string> SplitLines(const std::string& text) {
   return lines;
 }
 
-SourceFile ReadSource(const std::string& file) {
-  const std::string text = ReadText(file).value_or("");
+SourceFile ReadSource(const std::string& text) {
   return {SplitLines(text), SplitLines(BlankComments(text))};
 }
 
@@ -475,6 +474,10 @@ void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
 }  // namespace
 
 void ClarifyErrors(std::vector<Diagnostic>& problems) {
+  ClarifyErrors(problems, [](const std::string& file) { return ReadText(file).value_or(""); });
+}
+
+void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of) {
   std::map<std::string, SourceFile> files;
   std::vector<Diagnostic> kept;
   bool outside = false;  // The line before was told as outside of a rule already.
@@ -485,7 +488,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
       continue;
     }
     const auto [at, is_new] = files.try_emplace(problem.file);
-    if (is_new) at->second = ReadSource(problem.file);
+    if (is_new) at->second = ReadSource(text_of(problem.file));
     const SourceFile& source = at->second;
     // A rule's text begins behind "sp {": the reader has blanks for that.
     const std::string& line = source.Line(problem.line);

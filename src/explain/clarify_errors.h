@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -11,5 +13,9 @@ namespace soarbox::explain {
 /// comment of another language, no } at a rule's end, a misshapen arrow) and says that instead. What one slip brings
 /// about in the lines behind it is dropped.
 void ClarifyErrors(std::vector<Diagnostic>& problems);
+
+/// The same for files whose text somebody else has, such as an editor.
+using TextOfFile = std::function<std::string(const std::string& file)>;
+void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of);
 
 }  // namespace soarbox::explain

@@ -121,6 +121,11 @@ class Checker {
     }
   }
 
+  explain::KnownWords WordsFor(const fs::path& file, bool complete) {
+    const explain::Surroundings& around = Around(file.parent_path());
+    return {around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()), around.has_database, complete};
+  }
+
  private:
   void CheckFolder(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -227,7 +232,6 @@ class Checker {
   }
 
   void Lint(const fs::path& file, const std::string& text, const std::vector<explain::RuleText>& rules, bool complete) {
-    const explain::Surroundings& around = Around(file.parent_path());
     std::vector<explain::RuleFile> files = {{file, text}};
     for (const fs::path& one : WithSourcedFiles(file, folders_))
       if (one != file) files.push_back({one, explain::BlankComments(ReadText(one).value_or(""))});
@@ -236,9 +240,7 @@ class Checker {
     for (const explain::RuleText& rule : rules) loaded.insert(rule.name);
     for (auto& [rule, warning] : explain::FindOddCharacters({file, text}))
       if (loaded.contains(rule)) problems.push_back(std::move(warning));
-    const explain::KnownWords known{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
-                                    around.has_database, complete};
-    for (const explain::Slip& slip : explain::FindSlips(rules, known)) {
+    for (const explain::Slip& slip : explain::FindSlips(rules, WordsFor(file, complete))) {
       if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
       problems.push_back(explain::PlaceSlip(slip, file, text));
     }
@@ -279,6 +281,11 @@ std::vector<Diagnostic> WarningsOfRules(const fs::path& rules, const std::vector
   if (!loaded) return {};
   std::erase_if(loaded->problems, [](const Diagnostic& problem) { return problem.severity != Severity::kWarning; });
   return std::move(loaded->problems);
+}
+
+explain::KnownWords WordsAround(const fs::path& rules) {
+  const CheckToml no_missions;
+  return Checker({rules}, no_missions).WordsFor(rules, true);
 }
 
 std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "explain/rule_slips.h"
 #include "sim/scenario.h"
 
 namespace soarbox::sim {
@@ -24,6 +25,10 @@ std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string
 /// warns of. For kernels that warn of nothing. `folders` is what the files may read.
 std::vector<Diagnostic> WarningsOfRules(const std::filesystem::path& rules,
                                         const std::vector<std::filesystem::path>& folders);
+
+/// What the rules of a file may test and say besides the vocabulary: what the files of its folder make, and the places
+/// of its scenario.
+explain::KnownWords WordsAround(const std::filesystem::path& rules);
 
 /// What is wrong with a Lua script, as with a text of rules.
 std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::string& name);

@@ -36,9 +36,12 @@ ALLOWED = {
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
+    # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
+    "language": {"diagnostics", "kernel", "cli", "vocabulary", "explain", "sim", "debugger"},
+    "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
     "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
-            "report", "debugger", "viewer"},
+            "report", "debugger", "language", "editors", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace soarbox::app {
+
+/// What `soarbox format` was asked for.
+struct FormatOptions {
+  std::vector<std::filesystem::path> files;  ///< Files of rules and folders.
+  bool check = false;                        ///< Change nothing; name what would be changed.
+};
+/// Lays files of rules out, in place. Returns an ExitCode: kProblems if `check` finds any, or one cannot be read.
+int FormatFiles(const FormatOptions& options);
+
+/// What `soarbox datamap` was asked for.
+struct DatamapOptions {
+  std::filesystem::path rules;   ///< The file that loads the others.
+  std::filesystem::path output;  ///< Empty: standard output.
+};
+/// Writes a project of VisualSoar with a datamap. Returns an ExitCode.
+int WriteDatamap(const DatamapOptions& options);
+
+/// Serves an editor on standard input and output. Returns the process's exit code.
+int ServeLanguage();
+
+}  // namespace soarbox::app

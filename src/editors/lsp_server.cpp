@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "editors/lsp_server.h"
+
+#include <algorithm>
+
+#include "editors/file_uri.h"
+#include "editors/lsp_json.h"
+
+namespace soarbox::editors {
+namespace {
+
+namespace fs = std::filesystem;
+using language::Position;
+
+// Error codes of JSON-RPC and of the protocol.
+constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoSuchMethod = -32601, kInvalidParams = -32602,
+              kInternalError = -32603, kNotInitialized = -32002;
+
+/// What a request is refused with.
+struct Refused {
+  int code;
+  std::string message;
+};
+
+Json ErrorTo(const Json& id, int code, const std::string& message) {
+  return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
+}
+
+Position PositionIn(const Json& json) {
+  const auto number = [&](const char* name) {
+    const Json& value = json.at(name);
+    if (!value.is_number_unsigned()) throw Refused{kInvalidParams, std::string(name) + " is no position"};
+    return value.get<std::size_t>();
+  };
+  return {number("line"), number("character")};
+}
+
+}  // namespace
+
+Json LspServer::Fault(const std::string& what) {
+  return ErrorTo(nullptr, kParseError, what);
+}
+
+std::vector<Json> LspServer::Handle(const std::string& text) {
+  out_.clear();
+  const Json message = Json::parse(text, nullptr, false);
+  if (message.is_discarded()) {
+    out_.push_back(ErrorTo(nullptr, kParseError, "this message is no JSON"));
+  } else if (!message.is_object()) {
+    out_.push_back(ErrorTo(nullptr, kInvalidRequest, "this message is no object"));
+  } else {
+    Dispatch(message);
+  }
+  return std::move(out_);
+}
+
+void LspServer::Dispatch(const Json& message) {
+  const auto id_field = message.find("id");
+  const bool is_request = id_field != message.end() && (id_field->is_string() || id_field->is_number_integer());
+  const Json id = is_request ? *id_field : Json();
+  const auto method = message.find("method");
+  if (method == message.end() || !method->is_string()) {
+    // An answer to a request of ours, of which there are none that wait.
+    const bool is_answer = message.contains("result") || message.contains("error");
+    if (!is_answer) out_.push_back(ErrorTo(id, kInvalidRequest, "this message has no method"));
+    return;
+  }
+  const auto params_field = message.find("params");
+  const Json params = params_field == message.end() ? Json::object() : *params_field;
+  try {
+    if (!is_request) return Notify(method->get<std::string>(), params);
+    Json result = Request(method->get<std::string>(), params);
+    out_.push_back({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+  } catch (const Refused& refused) {
+    if (is_request) out_.push_back(ErrorTo(id, refused.code, refused.message));
+  } catch (const Json::exception& wrong) {
+    if (is_request) out_.push_back(ErrorTo(id, kInvalidParams, wrong.what()));
+  } catch (const std::exception& wrong) {
+    if (is_request) out_.push_back(ErrorTo(id, kInternalError, wrong.what()));
+  }
+}
+
+Json LspServer::Request(const std::string& method, const Json& params) {
+  if (method == "initialize") return Initialize(params);
+  if (!initialized_) throw Refused{kNotInitialized, "initialize comes first"};
+  if (shut_down_) throw Refused{kInvalidRequest, "the server was shut down"};
+  if (method == "shutdown") {
+    shut_down_ = true;
+    return nullptr;
+  }
+  using Handler = Json (LspServer::*)(const Json&);
+  static const std::map<std::string, Handler> kHandlers = {
+      {"textDocument/codeAction", &LspServer::CodeActions},
+      {"textDocument/codeLens", &LspServer::CodeLenses},
+      {"textDocument/completion", &LspServer::CompletionAt},
+      {"textDocument/definition", &LspServer::Definition},
+      {"textDocument/documentHighlight", &LspServer::Highlights},
+      {"textDocument/documentSymbol", &LspServer::DocumentSymbols},
+      {"textDocument/foldingRange", &LspServer::Folding},
+      {"textDocument/formatting", &LspServer::Formatting},
+      {"textDocument/hover", &LspServer::HoverAt},
+      {"textDocument/prepareRename", &LspServer::PrepareRename},
+      {"textDocument/references", &LspServer::References},
+      {"textDocument/rename", &LspServer::RenameAt},
+      {"textDocument/semanticTokens/full", &LspServer::SemanticTokens},
+      {"workspace/executeCommand", &LspServer::ExecuteCommand},
+      {"workspace/symbol", &LspServer::WorkspaceSymbols},
+  };
+  const auto handler = kHandlers.find(method);
+  if (handler == kHandlers.end()) throw Refused{kNoSuchMethod, "there is no method " + method};
+  return (this->*handler->second)(params);
+}
+
+void LspServer::Notify(const std::string& method, const Json& params) {
+  if (method == "exit") {
+    over_ = true;
+    return;
+  }
+  if (!initialized_) return;
+  const auto path_in = [&] { return PathOfUri(params.at("textDocument").at("uri").get<std::string>()); };
+  if (method == "textDocument/didOpen") {
+    const fs::path path = path_in();
+    if (path.empty()) return;
+    workspace_.Open(path, params.at("textDocument").at("text").get<std::string>());
+    unchecked_.insert(path);
+    Publish(path);
+  } else if (method == "textDocument/didChange") {
+    Changed(params);
+  } else if (method == "textDocument/didSave") {
+    unchecked_.insert(path_in());
+  } else if (method == "textDocument/didClose") {
+    const fs::path path = path_in();
+    workspace_.Close(path);
+    unchecked_.erase(path);
+    slips_.erase(path);
+    published_.erase(path);
+    out_.push_back({{"jsonrpc", "2.0"},
+                    {"method", "textDocument/publishDiagnostics"},
+                    {"params", {{"uri", UriOf(path)}, {"diagnostics", Json::array()}}}});
+  } else if (method == "workspace/didChangeWatchedFiles") {
+    for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
+  }
+}
+
+Json LspServer::Initialize(const Json& params) {
+  if (initialized_) throw Refused{kInvalidRequest, "the server is initialized already"};
+  initialized_ = true;
+  (void)params;
+  return {{"serverInfo", {{"name", "soarbox"}}},
+          {"capabilities",
+           {{"positionEncoding", "utf-16"},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
+            {"completionProvider", {{"triggerCharacters", {"^", ".", "<", " "}}}},
+            {"hoverProvider", true},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"documentHighlightProvider", true},
+            {"documentSymbolProvider", true},
+            {"workspaceSymbolProvider", true},
+            {"foldingRangeProvider", true},
+            {"documentFormattingProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+            {"codeLensProvider", Json::object()},
+            {"executeCommandProvider", {{"commands", {"soarbox.why"}}}},
+            {"semanticTokensProvider",
+             {{"legend", {{"tokenTypes", TokenTypes()}, {"tokenModifiers", Json::array()}}}, {"full", true}}}}}};
+}
+
+void LspServer::Changed(const Json& params) {
+  const fs::path path = PathOfUri(params.at("textDocument").at("uri").get<std::string>());
+  if (!workspace_.IsOpen(path)) return;
+  std::string text = workspace_.Find(path)->text();
+  for (const Json& change : params.at("contentChanges")) {
+    const std::string& replacement = change.at("text").get_ref<const std::string&>();
+    if (!change.contains("range")) {
+      text = replacement;
+      continue;
+    }
+    const language::Lines lines(text);
+    const std::size_t begin = lines.OffsetOf(PositionIn(change.at("range").at("start")));
+    const std::size_t end = lines.OffsetOf(PositionIn(change.at("range").at("end")));
+    if (end < begin) throw Refused{kInvalidParams, "this range ends before it begins"};
+    text.replace(begin, end - begin, replacement);
+  }
+  // Slips below an edit keep their distance from the end of the text.
+  const std::shared_ptr<const Document> before = workspace_.Find(path);
+  const std::string& old = before->text();
+  std::size_t same = 0;
+  while (same < old.size() && same < text.size() && old[same] == text[same]) ++same;
+  const int first_line = static_cast<int>(before->lines().LineOf(same)) + 1;
+  const auto lines_of = [](const std::string& of) { return static_cast<int>(std::ranges::count(of, '\n')); };
+  const int moved = lines_of(text) - lines_of(old);
+  for (Diagnostic& slip : slips_[path])
+    if (slip.line > first_line) slip.line += moved;
+  std::erase_if(slips_[path], [&](const Diagnostic& slip) { return slip.line == first_line; });
+  workspace_.Open(path, std::move(text));
+  unchecked_.insert(path);
+  Publish(path);
+}
+
+void LspServer::Publish(const fs::path& path) {
+  const DocumentPtr document = workspace_.Find(path);
+  if (document == nullptr) return;
+  Json list = Json::array();
+  std::set<std::string> told;
+  const auto add = [&](const Diagnostic& problem) {
+    if (told.insert(std::to_string(problem.line) + ":" + problem.message).second)
+      list.push_back(ToLsp(problem, *document));
+  };
+  for (const Diagnostic& problem : document->problems()) add(problem);
+  for (const Diagnostic& problem : workspace_.MissingFiles(*document)) add(problem);
+  if (const auto slips = slips_.find(path); slips != slips_.end())
+    for (const Diagnostic& problem : slips->second) add(problem);
+  std::string text = list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const auto known = published_.find(path);
+  if (known != published_.end() && known->second == text) return;
+  published_[path] = std::move(text);
+  out_.push_back({{"jsonrpc", "2.0"},
+                  {"method", "textDocument/publishDiagnostics"},
+                  {"params", {{"uri", UriOf(path)}, {"diagnostics", std::move(list)}}}});
+}
+
+std::vector<Json> LspServer::Idle() {
+  out_.clear();
+  std::set<fs::path> roots;
+  for (const fs::path& path : std::exchange(unchecked_, {})) {
+    if (!workspace_.IsOpen(path)) continue;
+    const language::Program program = workspace_.ProgramOf(path);
+    if (!roots.insert(program.root).second) continue;
+    for (auto& [file, slips] : workspace_.Slips(program)) {
+      slips_[file] = std::move(slips);
+      if (workspace_.IsOpen(file)) Publish(file);
+    }
+  }
+  return std::move(out_);
+}
+
+LspServer::DocumentPtr LspServer::DocumentOf(const Json& params) {
+  const fs::path path = PathOfUri(params.at("textDocument").at("uri").get<std::string>());
+  DocumentPtr document = path.empty() ? nullptr : workspace_.Find(path);
+  if (document == nullptr) throw Refused{kInvalidParams, "there is no such file"};
+  return document;
+}
+
+LspServer::Place LspServer::PlaceOf(const Json& params) {
+  const DocumentPtr document = DocumentOf(params);
+  return {document->path(), document, document->lines().OffsetOf(PositionIn(params.at("position")))};
+}
+
+Json LspServer::LocationOf(const language::Use& use) {
+  const DocumentPtr document = workspace_.Find(use.file);
+  if (document == nullptr) return nullptr;
+  return {{"uri", UriOf(use.file)}, {"range", RangeOf(document->lines(), use.span)}};
+}
+
+Json LspServer::RenameAt(const Json& params) {
+  const Place place = PlaceOf(params);
+  const language::Program program = workspace_.ProgramOf(place.path);
+  const Result<language::Renaming> renaming =
+      language::Rename(program, *place.document, place.offset, params.at("newName").get<std::string>());
+  if (!renaming) {
+    const Diagnostic& problem = renaming.error();
+    throw Refused{kInvalidParams, problem.message + (problem.hint.empty() ? "" : ": " + problem.hint)};
+  }
+  Json changes = Json::object();
+  for (const language::Use& use : renaming->uses) {
+    const language::Document* document = program.Find(use.file);
+    if (document == nullptr) continue;
+    changes[UriOf(use.file)].push_back({{"range", RangeOf(document->lines(), use.span)}, {"newText", renaming->text}});
+  }
+  return {{"changes", std::move(changes)}};
+}
+
+Json LspServer::PrepareRename(const Json& params) {
+  const Place place = PlaceOf(params);
+  const std::optional<language::Name> name = language::NameAt(*place.document, place.offset);
+  if (!name) return nullptr;
+  if (const std::string why = language::WhyNotRenamed(*name); !why.empty()) throw Refused{kInvalidParams, why};
+  return {{"range", RangeOf(place.document->lines(), name->span)}, {"placeholder", name->text}};
+}
+
+Json LspServer::Definition(const Json& params) {
+  const Place place = PlaceOf(params);
+  Json list = Json::array();
+  for (const language::Use& use :
+       language::DefinitionsOf(workspace_.ProgramOf(place.path), *place.document, place.offset))
+    if (Json location = LocationOf(use); !location.is_null()) list.push_back(std::move(location));
+  return list;
+}
+
+Json LspServer::References(const Json& params) {
+  const Place place = PlaceOf(params);
+  const std::optional<language::Name> name = language::NameAt(*place.document, place.offset);
+  Json list = Json::array();
+  if (!name) return list;
+  const bool with_definitions = params.value("/context/includeDeclaration"_json_pointer, true);
+  for (const language::Use& use : language::UsesOf(workspace_.ProgramOf(place.path), *name, place.path)) {
+    if (use.defines && !with_definitions) continue;
+    if (Json location = LocationOf(use); !location.is_null()) list.push_back(std::move(location));
+  }
+  return list;
+}
+
+Json LspServer::Highlights(const Json& params) {
+  const Place place = PlaceOf(params);
+  const std::optional<language::Name> name = language::NameAt(*place.document, place.offset);
+  Json list = Json::array();
+  if (!name) return list;
+  language::Program alone;
+  alone.root = place.path;
+  alone.documents = {place.document};
+  constexpr int kRead = 2, kWrite = 3;
+  for (const language::Use& use : language::UsesOf(alone, *name, place.path))
+    list.push_back({{"range", RangeOf(place.document->lines(), use.span)}, {"kind", use.defines ? kWrite : kRead}});
+  return list;
+}
+
+}  // namespace soarbox::editors

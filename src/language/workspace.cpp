@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "language/workspace.h"
+
+#include <algorithm>
+#include <set>
+
+#include "cli/rule_crowds.h"
+#include "diagnostics/read_text.h"
+#include "explain/odd_characters.h"
+#include "explain/rule_slips.h"
+#include "kernel/rules/rule_gaps.h"
+#include "sim/check.h"
+
+namespace soarbox::language {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 500;
+
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// The folder of the scenario that a folder lies in, at most so far above; itself if there is none.
+fs::path ProjectFolderOf(const fs::path& folder) {
+  constexpr int kAbove = 4;
+  std::error_code error;
+  fs::path at = folder;
+  for (int i = 0; i <= kAbove && at.has_relative_path(); ++i, at = at.parent_path())
+    for (const char* name : {"scenario.toml", "Sandbox.lua", "mission.toml"})
+      if (fs::exists(at / name, error)) return at;
+  return folder;
+}
+
+bool HasErrors(const Document& document) {
+  return std::ranges::any_of(document.problems(), [](const Diagnostic& p) { return p.severity == Severity::kError; });
+}
+
+}  // namespace
+
+const Document* Program::Find(const fs::path& path) const {
+  for (const std::shared_ptr<const Document>& document : documents)
+    if (document->path() == path) return document.get();
+  return nullptr;
+}
+
+void Workspace::Open(const fs::path& path, std::string text) {
+  open_[path] = std::make_shared<const Document>(path, std::move(text), reader_, words_);
+}
+
+void Workspace::Close(const fs::path& path) {
+  open_.erase(path);
+}
+
+std::vector<fs::path> Workspace::OpenFiles() const {
+  std::vector<fs::path> files;
+  for (const auto& [path, document] : open_) files.push_back(path);
+  return files;
+}
+
+bool Workspace::MayRead(const fs::path& path) const {
+  std::error_code error;
+  return folders_.empty() ? fs::is_regular_file(path, error) : IsPlainFileBelow(path, folders_);
+}
+
+std::shared_ptr<const Document> Workspace::Find(const fs::path& path) {
+  if (const auto open = open_.find(path); open != open_.end()) return open->second;
+  if (!MayRead(path)) return nullptr;
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(path, error);
+  const std::uintmax_t size = fs::file_size(path, error);
+  OnDisk& known = disk_[path];
+  if (known.document != nullptr && known.time == time && known.size == size) return known.document;
+  const std::optional<std::string> text = ReadText(path);
+  if (!text) return nullptr;
+  known = {time, size, std::make_shared<const Document>(path, *text, reader_, words_)};
+  return known.document;
+}
+
+std::vector<fs::path> Workspace::RulesBelow(const fs::path& folder) const {
+  constexpr int kDeepest = 6;
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && files.size() < kMostFiles; it.increment(error)) {
+    if (it.depth() >= kDeepest || it->path().filename().string().starts_with('.')) it.disable_recursion_pending();
+    if (it->path().extension() == ".soar") files.push_back(it->path().lexically_normal());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+const VisualSoarProject* Workspace::ProjectOf(const fs::path& file) {
+  const fs::path found = FindVisualSoarProject(FolderOf(file));
+  if (found.empty() || !MayRead(found)) return nullptr;
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(found, error);
+  ReadProject& known = projects_[found];
+  if (known.time != time) {
+    known = {time, std::nullopt, {}};
+    if (Result<VisualSoarProject> read = ReadVisualSoar(found, known.problems)) known.project = std::move(*read);
+  }
+  return known.project ? &*known.project : nullptr;
+}
+
+Program Workspace::ProgramOf(const fs::path& path) {
+  Program program;
+  const fs::path folder = FolderOf(path);
+  const VisualSoarProject* project = ProjectOf(path);
+  if (project != nullptr) program.project = project->file;
+  // Who sources whom, among the files around.
+  std::map<fs::path, fs::path> sourced_by;
+  for (const fs::path& file : RulesBelow(project != nullptr ? FolderOf(project->file) : ProjectFolderOf(folder))) {
+    const std::shared_ptr<const Document> document = Find(file);
+    if (document == nullptr) continue;
+    for (const Document::Sourced& sourced : document->sourced())
+      sourced_by.try_emplace((FolderOf(file) / sourced.name).lexically_normal(), file);
+  }
+  program.root = path;
+  std::set<fs::path> seen = {path};
+  for (auto by = sourced_by.find(path); by != sourced_by.end() && seen.insert(by->second).second;
+       by = sourced_by.find(program.root))
+    program.root = by->second;
+  // And down again, in the order of loading.
+  std::set<fs::path> taken;
+  std::vector<fs::path> waiting = {program.root};
+  while (!waiting.empty() && taken.size() < kMostFiles) {
+    const fs::path next = waiting.back();
+    waiting.pop_back();
+    if (!taken.insert(next).second) continue;
+    const std::shared_ptr<const Document> document = Find(next);
+    if (document == nullptr) continue;
+    program.documents.push_back(document);
+    for (auto it = document->sourced().rbegin(); it != document->sourced().rend(); ++it)
+      waiting.push_back((FolderOf(next) / it->name).lexically_normal());
+  }
+  return program;
+}
+
+std::vector<Diagnostic> Workspace::MissingFiles(const Document& document) const {
+  std::vector<Diagnostic> problems;
+  for (const Document::Sourced& sourced : document.sourced()) {
+    const fs::path file = (FolderOf(document.path()) / sourced.name).lexically_normal();
+    if (open_.contains(file) || MayRead(file)) continue;
+    Diagnostic problem;
+    problem.file = document.path().string();
+    problem.line = sourced.line;
+    problem.excerpt = document.lines().Line(static_cast<std::size_t>(sourced.line) - 1);
+    const std::size_t column = problem.excerpt.find(sourced.name);
+    if (column != std::string::npos) problem.column = static_cast<int>(column) + 1;
+    problem.excerpt_length = static_cast<int>(sourced.name.size());
+    problem.message = "there is no file " + sourced.name + " beside this one";
+    problem.hint = "the name is relative to the folder of the file that sources it";
+    problems.push_back(std::move(problem));
+  }
+  return problems;
+}
+
+std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& program) {
+  std::map<fs::path, std::vector<Diagnostic>> found;
+  std::vector<explain::RuleText> rules;
+  std::vector<const kernel::Production*> productions;
+  std::vector<explain::RuleFile> files;
+  std::map<std::string, const Document*> of_rule;
+  std::map<std::string, std::pair<const Document*, int>> of_read;
+  bool complete = true;
+  for (const std::shared_ptr<const Document>& document : program.documents) {
+    found[document->path()];
+    complete = complete && !HasErrors(*document);
+    files.push_back({document->path(), document->code()});
+    for (const DocumentCommand& command : document->commands()) {
+      rules.insert(rules.end(), command.read->texts.begin(), command.read->texts.end());
+      for (const kernel::ProductionPtr& rule : command.read->rules) productions.push_back(rule.get());
+      for (const explain::RuleText& text : command.read->texts) of_rule[text.name] = document.get();
+      of_read[command.read->id] = {document.get(), command.line};
+    }
+  }
+  for (Diagnostic& twice : explain::FindDuplicates(files)) found[twice.file].push_back(std::move(twice));
+  for (const explain::RuleFile& file : files)
+    for (auto& [rule, warning] : explain::FindOddCharacters(file))
+      if (of_rule.contains(rule)) found[file.file].push_back(std::move(warning));
+  explain::KnownWords known = sim::WordsAround(program.root);
+  known.complete = complete;
+  for (const explain::Slip& slip : explain::FindSlips(rules, known)) {
+    const auto document = of_rule.find(slip.rule);
+    if (document == of_rule.end()) continue;
+    const fs::path& path = document->second->path();
+    found[path].push_back(explain::PlaceSlip(slip, path, document->second->code()));
+  }
+  // Gaps and crowds know a rule's text only; its place is where the text stands.
+  std::vector<Diagnostic> traps = kernel::FindRuleGaps(productions, productions.size(), reader_.symbols());
+  for (Diagnostic& crowd : cli::FindRuleCrowds(productions, productions.size(), reader_.symbols()))
+    traps.push_back(std::move(crowd));
+  for (Diagnostic& trap : traps) {
+    const auto place = of_read.find(trap.file);
+    if (place == of_read.end()) continue;
+    trap.file = place->second.first->path().string();
+    trap.line += place->second.second - 1;
+    found[place->second.first->path()].push_back(std::move(trap));
+  }
+  if (const VisualSoarProject* project = ProjectOf(program.root); project != nullptr) {
+    for (const std::shared_ptr<const Document>& document : program.documents)
+      for (Diagnostic& unknown : FindUnknown(project->datamap, *document))
+        found[document->path()].push_back(std::move(unknown));
+  }
+  return found;
+}
+
+std::vector<Diagnostic> CheckAgainstDatamap(const fs::path& file) {
+  std::vector<Diagnostic> problems;
+  std::error_code error;
+  fs::path project = IsVisualSoarProject(file) ? file : FindVisualSoarProject(FolderOf(file));
+  if (project.empty()) return problems;
+  Result<VisualSoarProject> read = ReadVisualSoar(project, problems);
+  if (!read) {
+    problems.push_back(read.error());
+    return problems;
+  }
+  Workspace workspace({FolderOf(project)});
+  std::set<fs::path> seen;
+  std::vector<fs::path> files = IsVisualSoarProject(file) ? read->rules : std::vector<fs::path>{file};
+  for (const fs::path& one : files) {
+    if (!seen.insert(one).second) continue;
+    const std::shared_ptr<const Document> document = workspace.Find(one);
+    if (document == nullptr) continue;
+    for (Diagnostic& unknown : FindUnknown(read->datamap, *document)) problems.push_back(std::move(unknown));
+  }
+  // What is wrong with the project itself is told where the project is named.
+  if (!IsVisualSoarProject(file))
+    std::erase_if(problems, [&](const Diagnostic& problem) { return problem.file == project.string(); });
+  return problems;
+}
+
+}  // namespace soarbox::language
