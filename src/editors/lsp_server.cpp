@@ -16,6 +16,9 @@ using language::Position;
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoSuchMethod = -32601, kInvalidParams = -32602,
               kInternalError = -32603, kNotInitialized = -32002;
 
+/// So many problems of a file are published: nobody reads more, and editors become slow.
+constexpr std::size_t kMostProblems = 500;
+
 /// What a request is refused with.
 struct Refused {
   int code;
@@ -205,7 +208,7 @@ void LspServer::Publish(const fs::path& path) {
   Json list = Json::array();
   std::set<std::string> told;
   const auto add = [&](const Diagnostic& problem) {
-    if (told.insert(std::to_string(problem.line) + ":" + problem.message).second)
+    if (list.size() < kMostProblems && told.insert(std::to_string(problem.line) + ":" + problem.message).second)
       list.push_back(ToLsp(problem, *document));
   };
   for (const Diagnostic& problem : document->problems()) add(problem);

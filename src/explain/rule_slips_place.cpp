@@ -76,16 +76,18 @@ PlaceInText PlaceAt(const std::string& text, std::size_t at) {
 }  // namespace
 
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
-  std::map<std::string, std::pair<const RuleFile*, int>> known;
+  // Lines are counted where a name is there twice only.
+  std::map<std::string, std::pair<const RuleFile*, std::size_t>> known;
   std::vector<Diagnostic> warnings;
   for (const RuleFile& file : files) {
     for (const std::size_t at : NamesOfRules(file.text)) {
       const std::string name =
           file.text.substr(at, std::min(file.text.find_first_of(" \t\r\n(", at), file.text.size()) - at);
-      PlaceInText place = PlaceAt(file.text, at);
-      const auto [first, is_new] = known.try_emplace(name, &file, place.line);
+      const auto [first, is_new] = known.try_emplace(name, &file, at);
       if (is_new) continue;
-      const auto& [other, line] = first->second;
+      const RuleFile* const other = first->second.first;
+      const int line = PlaceAt(other->text, first->second.second).line;
+      PlaceInText place = PlaceAt(file.text, at);
       Diagnostic warning;
       warning.severity = Severity::kWarning;
       warning.file = file.file.string();

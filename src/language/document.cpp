@@ -43,6 +43,7 @@ void Document::ReadCommands(RuleReader& reader) {
   std::vector<Diagnostic> unread;
   cli::CommandReader commands(text_);
   std::vector<cli::Word> words;
+  std::vector<std::filesystem::path> folders = {""};  // The last one is where names start from.
   while (true) {
     const cli::CommandReader::Status status = commands.Next(words);
     if (status == cli::CommandReader::Status::kEnd) break;
@@ -61,7 +62,13 @@ void Document::ReadCommands(RuleReader& reader) {
     command.span = {lines_.Begin(static_cast<std::size_t>(command.line) - 1), commands.offset()};
     command.read =
         reader.Read(text_.substr(command.span.begin, command.span.end - command.span.begin), words, command.line);
-    if (!command.read->sourced.empty()) sourced_.push_back({command.read->sourced, command.line});
+    if (!command.read->sourced.empty())
+      sourced_.push_back(
+          {command.read->sourced, (folders.back() / command.read->sourced).lexically_normal(), command.line});
+    const std::string& name = words.front().text;
+    if (words.size() == 2 && name == "pushd") folders.push_back(folders.back() / words[1].text);
+    if (words.size() == 2 && name == "cd") folders.back() /= words[1].text;
+    if (name == "popd" && folders.size() > 1) folders.pop_back();
     for (Diagnostic problem : command.read->problems) {
       problem.file = path_.string();
       problem.line += command.line - 1;

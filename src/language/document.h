@@ -54,9 +54,10 @@ class Document {
   const std::vector<DocumentRule>& rules() const { return rules_; }
   /// What the reader of commands and of rules says, with this file's places.
   const std::vector<Diagnostic>& problems() const { return problems_; }
-  /// Names of the files that it sources, as they are written, with the lines of the commands.
+  /// The files that it sources, with the lines of the commands.
   struct Sourced {
-    std::string name;
+    std::string name;            ///< As it is written.
+    std::filesystem::path file;  ///< From the file's own folder on, `pushd` and `cd` before it followed.
     int line = 1;
   };
   const std::vector<Sourced>& sourced() const { return sourced_; }

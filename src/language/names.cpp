@@ -137,7 +137,10 @@ std::vector<Use> DefinitionsOf(const Program& program, const Document& document,
         }
       return {};
     }
-    const fs::path file = (document.path().parent_path() / sourced).lexically_normal();
+    fs::path file = (document.path().parent_path() / sourced).lexically_normal();
+    for (const Document::Sourced& one : document.sourced())
+      if (one.line == static_cast<int>(document.lines().LineOf(offset)) + 1)
+        file = (document.path().parent_path() / one.file).lexically_normal();
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return {};
     return {{file, {0, 0}, true}};

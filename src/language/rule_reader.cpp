@@ -48,8 +48,9 @@ std::shared_ptr<const ReadCommand> RuleReader::Read(const std::string& text, con
   read->id = "#" + std::to_string(++reads_);
   read->sourced = SourcedBy(words);
   const std::string& command = words.front().text;
-  if (!read->sourced.empty()) {
-    // The file is looked for by whoever knows where this one lies.
+  const bool changes_folder = command == "cd" || command == "pushd" || command == "popd";
+  if (!read->sourced.empty() || changes_folder) {
+    // Files are looked for by whoever knows where this one lies.
   } else if (words.size() == 2 && command == "sp") {
     ReadRule(words[1].text, words[1].line - line + 1, words[1].column, *read);
   } else if (words.size() == 2 && command == "gp") {

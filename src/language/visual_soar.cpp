@@ -202,6 +202,8 @@ Result<Datamap> ReadDatamapJson(const fs::path& file, const Json& json) {
   Datamap datamap;
   std::map<std::string, std::size_t> places;
   for (const Json& one : *vertices) {
+    if (!one.is_object() || TextIn(one, "id").empty())
+      return Problem(file, 0, "vertex " + std::to_string(datamap.vertices.size() + 1) + " of the datamap has no id");
     const std::string type = TextIn(one, "type");
     const Kind kind = type == "SOAR_ID"             ? Kind::kObject
                       : type == "ENUMERATION"       ? Kind::kEnumeration
@@ -210,7 +212,6 @@ Result<Datamap> ReadDatamapJson(const fs::path& file, const Json& json) {
                                                     : Kind::kString;
     places[TextIn(one, "id")] = datamap.vertices.size();
     Datamap::Vertex& vertex = datamap.vertices[datamap.Add(kind)];
-    if (!one.is_object()) continue;
     if (const auto choices = one.find("choices"); choices != one.end() && choices->is_array())
       for (const Json& choice : *choices)
         if (choice.is_string()) vertex.words.push_back(choice.get<std::string>());
@@ -224,7 +225,6 @@ Result<Datamap> ReadDatamapJson(const fs::path& file, const Json& json) {
   std::size_t at = 0;
   for (const Json& one : *vertices) {
     const std::size_t from = at++;
-    if (!one.is_object()) continue;
     const auto edges = one.find("outEdges");
     if (edges == one.end() || !edges->is_array()) continue;
     for (const Json& edge : *edges) {

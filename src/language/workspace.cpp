@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFiles = 500;
+constexpr std::size_t kMostSlips = 500;  ///< Of one file: nobody reads more.
 
 fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -115,7 +116,7 @@ Program Workspace::ProgramOf(const fs::path& path) {
     const std::shared_ptr<const Document> document = Find(file);
     if (document == nullptr) continue;
     for (const Document::Sourced& sourced : document->sourced())
-      sourced_by.try_emplace((FolderOf(file) / sourced.name).lexically_normal(), file);
+      sourced_by.try_emplace((FolderOf(file) / sourced.file).lexically_normal(), file);
   }
   program.root = path;
   std::set<fs::path> seen = {path};
@@ -133,7 +134,7 @@ Program Workspace::ProgramOf(const fs::path& path) {
     if (document == nullptr) continue;
     program.documents.push_back(document);
     for (auto it = document->sourced().rbegin(); it != document->sourced().rend(); ++it)
-      waiting.push_back((FolderOf(next) / it->name).lexically_normal());
+      waiting.push_back((FolderOf(next) / it->file).lexically_normal());
   }
   return program;
 }
@@ -141,7 +142,7 @@ Program Workspace::ProgramOf(const fs::path& path) {
 std::vector<Diagnostic> Workspace::MissingFiles(const Document& document) const {
   std::vector<Diagnostic> problems;
   for (const Document::Sourced& sourced : document.sourced()) {
-    const fs::path file = (FolderOf(document.path()) / sourced.name).lexically_normal();
+    const fs::path file = (FolderOf(document.path()) / sourced.file).lexically_normal();
     if (open_.contains(file) || MayRead(file)) continue;
     Diagnostic problem;
     problem.file = document.path().string();
@@ -184,7 +185,7 @@ std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& prog
   known.complete = complete;
   for (const explain::Slip& slip : explain::FindSlips(rules, known)) {
     const auto document = of_rule.find(slip.rule);
-    if (document == of_rule.end()) continue;
+    if (document == of_rule.end() || found[document->second->path()].size() >= kMostSlips) continue;
     const fs::path& path = document->second->path();
     found[path].push_back(explain::PlaceSlip(slip, path, document->second->code()));
   }
