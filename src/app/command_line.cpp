@@ -252,7 +252,7 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
       ->check(NumberIn(0, 65535));
 }
 
-void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datamap) {
+void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datamap, std::string& folder) {
   CLI::App* lays_out = program.add_subcommand("format", "Lay files of rules out, in place");
   lays_out->add_option("files", format.files, "Files of rules (.soar) and folders")->required();
   lays_out->add_flag("--check", format.check, "Change nothing; name the files that would be changed");
@@ -260,6 +260,9 @@ void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datama
   maps->add_option("rules", datamap.rules, "The file of rules that loads all others")->required();
   maps->add_option("-o,--output", datamap.output, "Write to this file, such as scout.vsa.json");
   program.add_subcommand("lsp", "Serve an editor on standard input and output (docs/editors.md)");
+  program.add_subcommand("mcp", "Serve a coding assistant on standard input and output (docs/editors.md)")
+      ->add_option("--folder", folder, "Let it read below this folder only")
+      ->capture_default_str();
 }
 
 int List() {
@@ -396,7 +399,8 @@ int Main(int argc, char** argv) {
   AddTest(program, test);
   FormatOptions format;
   DatamapOptions datamap;
-  AddEditors(program, format, datamap);
+  std::string folder = ".";
+  AddEditors(program, format, datamap, folder);
   program.add_subcommand("list", "List the scenarios that come with the program");
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
@@ -447,6 +451,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("format")) return FormatFiles(format);
   if (program.got_subcommand("datamap")) return WriteDatamap(datamap);
   if (program.got_subcommand("lsp")) return ServeLanguage();
+  if (program.got_subcommand("mcp")) return ServeAssistant(folder);
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();
 }

@@ -14,6 +14,7 @@
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
 #include "editors/lsp_server.h"
+#include "editors/mcp_server.h"
 #include "language/datamap.h"
 #include "language/format.h"
 #include "language/workspace.h"
@@ -113,10 +114,36 @@ int WriteDatamap(const DatamapOptions& options) {
   return kOk;
 }
 
+Result<fs::path> RulesOfProject(const fs::path& file) {
+  if (!language::IsVisualSoarProject(file)) return file;
+  std::vector<Diagnostic> problems;
+  const Result<language::VisualSoarProject> project = language::ReadVisualSoar(file, problems);
+  if (!project) return project.error();
+  fs::path root = language::RootOfProject(file);
+  if (root.empty())
+    return Problem(file, "there is no file beside this project that loads its rules",
+                   "VisualSoar writes it: a file with the project's name that ends in .soar");
+  return root;
+}
+
+std::vector<Diagnostic> DatamapProblems(const fs::path& file) {
+  if (file.extension() != ".soar" && !language::IsVisualSoarProject(file)) return {};
+  return language::CheckAgainstDatamap(file);
+}
+
 int ServeLanguage() {
   std::signal(SIGPIPE, SIG_IGN);
   const Result<sim::DataFolders> data = FindDataFolders();
   return editors::ServeLsp(STDIN_FILENO, STDOUT_FILENO, data ? &*data : nullptr);
+}
+
+int ServeAssistant(const fs::path& folder) {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return Refuse(Problem(folder, "there is no such folder"));
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return Refuse(Problem({}, "the program does not find itself in /proc"));
+  return editors::ServeMcp(STDIN_FILENO, STDOUT_FILENO, program, folder);
 }
 
 }  // namespace soarbox::app

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/result.h"
+
 namespace soarbox::app {
 
 /// What `soarbox format` was asked for.
@@ -23,7 +25,16 @@ struct DatamapOptions {
 /// Writes a project of VisualSoar with a datamap. Returns an ExitCode.
 int WriteDatamap(const DatamapOptions& options);
 
+/// The file that loads all rules of a project of VisualSoar; other files stay as they are. Fails if the project cannot
+/// be read, or has no such file.
+Result<std::filesystem::path> RulesOfProject(const std::filesystem::path& file);
+/// What the datamap of the project that a file of rules belongs to does not know, and what is wrong with a project.
+std::vector<Diagnostic> DatamapProblems(const std::filesystem::path& file);
+
 /// Serves an editor on standard input and output. Returns the process's exit code.
 int ServeLanguage();
+
+/// Serves a coding assistant on standard input and output; files are named below this folder.
+int ServeAssistant(const std::filesystem::path& folder);
 
 }  // namespace soarbox::app

@@ -20,7 +20,17 @@ int FormatFiles(const FormatOptions&) {
 int WriteDatamap(const DatamapOptions&) {
   return RefuseEditors();
 }
+Result<std::filesystem::path> RulesOfProject(const std::filesystem::path& file) {
+  return file;
+}
+std::vector<Diagnostic> DatamapProblems(const std::filesystem::path&) {
+  return {};
+}
 int ServeLanguage() {
+  return RefuseEditors();
+}
+
+int ServeAssistant(const std::filesystem::path&) {
   return RefuseEditors();
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
+#include "app/editor_commands.h"
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/refuse.h"
@@ -37,7 +38,14 @@ int Check(const CheckOptions& options) {
     if (shipped == nullptr || std::filesystem::exists(file, error) || file.has_parent_path()) continue;
     if (std::ranges::count(sim::ListScenarios(*shipped), file.string()) > 0) file = shipped->scenarios / file;
   }
-  const std::vector<Diagnostic> problems =
+  // Of a project of VisualSoar the file that loads its rules is checked, and each of its files against its datamap.
+  std::vector<Diagnostic> of_projects;
+  for (std::filesystem::path& file : files) {
+    for (Diagnostic& problem : DatamapProblems(file)) of_projects.push_back(std::move(problem));
+    Result<std::filesystem::path> rules = RulesOfProject(file);
+    if (rules) file = std::move(*rules);
+  }
+  std::vector<Diagnostic> problems =
       sim::CheckFiles(files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
         // What grades a lesson stands beside its scenario.
         if (shipped != nullptr && file.filename() == "lesson.toml") {
@@ -46,6 +54,7 @@ int Check(const CheckOptions& options) {
         }
         return mission::CheckMissionFile(file, shipped, found);
       });
+  problems.insert(problems.end(), of_projects.begin(), of_projects.end());
   int errors = 0;
   for (const Diagnostic& problem : problems) {
     errors += problem.severity == Severity::kError ? 1 : 0;

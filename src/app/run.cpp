@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/data_folders.h"
+#include "app/editor_commands.h"
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
 #include "app/mission_watch.h"
@@ -88,6 +89,9 @@ int Run(const RunOptions& given) {
   RunOptions options = given;
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
+  const Result<std::filesystem::path> rules = RulesOfProject(options.scenario);
+  if (!rules) return Refuse(rules.error());
+  options.scenario = rules->string();
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
   if (!scenario) return Refuse(scenario.error());
 

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "editors/mcp_server.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "diagnostics/read_text.h"
+#include "editors/byte_pipe.h"
+#include "editors/mcp_tools.h"
+#include "editors/message_stream.h"
+#include "editors/run_program.h"
+#include "vocabulary/vocabulary.h"
+
+namespace soarbox::editors {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = McpServer::Json;
+
+constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoSuchMethod = -32601, kInvalidParams = -32602;
+constexpr double kLongest_s = 600;
+
+struct Refused {
+  int code;
+  std::string message;
+};
+
+Json ErrorTo(const Json& id, int code, const std::string& message) {
+  return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
+}
+
+/// What a tool answers with.
+Json Text(const std::string& text, bool is_error = false) {
+  return {{"content", Json::array({{{"type", "text"}, {"text", text}}})}, {"isError", is_error}};
+}
+
+std::string Word(const Json& arguments, const char* name, bool required = false) {
+  const auto found = arguments.find(name);
+  if (found == arguments.end() || found->is_null()) {
+    if (required) throw Refused{kInvalidParams, std::string(name) + " is missing"};
+    return {};
+  }
+  if (!found->is_string()) throw Refused{kInvalidParams, std::string(name) + " is no text"};
+  std::string word = found->get<std::string>();
+  if (word.find('\0') != std::string::npos) throw Refused{kInvalidParams, std::string(name) + " holds a zero byte"};
+  return word;
+}
+
+/// A word that becomes an argument of the command: it must not pass for an option.
+std::string Plain(const Json& arguments, const char* name, bool required = false) {
+  std::string word = Word(arguments, name, required);
+  if (word.starts_with('-')) throw Refused{kInvalidParams, std::string(name) + " may not begin with -"};
+  return word;
+}
+
+void AddNumber(std::vector<std::string>& words, const char* option, const Json& arguments, const char* name,
+               double most = 36'000) {
+  const auto found = arguments.find(name);
+  if (found == arguments.end() || found->is_null()) return;
+  if (!found->is_number() || found->get<double>() < 0 || found->get<double>() > most)
+    throw Refused{kInvalidParams,
+                  std::string(name) + " is no number from 0 to " + std::to_string(static_cast<long>(most))};
+  words.insert(words.end(), {option, found->dump()});
+}
+
+void AddWord(std::vector<std::string>& words, const char* option, const Json& arguments, const char* name) {
+  if (const std::string word = Plain(arguments, name); !word.empty()) words.insert(words.end(), {option, word});
+}
+
+}  // namespace
+
+McpServer::McpServer(fs::path program, fs::path folder) : program_(std::move(program)) {
+  std::error_code error;
+  folder_ = fs::canonical(folder, error);
+  std::string own = (fs::temp_directory_path(error) / "soarbox-mcp-XXXXXX").string();
+  if (mkdtemp(own.data()) != nullptr) own_ = own;
+}
+
+McpServer::~McpServer() {
+  std::error_code error;
+  if (!own_.empty()) fs::remove_all(own_, error);
+}
+
+Json McpServer::Fault(const std::string& what) {
+  return ErrorTo(nullptr, kParseError, what);
+}
+
+Json McpServer::Handle(const std::string& text) {
+  const Json message = Json::parse(text, nullptr, false);
+  if (message.is_discarded()) return ErrorTo(nullptr, kParseError, "this message is no JSON");
+  if (!message.is_object()) return ErrorTo(nullptr, kInvalidRequest, "this message is no object");
+  const auto id_field = message.find("id");
+  const bool is_request = id_field != message.end() && (id_field->is_string() || id_field->is_number_integer());
+  const Json id = is_request ? *id_field : Json();
+  const auto method = message.find("method");
+  if (method == message.end() || !method->is_string())
+    return ErrorTo(id, kInvalidRequest, "this message has no method");
+  if (!is_request) return nullptr;
+  const auto params_field = message.find("params");
+  const Json params = params_field == message.end() ? Json::object() : *params_field;
+  try {
+    return {{"jsonrpc", "2.0"}, {"id", id}, {"result", Request(method->get<std::string>(), params)}};
+  } catch (const Refused& refused) {
+    return ErrorTo(id, refused.code, refused.message);
+  } catch (const std::exception& wrong) {
+    return ErrorTo(id, kInvalidParams, wrong.what());
+  }
+}
+
+Json McpServer::Request(const std::string& method, const Json& params) {
+  if (method == "ping") return Json::object();
+  if (method == "initialize") {
+    constexpr const char* kVersion = "2024-11-05";
+    return {{"protocolVersion", kVersion},
+            {"capabilities", {{"tools", Json::object()}}},
+            {"serverInfo", {{"name", "soarbox"}, {"version", "1"}}},
+            {"instructions",
+             "Tools to write Soar agents: check rules with the kernel's own reader, look up percepts and commands, run "
+             "scenarios and missions, and ask why an agent does what it does. Files are named relative to " +
+                 folder_.string() + "; nothing is changed there."}};
+  }
+  if (method == "tools/list") return {{"tools", McpTools()}};
+  if (method == "tools/call") {
+    const auto arguments = params.find("arguments");
+    return Call(params.at("name").get<std::string>(), arguments == params.end() ? Json::object() : *arguments);
+  }
+  throw Refused{kNoSuchMethod, "there is no method " + method};
+}
+
+Json McpServer::Call(const std::string& tool, const Json& arguments) {
+  using Handler = Json (McpServer::*)(const Json&);
+  static const std::map<std::string, Handler> kHandlers = {
+      {"check_rules", &McpServer::CheckRules},
+      {"compare_runs", &McpServer::CompareRuns},
+      {"inspect", &McpServer::Inspect},
+      {"list_commands", &McpServer::ListCommands},
+      {"list_percepts", &McpServer::ListPercepts},
+      {"list_scenarios", &McpServer::ListScenarios},
+      {"read_recording", &McpServer::ReadRecording},
+      {"run_mission", &McpServer::RunMission},
+      {"run_scenario", &McpServer::RunScenario},
+      {"try_future", &McpServer::TryFuture},
+      {"why", &McpServer::Why},
+  };
+  const auto handler = kHandlers.find(tool);
+  if (handler == kHandlers.end()) throw Refused{kInvalidParams, "there is no tool " + tool};
+  if (!arguments.is_object()) throw Refused{kInvalidParams, "arguments is no object"};
+  if (own_.empty()) return Text("no folder for what runs leave can be made", true);
+  return (this->*handler->second)(arguments);
+}
+
+std::string McpServer::FileOf(const Json& arguments, const char* name) {
+  const fs::path named = Plain(arguments, name, true);
+  std::error_code error;
+  const fs::path file = fs::weakly_canonical(named.is_absolute() ? named : folder_ / named, error);
+  const fs::path relative = file.lexically_relative(folder_);
+  if (error || folder_.empty() || relative.empty() || *relative.begin() == "..")
+    throw Refused{kInvalidParams, named.string() + " lies outside of " + folder_.string()};
+  return file.string();
+}
+
+std::string McpServer::SourceOf(const Json& arguments, const char* name) {
+  const std::string word = Plain(arguments, name, true);
+  if (const auto own = recordings_.find(word); own != recordings_.end()) return own->second.string();
+  // A name without a folder may be a scenario that comes with the program.
+  std::error_code error;
+  if (word.find('/') == std::string::npos && word.find('.') == std::string::npos && !fs::exists(folder_ / word, error))
+    return word;
+  return FileOf(arguments, name);
+}
+
+std::string McpServer::NewRecording(std::string& name) {
+  name = "run-" + std::to_string(++count_);
+  return (own_ / (name + ".soarrec")).string();
+}
+
+fs::path McpServer::WriteText(const std::string& text, const std::string& name) {
+  const fs::path file = own_ / std::to_string(++count_) / name;
+  std::error_code error;
+  fs::create_directory(file.parent_path(), error);
+  if (!(std::ofstream(file, std::ios::binary) << text).flush())
+    throw Refused{kInvalidParams, "these rules cannot be kept for the run"};
+  return file;
+}
+
+Json McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
+  arguments.insert(arguments.begin(), program_.string());
+  const ProgramEnd end = RunProgram(arguments);
+  std::string text = end.out;
+  // The server's own folder is nobody's business.
+  const auto hide = [&](std::string& of) {
+    for (std::size_t at = of.find(own_.string()); at != std::string::npos; at = of.find(own_.string(), at))
+      of.erase(at, std::min(own_.string().size() + 1, of.size() - at));
+  };
+  std::string problems = end.err;
+  hide(text);
+  hide(problems);
+  if (text.size() > most) {
+    text.resize(most);
+    text += "\n... and more: ask for a shorter part\n";
+  }
+  if (!problems.empty()) text += (text.empty() || text.ends_with('\n') ? "" : "\n") + problems.substr(0, most);
+  if (end.hung) text += "\nIt took too long and was ended.\n";
+  constexpr int kProblems = 1;  // What the user wrote was faulty; the command itself did its work.
+  return Text(text.empty() ? "(nothing)" : text, end.hung || end.code < 0 || end.code > kProblems);
+}
+
+Json McpServer::CheckRules(const Json& arguments) {
+  if (const std::string text = Word(arguments, "text"); !text.empty())
+    return Run({"check", "--json", WriteText(text, "rules.soar").string()});
+  const std::string file = FileOf(arguments, "path");
+  Json answer = Run({"check", "--json", file});
+  return answer;
+}
+
+Json McpServer::ListPercepts(const Json& arguments) {
+  const std::string filter = Word(arguments, "filter");
+  std::string text;
+  for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) {
+    if (row.path.find(filter) == std::string_view::npos) continue;
+    const std::string range = vocabulary::DescribeRange(row.unit, row.min, row.max, row.words);
+    text += "^io.input-link." + std::string(row.path) + " (" + std::string(vocabulary::NameOf(row.type)) +
+            (range.empty() ? "" : ", " + range) + "): " + std::string(row.meaning) + "\n";
+  }
+  return Text(text.empty() ? "no percept has this in its path" : text);
+}
+
+Json McpServer::ListCommands(const Json& arguments) {
+  const std::string filter = Word(arguments, "filter");
+  std::string text;
+  const auto tell = [&](const vocabulary::ParameterRow& one) {
+    const std::string range = vocabulary::DescribeRange(one.unit, one.min, one.max, one.words);
+    text += "  ^" + std::string(one.name) + (one.required ? " (required)" : "") + ": " + std::string(one.meaning) +
+            (range.empty() ? "" : " (" + range + ")") + "\n";
+  };
+  for (const vocabulary::CommandRow& row : vocabulary::Commands()) {
+    if (row.name.find(filter) == std::string_view::npos) continue;
+    text += "^io.output-link." + std::string(row.name) + ": " + std::string(row.meaning) + "\n";
+    for (const vocabulary::ParameterRow& one : row.parameters) tell(one);
+    if (row.place != vocabulary::TakesPlace::kNo)
+      for (const vocabulary::ParameterRow& one : vocabulary::PlaceParameters()) tell(one);
+  }
+  return Text(text.empty() ? "no command has this in its name" : text);
+}
+
+Json McpServer::ListScenarios(const Json&) {
+  return Run({"list"});
+}
+
+Json McpServer::RunScenario(const Json& arguments) {
+  std::string name;
+  std::vector<std::string> words = {"run", SourceOf(arguments, "scenario"), "--headless", "--json"};
+  if (!arguments.contains("seconds")) words.insert(words.end(), {"--seconds", "20"});
+  AddNumber(words, "--seconds", arguments, "seconds", kLongest_s);
+  AddNumber(words, "--seed", arguments, "seed", 4e9);
+  const std::string recording = NewRecording(name);
+  words.insert(words.end(), {"--record", recording, "--record-level", "all", "--record-limit", "200"});
+  Json answer = Run(std::move(words));
+  std::error_code error;
+  if (!fs::exists(recording, error)) return answer;
+  recordings_[name] = recording;
+  answer["content"].push_back({{"type", "text"}, {"text", "recording: " + name}});
+  return answer;
+}
+
+Json McpServer::RunMission(const Json& arguments) {
+  std::vector<std::string> words = {"test", SourceOf(arguments, "path"), "--json", "--no-keep"};
+  AddWord(words, "--seeds", arguments, "seeds");
+  return Run(std::move(words));
+}
+
+Json McpServer::Why(const Json& arguments) {
+  std::vector<std::string> words = {"why", SourceOf(arguments, "source")};
+  if (const std::string topic = Plain(arguments, "topic"); !topic.empty()) words.push_back(topic);
+  AddWord(words, "--agent", arguments, "agent");
+  AddNumber(words, "--at", arguments, "at");
+  AddNumber(words, "--seed", arguments, "seed", 4e9);
+  return Run(std::move(words));
+}
+
+Json McpServer::Inspect(const Json& arguments) {
+  std::vector<std::string> words = {"inspect", SourceOf(arguments, "source"), "--view", Plain(arguments, "view", true)};
+  AddWord(words, "--agent", arguments, "agent");
+  AddNumber(words, "--at", arguments, "at");
+  AddNumber(words, "--seed", arguments, "seed", 4e9);
+  return Run(std::move(words));
+}
+
+Json McpServer::ReadRecording(const Json& arguments) {
+  std::vector<std::string> words = {"replay", SourceOf(arguments, "recording"), "--headless"};
+  AddNumber(words, "--from", arguments, "from");
+  AddNumber(words, "--to", arguments, "to");
+  return Run(std::move(words));
+}
+
+Json McpServer::TryFuture(const Json& arguments) {
+  const std::string past = SourceOf(arguments, "recording");
+  std::string name;
+  std::vector<std::string> words = {"resume", past, "--json", "--rules",
+                                    WriteText(Word(arguments, "rules", true), "rules.soar").string()};
+  if (!arguments.contains("at")) throw Refused{kInvalidParams, "at is missing"};
+  AddNumber(words, "--at", arguments, "at");
+  AddNumber(words, "--seconds", arguments, "seconds", kLongest_s);
+  AddWord(words, "--agent", arguments, "agent");
+  const std::string recording = NewRecording(name);
+  words.insert(words.end(), {"--record", recording});
+  Json answer = Run(std::move(words), 20'000);
+  std::error_code error;
+  if (answer["isError"] == true || !fs::exists(recording, error)) return answer;
+  recordings_[name] = recording;
+  const Json differences = Run({"compare", past, recording}, 20'000);
+  for (const Json& part : differences["content"]) answer["content"].push_back(part);
+  answer["content"].push_back({{"type", "text"}, {"text", "recording: " + name}});
+  return answer;
+}
+
+Json McpServer::CompareRuns(const Json& arguments) {
+  return Run({"compare", SourceOf(arguments, "recording"), SourceOf(arguments, "other")});
+}
+
+int ServeMcp(int in, int out, const fs::path& program, const fs::path& folder) {
+  McpServer server(program, folder);
+  BytePipe pipe(in, out);
+  LineStream stream;
+  while (!pipe.is_broken()) {
+    if (const std::optional<MessageStream::Message> message = stream.Next()) {
+      if (message->fault.empty() && message->body.find_first_not_of(" \t") == std::string::npos) continue;
+      const Json answer = message->fault.empty() ? server.Handle(message->body) : McpServer::Fault(message->fault);
+      if (!answer.is_null()) pipe.Write(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+      continue;
+    }
+    const BytePipe::Got got = pipe.Read(-1);
+    if (got.ended) break;
+    stream.Add(got.bytes);
+  }
+  return 0;
+}
+
+}  // namespace soarbox::editors

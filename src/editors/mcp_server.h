@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+
+namespace soarbox::editors {
+
+/// The Model Context Protocol for coding assistants: tools that let them see what the kernel sees.
+///
+/// An assistant may read and run, and change nothing: files are named below one folder, links followed; runs happen in
+/// processes of their own, with limits, in the fence that scenarios of strangers run in; what they record lies in a
+/// folder of the server's own that goes with it. Any message is answered; none ends the server.
+class McpServer {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// `program`: the soarbox command that runs what is to be run. `folder`: below it files may be named.
+  McpServer(std::filesystem::path program, std::filesystem::path folder);
+  ~McpServer();
+  McpServer(const McpServer&) = delete;
+  McpServer& operator=(const McpServer&) = delete;
+
+  /// Takes one message; the answer, or null if there is none.
+  Json Handle(const std::string& message);
+  static Json Fault(const std::string& what);
+
+ private:
+  Json Request(const std::string& method, const Json& params);
+  Json Call(const std::string& tool, const Json& arguments);
+
+  Json CheckRules(const Json& arguments);
+  Json CompareRuns(const Json& arguments);
+  Json Inspect(const Json& arguments);
+  Json ListCommands(const Json& arguments);
+  Json ListPercepts(const Json& arguments);
+  Json ListScenarios(const Json& arguments);
+  Json ReadRecording(const Json& arguments);
+  Json RunMission(const Json& arguments);
+  Json RunScenario(const Json& arguments);
+  Json TryFuture(const Json& arguments);
+  Json Why(const Json& arguments);
+
+  /// The file that is meant; throws a refusal for what lies elsewhere.
+  std::string FileOf(const Json& arguments, const char* name);
+  /// A scenario's name, a file, or a recording that this server made.
+  std::string SourceOf(const Json& arguments, const char* name);
+  std::string NewRecording(std::string& name);
+  Json Run(std::vector<std::string> arguments, std::size_t most = 60'000);
+  std::filesystem::path WriteText(const std::string& text, const std::string& name);
+
+  std::filesystem::path program_, folder_, own_;
+  std::map<std::string, std::filesystem::path> recordings_;  ///< By the names that the assistant knows.
+  int count_ = 0;
+};
+
+/// Serves on two file descriptors until the client closes its end. Returns the process's exit code.
+int ServeMcp(int in, int out, const std::filesystem::path& program, const std::filesystem::path& folder);
+
+}  // namespace soarbox::editors
