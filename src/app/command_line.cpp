@@ -260,6 +260,7 @@ void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datama
   maps->add_option("rules", datamap.rules, "The file of rules that loads all others")->required();
   maps->add_option("-o,--output", datamap.output, "Write to this file, such as scout.vsa.json");
   program.add_subcommand("lsp", "Serve an editor on standard input and output (docs/editors.md)");
+  program.add_subcommand("dap", "Serve an editor's debugger on standard input and output (docs/editors.md)");
   program.add_subcommand("mcp", "Serve a coding assistant on standard input and output (docs/editors.md)")
       ->add_option("--folder", folder, "Let it read below this folder only")
       ->capture_default_str();
@@ -451,6 +452,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("format")) return FormatFiles(format);
   if (program.got_subcommand("datamap")) return WriteDatamap(datamap);
   if (program.got_subcommand("lsp")) return ServeLanguage();
+  if (program.got_subcommand("dap")) return ServeDebugger();
   if (program.got_subcommand("mcp")) return ServeAssistant(folder);
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();

@@ -13,6 +13,7 @@
 #include "app/refuse.h"
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
+#include "editors/dap_server.h"
 #include "editors/lsp_server.h"
 #include "editors/mcp_server.h"
 #include "language/datamap.h"
@@ -135,6 +136,12 @@ int ServeLanguage() {
   std::signal(SIGPIPE, SIG_IGN);
   const Result<sim::DataFolders> data = FindDataFolders();
   return editors::ServeLsp(STDIN_FILENO, STDOUT_FILENO, data ? &*data : nullptr);
+}
+
+int ServeDebugger() {
+  std::signal(SIGPIPE, SIG_IGN);
+  const Result<sim::DataFolders> data = FindDataFolders();
+  return editors::ServeDap(STDIN_FILENO, STDOUT_FILENO, data ? &*data : nullptr);
 }
 
 int ServeAssistant(const fs::path& folder) {

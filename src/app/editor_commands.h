@@ -34,6 +34,9 @@ std::vector<Diagnostic> DatamapProblems(const std::filesystem::path& file);
 /// Serves an editor on standard input and output. Returns the process's exit code.
 int ServeLanguage();
 
+/// Serves an editor's debugger on standard input and output.
+int ServeDebugger();
+
 /// Serves a coding assistant on standard input and output; files are named below this folder.
 int ServeAssistant(const std::filesystem::path& folder);
 

@@ -30,6 +30,9 @@ int ServeLanguage() {
   return RefuseEditors();
 }
 
+int ServeDebugger() {
+  return RefuseEditors();
+}
 int ServeAssistant(const std::filesystem::path&) {
   return RefuseEditors();
 }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "editors/debuggee.h"
+#include "language/workspace.h"
+#include "sim/scenario.h"
+
+namespace soarbox::editors {
+
+/// The Debug Adapter Protocol for Soar's agents, without its framing: messages in, messages out.
+///
+/// Agents are threads, the states of a goal stack its frames, states and operators and what they lead to variables.
+/// `next` goes on by a tick of the world, `stepIn` by a decision, with the granularity "instruction" by a phase;
+/// `stepBack` goes a tick back. Breakpoints stand on lines of rules, and as function breakpoints on what StopWish says.
+/// The console takes Soar's commands, and `why`. Any message is answered; none but `disconnect` ends the server.
+class DapServer {
+ public:
+  using Json = nlohmann::json;
+
+  /// `data`: where scenarios lie; null: scenarios are refused.
+  explicit DapServer(const sim::DataFolders* data) : data_(data) {}
+
+  std::vector<Json> Handle(const std::string& message);
+  /// Goes on where it runs; to be called again and again while it does, and no message waits.
+  std::vector<Json> Advance();
+  bool is_running() const { return running_; }
+  bool is_over() const { return over_; }
+
+ private:
+  Json Request(const std::string& command, const Json& arguments);
+  Json Launch(const Json& arguments);
+  Json Attach(const Json& arguments);
+  Json SetBreakpoints(const Json& arguments);
+  Json SetFunctionBreakpoints(const Json& arguments);
+  Json Threads(const Json& arguments);
+  Json StackTrace(const Json& arguments);
+  Json Scopes(const Json& arguments);
+  Json Variables(const Json& arguments);
+  Json Evaluate(const Json& arguments);
+  Json Completions(const Json& arguments);
+  Json StepBy(const std::string& command, const Json& arguments);
+
+  void Begin(std::unique_ptr<Debuggee> debuggee);
+  void Event(const std::string& name, Json body);
+  void TellNews();
+  void Stop(const std::string& reason, const std::string& text = {});
+  void EndIfOver();
+  void UpdateStops();
+  std::string AgentOf(const Json& arguments);
+  std::string AgentOfFrame(const Json& arguments, std::string* state = nullptr);
+  /// A number by which variables are asked for: an identifier of an agent, or a tree of reasons.
+  int Reference(std::string agent, std::string id);
+  int Reference(explain::WhyNode why);
+  Json ElementsOf(const std::string& agent, const std::string& id);
+  Json Tree(const explain::WhyNode& why);
+  Debuggee& Minds();
+
+  const sim::DataFolders* data_;
+  std::unique_ptr<Debuggee> debuggee_;
+  language::Workspace workspace_;
+  std::vector<Json> out_, after_;  ///< Events, and those that come behind the answer.
+  int sequence_ = 0;
+  bool running_ = false, over_ = false, stop_on_entry_ = true, configured_ = false, ended_ = false;
+  std::string stepping_;  ///< The agent that was stepped last.
+  struct Frame {
+    std::string agent, state, operator_id;
+  };
+  std::vector<Frame> frames_;  ///< By number, from 1.
+  struct Held {
+    std::string agent, id;
+    explain::WhyNode why;
+  };
+  std::vector<Held> held_;  ///< What may be unfolded, by number from 1.
+  struct Mark {
+    std::filesystem::path file;
+    std::string rule;
+    std::size_t line = 0;
+  };
+  std::map<std::string, std::vector<Mark>> marks_;  ///< Breakpoints by file.
+  std::vector<StopWish> wishes_;
+  std::string stopped_at_;  ///< The rule that a breakpoint stopped at.
+};
+
+/// Serves on two file descriptors until the client disconnects or closes its end. Returns the process's exit code.
+int ServeDap(int in, int out, const sim::DataFolders* data);
+
+}  // namespace soarbox::editors
