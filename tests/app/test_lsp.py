@@ -60,9 +60,17 @@ class LanguageServer(WithFolder):
         found = self.editor.ask("textDocument/completion", self.place(path, text, word, nth, offset))
         return [item["label"] for item in found["items"]]
 
-    def test_sound_rules_have_no_problems_and_the_server_ends_as_it_should(self):
+    def test_only_what_is_wrong_is_told_and_the_server_ends_as_it_should(self):
+        sound = MAIN.replace(" ^range < 30", "")
+        self.assertEqual("0 errors, 0 warnings\n", Run("check", self.write("sound/main.soar", sound), self.write("sound/moves.soar", MOVES)).out)
+        self.main.write_text(sound.replace("^relation", "^relaton"))
         uri = self.editor.open(self.main)
-        self.assertEqual([], self.editor.wait_for(uri, lambda found: True))
+        told = self.editor.wait_for(uri, lambda found: any("relaton" in one["message"] for one in found))
+        self.assertEqual(1, len(told), told)
+        # Corrected, it is sound again.
+        where = at(self.main.read_text(), "^relaton", offset=6)
+        self.editor.change(uri, {"range": {"start": where, "end": where}, "text": "i"})
+        self.editor.wait_for(uri, lambda found: not found)
         self.assertEqual(0, self.editor.end())
 
     def test_an_error_is_told_while_somebody_types_at_its_place_in_utf_16(self):
