@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
+Diagnostic EditorProblem(const fs::path& file, std::string message, std::string hint = {}) {
   Diagnostic problem;
   problem.file = file.string();
   problem.message = std::move(message);
@@ -73,7 +73,7 @@ int FormatFiles(const FormatOptions& options) {
     const std::optional<std::string> text = ReadText(file);
     const std::string why = !text ? "this file cannot be read" : WhyNoPlainText(*text);
     if (!why.empty()) {
-      std::cerr << Format(Problem(file, why));
+      std::cerr << Format(EditorProblem(file, why));
       code = kProblems;
       continue;
     }
@@ -83,7 +83,7 @@ int FormatFiles(const FormatOptions& options) {
       std::cout << file.string() << '\n';
       code = kProblems;
     } else if (!Replace(file, made)) {
-      std::cerr << Format(Problem(file, "this file cannot be written"));
+      std::cerr << Format(EditorProblem(file, "this file cannot be written"));
       code = kProblems;
     }
   }
@@ -93,7 +93,8 @@ int FormatFiles(const FormatOptions& options) {
 int WriteDatamap(const DatamapOptions& options) {
   std::error_code error;
   if (!fs::is_regular_file(options.rules, error))
-    return Refuse(Problem(options.rules, "there is no such file of rules", "name the file that loads all others"));
+    return Refuse(
+        EditorProblem(options.rules, "there is no such file of rules", "name the file that loads all others"));
   const fs::path root = fs::absolute(options.rules, error).lexically_normal();
   language::Workspace workspace;
   language::Program program = workspace.ProgramOf(root);
@@ -111,7 +112,7 @@ int WriteDatamap(const DatamapOptions& options) {
     return kOk;
   }
   if (!(std::ofstream(options.output, std::ios::binary) << text).flush())
-    return Refuse(Problem(options.output, "this file cannot be written"));
+    return Refuse(EditorProblem(options.output, "this file cannot be written"));
   return kOk;
 }
 
@@ -122,8 +123,8 @@ Result<fs::path> RulesOfProject(const fs::path& file) {
   if (!project) return project.error();
   fs::path root = language::RootOfProject(file);
   if (root.empty())
-    return Problem(file, "there is no file beside this project that loads its rules",
-                   "VisualSoar writes it: a file with the project's name that ends in .soar");
+    return EditorProblem(file, "there is no file beside this project that loads its rules",
+                         "VisualSoar writes it: a file with the project's name that ends in .soar");
   return root;
 }
 
@@ -147,9 +148,9 @@ int ServeDebugger() {
 int ServeAssistant(const fs::path& folder) {
   std::signal(SIGPIPE, SIG_IGN);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) return Refuse(Problem(folder, "there is no such folder"));
+  if (!fs::is_directory(folder, error)) return Refuse(EditorProblem(folder, "there is no such folder"));
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return Refuse(Problem({}, "the program does not find itself in /proc"));
+  if (error) return Refuse(EditorProblem({}, "the program does not find itself in /proc"));
   return editors::ServeMcp(STDIN_FILENO, STDOUT_FILENO, program, folder);
 }
 

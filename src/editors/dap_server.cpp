@@ -13,10 +13,9 @@ namespace soarbox::editors {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = DapServer::Json;
 
 /// What a request is refused with.
-struct Refused {
+struct DapRefusal {
   std::string message;
 };
 
@@ -29,7 +28,7 @@ std::string WithHint(const Diagnostic& problem) {
 std::string WordIn(const Json& json, const char* name) {
   const auto found = json.find(name);
   if (found == json.end() || found->is_null()) return {};
-  if (!found->is_string()) throw Refused{std::string(name) + " is no text"};
+  if (!found->is_string()) throw DapRefusal{std::string(name) + " is no text"};
   return found->get<std::string>();
 }
 
@@ -54,7 +53,7 @@ std::vector<Json> DapServer::Handle(const std::string& text) {
     answer["command"] = command;
     const auto arguments = message.find("arguments");
     answer["body"] = Request(command, arguments == message.end() || arguments->is_null() ? Json::object() : *arguments);
-  } catch (const Refused& refused) {
+  } catch (const DapRefusal& refused) {
     answer["success"] = false;
     answer["message"] = refused.message;
     answer["body"] = {{"error", {{"id", 1}, {"format", refused.message}, {"showUser", true}}}};
@@ -79,12 +78,12 @@ void DapServer::Event(const std::string& name, Json body) {
 }
 
 Debuggee& DapServer::Minds() {
-  if (debuggee_ == nullptr) throw Refused{"nothing is being debugged: launch or attach comes first"};
+  if (debuggee_ == nullptr) throw DapRefusal{"nothing is being debugged: launch or attach comes first"};
   return *debuggee_;
 }
 
 Json DapServer::Request(const std::string& command, const Json& arguments) {
-  if (!arguments.is_object()) throw Refused{"arguments is no object"};
+  if (!arguments.is_object()) throw DapRefusal{"arguments is no object"};
   if (command == "initialize") {
     after_.push_back({{"type", "event"}, {"event", "initialized"}});
     return {{"supportsConfigurationDoneRequest", true},
@@ -137,7 +136,7 @@ Json DapServer::Request(const std::string& command, const Json& arguments) {
     return Json::object();
   }
   if (command == "restart") {
-    if (const Result<void> again = Minds().Restart(); !again) throw Refused{WithHint(again.error())};
+    if (const Result<void> again = Minds().Restart(); !again) throw DapRefusal{WithHint(again.error())};
     ended_ = false;
     Stop("restart");
     return Json::object();
@@ -145,20 +144,20 @@ Json DapServer::Request(const std::string& command, const Json& arguments) {
   if (command == "next" || command == "stepIn" || command == "stepOut" || command == "stepBack" ||
       command == "reverseContinue")
     return StepBy(command, arguments);
-  throw Refused{"there is no request " + command};
+  throw DapRefusal{"there is no request " + command};
 }
 
 Json DapServer::Launch(const Json& arguments) {
   LaunchRequest request;
   request.program = WordIn(arguments, "program");
-  if (request.program.empty()) throw Refused{"program is missing: a scenario, a file of rules or a recording"};
+  if (request.program.empty()) throw DapRefusal{"program is missing: a scenario, a file of rules or a recording"};
   request.world = arguments.value("world", true);
   if (arguments.contains("seed")) request.seed = arguments.at("seed").get<std::uint64_t>();
   if (arguments.contains("seconds")) request.seconds = std::clamp(arguments.at("seconds").get<double>(), 0.0, 36'000.0);
   stop_on_entry_ = arguments.value("stopOnEntry", true);
-  if (request.world && data_ == nullptr) throw Refused{"the scenarios that come with the program are not found"};
+  if (request.world && data_ == nullptr) throw DapRefusal{"the scenarios that come with the program are not found"};
   Result<std::unique_ptr<Debuggee>> launched = request.world ? LaunchWorld(request, *data_) : LaunchKernel(request);
-  if (!launched) throw Refused{WithHint(launched.error())};
+  if (!launched) throw DapRefusal{WithHint(launched.error())};
   Begin(std::move(*launched));
   return Json::object();
 }
@@ -166,10 +165,10 @@ Json DapServer::Launch(const Json& arguments) {
 Json DapServer::Attach(const Json& arguments) {
   constexpr int kPort = 12121, kHighest = 65535;
   const int port = arguments.value("port", kPort);
-  if (port < 1 || port > kHighest) throw Refused{"port is no number from 1 to 65535"};
+  if (port < 1 || port > kHighest) throw DapRefusal{"port is no number from 1 to 65535"};
   stop_on_entry_ = true;
   Result<std::unique_ptr<Debuggee>> attached = AttachKernel(port);
-  if (!attached) throw Refused{WithHint(attached.error())};
+  if (!attached) throw DapRefusal{WithHint(attached.error())};
   Begin(std::move(*attached));
   return Json::object();
 }
@@ -243,7 +242,7 @@ Json DapServer::StepBy(const std::string& command, const Json& arguments) {
   std::string text;
   if (command == "stepBack" || command == "reverseContinue") {
     const Result<void> back = command == "stepBack" ? minds.GoBack() : minds.Restart();
-    if (!back) throw Refused{WithHint(back.error())};
+    if (!back) throw DapRefusal{WithHint(back.error())};
     ended_ = false;
   } else {
     const Step step = WordIn(arguments, "granularity") == "instruction" ? Step::kPhase
@@ -332,7 +331,7 @@ std::string DapServer::AgentOf(const Json& arguments) {
   const std::vector<std::string> agents = Minds().Agents();
   const auto number = arguments.value("threadId", std::size_t{1});
   if (number < 1 || number > agents.size())
-    throw Refused{"there is no agent with the number " + std::to_string(number)};
+    throw DapRefusal{"there is no agent with the number " + std::to_string(number)};
   return agents[number - 1];
 }
 
@@ -374,7 +373,7 @@ Json DapServer::StackTrace(const Json& arguments) {
 
 Json DapServer::Scopes(const Json& arguments) {
   const auto number = arguments.at("frameId").get<std::size_t>();
-  if (number < 1 || number > frames_.size()) throw Refused{"there is no such state any more"};
+  if (number < 1 || number > frames_.size()) throw DapRefusal{"there is no such state any more"};
   const Frame frame = frames_[number - 1];
   Json list = Json::array();
   list.push_back({{"name", "State " + frame.state},
@@ -435,7 +434,7 @@ Json DapServer::Tree(const explain::WhyNode& why) {
 
 Json DapServer::Variables(const Json& arguments) {
   const auto number = arguments.at("variablesReference").get<std::size_t>();
-  if (number < 1 || number > held_.size()) throw Refused{"these variables are gone: something has happened since"};
+  if (number < 1 || number > held_.size()) throw DapRefusal{"these variables are gone: something has happened since"};
   const Held held = held_[number - 1];
   return {{"variables", held.id.empty() ? Tree(held.why) : ElementsOf(held.agent, held.id)}};
 }
@@ -447,7 +446,7 @@ std::string DapServer::AgentOfFrame(const Json& arguments, std::string* state) {
     return frames_[number - 1].agent;
   }
   const std::vector<std::string> agents = Minds().Agents();
-  if (agents.empty()) throw Refused{"there is no agent with a Soar mind"};
+  if (agents.empty()) throw DapRefusal{"there is no agent with a Soar mind"};
   return std::ranges::find(agents, stepping_) != agents.end() ? stepping_ : agents.front();
 }
 
@@ -462,25 +461,25 @@ Json DapServer::Evaluate(const Json& arguments) {
   if (expression == "why" || expression.starts_with("why ")) {
     const std::string topic = expression.size() > 4 ? expression.substr(4) : "";
     Result<explain::WhyNode> why = Minds().Why(agent, topic);
-    if (!why) throw Refused{WithHint(why.error())};
+    if (!why) throw DapRefusal{WithHint(why.error())};
     const bool in_console = WordIn(arguments, "context") == "repl";
     return {{"result", in_console ? debugger::ToText(*why) : why->text},
             {"variablesReference", why->below.empty() ? 0 : Reference(*why)}};
   }
   if (WordIn(arguments, "context") == "repl") {
     const Result<std::string> said = Minds().Command(agent, expression);
-    if (!said) throw Refused{WithHint(said.error())};
+    if (!said) throw DapRefusal{WithHint(said.error())};
     TellNews();
     return {{"result", *said}, {"variablesReference", 0}};
   }
   const std::unique_ptr<explain::Inspector> mind = Minds().Inspect(agent);
-  if (mind == nullptr) throw Refused{"there is no such mind"};
+  if (mind == nullptr) throw DapRefusal{"there is no such mind"};
   if (!state.empty() && expression.starts_with('^')) expression = state + "." + expression.substr(1);
   if (!mind->ElementsOf(expression).empty())
     return {{"result", expression}, {"variablesReference", Reference(agent, expression)}};
   const debugger::WatchValue value = debugger::LookAtWatch(*mind, expression);
   if (value.is_error || value.text.empty())
-    throw Refused{value.text.empty() ? "there is nothing of this kind now" : value.text};
+    throw DapRefusal{value.text.empty() ? "there is nothing of this kind now" : value.text};
   const bool is_object = value.text.find_first_of(" \n") == std::string::npos && !mind->ElementsOf(value.text).empty();
   return {{"result", value.text}, {"variablesReference", is_object ? Reference(agent, value.text) : 0}};
 }

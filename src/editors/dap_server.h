@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "editors/debuggee.h"
+#include "editors/json.h"
 #include "language/workspace.h"
 #include "sim/scenario.h"
 
@@ -23,8 +23,6 @@ namespace soarbox::editors {
 /// The console takes Soar's commands, and `why`. Any message is answered; none but `disconnect` ends the server.
 class DapServer {
  public:
-  using Json = nlohmann::json;
-
   /// `data`: where scenarios lie; null: scenarios are refused.
   explicit DapServer(const sim::DataFolders* data) : data_(data) {}
 

@@ -14,7 +14,7 @@
 namespace soarbox::editors {
 namespace {
 
-Diagnostic Problem(std::string message, std::string hint = {}) {
+Diagnostic NoKernel(std::string message, std::string hint = {}) {
   Diagnostic problem;
   problem.message = std::move(message);
   problem.hint = std::move(hint);
@@ -54,7 +54,7 @@ class KernelDebuggee final : public Debuggee {
   }
 
   Result<void> GoBack() override {
-    return Problem("a kernel without a world does not go back", "launch a scenario or a recording");
+    return NoKernel("a kernel without a world does not go back", "launch a scenario or a recording");
   }
 
   Result<void> Restart() override {
@@ -67,22 +67,22 @@ class KernelDebuggee final : public Debuggee {
 
   Result<std::string> Command(const std::string& agent, const std::string& line) override {
     sml::Agent* const mind = kernel_->GetAgent(agent.c_str());
-    if (mind == nullptr) return Problem("there is no agent " + agent);
+    if (mind == nullptr) return NoKernel("there is no agent " + agent);
     const std::string text = mind->ExecuteCommandLine(line.c_str());
-    if (!mind->GetLastCommandLineResult()) return Problem(text.empty() ? "the command fails" : text);
+    if (!mind->GetLastCommandLineResult()) return NoKernel(text.empty() ? "the command fails" : text);
     return text;
   }
 
   Result<explain::WhyNode> Why(const std::string& agent, const std::string& topic) override {
     const std::unique_ptr<explain::Inspector> mind = Inspect(agent);
-    if (mind == nullptr) return Problem("there is no agent " + agent);
+    if (mind == nullptr) return NoKernel("there is no agent " + agent);
     std::string wanted = topic;
     const std::vector<explain::StateFact> stack = mind->Stack();
     for (auto state = stack.rbegin(); state != stack.rend() && wanted.empty(); ++state) wanted = state->operator_id;
     if (const auto why = debugger::WhyOperator(*mind, wanted)) return *why;
     if (const auto why = debugger::WhyCommand(*mind, wanted)) return *why;
-    if (wanted.empty()) return Problem("no operator is selected");
-    return Problem("no operator and no command is called " + wanted, "matches RULE shows how far a rule matches");
+    if (wanted.empty()) return NoKernel("no operator is selected");
+    return NoKernel("no operator and no command is called " + wanted, "matches RULE shows how far a rule matches");
   }
 
   void SetStops(const std::vector<std::string>& rules, const std::vector<StopWish>& wishes) override {
@@ -165,11 +165,11 @@ Result<std::unique_ptr<Debuggee>> LaunchKernel(const LaunchRequest& request) {
   if (language::IsVisualSoarProject(rules)) rules = language::RootOfProject(rules);
   std::error_code error;
   if (!std::filesystem::is_regular_file(rules, error))
-    return Problem("there is no file of rules " + request.program, "name a file that ends in .soar");
+    return NoKernel("there is no file of rules " + request.program, "name a file that ends in .soar");
   std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(sml::Kernel::kUseAnyPort));
-  if (kernel == nullptr || kernel->HadError()) return Problem("the kernel does not start");
+  if (kernel == nullptr || kernel->HadError()) return NoKernel("the kernel does not start");
   sml::Agent* const agent = kernel->CreateAgent(rules.stem().string().c_str());
-  if (agent == nullptr) return Problem("the kernel refuses an agent of this name");
+  if (agent == nullptr) return NoKernel("the kernel refuses an agent of this name");
   agent->ExecuteCommandLine("watch 0");
   agent->LoadProductions(std::filesystem::absolute(rules, error).string().c_str());
   return std::unique_ptr<Debuggee>(std::make_unique<KernelDebuggee>(std::move(kernel)));
@@ -178,8 +178,8 @@ Result<std::unique_ptr<Debuggee>> LaunchKernel(const LaunchRequest& request) {
 Result<std::unique_ptr<Debuggee>> AttachKernel(int port) {
   std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateRemoteConnection(true, nullptr, port));
   if (kernel == nullptr || kernel->HadError())
-    return Problem("no kernel answers at port " + std::to_string(port) + " of this machine",
-                   "soarbox kernel --port " + std::to_string(port) + " FILE starts one");
+    return NoKernel("no kernel answers at port " + std::to_string(port) + " of this machine",
+                    "soarbox kernel --port " + std::to_string(port) + " FILE starts one");
   return std::unique_ptr<Debuggee>(std::make_unique<KernelDebuggee>(std::move(kernel)));
 }
 

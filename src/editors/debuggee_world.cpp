@@ -22,7 +22,7 @@ namespace {
 
 using Made = Result<std::unique_ptr<sim::Simulation>>;
 
-Diagnostic Problem(std::string message, std::string hint = {}) {
+Diagnostic NoWorld(std::string message, std::string hint = {}) {
   Diagnostic problem;
   problem.message = std::move(message);
   problem.hint = std::move(hint);
@@ -59,7 +59,7 @@ class WorldDebuggee final : public Debuggee {
   }
 
   Result<void> GoBack() override {
-    if (simulation_->tick() == 0) return Problem("this is the beginning: nothing lies before it");
+    if (simulation_->tick() == 0) return NoWorld("this is the beginning: nothing lies before it");
     return GoTo(simulation_->tick() - 1);
   }
   Result<void> Restart() override { return GoTo(0); }
@@ -198,7 +198,7 @@ Result<std::unique_ptr<Debuggee>> LaunchWorld(const LaunchRequest& request, cons
   std::string program = request.program;
   if (language::IsVisualSoarProject(program)) {
     program = language::RootOfProject(program).string();
-    if (program.empty()) return Problem("there is no file beside this project that loads its rules");
+    if (program.empty()) return NoWorld("there is no file beside this project that loads its rules");
   }
   const Result<sim::Scenario> scenario = sim::FindScenario(program, data);
   if (!scenario) return scenario.error();

@@ -9,7 +9,6 @@
 namespace soarbox::editors {
 namespace {
 
-using Json = nlohmann::json;
 using debugger::TokenKind;
 
 /// Numbers in TokenTypes().

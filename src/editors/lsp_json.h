@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "editors/json.h"
 #include "language/complete.h"
 #include "language/document.h"
 
@@ -14,11 +14,11 @@ namespace soarbox::editors {
 
 // What the Language Server Protocol calls things.
 
-nlohmann::json ToLsp(const language::Position& position);
-nlohmann::json RangeOf(const language::Lines& lines, const language::Span& span);
+Json ToLsp(const language::Position& position);
+Json RangeOf(const language::Lines& lines, const language::Span& span);
 /// With the hint behind the message, and in `data` for code actions.
-nlohmann::json ToLsp(const Diagnostic& problem, const language::Document& document);
-nlohmann::json ToLsp(const language::Proposal& proposal, const nlohmann::json& range, std::size_t order);
+Json ToLsp(const Diagnostic& problem, const language::Document& document);
+Json ToLsp(const language::Proposal& proposal, const Json& range, std::size_t order);
 
 /// The names of the kinds of tokens, in the order of their numbers.
 const std::vector<std::string>& TokenTypes();

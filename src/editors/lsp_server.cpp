@@ -13,26 +13,26 @@ namespace fs = std::filesystem;
 using language::Position;
 
 // Error codes of JSON-RPC and of the protocol.
-constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoSuchMethod = -32601, kInvalidParams = -32602,
-              kInternalError = -32603, kNotInitialized = -32002;
+constexpr int kLspParseError = -32700, kLspInvalidRequest = -32600, kLspNoSuchMethod = -32601,
+              kLspInvalidParams = -32602, kLspInternalError = -32603, kLspNotInitialized = -32002;
 
 /// So many problems of a file are published: nobody reads more, and editors become slow.
 constexpr std::size_t kMostProblems = 500;
 
 /// What a request is refused with.
-struct Refused {
+struct LspRefusal {
   int code;
   std::string message;
 };
 
-Json ErrorTo(const Json& id, int code, const std::string& message) {
+Json LspError(const Json& id, int code, const std::string& message) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
 }
 
 Position PositionIn(const Json& json) {
   const auto number = [&](const char* name) {
     const Json& value = json.at(name);
-    if (!value.is_number_unsigned()) throw Refused{kInvalidParams, std::string(name) + " is no position"};
+    if (!value.is_number_unsigned()) throw LspRefusal{kLspInvalidParams, std::string(name) + " is no position"};
     return value.get<std::size_t>();
   };
   return {number("line"), number("character")};
@@ -41,16 +41,16 @@ Position PositionIn(const Json& json) {
 }  // namespace
 
 Json LspServer::Fault(const std::string& what) {
-  return ErrorTo(nullptr, kParseError, what);
+  return LspError(nullptr, kLspParseError, what);
 }
 
 std::vector<Json> LspServer::Handle(const std::string& text) {
   out_.clear();
   const Json message = Json::parse(text, nullptr, false);
   if (message.is_discarded()) {
-    out_.push_back(ErrorTo(nullptr, kParseError, "this message is no JSON"));
+    out_.push_back(LspError(nullptr, kLspParseError, "this message is no JSON"));
   } else if (!message.is_object()) {
-    out_.push_back(ErrorTo(nullptr, kInvalidRequest, "this message is no object"));
+    out_.push_back(LspError(nullptr, kLspInvalidRequest, "this message is no object"));
   } else {
     Dispatch(message);
   }
@@ -65,7 +65,7 @@ void LspServer::Dispatch(const Json& message) {
   if (method == message.end() || !method->is_string()) {
     // An answer to a request of ours, of which there are none that wait.
     const bool is_answer = message.contains("result") || message.contains("error");
-    if (!is_answer) out_.push_back(ErrorTo(id, kInvalidRequest, "this message has no method"));
+    if (!is_answer) out_.push_back(LspError(id, kLspInvalidRequest, "this message has no method"));
     return;
   }
   const auto params_field = message.find("params");
@@ -74,19 +74,19 @@ void LspServer::Dispatch(const Json& message) {
     if (!is_request) return Notify(method->get<std::string>(), params);
     Json result = Request(method->get<std::string>(), params);
     out_.push_back({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
-  } catch (const Refused& refused) {
-    if (is_request) out_.push_back(ErrorTo(id, refused.code, refused.message));
+  } catch (const LspRefusal& refused) {
+    if (is_request) out_.push_back(LspError(id, refused.code, refused.message));
   } catch (const Json::exception& wrong) {
-    if (is_request) out_.push_back(ErrorTo(id, kInvalidParams, wrong.what()));
+    if (is_request) out_.push_back(LspError(id, kLspInvalidParams, wrong.what()));
   } catch (const std::exception& wrong) {
-    if (is_request) out_.push_back(ErrorTo(id, kInternalError, wrong.what()));
+    if (is_request) out_.push_back(LspError(id, kLspInternalError, wrong.what()));
   }
 }
 
 Json LspServer::Request(const std::string& method, const Json& params) {
   if (method == "initialize") return Initialize(params);
-  if (!initialized_) throw Refused{kNotInitialized, "initialize comes first"};
-  if (shut_down_) throw Refused{kInvalidRequest, "the server was shut down"};
+  if (!initialized_) throw LspRefusal{kLspNotInitialized, "initialize comes first"};
+  if (shut_down_) throw LspRefusal{kLspInvalidRequest, "the server was shut down"};
   if (method == "shutdown") {
     shut_down_ = true;
     return nullptr;
@@ -110,7 +110,7 @@ Json LspServer::Request(const std::string& method, const Json& params) {
       {"workspace/symbol", &LspServer::WorkspaceSymbols},
   };
   const auto handler = kHandlers.find(method);
-  if (handler == kHandlers.end()) throw Refused{kNoSuchMethod, "there is no method " + method};
+  if (handler == kHandlers.end()) throw LspRefusal{kLspNoSuchMethod, "there is no method " + method};
   return (this->*handler->second)(params);
 }
 
@@ -146,7 +146,7 @@ void LspServer::Notify(const std::string& method, const Json& params) {
 }
 
 Json LspServer::Initialize(const Json& params) {
-  if (initialized_) throw Refused{kInvalidRequest, "the server is initialized already"};
+  if (initialized_) throw LspRefusal{kLspInvalidRequest, "the server is initialized already"};
   initialized_ = true;
   (void)params;
   return {{"serverInfo", {{"name", "soarbox"}}},
@@ -183,7 +183,7 @@ void LspServer::Changed(const Json& params) {
     const language::Lines lines(text);
     const std::size_t begin = lines.OffsetOf(PositionIn(change.at("range").at("start")));
     const std::size_t end = lines.OffsetOf(PositionIn(change.at("range").at("end")));
-    if (end < begin) throw Refused{kInvalidParams, "this range ends before it begins"};
+    if (end < begin) throw LspRefusal{kLspInvalidParams, "this range ends before it begins"};
     text.replace(begin, end - begin, replacement);
   }
   // Slips below an edit keep their distance from the end of the text.
@@ -242,7 +242,7 @@ std::vector<Json> LspServer::Idle() {
 LspServer::DocumentPtr LspServer::DocumentOf(const Json& params) {
   const fs::path path = PathOfUri(params.at("textDocument").at("uri").get<std::string>());
   DocumentPtr document = path.empty() ? nullptr : workspace_.Find(path);
-  if (document == nullptr) throw Refused{kInvalidParams, "there is no such file"};
+  if (document == nullptr) throw LspRefusal{kLspInvalidParams, "there is no such file"};
   return document;
 }
 
@@ -264,7 +264,7 @@ Json LspServer::RenameAt(const Json& params) {
       language::Rename(program, *place.document, place.offset, params.at("newName").get<std::string>());
   if (!renaming) {
     const Diagnostic& problem = renaming.error();
-    throw Refused{kInvalidParams, problem.message + (problem.hint.empty() ? "" : ": " + problem.hint)};
+    throw LspRefusal{kLspInvalidParams, problem.message + (problem.hint.empty() ? "" : ": " + problem.hint)};
   }
   Json changes = Json::object();
   for (const language::Use& use : renaming->uses) {
@@ -279,7 +279,7 @@ Json LspServer::PrepareRename(const Json& params) {
   const Place place = PlaceOf(params);
   const std::optional<language::Name> name = language::NameAt(*place.document, place.offset);
   if (!name) return nullptr;
-  if (const std::string why = language::WhyNotRenamed(*name); !why.empty()) throw Refused{kInvalidParams, why};
+  if (const std::string why = language::WhyNotRenamed(*name); !why.empty()) throw LspRefusal{kLspInvalidParams, why};
   return {{"range", RangeOf(place.document->lines(), name->span)}, {"placeholder", name->text}};
 }
 

@@ -3,19 +3,17 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "editors/json.h"
 #include "language/hover.h"
 #include "language/workspace.h"
 #include "sim/scenario.h"
 
 namespace soarbox::editors {
-
-using Json = nlohmann::json;
 
 /// The Language Server Protocol (3.17) for Soar's rules, without its framing: messages in, messages out.
 ///

@@ -17,56 +17,58 @@ namespace soarbox::editors {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = McpServer::Json;
+using McpJson = McpServer::Json;
 
-constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoSuchMethod = -32601, kInvalidParams = -32602;
+constexpr int kMcpParseError = -32700, kMcpInvalidRequest = -32600, kMcpNoSuchMethod = -32601,
+              kMcpInvalidParams = -32602;
 constexpr double kLongest_s = 600;
 
-struct Refused {
+struct McpRefusal {
   int code;
   std::string message;
 };
 
-Json ErrorTo(const Json& id, int code, const std::string& message) {
+McpJson McpError(const McpJson& id, int code, const std::string& message) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
 }
 
 /// What a tool answers with.
-Json Text(const std::string& text, bool is_error = false) {
-  return {{"content", Json::array({{{"type", "text"}, {"text", text}}})}, {"isError", is_error}};
+McpJson TextAnswer(const std::string& text, bool is_error = false) {
+  return {{"content", McpJson::array({{{"type", "text"}, {"text", text}}})}, {"isError", is_error}};
 }
 
-std::string Word(const Json& arguments, const char* name, bool required = false) {
+std::string WordOf(const McpJson& arguments, const char* name, bool required = false) {
   const auto found = arguments.find(name);
   if (found == arguments.end() || found->is_null()) {
-    if (required) throw Refused{kInvalidParams, std::string(name) + " is missing"};
+    if (required) throw McpRefusal{kMcpInvalidParams, std::string(name) + " is missing"};
     return {};
   }
-  if (!found->is_string()) throw Refused{kInvalidParams, std::string(name) + " is no text"};
+  if (!found->is_string()) throw McpRefusal{kMcpInvalidParams, std::string(name) + " is no text"};
   std::string word = found->get<std::string>();
-  if (word.find('\0') != std::string::npos) throw Refused{kInvalidParams, std::string(name) + " holds a zero byte"};
+  if (word.find('\0') != std::string::npos)
+    throw McpRefusal{kMcpInvalidParams, std::string(name) + " holds a zero byte"};
   return word;
 }
 
 /// A word that becomes an argument of the command: it must not pass for an option.
-std::string Plain(const Json& arguments, const char* name, bool required = false) {
-  std::string word = Word(arguments, name, required);
-  if (word.starts_with('-')) throw Refused{kInvalidParams, std::string(name) + " may not begin with -"};
+std::string PlainWord(const McpJson& arguments, const char* name, bool required = false) {
+  std::string word = WordOf(arguments, name, required);
+  if (word.starts_with('-')) throw McpRefusal{kMcpInvalidParams, std::string(name) + " may not begin with -"};
   return word;
 }
 
-void AddNumber(std::vector<std::string>& words, const char* option, const Json& arguments, const char* name,
+void AddNumber(std::vector<std::string>& words, const char* option, const McpJson& arguments, const char* name,
                double most = 36'000) {
   const auto found = arguments.find(name);
   if (found == arguments.end() || found->is_null()) return;
   if (!found->is_number() || found->get<double>() < 0 || found->get<double>() > most)
-    throw Refused{kInvalidParams,
-                  std::string(name) + " is no number from 0 to " + std::to_string(static_cast<long>(most))};
+    throw McpRefusal{kMcpInvalidParams,
+                     std::string(name) + " is no number from 0 to " + std::to_string(static_cast<long>(most))};
   words.insert(words.end(), {option, found->dump()});
 }
 
-void AddWord(std::vector<std::string>& words, const char* option, const Json& arguments, const char* name) {
-  if (const std::string word = Plain(arguments, name); !word.empty()) words.insert(words.end(), {option, word});
+void AddWord(std::vector<std::string>& words, const char* option, const McpJson& arguments, const char* name) {
+  if (const std::string word = PlainWord(arguments, name); !word.empty()) words.insert(words.end(), {option, word});
 }
 
 }  // namespace
@@ -83,38 +85,38 @@ McpServer::~McpServer() {
   if (!own_.empty()) fs::remove_all(own_, error);
 }
 
-Json McpServer::Fault(const std::string& what) {
-  return ErrorTo(nullptr, kParseError, what);
+McpJson McpServer::Fault(const std::string& what) {
+  return McpError(nullptr, kMcpParseError, what);
 }
 
-Json McpServer::Handle(const std::string& text) {
-  const Json message = Json::parse(text, nullptr, false);
-  if (message.is_discarded()) return ErrorTo(nullptr, kParseError, "this message is no JSON");
-  if (!message.is_object()) return ErrorTo(nullptr, kInvalidRequest, "this message is no object");
+McpJson McpServer::Handle(const std::string& text) {
+  const McpJson message = McpJson::parse(text, nullptr, false);
+  if (message.is_discarded()) return McpError(nullptr, kMcpParseError, "this message is no JSON");
+  if (!message.is_object()) return McpError(nullptr, kMcpInvalidRequest, "this message is no object");
   const auto id_field = message.find("id");
   const bool is_request = id_field != message.end() && (id_field->is_string() || id_field->is_number_integer());
-  const Json id = is_request ? *id_field : Json();
+  const McpJson id = is_request ? *id_field : McpJson();
   const auto method = message.find("method");
   if (method == message.end() || !method->is_string())
-    return ErrorTo(id, kInvalidRequest, "this message has no method");
+    return McpError(id, kMcpInvalidRequest, "this message has no method");
   if (!is_request) return nullptr;
   const auto params_field = message.find("params");
-  const Json params = params_field == message.end() ? Json::object() : *params_field;
+  const McpJson params = params_field == message.end() ? McpJson::object() : *params_field;
   try {
     return {{"jsonrpc", "2.0"}, {"id", id}, {"result", Request(method->get<std::string>(), params)}};
-  } catch (const Refused& refused) {
-    return ErrorTo(id, refused.code, refused.message);
+  } catch (const McpRefusal& refused) {
+    return McpError(id, refused.code, refused.message);
   } catch (const std::exception& wrong) {
-    return ErrorTo(id, kInvalidParams, wrong.what());
+    return McpError(id, kMcpInvalidParams, wrong.what());
   }
 }
 
-Json McpServer::Request(const std::string& method, const Json& params) {
-  if (method == "ping") return Json::object();
+McpJson McpServer::Request(const std::string& method, const McpJson& params) {
+  if (method == "ping") return McpJson::object();
   if (method == "initialize") {
     constexpr const char* kVersion = "2024-11-05";
     return {{"protocolVersion", kVersion},
-            {"capabilities", {{"tools", Json::object()}}},
+            {"capabilities", {{"tools", McpJson::object()}}},
             {"serverInfo", {{"name", "soarbox"}, {"version", "1"}}},
             {"instructions",
              "Tools to write Soar agents: check rules with the kernel's own reader, look up percepts and commands, run "
@@ -124,13 +126,13 @@ Json McpServer::Request(const std::string& method, const Json& params) {
   if (method == "tools/list") return {{"tools", McpTools()}};
   if (method == "tools/call") {
     const auto arguments = params.find("arguments");
-    return Call(params.at("name").get<std::string>(), arguments == params.end() ? Json::object() : *arguments);
+    return Call(params.at("name").get<std::string>(), arguments == params.end() ? McpJson::object() : *arguments);
   }
-  throw Refused{kNoSuchMethod, "there is no method " + method};
+  throw McpRefusal{kMcpNoSuchMethod, "there is no method " + method};
 }
 
-Json McpServer::Call(const std::string& tool, const Json& arguments) {
-  using Handler = Json (McpServer::*)(const Json&);
+McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
+  using Handler = McpJson (McpServer::*)(const McpJson&);
   static const std::map<std::string, Handler> kHandlers = {
       {"check_rules", &McpServer::CheckRules},
       {"compare_runs", &McpServer::CompareRuns},
@@ -145,24 +147,24 @@ Json McpServer::Call(const std::string& tool, const Json& arguments) {
       {"why", &McpServer::Why},
   };
   const auto handler = kHandlers.find(tool);
-  if (handler == kHandlers.end()) throw Refused{kInvalidParams, "there is no tool " + tool};
-  if (!arguments.is_object()) throw Refused{kInvalidParams, "arguments is no object"};
-  if (own_.empty()) return Text("no folder for what runs leave can be made", true);
+  if (handler == kHandlers.end()) throw McpRefusal{kMcpInvalidParams, "there is no tool " + tool};
+  if (!arguments.is_object()) throw McpRefusal{kMcpInvalidParams, "arguments is no object"};
+  if (own_.empty()) return TextAnswer("no folder for what runs leave can be made", true);
   return (this->*handler->second)(arguments);
 }
 
-std::string McpServer::FileOf(const Json& arguments, const char* name) {
-  const fs::path named = Plain(arguments, name, true);
+std::string McpServer::FileOf(const McpJson& arguments, const char* name) {
+  const fs::path named = PlainWord(arguments, name, true);
   std::error_code error;
   const fs::path file = fs::weakly_canonical(named.is_absolute() ? named : folder_ / named, error);
   const fs::path relative = file.lexically_relative(folder_);
   if (error || folder_.empty() || relative.empty() || *relative.begin() == "..")
-    throw Refused{kInvalidParams, named.string() + " lies outside of " + folder_.string()};
+    throw McpRefusal{kMcpInvalidParams, named.string() + " lies outside of " + folder_.string()};
   return file.string();
 }
 
-std::string McpServer::SourceOf(const Json& arguments, const char* name) {
-  const std::string word = Plain(arguments, name, true);
+std::string McpServer::SourceOf(const McpJson& arguments, const char* name) {
+  const std::string word = PlainWord(arguments, name, true);
   if (const auto own = recordings_.find(word); own != recordings_.end()) return own->second.string();
   // A name without a folder may be a scenario that comes with the program.
   std::error_code error;
@@ -181,11 +183,11 @@ fs::path McpServer::WriteText(const std::string& text, const std::string& name) 
   std::error_code error;
   fs::create_directory(file.parent_path(), error);
   if (!(std::ofstream(file, std::ios::binary) << text).flush())
-    throw Refused{kInvalidParams, "these rules cannot be kept for the run"};
+    throw McpRefusal{kMcpInvalidParams, "these rules cannot be kept for the run"};
   return file;
 }
 
-Json McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
+McpJson McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
   arguments.insert(arguments.begin(), program_.string());
   const ProgramEnd end = RunProgram(arguments);
   std::string text = end.out;
@@ -204,19 +206,19 @@ Json McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
   if (!problems.empty()) text += (text.empty() || text.ends_with('\n') ? "" : "\n") + problems.substr(0, most);
   if (end.hung) text += "\nIt took too long and was ended.\n";
   constexpr int kProblems = 1;  // What the user wrote was faulty; the command itself did its work.
-  return Text(text.empty() ? "(nothing)" : text, end.hung || end.code < 0 || end.code > kProblems);
+  return TextAnswer(text.empty() ? "(nothing)" : text, end.hung || end.code < 0 || end.code > kProblems);
 }
 
-Json McpServer::CheckRules(const Json& arguments) {
-  if (const std::string text = Word(arguments, "text"); !text.empty())
+McpJson McpServer::CheckRules(const McpJson& arguments) {
+  if (const std::string text = WordOf(arguments, "text"); !text.empty())
     return Run({"check", "--json", WriteText(text, "rules.soar").string()});
   const std::string file = FileOf(arguments, "path");
-  Json answer = Run({"check", "--json", file});
+  McpJson answer = Run({"check", "--json", file});
   return answer;
 }
 
-Json McpServer::ListPercepts(const Json& arguments) {
-  const std::string filter = Word(arguments, "filter");
+McpJson McpServer::ListPercepts(const McpJson& arguments) {
+  const std::string filter = WordOf(arguments, "filter");
   std::string text;
   for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) {
     if (row.path.find(filter) == std::string_view::npos) continue;
@@ -224,11 +226,11 @@ Json McpServer::ListPercepts(const Json& arguments) {
     text += "^io.input-link." + std::string(row.path) + " (" + std::string(vocabulary::NameOf(row.type)) +
             (range.empty() ? "" : ", " + range) + "): " + std::string(row.meaning) + "\n";
   }
-  return Text(text.empty() ? "no percept has this in its path" : text);
+  return TextAnswer(text.empty() ? "no percept has this in its path" : text);
 }
 
-Json McpServer::ListCommands(const Json& arguments) {
-  const std::string filter = Word(arguments, "filter");
+McpJson McpServer::ListCommands(const McpJson& arguments) {
+  const std::string filter = WordOf(arguments, "filter");
   std::string text;
   const auto tell = [&](const vocabulary::ParameterRow& one) {
     const std::string range = vocabulary::DescribeRange(one.unit, one.min, one.max, one.words);
@@ -242,14 +244,14 @@ Json McpServer::ListCommands(const Json& arguments) {
     if (row.place != vocabulary::TakesPlace::kNo)
       for (const vocabulary::ParameterRow& one : vocabulary::PlaceParameters()) tell(one);
   }
-  return Text(text.empty() ? "no command has this in its name" : text);
+  return TextAnswer(text.empty() ? "no command has this in its name" : text);
 }
 
-Json McpServer::ListScenarios(const Json&) {
+McpJson McpServer::ListScenarios(const McpJson&) {
   return Run({"list"});
 }
 
-Json McpServer::RunScenario(const Json& arguments) {
+McpJson McpServer::RunScenario(const McpJson& arguments) {
   std::string name;
   std::vector<std::string> words = {"run", SourceOf(arguments, "scenario"), "--headless", "--json"};
   if (!arguments.contains("seconds")) words.insert(words.end(), {"--seconds", "20"});
@@ -257,7 +259,7 @@ Json McpServer::RunScenario(const Json& arguments) {
   AddNumber(words, "--seed", arguments, "seed", 4e9);
   const std::string recording = NewRecording(name);
   words.insert(words.end(), {"--record", recording, "--record-level", "all", "--record-limit", "200"});
-  Json answer = Run(std::move(words));
+  McpJson answer = Run(std::move(words));
   std::error_code error;
   if (!fs::exists(recording, error)) return answer;
   recordings_[name] = recording;
@@ -265,58 +267,59 @@ Json McpServer::RunScenario(const Json& arguments) {
   return answer;
 }
 
-Json McpServer::RunMission(const Json& arguments) {
+McpJson McpServer::RunMission(const McpJson& arguments) {
   std::vector<std::string> words = {"test", SourceOf(arguments, "path"), "--json", "--no-keep"};
   AddWord(words, "--seeds", arguments, "seeds");
   return Run(std::move(words));
 }
 
-Json McpServer::Why(const Json& arguments) {
+McpJson McpServer::Why(const McpJson& arguments) {
   std::vector<std::string> words = {"why", SourceOf(arguments, "source")};
-  if (const std::string topic = Plain(arguments, "topic"); !topic.empty()) words.push_back(topic);
+  if (const std::string topic = PlainWord(arguments, "topic"); !topic.empty()) words.push_back(topic);
   AddWord(words, "--agent", arguments, "agent");
   AddNumber(words, "--at", arguments, "at");
   AddNumber(words, "--seed", arguments, "seed", 4e9);
   return Run(std::move(words));
 }
 
-Json McpServer::Inspect(const Json& arguments) {
-  std::vector<std::string> words = {"inspect", SourceOf(arguments, "source"), "--view", Plain(arguments, "view", true)};
+McpJson McpServer::Inspect(const McpJson& arguments) {
+  std::vector<std::string> words = {"inspect", SourceOf(arguments, "source"), "--view",
+                                    PlainWord(arguments, "view", true)};
   AddWord(words, "--agent", arguments, "agent");
   AddNumber(words, "--at", arguments, "at");
   AddNumber(words, "--seed", arguments, "seed", 4e9);
   return Run(std::move(words));
 }
 
-Json McpServer::ReadRecording(const Json& arguments) {
+McpJson McpServer::ReadRecording(const McpJson& arguments) {
   std::vector<std::string> words = {"replay", SourceOf(arguments, "recording"), "--headless"};
   AddNumber(words, "--from", arguments, "from");
   AddNumber(words, "--to", arguments, "to");
   return Run(std::move(words));
 }
 
-Json McpServer::TryFuture(const Json& arguments) {
+McpJson McpServer::TryFuture(const McpJson& arguments) {
   const std::string past = SourceOf(arguments, "recording");
   std::string name;
   std::vector<std::string> words = {"resume", past, "--json", "--rules",
-                                    WriteText(Word(arguments, "rules", true), "rules.soar").string()};
-  if (!arguments.contains("at")) throw Refused{kInvalidParams, "at is missing"};
+                                    WriteText(WordOf(arguments, "rules", true), "rules.soar").string()};
+  if (!arguments.contains("at")) throw McpRefusal{kMcpInvalidParams, "at is missing"};
   AddNumber(words, "--at", arguments, "at");
   AddNumber(words, "--seconds", arguments, "seconds", kLongest_s);
   AddWord(words, "--agent", arguments, "agent");
   const std::string recording = NewRecording(name);
   words.insert(words.end(), {"--record", recording});
-  Json answer = Run(std::move(words), 20'000);
+  McpJson answer = Run(std::move(words), 20'000);
   std::error_code error;
   if (answer["isError"] == true || !fs::exists(recording, error)) return answer;
   recordings_[name] = recording;
-  const Json differences = Run({"compare", past, recording}, 20'000);
-  for (const Json& part : differences["content"]) answer["content"].push_back(part);
+  const McpJson differences = Run({"compare", past, recording}, 20'000);
+  for (const McpJson& part : differences["content"]) answer["content"].push_back(part);
   answer["content"].push_back({{"type", "text"}, {"text", "recording: " + name}});
   return answer;
 }
 
-Json McpServer::CompareRuns(const Json& arguments) {
+McpJson McpServer::CompareRuns(const McpJson& arguments) {
   return Run({"compare", SourceOf(arguments, "recording"), SourceOf(arguments, "other")});
 }
 
@@ -327,8 +330,8 @@ int ServeMcp(int in, int out, const fs::path& program, const fs::path& folder) {
   while (!pipe.is_broken()) {
     if (const std::optional<MessageStream::Message> message = stream.Next()) {
       if (message->fault.empty() && message->body.find_first_not_of(" \t") == std::string::npos) continue;
-      const Json answer = message->fault.empty() ? server.Handle(message->body) : McpServer::Fault(message->fault);
-      if (!answer.is_null()) pipe.Write(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+      const McpJson answer = message->fault.empty() ? server.Handle(message->body) : McpServer::Fault(message->fault);
+      if (!answer.is_null()) pipe.Write(answer.dump(-1, ' ', false, McpJson::error_handler_t::replace) + "\n");
       continue;
     }
     const BytePipe::Got got = pipe.Read(-1);

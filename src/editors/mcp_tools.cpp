@@ -8,7 +8,7 @@
 namespace soarbox::editors {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using ToolJson = nlohmann::ordered_json;
 
 struct Argument {
   const char* name;
@@ -17,8 +17,8 @@ struct Argument {
   bool required = false;
 };
 
-Json Tool(const char* name, const char* about, const std::vector<Argument>& arguments) {
-  Json properties = Json::object(), required = Json::array();
+ToolJson Tool(const char* name, const char* about, const std::vector<Argument>& arguments) {
+  ToolJson properties = ToolJson::object(), required = ToolJson::array();
   for (const Argument& argument : arguments) {
     properties[argument.name] = {{"type", argument.type}, {"description", argument.about}};
     if (argument.required) required.push_back(argument.name);
@@ -33,11 +33,11 @@ constexpr const char* kSource = "A scenario's name or file, a recording's file, 
 
 }  // namespace
 
-Json McpTools() {
+ToolJson McpTools() {
   const Argument agent{"agent", "string", "The agent's name; without it, the first one with a mind"};
   const Argument at{"at", "number", "Simulated seconds"};
   const Argument seed{"seed", "integer", "Seed of the run"};
-  return Json::array({
+  return ToolJson::array({
       Tool("check_rules",
            "Check Soar rules, Lua scripts and scenario files with the kernel's own reader. Gives problems with file, "
            "line, column and a hint.",

@@ -12,7 +12,7 @@
 namespace soarbox::language {
 namespace {
 
-using Kind = Proposal::Kind;
+using What = Proposal::Kind;
 
 bool EndsWord(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0 ||
@@ -116,7 +116,7 @@ class Completer {
 
   static bool IsHead(const RuleWords& words, const Word& word) { return words.heads.contains(word.span.begin); }
 
-  void Add(Kind kind, std::string text, std::string detail, std::string about) {
+  void Add(What kind, std::string text, std::string detail, std::string about) {
     if (!told_.insert(text).second) return;
     found_.list.push_back({kind, std::move(text), std::move(detail), std::move(about)});
   }
@@ -128,23 +128,23 @@ class Completer {
       const std::string_view below = kind.size() > kInput.size() ? kind.substr(kInput.size() + 1) : std::string_view();
       for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) {
         if (Parent(row.path) != below) continue;
-        Add(Kind::kPercept, std::string(row.Attribute()), DescribeRow(row), std::string(row.meaning));
+        Add(What::kPercept, std::string(row.Attribute()), DescribeRow(row), std::string(row.meaning));
       }
     } else if (kind == kOutput) {
       for (const vocabulary::CommandRow& row : vocabulary::Commands())
-        Add(Kind::kCommand, std::string(row.name), "command", std::string(row.meaning));
+        Add(What::kCommand, std::string(row.name), "command", std::string(row.meaning));
     } else if (kind.starts_with(kOutput) && Parent(kind) == kOutput) {
       AddParameters(LastStep(kind));
     }
     if (kind.empty()) {
       for (const char* one : {"io", "operator", "superstate", "impasse", "attribute", "choices", "item", "type", "name",
                               "reward-link", "smem", "epmem", "quiescence", "item-count", "non-numeric"})
-        Add(Kind::kAttribute, one, "Soar", "");
+        Add(What::kAttribute, one, "Soar", "");
     } else if (kind == "io") {
-      Add(Kind::kAttribute, "input-link", "Soar", "What the agent perceives");
-      Add(Kind::kAttribute, "output-link", "Soar", "The commands that it gives");
+      Add(What::kAttribute, "input-link", "Soar", "What the agent perceives");
+      Add(What::kAttribute, "output-link", "Soar", "The commands that it gives");
     } else if (LastStep(kind) == "operator") {
-      Add(Kind::kAttribute, "name", "Soar", "The operator's name");
+      Add(What::kAttribute, "name", "Soar", "The operator's name");
     }
     std::map<std::string, int> same, any;
     for (const std::shared_ptr<const Document>& document : program_.documents)
@@ -163,7 +163,7 @@ class Completer {
 
   void AddCounted(const std::map<std::string, int>& counts) {
     for (const auto& [text, count] : counts)
-      Add(Kind::kAttribute, text, "used " + std::to_string(count) + (count == 1 ? " time" : " times"), "");
+      Add(What::kAttribute, text, "used " + std::to_string(count) + (count == 1 ? " time" : " times"), "");
   }
 
   static std::string DescribeRow(const vocabulary::PerceptRow& row) {
@@ -175,14 +175,14 @@ class Completer {
     const vocabulary::CommandRow* row = vocabulary::FindCommand(command);
     if (row == nullptr) return;
     const auto add = [&](const vocabulary::ParameterRow& one) {
-      Add(Kind::kCommand, std::string(one.name), vocabulary::DescribeRange(one.unit, one.min, one.max, one.words),
+      Add(What::kCommand, std::string(one.name), vocabulary::DescribeRange(one.unit, one.min, one.max, one.words),
           std::string(one.meaning));
     };
     for (const vocabulary::ParameterRow& one : row->parameters) add(one);
     if (row->place != vocabulary::TakesPlace::kNo)
       for (const vocabulary::ParameterRow& one : vocabulary::PlaceParameters()) add(one);
-    Add(Kind::kCommand, "status", "one of: complete error interrupted", "How the command went");
-    Add(Kind::kCommand, "reason", "", "Why it did not go as it should");
+    Add(What::kCommand, "status", "one of: complete error interrupted", "How the command went");
+    Add(What::kCommand, "reason", "", "Why it did not go as it should");
   }
 
   void AddValues(const RuleWords& words, std::size_t begin) {
@@ -195,7 +195,7 @@ class Completer {
       for (const std::shared_ptr<const Document>& document : program_.documents)
         for (const DocumentRule& rule : document->rules())
           for (const Word& word : rule.words->words)
-            if (IsOperatorName(word)) Add(Kind::kOperator, word.text, "operator", "");
+            if (IsOperatorName(word)) Add(What::kOperator, word.text, "operator", "");
     }
     constexpr std::string_view kInput = "io.input-link.", kOutput = "io.output-link.";
     if (path.starts_with(kInput))
@@ -212,13 +212,13 @@ class Completer {
       for (const DocumentRule& rule : document->rules())
         for (const Word& word : rule.words->words)
           if (word.kind == WordKind::kValue && LastStep(word.path) == attribute->text)
-            Add(Kind::kValue, word.text, "", "");
+            Add(What::kValue, word.text, "", "");
   }
 
   void AddWords(std::string_view words, std::string_view about) {
     while (!words.empty()) {
       const std::size_t blank = std::min(words.find(' '), words.size());
-      if (blank > 0) Add(Kind::kValue, std::string(words.substr(0, blank)), "", std::string(about));
+      if (blank > 0) Add(What::kValue, std::string(words.substr(0, blank)), "", std::string(about));
       words.remove_prefix(std::min(blank + 1, words.size()));
     }
   }
@@ -226,7 +226,7 @@ class Completer {
   void AddVariables(const DocumentRule& rule) {
     for (const Word& word : rule.words->words)
       if (word.kind == WordKind::kVariable)
-        Add(Kind::kVariable, word.text, word.path.starts_with('<') ? "" : word.path.empty() ? "state" : word.path, "");
+        Add(What::kVariable, word.text, word.path.starts_with('<') ? "" : word.path.empty() ? "state" : word.path, "");
   }
 
   void AddFunctions() {
@@ -264,13 +264,13 @@ class Completer {
                              "wait",
                              "size",
                              "sum"})
-      Add(Kind::kFunction, name, "function", "");
+      Add(What::kFunction, name, "function", "");
   }
 
   void AddSoarCommands() {
     for (const cli::CommandInfo& command : cli::Commands())
-      Add(Kind::kSoarCommand, std::string(command.name), std::string(command.usage), std::string(command.summary));
-    Add(Kind::kSoarCommand, "source", "FILE", "Load a file of rules");
+      Add(What::kSoarCommand, std::string(command.name), std::string(command.usage), std::string(command.summary));
+    Add(What::kSoarCommand, "source", "FILE", "Load a file of rules");
   }
 
   const Program& program_;
