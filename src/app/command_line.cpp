@@ -398,11 +398,12 @@ int Main(int argc, char** argv) {
   AddLearn(program, learn);
   TestOptions test;
   AddTest(program, test);
+  program.add_subcommand("list", "List the scenarios that come with the program");
+  // Behind list, which lst means rather than lsp.
   FormatOptions format;
   DatamapOptions datamap;
   std::string folder = ".";
   AddEditors(program, format, datamap, folder);
-  program.add_subcommand("list", "List the scenarios that come with the program");
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
     return kUsage;
