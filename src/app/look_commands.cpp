@@ -40,11 +40,16 @@ int Check(const CheckOptions& options) {
   }
   // Of a project of VisualSoar the file that loads its rules is checked, and each of its files against its datamap.
   std::vector<Diagnostic> of_projects;
-  for (std::filesystem::path& file : files) {
-    for (Diagnostic& problem : DatamapProblems(file)) of_projects.push_back(std::move(problem));
+  std::erase_if(files, [&](std::filesystem::path& file) {
     Result<std::filesystem::path> rules = RulesOfProject(file);
-    if (rules) file = std::move(*rules);
-  }
+    if (rules) {
+      for (Diagnostic& problem : DatamapProblems(file)) of_projects.push_back(std::move(problem));
+      file = std::move(*rules);
+    } else {
+      of_projects.push_back(rules.error());
+    }
+    return !rules;
+  });
   std::vector<Diagnostic> problems =
       sim::CheckFiles(files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
         // What grades a lesson stands beside its scenario.

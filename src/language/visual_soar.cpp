@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
 
 namespace soarbox::language {
@@ -290,6 +291,7 @@ fs::path RootOfProject(const fs::path& project) {
 Result<VisualSoarProject> ReadVisualSoar(const fs::path& file, std::vector<Diagnostic>& problems) {
   const std::optional<std::string> text = ReadText(file);
   if (!text) return Problem(file, 0, "this project cannot be read");
+  if (std::string why = WhyNoPlainText(*text); !why.empty()) return Problem(file, 0, std::move(why));
   return file.extension() == ".json" ? ReadJsonProject(file, *text, problems) : ReadTextProject(file, *text, problems);
 }
 

@@ -214,13 +214,18 @@ std::vector<Diagnostic> CheckAgainstDatamap(const fs::path& file) {
   fs::path project = IsVisualSoarProject(file) ? file : FindVisualSoarProject(FolderOf(file));
   if (project.empty()) return problems;
   Result<VisualSoarProject> read = ReadVisualSoar(project, problems);
+  const bool named = IsVisualSoarProject(file);
   if (!read) {
-    problems.push_back(read.error());
+    if (named) problems.push_back(read.error());
     return problems;
   }
+  // A file beside or above which a project happens to lie has nothing to do with it.
+  if (!named && std::ranges::count(read->rules, fs::absolute(file, error).lexically_normal()) == 0 &&
+      RootOfProject(project) != fs::absolute(file, error).lexically_normal())
+    return problems;
   Workspace workspace({FolderOf(project)});
   std::set<fs::path> seen;
-  std::vector<fs::path> files = IsVisualSoarProject(file) ? read->rules : std::vector<fs::path>{file};
+  const std::vector<fs::path> files = named ? read->rules : std::vector<fs::path>{file};
   for (const fs::path& one : files) {
     if (!seen.insert(one).second) continue;
     const std::shared_ptr<const Document> document = workspace.Find(one);
@@ -228,8 +233,7 @@ std::vector<Diagnostic> CheckAgainstDatamap(const fs::path& file) {
     for (Diagnostic& unknown : FindUnknown(read->datamap, *document)) problems.push_back(std::move(unknown));
   }
   // What is wrong with the project itself is told where the project is named.
-  if (!IsVisualSoarProject(file))
-    std::erase_if(problems, [&](const Diagnostic& problem) { return problem.file == project.string(); });
+  if (!named) std::erase_if(problems, [&](const Diagnostic& problem) { return problem.file == project.string(); });
   return problems;
 }
 

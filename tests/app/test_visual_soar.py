@@ -118,7 +118,15 @@ class Projects(unittest.TestCase):
             self.assertNotEqual(0, run.code)
             self.assertIn("door.vsa:4: error: expected a node of the layout", run.out + run.err)
         self.text.write_bytes(b"\x00\xff" * 50)
-        self.assertNotEqual(0, Run("check", self.text).code)
+        run = Run("check", self.text)
+        self.assertEqual("%s: error: this is no text: line 1 holds a zero byte\n1 error, 0 warnings\n" % self.text, run.out)
+        self.assertEqual(1, run.code)
+
+    def test_a_project_that_lies_above_by_chance_is_none_of_ours(self):
+        stranger = self.write("elsewhere/scout.soar", RULES.replace("^lok", "^look"))
+        self.assertNotIn("datamap", Run("check", stranger).out)
+        self.text.write_bytes(b"\x00" * 50)
+        self.assertNotIn("door.vsa", Run("check", stranger).out)
 
 
 if __name__ == "__main__":
