@@ -45,7 +45,8 @@ class Workspace {
   /// sources is its own program.
   Program ProgramOf(const std::filesystem::path& path);
 
-  /// What only all rules of a program together show, by file; of each some 500. What Document::problems has is not among it.
+  /// What only all rules of a program together show, by file; of each some 500. What Document::problems has is not
+  /// among it.
   std::map<std::filesystem::path, std::vector<Diagnostic>> Slips(const Program& program);
   /// Files that a document sources and that are not there.
   std::vector<Diagnostic> MissingFiles(const Document& document) const;
