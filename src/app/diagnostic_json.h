@@ -3,14 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/diagnostic.h"
+#include "debugger/json.h"
 
 namespace soarbox::app {
 
 using Json = nlohmann::ordered_json;
 
-/// A diagnostic as all JSON output shows it; parts that are unknown are left out.
-Json ToJson(const Diagnostic& diagnostic);
+using debugger::ToJson;
 
 /// One line without a newline; bytes that are not UTF-8 are replaced rather than refused.
 std::string ToLine(const Json& json);

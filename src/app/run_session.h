@@ -15,11 +15,12 @@
 #include "dis/gateway.h"
 #include "record/recorder.h"
 #include "sim/simulation.h"
+#include "workbench/live_run.h"
 
 namespace soarbox::app {
 
 /// One run under way: the simulation and what is told about it. The headless loop and the window's loop drive it.
-class RunSession {
+class RunSession final : public workbench::LiveRun {
  public:
   RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
              const RunOptions& options);
@@ -37,21 +38,18 @@ class RunSession {
   /// Null: this run is on its own.
   const dis::Gateway* gateway() const { return gateway_.get(); }
   /// What minds are to note even if nobody looks at them.
-  sim::MindDetail LeastDetail() const { return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone; }
+  sim::MindDetail LeastDetail() const override {
+    return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone;
+  }
   /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
-  /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
-  using OnTick = std::function<void(const record::TickRecord&)>;
-  void Watch(OnTick on_tick);
-  /// Goes on with another simulation of the same run, as it was at an earlier tick, which is recorded as `at`; `inputs`
-  /// are what had come in by then. A recording ends, and on_branch may begin another one.
+  void Watch(OnTick on_tick) override;
+  /// A recording ends, and on_branch may begin another one.
   void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
-                const std::vector<record::TickInputs>& inputs);
+                const std::vector<record::TickInputs>& inputs) override;
   using OnBranch = std::function<void(const record::TickRecord& at, const std::vector<record::TickInputs>& inputs)>;
   void SetOnBranch(OnBranch on_branch) { on_branch_ = std::move(on_branch); }
-  /// Hears what live edits report: what was reloaded (notes), and what is wrong with a file. It takes effect in no run.
-  using OnEdit = std::function<void(const Diagnostic& told)>;
-  void SetOnEdit(OnEdit on_edit) { on_edit_ = std::move(on_edit); }
+  void SetOnEdit(OnEdit on_edit) override { on_edit_ = std::move(on_edit); }
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
@@ -66,7 +64,7 @@ class RunSession {
   /// The folder of the lesson that the world belongs to, if that was said.
   const std::filesystem::path& lesson() const { return lesson_; }
 
-  sim::Simulation& simulation() { return *simulation_; }
+  sim::Simulation& simulation() override { return *simulation_; }
   /// Whether inputs that the run ended before are a mistake: those of a file are, keys that were pressed in a paused
   /// window are not.
   void ExpectInputs(bool expects) { expects_inputs_ = expects; }

@@ -12,9 +12,9 @@
 #include "diagnostics/result.h"
 #include "viewer/input_event.h"
 #include "viewer/panels/layout.h"
-#include "viewer/panels/panel_contents.h"
-#include "viewer/panels/panel_request.h"
 #include "viewer/viewer_command.h"
+#include "workbench/contents.h"
+#include "workbench/requests.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
@@ -139,13 +139,13 @@ class Viewer {
   std::vector<ViewerCommand> TakeCommands();
 
   /// What the panels show, for the application to fill in; see panel_visible.
-  PanelContents& panel_contents();
+  workbench::Contents& panel_contents();
   /// What the user asked for in panels, in order.
-  std::vector<PanelRequest> TakePanelRequests();
+  std::vector<workbench::Request> TakePanelRequests();
   /// Whether a panel is in front of its area: the others need no contents.
-  bool panel_visible(PanelId panel) const;
+  bool panel_visible(workbench::PanelId panel) const;
   /// Opens a panel and brings it to the front.
-  void ShowPanel(PanelId panel);
+  void ShowPanel(workbench::PanelId panel);
   /// As the user has arranged it, to be remembered.
   const Layout& layout() const;
   /// The script that plays a user has come to its end, or none was given; and what went wrong with it.

@@ -90,19 +90,19 @@ T& Nothing() {
 
 }  // namespace
 
-PanelContents& Viewer::panel_contents() {
-  return impl_->workspace ? impl_->workspace->contents : Nothing<PanelContents>();
+workbench::Contents& Viewer::panel_contents() {
+  return impl_->workspace ? impl_->workspace->contents : Nothing<workbench::Contents>();
 }
 
-std::vector<PanelRequest> Viewer::TakePanelRequests() {
-  return impl_->workspace ? std::exchange(impl_->workspace->requests, {}) : std::vector<PanelRequest>{};
+std::vector<workbench::Request> Viewer::TakePanelRequests() {
+  return impl_->workspace ? std::exchange(impl_->workspace->requests, {}) : std::vector<workbench::Request>{};
 }
 
-bool Viewer::panel_visible(PanelId panel) const {
+bool Viewer::panel_visible(workbench::PanelId panel) const {
   return impl_->workspace && impl_->workspace->layout().IsVisible(panel);
 }
 
-void Viewer::ShowPanel(PanelId panel) {
+void Viewer::ShowPanel(workbench::PanelId panel) {
   if (impl_->workspace) impl_->workspace->layout().Show(panel);
 }
 

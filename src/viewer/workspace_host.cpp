@@ -50,7 +50,7 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
   const bool control = (event.key.keysym.mod & KMOD_CTRL) != 0;
   Layout& layout = workspace_.layout;
   if ((event.key.keysym.mod & KMOD_LALT) != 0 && !control) {
-    for (const PanelInfo& info : kPanelInfos) {
+    for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
       if (event.key.keysym.scancode != SDL_SCANCODE_A + (info.key - 'A')) continue;
       workspace_.Open(info.id);
       return true;
@@ -107,7 +107,7 @@ bool WorkspaceHost::IsSecondEscape() {
   constexpr auto kSoon = std::chrono::milliseconds(2500);
   const auto now = std::chrono::steady_clock::now();
   if (now - std::exchange(escaped_at_, now) < kSoon) return true;
-  requests.push_back(TellRequest{"Press Esc again to close the window"});
+  requests.push_back(workbench::TellRequest{"Press Esc again to close the window"});
   return false;
 }
 

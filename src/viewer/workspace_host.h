@@ -59,8 +59,8 @@ class WorkspaceHost {
   /// Lets the script go on.
   void AfterDrawing(const Drawn& drawn);
 
-  PanelContents contents;
-  std::vector<PanelRequest> requests;
+  workbench::Contents contents;
+  std::vector<workbench::Request> requests;
   Layout& layout() { return workspace_.layout; }
   const Layout& layout() const { return workspace_.layout; }
   bool& show_help() { return workspace_.show_help; }

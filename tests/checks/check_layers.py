@@ -39,9 +39,11 @@ ALLOWED = {
     # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
     "language": {"diagnostics", "kernel", "cli", "vocabulary", "explain", "sim", "debugger"},
     "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
-    "viewer": {"diagnostics", "world", "sim", "record", "debugger"},
+    # What everybody who watches a run works with: it draws nothing.
+    "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
+    "viewer": {"diagnostics", "world", "sim", "record", "debugger", "workbench"},
     "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
-            "report", "debugger", "language", "editors", "viewer"},
+            "report", "debugger", "language", "editors", "workbench", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]

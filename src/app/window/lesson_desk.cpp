@@ -17,7 +17,7 @@
 #include "app/data_folders.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
-#include "viewer/panels/panel_id.h"
+#include "workbench/panel_id.h"
 
 namespace soarbox::app {
 namespace {
@@ -103,17 +103,17 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-const viewer::PanelInfo* FindPanel(const std::string& title) {
-  const auto at = std::find_if(viewer::kPanelInfos.begin(), viewer::kPanelInfos.end(),
-                               [&](const viewer::PanelInfo& info) { return info.title == title; });
-  return at == viewer::kPanelInfos.end() ? nullptr : &*at;
+const workbench::PanelInfo* PanelTitled(const std::string& title) {
+  const auto at = std::find_if(workbench::kPanelInfos.begin(), workbench::kPanelInfos.end(),
+                               [&](const workbench::PanelInfo& info) { return info.title == title; });
+  return at == workbench::kPanelInfos.end() ? nullptr : &*at;
 }
 
 /// "New in the window: Memory (Alt+E), Edit (Alt+D)."
 std::string NewPanels(const Lesson& lesson) {
   std::string names;
   const auto add = [&](const std::string& title) {
-    if (const viewer::PanelInfo* panel = FindPanel(title))
+    if (const workbench::PanelInfo* panel = PanelTitled(title))
       names += (names.empty() ? "" : ", ") + std::string(panel->title) + " (Alt+" + std::string(1, panel->key) + ")";
   };
   add(lesson.panel);
@@ -123,7 +123,7 @@ std::string NewPanels(const Lesson& lesson) {
 
 /// "Memory: Working memory as a tree."
 std::string AboutPanel(const Lesson& lesson) {
-  const viewer::PanelInfo* panel = FindPanel(lesson.panel);
+  const workbench::PanelInfo* panel = PanelTitled(lesson.panel);
   return panel == nullptr ? "" : "\n\n" + std::string(panel->title) + ": " + std::string(panel->about);
 }
 
@@ -184,12 +184,12 @@ Result<void> LessonDesk::Grade() {
       {"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from", parts_->from.string()});
 }
 
-Result<LessonDesk::Opened> LessonDesk::Open(const std::string& lesson) {
+Result<workbench::Lessons::Opened> LessonDesk::Open(const std::string& lesson) {
   for (const Lesson& each : parts_->lessons) {
     if (each.name != lesson) continue;
     const fs::path folder = parts_->home / each.name;
     if (const Result<void> prepared = PrepareLesson(each, folder); !prepared) return prepared.error();
-    return Opened{folder.string(), each.folder};
+    return Opened{folder.string(), each.folder.string()};
   }
   Diagnostic problem;
   problem.message = "there is no lesson '" + lesson + "'";
@@ -203,14 +203,14 @@ bool LessonDesk::Poll() {
   return true;
 }
 
-void LessonDesk::Fill(viewer::PanelContents& contents) const {
+void LessonDesk::Fill(workbench::Contents& contents) const {
   contents.lessons.clear();
   for (const Lesson& lesson : parts_->lessons)
     contents.lessons.push_back({lesson.name, lesson.title, parts_->progress.IsPassed(lesson.name)});
   contents.lesson.reset();
   const Lesson* now = parts_->Now();
   if (now == nullptr) return;
-  viewer::LessonContents& shown = contents.lesson.emplace();
+  workbench::LessonContents& shown = contents.lesson.emplace();
   shown.name = now->name;
   shown.title = std::to_string(parts_->at + 1) + ". " + now->title;
   shown.idea = now->idea + AboutPanel(*now);

@@ -61,14 +61,16 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       settings_(run.settings),
       header_(run.header),
       has_script_(!options.ui_script.empty()),
-      pace_(options.speed.value_or(1)) {
-  desk_.emplace(session, header_, scenario_, settings_);
+      pace_(options.speed.value_or(1)),
+      lessons_(scenario_, session.lesson()),
+      window_desk_(viewer, pace_, &lessons_) {
+  desk_.emplace(session, header_, scenario_, settings_, window_desk_);
   if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
   // A lesson stands beside the scene, and so does the panel that it is about.
-  if (desk_->lesson() != nullptr && desk_->lesson()->HasLesson()) {
-    for (const viewer::PanelInfo& info : viewer::kPanelInfos)
-      if (info.title == desk_->lesson()->Panel()) viewer.ShowPanel(info.id);
-    viewer.ShowPanel(viewer::PanelId::kMission);
+  if (lessons_.HasLesson()) {
+    for (const workbench::PanelInfo& info : workbench::kPanelInfos)
+      if (info.title == lessons_.Panel()) viewer.ShowPanel(info.id);
+    viewer.ShowPanel(workbench::PanelId::kMission);
   }
   newest_ = previous_ = session.simulation().Snapshot();
   // Without a wish, an agent with a mind: somebody new sees at once what the panels are for.
@@ -112,7 +114,7 @@ void LiveWindow::Tick(double step_s) {
     }
     if (desk_->WasHit()) {
       pace_.Pause();
-      viewer_.ShowPanel(viewer::PanelId::kBreakpoints);
+      viewer_.ShowPanel(workbench::PanelId::kBreakpoints);
       is_cut = true;
     }
     is_cut |= pace_.OutOfTime();
@@ -131,7 +133,7 @@ Result<void> LiveWindow::Obey() {
     const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
                          command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange;
     if (command == ViewerCommand::kTogglePause || is_step) desk_->GoOn();
-    pace_.Obey(command);
+    if (const std::optional<workbench::Flow> flow = FlowOf(command)) pace_.Obey(*flow);
     if (command == ViewerCommand::kStepChange) {
       if (const std::string refusal = desk_->AwaitChange(); !refusal.empty()) {
         pace_.Pause();
@@ -146,8 +148,8 @@ Result<void> LiveWindow::Obey() {
   if (control.has_ticked) previous_ = newest_ = session_.simulation().Snapshot();
   if (!control.has_begun_again) return {};
   // What the user made in panels stays.
-  Desk::Belongings belongings = desk_->TakeBelongings();
-  desk_.emplace(session_, header_, scenario_, settings_);
+  workbench::Desk::Belongings belongings = desk_->TakeBelongings();
+  desk_.emplace(session_, header_, scenario_, settings_, window_desk_);
   desk_->Bring(std::move(belongings));
   viewer_.SetGhosts({});
   viewer_.panel_contents() = {};
@@ -168,8 +170,8 @@ int LiveWindow::Run() {
       std::cerr << Format(obeyed.error());
       return kCannotStart;
     }
-    desk_->Serve(viewer_, pace_);
-    if (std::optional<NextRun> wanted = desk_->TakeWantedRun()) {
+    window_desk_.Serve(*desk_);
+    if (std::optional<NextRun> wanted = window_desk_.TakeWantedRun()) {
       wanted->script_line = viewer_.ui_script_at();
       KeepNextRun(std::move(*wanted));
       break;

@@ -6,9 +6,8 @@
 
 #include "app/run_options.h"
 #include "app/run_session.h"
-#include "app/window/desk.h"
-#include "app/window/pace.h"
 #include "app/window/run_window.h"
+#include "app/window/window_desk.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::app {
@@ -61,8 +60,10 @@ class LiveWindow {
   const sim::SimulationSettings& settings_;  ///< With the seed of the present run.
   const record::Header& header_;             ///< Likewise.
   bool has_script_;                          ///< A script plays the user; the run ends with it.
-  std::optional<Desk> desk_;
-  Pace pace_;
+  workbench::Pace pace_;
+  LessonDesk lessons_;
+  WindowDesk window_desk_;
+  std::optional<workbench::Desk> desk_;
   Deliverer deliverer_;
   SmoothTime frame_time_, tick_time_;
   Clock::time_point frame_start_ = Clock::now();

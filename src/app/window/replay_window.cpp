@@ -11,11 +11,10 @@
 #include "app/next_run.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
-#include "app/window/desk.h"
-#include "app/window/pace.h"
-#include "app/window/recent.h"
+#include "app/window/window_desk.h"
 #include "app/window/window_options.h"
 #include "viewer/viewer.h"
+#include "workbench/recent.h"
 
 namespace soarbox::app {
 namespace {
@@ -27,7 +26,8 @@ class ReplayWindow {
                bool has_script)
       : recording_(recording),
         viewer_(viewer),
-        desk_(recording, data, range),
+        window_desk_(viewer, pace_, nullptr),
+        desk_(recording, data, range, window_desk_),
         step_s_(recording.header().step_s),
         ticks_per_second_(std::max<std::int64_t>(1, std::llround(1 / recording.header().step_s))),
         has_script_(has_script) {}
@@ -55,8 +55,8 @@ class ReplayWindow {
       for (const viewer::ViewerCommand command : viewer_.TakeCommands()) Obey(command);
       for (const viewer::InputEvent& event : viewer_.TakeEvents()) Obey(event);
       Move(pace_.TicksDue(step_s_));
-      desk_.Serve(viewer_, pace_);
-      if (std::optional<NextRun> wanted = desk_.TakeWantedRun()) {
+      window_desk_.Serve(desk_);
+      if (std::optional<NextRun> wanted = window_desk_.TakeWantedRun()) {
         wanted->script_line = viewer_.ui_script_at();
         KeepNextRun(std::move(*wanted));
         break;
@@ -87,7 +87,7 @@ class ReplayWindow {
       // At the end, to go on means to begin again.
       const bool is_at_end = desk_.shown_tick() >= desk_.last_tick();
       if (command == ViewerCommand::kTogglePause && pace_.paused() && is_at_end) desk_.Show(desk_.first_tick());
-      pace_.Obey(command);
+      if (const std::optional<workbench::Flow> flow = FlowOf(command)) pace_.Obey(*flow);
     }
   }
 
@@ -109,11 +109,12 @@ class ReplayWindow {
 
   record::Reader& recording_;
   viewer::Viewer& viewer_;
-  Desk desk_;
+  workbench::Pace pace_{1};
+  WindowDesk window_desk_;
+  workbench::Desk desk_;
   double step_s_;
   std::int64_t ticks_per_second_;
   bool has_script_;  ///< A script plays the user; the window closes with it.
-  Pace pace_{1};
 };
 
 }  // namespace
@@ -135,7 +136,7 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
     problem.message = "there is no agent '" + options.select + "' to select at the beginning";
     return Refuse(problem);
   }
-  NoteRecentRun(recording.file().string());
+  workbench::NoteRecentRun(recording.file().string());
   return AfterWindow(viewer, options, replay.Run());
 }
 

@@ -10,21 +10,24 @@
 #include <thread>
 
 #include "app/event_printer.h"
+#include "app/next_run.h"
 #include "app/record_run.h"
 #include "app/run_session.h"
-#include "app/window/pace.h"
-#include "app/window/time_machine.h"
 #include "record/compare.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "record/test_ticks.h"
 #include "sim/scenario.h"
+#include "workbench/pace.h"
+#include "workbench/time_machine.h"
 #include "world/world.h"
 
 namespace soarbox::app {
 namespace {
 
-using viewer::ViewerCommand;
+using workbench::Flow;
+using workbench::Pace;
+using workbench::TimeMachine;
 
 constexpr double kStep_s = 1.0 / 30;
 
@@ -41,27 +44,27 @@ TEST(Pace, CatchesUpAfterASlowFrameButNotForever) {
 
 TEST(Pace, PausesStepsAndChangesSpeed) {
   Pace pace(1);
-  pace.Obey(ViewerCommand::kSingleStep);
+  pace.Obey(Flow::kStepTick);
   EXPECT_TRUE(pace.paused());
   EXPECT_EQ(pace.TicksDue(kStep_s), 1);
   EXPECT_EQ(pace.TicksDue(kStep_s), 0);
-  pace.Obey(ViewerCommand::kTogglePause);
+  pace.Obey(Flow::kTogglePause);
   EXPECT_FALSE(pace.paused());
-  for (int i = 0; i < 20; ++i) pace.Obey(ViewerCommand::kSlower);
+  for (int i = 0; i < 20; ++i) pace.Obey(Flow::kSlower);
   EXPECT_EQ(pace.speed(), 0.1);
-  for (int i = 0; i < 20; ++i) pace.Obey(ViewerCommand::kFaster);
+  for (int i = 0; i < 20; ++i) pace.Obey(Flow::kFaster);
   EXPECT_EQ(pace.speed(), 16);
-  pace.Obey(ViewerCommand::kUnlimited);
+  pace.Obey(Flow::kUnlimited);
   EXPECT_TRUE(std::isinf(pace.speed()));
   EXPECT_GT(pace.TicksDue(kStep_s), 1'000'000);
   EXPECT_FALSE(pace.OutOfTime());
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
   EXPECT_TRUE(pace.OutOfTime()) << "the window would not answer";
-  pace.Obey(ViewerCommand::kUnlimited);
+  pace.Obey(Flow::kUnlimited);
   EXPECT_EQ(pace.speed(), 16);
-  pace.Obey(ViewerCommand::kNormalSpeed);
+  pace.Obey(Flow::kNormalSpeed);
   EXPECT_EQ(pace.speed(), 1);
-  pace.Obey(ViewerCommand::kStepDecision);
+  pace.Obey(Flow::kStepDecision);
   EXPECT_TRUE(pace.paused()) << "the world stands still while a mind takes a step";
   EXPECT_EQ(pace.TicksDue(kStep_s), 0);
 }
@@ -190,6 +193,18 @@ TEST(RunSession, WhatComesAfterGoingBackIsRecordedInAFileOfItsOwn) {
   ASSERT_TRUE(verdict) << Format(verdict.error());
   EXPECT_FALSE(verdict->difference) << verdict->difference->element;
   EXPECT_EQ(verdict->last_tick, 30u);
+}
+
+TEST(NextRun, IsAScenarioOrARecordingOrNothingThatIsThere) {
+  EXPECT_FALSE(FindNextRun("soar_seek")->is_recording);
+  const Result<NextRun> none = FindNextRun("no_such_world");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("no_such_world"), std::string::npos);
+  EXPECT_FALSE(FindNextRun("/no/such.soarrec"));
+  EXPECT_FALSE(TakeNextRun());
+  KeepNextRun({"soar_seek", false, 3});
+  EXPECT_EQ(TakeNextRun()->script_line, 3U);
+  EXPECT_FALSE(TakeNextRun()) << "once";
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 #include "app/exit_codes.h"
 #include "app/refuse.h"
-#include "app/window/desk.h"
 #include "app/window/live_window.h"
-#include "app/window/recent.h"
+#include "app/window/window_desk.h"
 #include "app/window/window_options.h"
 #include "viewer/viewer.h"
+#include "workbench/recent.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -66,10 +66,12 @@ Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, 
 /// Runs to the moment asked for without drawing, then draws it.
 int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
-  std::optional<Desk> desk;
-  if (!options.panels.empty()) desk.emplace(session, run.header, run.scenario, run.settings);
+  workbench::Pace pace(options.speed.value_or(1));
+  LessonDesk lessons(run.scenario, session.lesson());
+  WindowDesk window_desk(viewer, pace, &lessons);
+  std::optional<workbench::Desk> desk;
+  if (!options.panels.empty()) desk.emplace(session, run.header, run.scenario, run.settings, window_desk);
   if (desk) simulation.Submit(sim::ScreenInput{viewer.width(), viewer.height()});
-  Pace pace(options.speed.value_or(1));
   // Trails want to have been watched for a while.
   constexpr double kWatched_s = 20;
   while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) {
@@ -88,7 +90,7 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   const int frames = desk ? 16 : 3;
   for (int i = 0; i < frames; ++i) {
     if (desk) {
-      desk->Serve(viewer, pace);
+      window_desk.Serve(*desk);
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     if (!viewer.RenderFrame()) return session.Finish();
@@ -111,7 +113,7 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   if (const Result<void> prepared = Prepare(viewer, session.simulation(), options); !prepared)
     return Refuse(prepared.error());
   if (window->hidden) return TakePicture(session, viewer, run, options);
-  NoteRecentRun(options.scenario);
+  workbench::NoteRecentRun(options.scenario);
   return AfterWindow(viewer, options, LiveWindow(session, viewer, run, options).Run());
 }
 

@@ -12,15 +12,15 @@ Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
   if (named == "none") {
     layout = viewer::LayoutOf({});
   } else if (named != "default") {
-    std::vector<viewer::PanelId> panels;
+    std::vector<workbench::PanelId> panels;
     std::istringstream words(named);
     for (std::string word; std::getline(words, word, ',');) {
-      const auto panel = viewer::FindPanel(word);
+      const auto panel = workbench::FindPanel(word);
       if (!panel) {
         Diagnostic problem;
         problem.message = "there is no panel '" + word + "'";
         std::vector<std::string_view> all;
-        for (const viewer::PanelInfo& info : viewer::kPanelInfos) all.push_back(info.word);
+        for (const workbench::PanelInfo& info : workbench::kPanelInfos) all.push_back(info.word);
         const std::string_view near = Suggest(word, all);
         if (!near.empty()) {
           problem.hint = "did you mean '" + std::string(near) + "'?";

@@ -13,14 +13,14 @@ namespace {
 /// Frames until what was asked for must have shown in the contents.
 constexpr int kPatience = 10;
 
-bool HasUnsaved(const PanelContents& contents) {
+bool HasUnsaved(const workbench::Contents& contents) {
   return std::any_of(contents.open_files.begin(), contents.open_files.end(),
-                     [](const OpenFile& file) { return file.is_unsaved; });
+                     [](const workbench::OpenFile& file) { return file.is_unsaved; });
 }
 
 }  // namespace
 
-bool Closing::MayClose(const PanelContents& contents, std::vector<std::string> unsent) {
+bool Closing::MayClose(const workbench::Contents& contents, std::vector<std::string> unsent) {
   if (agreed_ || (!HasUnsaved(contents) && unsent.empty())) return true;
   is_open_ = true;
   saves_ = false;
@@ -49,7 +49,7 @@ void Closing::Draw(PanelFrame& frame, float width, float height) {
   ImGui::PopStyleColor();
   const bool has_files = HasUnsaved(frame.contents);
   if (has_files) WrappedText("These files have changes that are not saved:");
-  for (const OpenFile& file : frame.contents.open_files) {
+  for (const workbench::OpenFile& file : frame.contents.open_files) {
     if (!file.is_unsaved) continue;
     const std::string name = std::filesystem::path(file.file).filename().string();
     WrappedText(theme::kWarn, name + (file.is_changed ? ": typed, not applied" : ": applied to the running world"));
@@ -62,7 +62,7 @@ void Closing::Draw(PanelFrame& frame, float width, float height) {
   ImGui::Spacing();
   if (has_files) {
     if (ImGui::Button("Save all and close")) {
-      frame.Ask(SaveAllRequest{});
+      frame.Ask(workbench::SaveAllRequest{});
       saves_ = true;
       waited_ = 0;
     }

@@ -14,7 +14,7 @@ class Closing {
   /// Somebody wants to close the window. True if it may close at once: nothing would be lost, or the user has agreed.
   /// False: the question is shown, and answered by a command kQuit later, or never. `unsent`: what was typed into
   /// panels and not sent, a sentence each.
-  bool MayClose(const PanelContents& contents, std::vector<std::string> unsent);
+  bool MayClose(const workbench::Contents& contents, std::vector<std::string> unsent);
   /// The question, while there is one.
   void Draw(PanelFrame& frame, float width, float height);
   bool is_open() const { return is_open_; }

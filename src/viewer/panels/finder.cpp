@@ -26,17 +26,17 @@ std::string NameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
-const char* KindName(FoundPlace::Kind kind) {
+const char* KindName(workbench::FoundPlace::Kind kind) {
   switch (kind) {
-    case FoundPlace::Kind::kRule:
+    case workbench::FoundPlace::Kind::kRule:
       return "rule text";
-    case FoundPlace::Kind::kFile:
+    case workbench::FoundPlace::Kind::kFile:
       return "file text";
-    case FoundPlace::Kind::kMemory:
+    case workbench::FoundPlace::Kind::kMemory:
       return "memory";
-    case FoundPlace::Kind::kTrace:
+    case workbench::FoundPlace::Kind::kTrace:
       return "trace";
-    case FoundPlace::Kind::kMessage:
+    case workbench::FoundPlace::Kind::kMessage:
       return "message";
   }
   return "";
@@ -67,27 +67,28 @@ void Finder::Open(For what) {
 
 void Finder::Leave(PanelFrame& frame) {
   is_open_ = wants_close_ = false;
-  frame.Ask(SearchRequest{});
-  frame.Ask(OfferRequest{false});
+  frame.Ask(workbench::SearchRequest{});
+  frame.Ask(workbench::OfferRequest{false});
 }
 
 void Finder::AddPlaces(PanelFrame& frame, std::vector<Item>& items) const {
   if (frame.contents.searched != text_) return;
-  for (const FoundPlace& place : frame.contents.places) {
+  for (const workbench::FoundPlace& place : frame.contents.places) {
     items.push_back({KindName(place.kind), place.title, place.detail, [&frame, place] {
                        switch (place.kind) {
-                         case FoundPlace::Kind::kRule:
-                         case FoundPlace::Kind::kFile:
+                         case workbench::FoundPlace::Kind::kRule:
+                         case workbench::FoundPlace::Kind::kFile:
                            GoToFile(frame, place.file, place.line);
                            break;
-                         case FoundPlace::Kind::kMemory:
+                         case workbench::FoundPlace::Kind::kMemory:
                            ShowObject(frame, place.id);
                            break;
-                         case FoundPlace::Kind::kTrace:
-                         case FoundPlace::Kind::kMessage:
-                           frame.Ask(SeekRequest{place.tick});
-                           frame.layout.Show(place.kind == FoundPlace::Kind::kTrace ? PanelId::kTrace
-                                                                                    : PanelId::kMessages);
+                         case workbench::FoundPlace::Kind::kTrace:
+                         case workbench::FoundPlace::Kind::kMessage:
+                           frame.Ask(workbench::SeekRequest{place.tick});
+                           frame.layout.Show(place.kind == workbench::FoundPlace::Kind::kTrace
+                                                 ? workbench::PanelId::kTrace
+                                                 : workbench::PanelId::kMessages);
                            break;
                        }
                      }});
@@ -100,7 +101,7 @@ void Finder::AddAnything(PanelFrame& frame, const std::vector<Action>& more, std
   };
   for (const world::AgentSnapshot& agent : frame.scene.agents)
     add("agent", agent.name, agent.team, [&frame, id = agent.id] { frame.selected = id; });
-  for (const PanelInfo& info : kPanelInfos)
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos)
     add("panel", std::string(info.title), std::string(info.about), [&frame, id = info.id] { frame.layout.Show(id); });
   for (const CommandInfo& info : Commands())
     add("command", std::string(info.title), std::string(info.keys),
@@ -109,25 +110,28 @@ void Finder::AddAnything(PanelFrame& frame, const std::vector<Action>& more, std
   for (const explain::RuleFact& rule : frame.contents.rules) {
     add("rule", rule.name, rule.file.empty() ? rule.type : NameOf(rule.file) + ":" + std::to_string(rule.line),
         [&frame, name = rule.name] {
-          frame.Ask(RuleRequest{name});
-          frame.layout.Show(PanelId::kRules);
+          frame.Ask(workbench::RuleRequest{name});
+          frame.layout.Show(workbench::PanelId::kRules);
         });
   }
   for (const std::string& file : frame.contents.all_files)
     add("file", NameOf(file), file, [&frame, file] { GoToFile(frame, file, 1); });
-  for (const ScenarioOffer& offer : frame.contents.scenarios)
-    add("scenario", offer.name, offer.about, [&frame, name = offer.name] { frame.Ask(OpenRunRequest{name}); });
+  for (const workbench::ScenarioOffer& offer : frame.contents.scenarios)
+    add("scenario", offer.name, offer.about,
+        [&frame, name = offer.name] { frame.Ask(workbench::OpenRunRequest{name}); });
 }
 
 void Finder::AddOffers(PanelFrame& frame, std::vector<Item>& items) const {
   const bool recordings = for_ == For::kRecording;
   const auto is_recording = [](const std::string& name) { return name.ends_with(".soarrec"); };
-  const auto open = [&frame](const std::string& what) { return [&frame, what] { frame.Ask(OpenRunRequest{what}); }; };
+  const auto open = [&frame](const std::string& what) {
+    return [&frame, what] { frame.Ask(workbench::OpenRunRequest{what}); };
+  };
   for (const std::string& recent : frame.contents.recent) {
     if (is_recording(recent) == recordings && Fits(recent, text_))
       items.push_back({"recent", recent, "", open(recent)});
   }
-  for (const ScenarioOffer& offer : frame.contents.scenarios) {
+  for (const workbench::ScenarioOffer& offer : frame.contents.scenarios) {
     if (is_recording(offer.name) == recordings && Fits(offer.name + " " + offer.about, text_))
       items.push_back({recordings ? "recording" : "scenario", offer.name, offer.about, open(offer.name)});
   }
@@ -152,8 +156,8 @@ void Finder::Draw(PanelFrame& frame, float width, float height, const std::vecto
   if (asked_ != text_) {
     asked_ = text_;
     at_ = 0;
-    frame.Ask(OfferRequest{true});
-    frame.Ask(SearchRequest{text_});
+    frame.Ask(workbench::OfferRequest{true});
+    frame.Ask(workbench::SearchRequest{text_});
   }
   const float wide = std::min(frame.Px(640), width - 20), high = std::min(frame.Px(420), height - 40);
   ImGui::SetNextWindowPos({(width - wide) / 2, std::min(frame.Px(70), height * 0.1f)});

@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, FirstSteps::kSteps + 1> kTexts{
 
 constexpr const char* kTitle = "First steps";
 
-bool IsOfAsking(const PanelRequest& request) {
-  const auto* why = std::get_if<WhyRequest>(&request);
-  return why != nullptr || std::holds_alternative<RuleRequest>(request);
+bool IsOfAsking(const workbench::Request& request) {
+  const auto* why = std::get_if<workbench::WhyRequest>(&request);
+  return why != nullptr || std::holds_alternative<workbench::RuleRequest>(request);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ ScreenBox DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, const ScreenBox& 
   FirstSteps::Seen seen;
   seen.selected = frame.selected;
   seen.agents = frame.scene.agents.size();
-  seen.shows_why = frame.layout.IsVisible(PanelId::kWhy);
+  seen.shows_why = frame.layout.IsVisible(workbench::PanelId::kWhy);
   seen.has_asked = std::any_of(frame.requests.begin(), frame.requests.end(), IsOfAsking);
   seen.is_paused = frame.status.paused;
   seen.is_recording = frame.contents.moment.is_recording;

@@ -98,7 +98,7 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
     if (line.size() == 1) out.AddCircleFilled(line[0], frame.Px(2), theme::Packed(curve.color));
     out.AddPolyline(line.data(), static_cast<int>(line.size()), theme::Packed(curve.color), 0, frame.Px(1.6f));
   }
-  const Moment& moment = frame.contents.moment;
+  const workbench::Moment& moment = frame.contents.moment;
   const float now = x_of(static_cast<double>(moment.shown_tick));
   out.AddLine({now, at.y}, {now, end.y}, theme::Packed(moment.is_live ? theme::kQuiet : theme::kWarn), 1);
   const float font = ImGui::GetFontSize();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kLeastSize = 80, kMostSize = 4000;
 
-Area HomeOf(PanelId panel) {
+Area HomeOf(workbench::PanelId panel) {
   static const Layout home = DefaultLayout();
   for (std::size_t i = 0; i < kAreaCount; ++i) {
     const auto& panels = home.areas[i].panels;
@@ -23,19 +23,19 @@ Area HomeOf(PanelId panel) {
 
 }  // namespace
 
-bool Layout::IsOpen(PanelId panel) const {
+bool Layout::IsOpen(workbench::PanelId panel) const {
   return std::any_of(areas.begin(), areas.end(), [panel](const AreaLayout& area) {
     return std::find(area.panels.begin(), area.panels.end(), panel) != area.panels.end();
   });
 }
 
-bool Layout::IsVisible(PanelId panel) const {
+bool Layout::IsVisible(workbench::PanelId panel) const {
   return std::any_of(areas.begin(), areas.end(), [panel](const AreaLayout& area) {
     return area.shown && area.front < area.panels.size() && area.panels[area.front] == panel;
   });
 }
 
-void Layout::Show(PanelId panel) {
+void Layout::Show(workbench::PanelId panel) {
   if (!IsOpen(panel)) at(HomeOf(panel)).panels.push_back(panel);
   for (AreaLayout& area : areas) {
     const auto found = std::find(area.panels.begin(), area.panels.end(), panel);
@@ -45,7 +45,7 @@ void Layout::Show(PanelId panel) {
   }
 }
 
-void Layout::Close(PanelId panel) {
+void Layout::Close(workbench::PanelId panel) {
   for (AreaLayout& area : areas) {
     const auto found = std::find(area.panels.begin(), area.panels.end(), panel);
     if (found == area.panels.end()) continue;
@@ -55,7 +55,7 @@ void Layout::Close(PanelId panel) {
   }
 }
 
-void Layout::Move(PanelId panel, Area area) {
+void Layout::Move(workbench::PanelId panel, Area area) {
   Close(panel);
   at(area).panels.push_back(panel);
   Show(panel);
@@ -67,22 +67,25 @@ void Layout::SetText(int percent) {
 
 Layout DefaultLayout() {
   Layout layout;
-  layout.at(Area::kLeft) = {true, 275, {PanelId::kAgents, PanelId::kMission, PanelId::kProblems}, 0};
+  layout.at(Area::kLeft) = {
+      true, 275, {workbench::PanelId::kAgents, workbench::PanelId::kMission, workbench::PanelId::kProblems}, 0};
   layout.at(Area::kRight) = {true,
                              360,
-                             {PanelId::kMind, PanelId::kWhy, PanelId::kMemory, PanelId::kRules, PanelId::kLinks,
-                              PanelId::kEdit, PanelId::kBreakpoints, PanelId::kFutures},
+                             {workbench::PanelId::kMind, workbench::PanelId::kWhy, workbench::PanelId::kMemory,
+                              workbench::PanelId::kRules, workbench::PanelId::kLinks, workbench::PanelId::kEdit,
+                              workbench::PanelId::kBreakpoints, workbench::PanelId::kFutures},
                              0};
   layout.at(Area::kBottom) = {
       true,
       190,
-      {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots, PanelId::kMessages, PanelId::kWatch,
-       PanelId::kMinds, PanelId::kLongTerm, PanelId::kLearning},
+      {workbench::PanelId::kTimeline, workbench::PanelId::kTrace, workbench::PanelId::kConsole,
+       workbench::PanelId::kPlots, workbench::PanelId::kMessages, workbench::PanelId::kWatch,
+       workbench::PanelId::kMinds, workbench::PanelId::kLongTerm, workbench::PanelId::kLearning},
       0};
   return layout;
 }
 
-Layout LayoutOf(const std::vector<PanelId>& panels) {
+Layout LayoutOf(const std::vector<workbench::PanelId>& panels) {
   Layout layout = DefaultLayout();
   for (AreaLayout& area : layout.areas) {
     area.panels.clear();
@@ -108,7 +111,7 @@ std::string ToText(const Layout& layout) {
   for (std::size_t i = 0; i < kAreaCount; ++i) {
     const AreaLayout& area = layout.areas[i];
     out << kAreaWords[i] << (area.shown ? " shown " : " hidden ") << static_cast<int>(area.size) << ' ' << area.front;
-    for (const PanelId panel : area.panels) out << ' ' << InfoOf(panel).word;
+    for (const workbench::PanelId panel : area.panels) out << ' ' << InfoOf(panel).word;
     out << '\n';
   }
   return out.str();
@@ -116,7 +119,7 @@ std::string ToText(const Layout& layout) {
 
 Layout ReadLayout(std::string_view text, Layout layout) {
   std::istringstream lines{std::string(text)};
-  std::array<bool, kPanelCount> placed{};
+  std::array<bool, workbench::kPanelCount> placed{};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string word;
@@ -144,7 +147,7 @@ Layout ReadLayout(std::string_view text, Layout layout) {
     area.size = std::clamp(size, kLeastSize, kMostSize);
     area.panels.clear();
     while (words >> word) {
-      const auto panel = FindPanel(word);
+      const auto panel = workbench::FindPanel(word);
       if (!panel || placed[static_cast<std::size_t>(*panel)]) continue;
       placed[static_cast<std::size_t>(*panel)] = true;
       area.panels.push_back(*panel);
@@ -166,7 +169,7 @@ std::span<const NamedLayout> ShippedLayouts() {
 namespace {
 
 std::optional<Layout> ShippedLayout(std::string_view name) {
-  using P = PanelId;
+  using P = workbench::PanelId;
   Layout layout = DefaultLayout();
   if (name == "Explore") return layout;
   if (name == "Debug") {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "viewer/panels/panel_id.h"
+#include "workbench/panel_id.h"
 
 namespace soarbox::viewer {
 
@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, kAreaCount> kAreaWords{"left", "ri
 struct AreaLayout {
   bool shown = true;
   float size = 300;  ///< Width, or height at the bottom, in px at 100 % text size.
-  std::vector<PanelId> panels;
+  std::vector<workbench::PanelId> panels;
   std::size_t front = 0;  ///< Index into `panels`; meaningless while there are none.
 };
 
@@ -40,19 +40,19 @@ struct Layout {
   const AreaLayout& at(Area area) const { return areas[static_cast<std::size_t>(area)]; }
 
   /// Whether the panel is in front of its area, and the area is shown.
-  bool IsVisible(PanelId panel) const;
-  bool IsOpen(PanelId panel) const;
+  bool IsVisible(workbench::PanelId panel) const;
+  bool IsOpen(workbench::PanelId panel) const;
   /// Opens the panel (where it belongs by default, if it was closed) and brings it to the front.
-  void Show(PanelId panel);
-  void Close(PanelId panel);
-  void Move(PanelId panel, Area area);
+  void Show(workbench::PanelId panel);
+  void Close(workbench::PanelId panel);
+  void Move(workbench::PanelId panel, Area area);
   void SetText(int percent);
 };
 
 /// What a new user sees.
 Layout DefaultLayout();
 /// Only these panels are open, each where it belongs.
-Layout LayoutOf(const std::vector<PanelId>& panels);
+Layout LayoutOf(const std::vector<workbench::PanelId>& panels);
 
 /// The layout as lines of text, and back. What a file says that we do not understand is passed over; what it does not
 /// say stays as in `base`.

@@ -13,47 +13,47 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::size_t Places(const Layout& layout, PanelId panel) {
+std::size_t Places(const Layout& layout, workbench::PanelId panel) {
   std::size_t places = 0;
   for (const AreaLayout& area : layout.areas) {
-    for (const PanelId there : area.panels) places += there == panel ? 1 : 0;
+    for (const workbench::PanelId there : area.panels) places += there == panel ? 1 : 0;
   }
   return places;
 }
 
 TEST(Layout, OffersEveryPanelOnceFromTheStart) {
   const Layout layout = DefaultLayout();
-  for (const PanelInfo& info : kPanelInfos) {
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
     EXPECT_EQ(Places(layout, info.id), 1u) << info.word;
-    EXPECT_EQ(kPanelInfos[static_cast<std::size_t>(info.id)].id, info.id) << info.word;
-    EXPECT_EQ(FindPanel(info.word), info.id);
+    EXPECT_EQ(workbench::kPanelInfos[static_cast<std::size_t>(info.id)].id, info.id) << info.word;
+    EXPECT_EQ(workbench::FindPanel(info.word), info.id);
   }
-  EXPECT_TRUE(layout.IsVisible(PanelId::kAgents));
-  EXPECT_FALSE(layout.IsVisible(PanelId::kProblems));
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kAgents));
+  EXPECT_FALSE(layout.IsVisible(workbench::PanelId::kProblems));
 }
 
 TEST(Layout, ShowsClosesAndMovesPanels) {
   Layout layout = DefaultLayout();
-  layout.Show(PanelId::kWhy);
-  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
-  EXPECT_FALSE(layout.IsVisible(PanelId::kMind));
-  layout.Close(PanelId::kWhy);
-  EXPECT_FALSE(layout.IsOpen(PanelId::kWhy));
-  EXPECT_TRUE(layout.IsVisible(PanelId::kMemory)) << "its neighbour comes to the front";
-  layout.Show(PanelId::kWhy);
-  EXPECT_EQ(layout.at(Area::kRight).panels.back(), PanelId::kWhy) << "where it belongs";
-  layout.Move(PanelId::kWhy, Area::kLeft);
-  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
-  EXPECT_EQ(Places(layout, PanelId::kWhy), 1u);
+  layout.Show(workbench::PanelId::kWhy);
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kWhy));
+  EXPECT_FALSE(layout.IsVisible(workbench::PanelId::kMind));
+  layout.Close(workbench::PanelId::kWhy);
+  EXPECT_FALSE(layout.IsOpen(workbench::PanelId::kWhy));
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kMemory)) << "its neighbour comes to the front";
+  layout.Show(workbench::PanelId::kWhy);
+  EXPECT_EQ(layout.at(Area::kRight).panels.back(), workbench::PanelId::kWhy) << "where it belongs";
+  layout.Move(workbench::PanelId::kWhy, Area::kLeft);
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kWhy));
+  EXPECT_EQ(Places(layout, workbench::PanelId::kWhy), 1u);
   layout.at(Area::kLeft).shown = false;
-  EXPECT_FALSE(layout.IsVisible(PanelId::kWhy));
-  layout.Show(PanelId::kWhy);
+  EXPECT_FALSE(layout.IsVisible(workbench::PanelId::kWhy));
+  layout.Show(workbench::PanelId::kWhy);
   EXPECT_TRUE(layout.at(Area::kLeft).shown);
 }
 
 TEST(Layout, PanelsHaveKeysOfTheirOwn) {
   std::string keys;
-  for (const PanelInfo& info : kPanelInfos) {
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
     EXPECT_TRUE(info.key >= 'A' && info.key <= 'Z') << info.word;
     EXPECT_EQ(keys.find(info.key), std::string::npos) << info.word;
     keys.push_back(info.key);
@@ -71,16 +71,16 @@ TEST(Layout, WhoHasNoneYetIsLedThroughTheWindowUntilHeHasHadEnough) {
 
 TEST(Layout, ComesBackFromItsText) {
   Layout layout = DefaultLayout();
-  layout.Move(PanelId::kConsole, Area::kLeft);
-  layout.Close(PanelId::kPlots);
+  layout.Move(workbench::PanelId::kConsole, Area::kLeft);
+  layout.Close(workbench::PanelId::kPlots);
   layout.at(Area::kRight).size = 512;
   layout.at(Area::kBottom).shown = false;
   layout.SetText(150);
   const Layout read = ReadLayout(ToText(layout), DefaultLayout());
   EXPECT_EQ(ToText(read), ToText(layout));
   EXPECT_EQ(read.text_percent, 150);
-  EXPECT_FALSE(read.IsOpen(PanelId::kPlots));
-  EXPECT_TRUE(read.IsVisible(PanelId::kConsole));
+  EXPECT_FALSE(read.IsOpen(workbench::PanelId::kPlots));
+  EXPECT_TRUE(read.IsVisible(workbench::PanelId::kConsole));
 }
 
 TEST(Layout, TakesWhatItUnderstandsOfAnyText) {
@@ -94,14 +94,14 @@ TEST(Layout, TakesWhatItUnderstandsOfAnyText) {
   EXPECT_LE(layout.at(Area::kRight).size, 4000);
   EXPECT_FALSE(layout.at(Area::kRight).shown);
   EXPECT_LT(layout.at(Area::kRight).front, layout.at(Area::kRight).panels.size());
-  EXPECT_EQ(Places(layout, PanelId::kMind), 1u);
+  EXPECT_EQ(Places(layout, workbench::PanelId::kMind), 1u);
 }
 
 TEST(Layout, OfSomePanelsHasTheseAlone) {
-  const Layout layout = LayoutOf({PanelId::kWhy, PanelId::kMind, PanelId::kTrace});
-  EXPECT_THAT(layout.at(Area::kRight).panels, ElementsAre(PanelId::kWhy, PanelId::kMind));
-  EXPECT_TRUE(layout.IsVisible(PanelId::kWhy));
-  EXPECT_TRUE(layout.IsVisible(PanelId::kTrace));
+  const Layout layout = LayoutOf({workbench::PanelId::kWhy, workbench::PanelId::kMind, workbench::PanelId::kTrace});
+  EXPECT_THAT(layout.at(Area::kRight).panels, ElementsAre(workbench::PanelId::kWhy, workbench::PanelId::kMind));
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kWhy));
+  EXPECT_TRUE(layout.IsVisible(workbench::PanelId::kTrace));
   EXPECT_FALSE(layout.at(Area::kLeft).shown);
 }
 
@@ -112,9 +112,9 @@ TEST(Layout, IsRememberedInAFileAndSaysIfItCannotBe) {
   fresh.first_steps = true;
   EXPECT_EQ(ToText(LoadLayout(file)), ToText(fresh));
   Layout layout = DefaultLayout();
-  layout.Show(PanelId::kRules);
+  layout.Show(workbench::PanelId::kRules);
   ASSERT_TRUE(SaveLayout(layout, file).ok());
-  EXPECT_TRUE(LoadLayout(file).IsVisible(PanelId::kRules));
+  EXPECT_TRUE(LoadLayout(file).IsVisible(workbench::PanelId::kRules));
   std::ofstream(folder / "no-folder") << "a file";
   const Result<void> failed = SaveLayout(layout, folder / "no-folder/window.ini");
   ASSERT_FALSE(failed.ok());

@@ -24,7 +24,7 @@ std::string Shortened(std::string_view text, float width) {
 }  // namespace
 
 bool HasMind(PanelFrame& frame) {
-  const PanelContents& contents = frame.contents;
+  const workbench::Contents& contents = frame.contents;
   if (contents.agent.empty()) {
     EmptyNote("No agent is selected.", "Click one in the scene or in the list of agents, or press Tab.");
     return false;
@@ -50,18 +50,18 @@ void RuleLink(PanelFrame& frame, std::string_view rule) {
   const std::string name(rule);
   const std::string shown = Shortened(name, ImGui::GetContentRegionAvail().x);
   if (Link(name.c_str(), shown)) {
-    frame.Ask(RuleRequest{name});
-    frame.layout.Show(PanelId::kRules);
+    frame.Ask(workbench::RuleRequest{name});
+    frame.layout.Show(workbench::PanelId::kRules);
   }
   Tooltip(shown == name ? "Click to see this rule" : name);
 }
 
 void GoToFile(PanelFrame& frame, const std::string& file, int line) {
   if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
-    frame.Ask(OpenFileRequest{file, line});
+    frame.Ask(workbench::OpenFileRequest{file, line});
   } else {
-    frame.Ask(EditRequest{file, line});
-    frame.layout.Show(PanelId::kEdit);
+    frame.Ask(workbench::EditRequest{file, line});
+    frame.layout.Show(workbench::PanelId::kEdit);
   }
 }
 
@@ -74,8 +74,8 @@ void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImV
 
 void ShowObject(PanelFrame& frame, std::string_view id) {
   frame.shown_object = id;
-  frame.Ask(ObjectRequest{std::string(id), true});
-  frame.layout.Show(PanelId::kMemory);
+  frame.Ask(workbench::ObjectRequest{std::string(id), true});
+  frame.layout.Show(workbench::PanelId::kMemory);
 }
 
 }  // namespace soarbox::viewer

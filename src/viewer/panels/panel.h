@@ -9,32 +9,32 @@
 #include <vector>
 
 #include "viewer/panels/layout.h"
-#include "viewer/panels/panel_contents.h"
 #include "viewer/panels/panel_fonts.h"
-#include "viewer/panels/panel_request.h"
 #include "viewer/viewer.h"
 #include "viewer/viewer_command.h"
+#include "workbench/contents.h"
+#include "workbench/requests.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::viewer {
 
 /// What the panels of one frame read, and what the user asked for while they were drawn.
 struct PanelFrame {
-  const PanelContents& contents;
+  const workbench::Contents& contents;
   const world::SceneSnapshot& scene;
   const RunStatus& status;
   PanelFonts fonts;
   float scale = 1;  ///< Of texts: 1 is 100 %.
   Layout& layout;
   std::uint32_t& selected;  ///< Id of the selected agent; 0: none.
-  std::vector<PanelRequest>& requests;
+  std::vector<workbench::Request>& requests;
   std::vector<ViewerCommand>& commands;
   std::string& shown_object;                 ///< What a link wants the panel Memory to show next; empty: nothing new.
   std::function<bool(ViewerCommand)> is_on;  ///< Whether an overlay or camera is.
 
   /// A length in px that grows with the text.
   float Px(float length) const { return length * scale; }
-  void Ask(PanelRequest request) { requests.push_back(std::move(request)); }
+  void Ask(workbench::Request request) { requests.push_back(std::move(request)); }
   void Command(ViewerCommand command) { commands.push_back(command); }
   const world::AgentSnapshot* Selected() const {
     for (const world::AgentSnapshot& agent : scene.agents) {

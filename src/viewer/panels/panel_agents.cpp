@@ -179,7 +179,7 @@ class AgentsPanel final : public Panel {
       ImGui::SameLine(0, font * 0.4f);
       if (Link("problems", errors, theme::kBad)) {
         frame.selected = row.id;
-        frame.layout.Show(PanelId::kProblems);
+        frame.layout.Show(workbench::PanelId::kProblems);
       }
     }
     if (is_wide) {

@@ -20,7 +20,7 @@ const char* const kHints[] = {"the rule's name; * for anything", "the rule's nam
 class BreakpointsPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     for (const debugger::BreakHit& hit : contents.hits) {
       Tag("stopped", theme::kWarn);
       ImGui::SameLine();
@@ -43,7 +43,7 @@ class BreakpointsPanel final : public Panel {
     const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
     ImGui::SameLine();
     if (ImGui::Button("Add") || entered) {
-      frame.Ask(BreakRequest{kKinds[kind_], only_selected_ ? contents.agent : std::string{}, what_});
+      frame.Ask(workbench::BreakRequest{kKinds[kind_], only_selected_ ? contents.agent : std::string{}, what_});
       what_.clear();
     }
     ImGui::Separator();
@@ -60,7 +60,7 @@ class BreakpointsPanel final : public Panel {
 
  private:
   static void DrawList(PanelFrame& frame) {
-    using What = ChangeBreakRequest::What;
+    using What = workbench::ChangeBreakRequest::What;
     if (!ImGui::BeginTable("breakpoints", 4,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit))
       return;
@@ -76,7 +76,7 @@ class BreakpointsPanel final : public Panel {
       ImGui::TableNextColumn();
       bool enabled = point.enabled;
       if (ImGui::Checkbox("##on", &enabled))
-        frame.Ask(ChangeBreakRequest{point.number, enabled ? What::kEnable : What::kDisable});
+        frame.Ask(workbench::ChangeBreakRequest{point.number, enabled ? What::kEnable : What::kDisable});
       ImGui::TableNextColumn();
       const std::string where = point.agent.empty() ? "any agent" : point.agent;
       WrappedText(
@@ -85,7 +85,7 @@ class BreakpointsPanel final : public Panel {
       ImGui::TableNextColumn();
       ColoredText(point.hits > 0 ? theme::kWarn : theme::kQuiet, std::to_string(point.hits));
       ImGui::TableNextColumn();
-      if (ImGui::SmallButton("\xc3\x97")) frame.Ask(ChangeBreakRequest{point.number, What::kClear});
+      if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::ChangeBreakRequest{point.number, What::kClear});
       Tooltip("Remove");
       ImGui::PopID();
     }

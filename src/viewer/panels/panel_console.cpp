@@ -28,7 +28,7 @@ ImVec4 ColorOf(debugger::ConsoleLine::Kind kind) {
 class ConsolePanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     if (contents.agent != agent_) {
       // What was begun for one agent waits there until it is looked at again.
       const auto begun = lines_.find(contents.agent);
@@ -67,7 +67,7 @@ class ConsolePanel final : public Panel {
 
  private:
   void DrawOutput(PanelFrame& frame) {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     const auto* lines = contents.console != nullptr ? &contents.console->lines() : nullptr;
     const float field =
         ImGui::GetFrameHeightWithSpacing() + (offered_.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
@@ -103,7 +103,7 @@ class ConsolePanel final : public Panel {
     ImGui::PopStyleColor();
     if (ImGui::BeginPopupContextItem("output-menu")) {
       if (ImGui::MenuItem("Copy all") && lines != nullptr) ImGui::SetClipboardText(debugger::ToText(*lines).c_str());
-      if (ImGui::MenuItem("Clear")) frame.Ask(ClearConsoleRequest{});
+      if (ImGui::MenuItem("Clear")) frame.Ask(workbench::ClearConsoleRequest{});
       ImGui::EndPopup();
     }
   }
@@ -127,17 +127,17 @@ class ConsolePanel final : public Panel {
     is_active_ = ImGui::IsItemActive();
     if (is_active_ && !line_.empty()) KeepKeyboard();
     ImGui::PopFont();
-    if (asked_) frame.Ask(CompleteRequest{frame.contents.agent, line_});
+    if (asked_) frame.Ask(workbench::CompleteRequest{frame.contents.agent, line_});
     if (entered) Send(frame);
     if (line_ == kept_) return;
     kept_ = line_;
-    frame.Ask(KeepLineRequest{frame.contents.agent, line_});
+    frame.Ask(workbench::KeepLineRequest{frame.contents.agent, line_});
   }
 
   void Send(PanelFrame& frame) {
     wants_focus_ = true;
     if (line_.find_first_not_of(" \t") == std::string::npos) return;
-    frame.Ask(ConsoleRequest{frame.contents.agent, line_});
+    frame.Ask(workbench::ConsoleRequest{frame.contents.agent, line_});
     if (history_.empty() || history_.back() != line_) history_.push_back(line_);
     at_ = history_.size();
     line_.clear();

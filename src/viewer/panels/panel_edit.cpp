@@ -25,7 +25,7 @@ class EditPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     DrawFiles(frame);
-    const EditContents& edit = frame.contents.edit;
+    const workbench::EditContents& edit = frame.contents.edit;
     if (edit.file.empty()) {
       OpenOwnRules(frame);
       EmptyNote(
@@ -75,7 +75,7 @@ class EditPanel final : public Panel {
     Take(forth ? history.Redo() : history.Undo());
     const auto at = static_cast<std::ptrdiff_t>(history.changed_at());
     scroll_to_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + at, '\n'));
-    frame.Ask(EditTextRequest{EditTextRequest::What::kType, text_});
+    frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kType, text_});
   }
 
   void Tokenize() {
@@ -87,11 +87,12 @@ class EditPanel final : public Panel {
   void OpenOwnRules(PanelFrame& frame) {
     const auto& files = frame.contents.files;
     if (files.empty() || !files.front().is_rules || frame.contents.moment.is_recording) return;
-    if (const std::string own = files.front().file.string(); offered_ != own) frame.Ask(EditRequest{offered_ = own, 0});
+    if (const std::string own = files.front().file.string(); offered_ != own)
+      frame.Ask(workbench::EditRequest{offered_ = own, 0});
   }
 
   static void DrawFiles(PanelFrame& frame) {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     const std::string now =
         contents.edit.file.empty() ? "Choose a file" : std::filesystem::path(contents.edit.file).filename().string();
     const bool can_find = !contents.edit.file.empty();
@@ -99,15 +100,16 @@ class EditPanel final : public Panel {
     if (!ImGui::BeginCombo("##file", now.c_str())) return;
     const auto offer = [&](const std::filesystem::path& file) {
       const std::string name = file.string();
-      const bool is_unsaved = std::any_of(contents.open_files.begin(), contents.open_files.end(),
-                                          [&](const OpenFile& open) { return open.file == name && open.is_unsaved; });
+      const bool is_unsaved =
+          std::any_of(contents.open_files.begin(), contents.open_files.end(),
+                      [&](const workbench::OpenFile& open) { return open.file == name && open.is_unsaved; });
       const std::string label = file.filename().string() + (is_unsaved ? "  (not saved)" : "") + "##" + name;
-      if (ImGui::Selectable(label.c_str(), name == contents.edit.file)) frame.Ask(EditRequest{name, 0});
+      if (ImGui::Selectable(label.c_str(), name == contents.edit.file)) frame.Ask(workbench::EditRequest{name, 0});
       Tooltip(name);
     };
     for (const sim::WatchedFile& file : contents.files) offer(file.file);
     // What was opened for other agents stays at hand.
-    for (const OpenFile& open : contents.open_files) {
+    for (const workbench::OpenFile& open : contents.open_files) {
       const bool is_listed = std::any_of(contents.files.begin(), contents.files.end(),
                                          [&](const sim::WatchedFile& file) { return file.file.string() == open.file; });
       if (!is_listed) offer(open.file);
@@ -116,11 +118,11 @@ class EditPanel final : public Panel {
   }
 
   void DrawButtons(PanelFrame& frame) {
-    using What = EditTextRequest::What;
-    const EditContents& edit = frame.contents.edit;
+    using What = workbench::EditTextRequest::What;
+    const workbench::EditContents& edit = frame.contents.edit;
     const auto button = [&](const char* label, What what, const char* tip) {
       if (what != What::kApply) FlowLine(ButtonWidth(label), frame.Px(4));
-      if (ImGui::Button(label)) frame.Ask(EditTextRequest{what, text_});
+      if (ImGui::Button(label)) frame.Ask(workbench::EditTextRequest{what, text_});
       Tooltip(tip);
     };
     button(
@@ -143,7 +145,7 @@ class EditPanel final : public Panel {
     Tooltip("Do again what was taken back (Ctrl+Y)");
     if (back || forth) Undo(frame, forth);
     FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
-    if (ImGui::Button("Open in editor")) frame.Ask(OpenFileRequest{edit.file, went_to_});
+    if (ImGui::Button("Open in editor")) frame.Ask(workbench::OpenFileRequest{edit.file, went_to_});
     Tooltip("With $VISUAL, $EDITOR or what your desktop takes for it; what you save there is reloaded by itself");
     const bool unsaved = text_ != edit.text || edit.is_unsaved, changed = text_ != edit.text || edit.is_changed;
     std::string state = edit.notice;
@@ -224,7 +226,7 @@ class EditPanel final : public Panel {
       const double now = ImGui::GetTime();
       histories_[file_].Note(text_, now - std::exchange(edited_at_, now) < kPause_s);
       Tokenize();
-      frame.Ask(EditTextRequest{EditTextRequest::What::kType, text_});
+      frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kType, text_});
     }
     const ImGuiIO& io = ImGui::GetIO();
     is_active_ = ImGui::IsItemActive();
@@ -232,9 +234,9 @@ class EditPanel final : public Panel {
     const bool asks_redo = is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Y));
     if (asks_undo || asks_redo) Undo(frame, asks_redo || io.KeyShift);
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
-      frame.Ask(EditTextRequest{EditTextRequest::What::kApply, text_});
+      frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kApply, text_});
     if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(SDL_SCANCODE_S))
-      frame.Ask(EditTextRequest{EditTextRequest::What::kSave, text_});
+      frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kSave, text_});
     MayCut(corner, ImGui::GetItemRectMax());  // Long lines go on to the right of it.
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);

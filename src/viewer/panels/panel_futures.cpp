@@ -23,7 +23,7 @@ class FuturesPanel final : public Panel {
                 "differ first.");
       return;
     }
-    const FuturesContents& futures = *frame.contents.futures;
+    const workbench::FuturesContents& futures = *frame.contents.futures;
     const double step_s = frame.contents.moment.step_s;
     const auto time = [&](std::uint64_t tick) { return TimeText(static_cast<double>(tick) * step_s); };
     const record::Comparison& found = futures.comparison;
@@ -79,7 +79,7 @@ class FuturesPanel final : public Panel {
     Heading(frame, title);
     ImGui::PushID(title);
     const double time_s = static_cast<double>(difference.tick) * frame.contents.moment.step_s;
-    if (Link("time", TimeText(time_s))) frame.Ask(SeekRequest{difference.tick});
+    if (Link("time", TimeText(time_s))) frame.Ask(workbench::SeekRequest{difference.tick});
     Tooltip("Click to go there");
     ImGui::SameLine();
     ColoredText(theme::kText, difference.agent + "  " + difference.element);
@@ -124,11 +124,12 @@ class FuturesPanel final : public Panel {
     Legend(mean, most);
     const GraphCurve distances[] = {mean, most};
     if (const auto tick = DrawGraph(frame, "distance", distances, frame.Px(80), first, last))
-      frame.Ask(SeekRequest{*tick});
+      frame.Ask(workbench::SeekRequest{*tick});
     Heading(frame, "Health of all");
     Legend(before, now);
     const GraphCurve healths[] = {before, now};
-    if (const auto tick = DrawGraph(frame, "health", healths, frame.Px(60), first, last)) frame.Ask(SeekRequest{*tick});
+    if (const auto tick = DrawGraph(frame, "health", healths, frame.Px(60), first, last))
+      frame.Ask(workbench::SeekRequest{*tick});
   }
 };
 

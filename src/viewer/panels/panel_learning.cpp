@@ -28,7 +28,7 @@ double SecondsOf(const PanelFrame& frame, std::uint64_t tick) {
 
 /// A time that a click leads to.
 void TimeLink(PanelFrame& frame, std::uint64_t tick) {
-  if (Link("when", TimeText(SecondsOf(frame, tick)))) frame.Ask(SeekRequest{tick});
+  if (Link("when", TimeText(SecondsOf(frame, tick)))) frame.Ask(workbench::SeekRequest{tick});
   Tooltip("Go there");
 }
 
@@ -170,7 +170,7 @@ class LearningPanel final : public Panel {
     const ImVec2 end{at.x + width, at.y + ImGui::GetTextLineHeight()};
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end)) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.Ask(LearnedRuleRequest{row.name});
+      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.Ask(workbench::LearnedRuleRequest{row.name});
     }
     Tooltip(row.name + (row.is_gone ? "\nExcised since. " : "\n") + "Click to see why it is as it is");
     ImGui::TableNextColumn();
@@ -187,7 +187,7 @@ class LearningPanel final : public Panel {
   /// Why the chosen rule is as it is, and where it fired since.
   static void DrawRule(PanelFrame& frame) {
     const debugger::LearnedRuleView& rule = frame.contents.learned_rule;
-    if (ImGui::SmallButton("Close")) frame.Ask(LearnedRuleRequest{});
+    if (ImGui::SmallButton("Close")) frame.Ask(workbench::LearnedRuleRequest{});
     Tooltip("Back to all learned rules");
     ImGui::SameLine();
     RuleLink(frame, rule.name);
@@ -330,7 +330,7 @@ class LearningPanel final : public Panel {
 
   static void DrawCurves(PanelFrame& frame, const std::vector<std::string>& names) {
     const LearningLog* const log = frame.contents.learning_log;
-    const Moment& moment = frame.contents.moment;
+    const workbench::Moment& moment = frame.contents.moment;
     std::vector<GraphCurve> curves;
     for (std::size_t n = 0; n < names.size(); ++n) {
       if (log == nullptr) break;
@@ -350,11 +350,12 @@ class LearningPanel final : public Panel {
   }
 
   static void DrawOverTime(PanelFrame& frame, const std::vector<GraphCurve>& curves, const char* id) {
-    const Moment& moment = frame.contents.moment;
+    const workbench::Moment& moment = frame.contents.moment;
     const float height =
         std::max(frame.Px(44), ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y);
     const auto first = static_cast<double>(moment.first_tick), last = static_cast<double>(moment.last_tick);
-    if (const auto tick = DrawGraph(frame, id, curves, height, first, last, true)) frame.Ask(SeekRequest{*tick});
+    if (const auto tick = DrawGraph(frame, id, curves, height, first, last, true))
+      frame.Ask(workbench::SeekRequest{*tick});
     DrawTimeAxis(frame, first, last);
   }
 

@@ -56,8 +56,8 @@ class LinksPanel final : public Panel {
 
   static void DrawCommand(PanelFrame& frame, const CommandRow& command) {
     if (Link("name", command.name, theme::kNumber)) {
-      frame.Ask(WhyRequest{WhyRequest::About::kCommand, command.name});
-      frame.layout.Show(PanelId::kWhy);
+      frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kCommand, command.name});
+      frame.layout.Show(workbench::PanelId::kWhy);
     }
     Tooltip("Click to ask why it gives this command");
     ImGui::SameLine();
@@ -171,7 +171,7 @@ class MessagesPanel final : public Panel {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushID(i);
-        if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(SeekRequest{row.tick});
+        if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(workbench::SeekRequest{row.tick});
         ImGui::PopID();
         ImGui::TableNextColumn();
         const std::string who = row.from.empty() ? "you" : row.from;

@@ -18,7 +18,7 @@ class LongTermPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
     if (!HasMind(frame)) return;
-    if (frame.contents.known_search != filter_) frame.Ask(SearchKnownRequest{filter_});
+    if (frame.contents.known_search != filter_) frame.Ask(workbench::SearchKnownRequest{filter_});
     const debugger::LongTermView& view = frame.contents.long_term;
     DrawBar(frame, view);
     ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoNav);
@@ -177,7 +177,7 @@ class LongTermPanel final : public Panel {
     const bool is_later = recall.tick > frame.contents.moment.shown_tick;
     if (Link("when", TimeText(static_cast<double>(recall.tick) * frame.contents.moment.step_s),
              is_later ? theme::kQuiet : theme::kAccent))
-      frame.Ask(SeekRequest{recall.tick});
+      frame.Ask(workbench::SeekRequest{recall.tick});
     Tooltip(is_later ? "Later than the moment that is shown; a click goes there" : "Go there");
     ImGui::TableNextColumn();
     CutText(recall.question);
@@ -187,7 +187,7 @@ class LongTermPanel final : public Panel {
       ColoredText(theme::kBad, "nothing");
     } else if (recall.is_episode) {
       if (Link("episode", "episode " + std::to_string(recall.number))) {
-        frame.Ask(EpisodeRequest{static_cast<std::size_t>(recall.number)});
+        frame.Ask(workbench::EpisodeRequest{static_cast<std::size_t>(recall.number)});
         page_ = kEpisodes;
       }
     } else {
@@ -212,10 +212,10 @@ class LongTermPanel final : public Panel {
     }
     const debugger::EpisodeView& episode = frame.contents.episode;
     const std::size_t chosen = episode.number;
-    if (ImGui::SmallButton("<") && chosen > 1) frame.Ask(EpisodeRequest{chosen - 1});
+    if (ImGui::SmallButton("<") && chosen > 1) frame.Ask(workbench::EpisodeRequest{chosen - 1});
     Tooltip("The episode before");
     ImGui::SameLine();
-    if (ImGui::SmallButton(">") && chosen < episodes) frame.Ask(EpisodeRequest{chosen + 1});
+    if (ImGui::SmallButton(">") && chosen < episodes) frame.Ask(workbench::EpisodeRequest{chosen + 1});
     Tooltip("The next episode");
     ImGui::SameLine();
     if (chosen == 0) {
@@ -229,7 +229,7 @@ class LongTermPanel final : public Panel {
       }
       ColoredText(theme::kText, text);
       FlowLine(ButtonWidth("Close"));
-      if (ImGui::SmallButton("Close")) frame.Ask(EpisodeRequest{0});
+      if (ImGui::SmallButton("Close")) frame.Ask(workbench::EpisodeRequest{0});
     }
     DrawStrip(frame, episodes, chosen);
     if (chosen == 0) return;
@@ -280,7 +280,7 @@ class LongTermPanel final : public Panel {
       const float x = place(chosen), half = std::max(frame.Px(1.5f), each / 2);
       draw.AddRect({x - half, at.y}, {x + half, at.y + height}, theme::Packed(theme::kAccent), 0, 0, frame.Px(2));
     }
-    if (ImGui::IsItemActive() && under() != chosen) frame.Ask(EpisodeRequest{under()});
+    if (ImGui::IsItemActive() && under() != chosen) frame.Ask(workbench::EpisodeRequest{under()});
     if (ImGui::IsItemHovered()) Tooltip("Episode " + std::to_string(under()) + "; green: recalled by rules");
   }
 

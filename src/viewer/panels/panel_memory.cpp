@@ -67,13 +67,13 @@ class MemoryPanel final : public Panel {
     }
     root_ = id;
     search_.clear();
-    frame.Ask(ObjectRequest{id, true});
+    frame.Ask(workbench::ObjectRequest{id, true});
   }
 
   void Step(PanelFrame& frame, int step) {
     at_ = static_cast<std::size_t>(static_cast<int>(at_) + step);
     root_ = trail_[at_];
-    frame.Ask(ObjectRequest{root_, true});
+    frame.Ask(workbench::ObjectRequest{root_, true});
   }
 
   void DrawBar(PanelFrame& frame) {
@@ -93,13 +93,13 @@ class MemoryPanel final : public Panel {
       Tooltip("A state of the goal stack");
     }
     ImGui::SameLine(0, frame.Px(6));
-    if (SearchField("##search", "Search", search_)) frame.Ask(SearchMemoryRequest{search_});
+    if (SearchField("##search", "Search", search_)) frame.Ask(workbench::SearchMemoryRequest{search_});
   }
 
   void DrawObject(PanelFrame& frame, const std::string& id) {
     const auto found = frame.contents.objects.find(id);
     if (found == frame.contents.objects.end()) {
-      frame.Ask(ObjectRequest{id, true});
+      frame.Ask(workbench::ObjectRequest{id, true});
       return;
     }
     const MemoryObject& object = found->second;
@@ -126,7 +126,7 @@ class MemoryPanel final : public Panel {
     const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - frame.Px(5);
     if (element.is_object && row.change != Change::kRemoved && depth_ < kDeepest) {
       open = ImGui::TreeNodeEx("object", ImGuiTreeNodeFlags_None, "%s", "");
-      if (ImGui::IsItemToggledOpen()) frame.Ask(ObjectRequest{element.value, open});
+      if (ImGui::IsItemToggledOpen()) frame.Ask(workbench::ObjectRequest{element.value, open});
       ImGui::SameLine(0, 0);
     }
     ImGui::SetCursorPosX(label);
@@ -150,20 +150,20 @@ class MemoryPanel final : public Panel {
       ColoredText(theme::kQuiet, row.about);
     }
     ImGui::EndGroup();
-    if (ImGui::IsItemClicked()) frame.Ask(ElementRequest{element.timetag});
+    if (ImGui::IsItemClicked()) frame.Ask(workbench::ElementRequest{element.timetag});
     Tooltip("Click: which rule made it and which rules test it (time tag " + std::to_string(element.timetag) + ")");
     if (ImGui::BeginPopupContextItem("menu")) {
       if (element.is_object && ImGui::MenuItem("Begin the tree here")) GoTo(frame, element.value);
       if (ImGui::MenuItem("Where does it come from?")) AskWhy(frame, element.timetag);
       if (ImGui::MenuItem("Break when such an element appears")) {
-        frame.Ask(BreakRequest{debugger::BreakKind::kElement, frame.contents.agent,
-                               "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value)});
-        frame.layout.Show(PanelId::kBreakpoints);
+        frame.Ask(workbench::BreakRequest{debugger::BreakKind::kElement, frame.contents.agent,
+                                          "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value)});
+        frame.layout.Show(workbench::PanelId::kBreakpoints);
       }
       const std::string path = element.id + "." + element.attribute;
       if (IsNumber(element.value) && ImGui::MenuItem("Plot it")) {
-        frame.Ask(PlotRequest{frame.contents.agent, path, true});
-        frame.layout.Show(PanelId::kPlots);
+        frame.Ask(workbench::PlotRequest{frame.contents.agent, path, true});
+        frame.layout.Show(workbench::PanelId::kPlots);
       }
       if (ImGui::MenuItem("Copy"))
         ImGui::SetClipboardText(("(" + element.id + " ^" + element.attribute + " " + element.value + ")").c_str());
@@ -211,7 +211,7 @@ class MemoryPanel final : public Panel {
     ImGui::BeginChild("story", {0, 0}, false, ImGuiWindowFlags_NoNav);
     DrawElement(frame, story.element);
     ImGui::SameLine();
-    if (ImGui::SmallButton("Close")) frame.Ask(ElementRequest{0});
+    if (ImGui::SmallButton("Close")) frame.Ask(workbench::ElementRequest{0});
     if (!story.note.empty()) WrappedText(theme::kQuiet, story.note);
     // What a kernel does not tell stands in the note; "no rule" would be wrong.
     const bool is_told = story.note.empty();
@@ -249,8 +249,8 @@ class MemoryPanel final : public Panel {
   }
 
   static void AskWhy(PanelFrame& frame, std::uint64_t timetag) {
-    frame.Ask(WhyRequest{WhyRequest::About::kElement, std::to_string(timetag)});
-    frame.layout.Show(PanelId::kWhy);
+    frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kElement, std::to_string(timetag)});
+    frame.layout.Show(workbench::PanelId::kWhy);
   }
 
   static bool IsNumber(std::string_view value) {

@@ -64,7 +64,7 @@ class MindPanel final : public Panel {
       ImGui::PushID(level.state.c_str());
       const bool is_chosen = level.state == frame.contents.operators.state;
       const ImVec2 at = ImGui::GetCursorScreenPos();
-      if (ImGui::Selectable("##state", is_chosen)) frame.Ask(StateRequest{level.state});
+      if (ImGui::Selectable("##state", is_chosen)) frame.Ask(workbench::StateRequest{level.state});
       Tooltip(level.impasse.empty() ? "Click to see the operators of this state"
                                     : std::string(MeaningOf(level.impasse)) + "\nClick to see its operators");
       ImGui::SetCursorScreenPos({at.x + frame.Px(12) * static_cast<float>(level.level - 1), at.y});
@@ -94,7 +94,7 @@ class MindPanel final : public Panel {
         frame.contents.timeline == nullptr ? nullptr : frame.contents.timeline->Find(frame.contents.agent);
     if (track == nullptr || frame.contents.agent.empty()) return;
     constexpr std::size_t kMost = 5, kLookAt = 200;
-    const Moment& now = frame.contents.moment;
+    const workbench::Moment& now = frame.contents.moment;
     std::size_t told = 0, seen = 0;
     for (auto span = track->spans.rbegin(); span != track->spans.rend() && told < kMost && ++seen < kLookAt; ++span) {
       if (span->is_state || span->last_tick > now.shown_tick) continue;
@@ -105,7 +105,7 @@ class MindPanel final : public Panel {
       }
       ImGui::PushID(static_cast<int>(told));
       const double time_s = static_cast<double>(span->first_tick) * now.step_s;
-      if (Link("time", TimeText(time_s), theme::kQuiet)) frame.Ask(SeekRequest{span->first_tick});
+      if (Link("time", TimeText(time_s), theme::kQuiet)) frame.Ask(workbench::SeekRequest{span->first_tick});
       Tooltip("Click to go there: all panels then show what the mind knew");
       ImGui::SameLine();
       CutText(span->text.empty() ? span->id : span->text + " (" + span->id + ")");
@@ -170,8 +170,8 @@ class MindPanel final : public Panel {
     if (ImGui::BeginPopupContextItem("menu")) {
       const std::string name = row.name.empty() ? row.id : row.name;
       if (ImGui::MenuItem(row.selected ? "Why this operator?" : "Why not this operator?")) {
-        frame.Ask(WhyRequest{WhyRequest::About::kOperator, row.id});
-        frame.layout.Show(PanelId::kWhy);
+        frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kOperator, row.id});
+        frame.layout.Show(workbench::PanelId::kWhy);
       }
       if (ImGui::MenuItem("Look at it in working memory")) ShowObject(frame, row.id);
       ImGui::EndPopup();

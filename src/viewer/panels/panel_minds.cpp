@@ -15,7 +15,7 @@ void DrawBeside(PanelFrame& frame) {
     for (const world::AgentSnapshot& agent : frame.scene.agents) {
       const bool is_there = std::find(beside.begin(), beside.end(), agent.name) != beside.end();
       if (ImGui::Selectable(((is_there ? "- " : "+ ") + agent.name).c_str(), is_there))
-        frame.Ask(BesideRequest{agent.name, !is_there});
+        frame.Ask(workbench::BesideRequest{agent.name, !is_there});
     }
     ImGui::EndCombo();
   }
@@ -23,7 +23,7 @@ void DrawBeside(PanelFrame& frame) {
   for (const std::string& agent : beside) {
     const std::string label = agent + " \xc3\x97";
     FlowLine(ButtonWidth(label.c_str()), frame.Px(4));
-    if (ImGui::Button(label.c_str())) frame.Ask(BesideRequest{agent, false});
+    if (ImGui::Button(label.c_str())) frame.Ask(workbench::BesideRequest{agent, false});
     Tooltip("Click to take it away");
   }
 }
@@ -45,10 +45,10 @@ class MindsPanel final : public Panel {
     const auto columns = static_cast<int>(minds.size());
     if (!ImGui::BeginTable(("minds" + std::to_string(columns)).c_str(), columns, kFlags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    for (const MindColumn& mind : minds) ImGui::TableSetupColumn(mind.agent.c_str());
+    for (const workbench::MindColumn& mind : minds) ImGui::TableSetupColumn(mind.agent.c_str());
     ImGui::TableHeadersRow();
     ImGui::TableNextRow();
-    for (const MindColumn& mind : minds) {
+    for (const workbench::MindColumn& mind : minds) {
       ImGui::TableNextColumn();
       ImGui::PushID(mind.agent.c_str());
       DrawMind(frame, mind);
@@ -59,7 +59,7 @@ class MindsPanel final : public Panel {
 
   std::string Text(const PanelFrame& frame) const override {
     std::string text;
-    for (const MindColumn& mind : frame.contents.minds) {
+    for (const workbench::MindColumn& mind : frame.contents.minds) {
       text += mind.agent + "\n";
       text += mind.note.empty() ? debugger::ToText(mind.stack) + debugger::ToText(mind.operators) : mind.note + "\n";
     }
@@ -67,7 +67,7 @@ class MindsPanel final : public Panel {
   }
 
  private:
-  static void DrawMind(PanelFrame& frame, const MindColumn& mind) {
+  static void DrawMind(PanelFrame& frame, const workbench::MindColumn& mind) {
     if (Link("select", "select", theme::kQuiet)) {
       for (const world::AgentSnapshot& agent : frame.scene.agents)
         if (agent.name == mind.agent) frame.selected = agent.id;

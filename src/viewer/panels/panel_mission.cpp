@@ -8,7 +8,7 @@ namespace soarbox::viewer {
 namespace {
 
 /// What is to be seen of a check at the moment that is shown: what is decided later is still open.
-std::string_view StateAt(const CheckRow& check, const Moment& moment) {
+std::string_view StateAt(const workbench::CheckRow& check, const workbench::Moment& moment) {
   return check.tick > moment.shown_tick ? std::string_view("open") : std::string_view(check.state);
 }
 
@@ -16,7 +16,7 @@ std::string_view StateAt(const CheckRow& check, const Moment& moment) {
 class MissionPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     if (contents.lesson) DrawLesson(frame, *contents.lesson);
     if (contents.checks.empty()) {
       if (!contents.lesson)
@@ -30,7 +30,7 @@ class MissionPanel final : public Panel {
     }
     ImGui::BeginChild("checks", {0, 0}, false, ImGuiWindowFlags_NoNav);
     int number = 0;
-    for (const CheckRow& check : contents.checks) {
+    for (const workbench::CheckRow& check : contents.checks) {
       ImGui::PushID(++number);
       DrawCheck(frame, check);
       ImGui::PopID();
@@ -41,7 +41,7 @@ class MissionPanel final : public Panel {
   std::string Text(const PanelFrame& frame) const override {
     std::string text;
     if (frame.contents.lesson) text = frame.contents.lesson->title + "\n" + frame.contents.lesson->task + "\n";
-    for (const CheckRow& check : frame.contents.checks) {
+    for (const workbench::CheckRow& check : frame.contents.checks) {
       const std::string_view state = StateAt(check, frame.contents.moment);
       text += std::string(state) + "  " + check.name;
       if (state != "open") text += "  " + TimeText(check.time_s);
@@ -52,9 +52,9 @@ class MissionPanel final : public Panel {
 
  private:
   static void DrawHead(PanelFrame& frame) {
-    const Moment& moment = frame.contents.moment;
+    const workbench::Moment& moment = frame.contents.moment;
     std::size_t all = 0, good = 0, bad = 0;
-    for (const CheckRow& check : frame.contents.checks) {
+    for (const workbench::CheckRow& check : frame.contents.checks) {
       if (check.is_marker) continue;
       const std::string_view state = StateAt(check, moment);
       ++all;
@@ -69,7 +69,7 @@ class MissionPanel final : public Panel {
                   "You went back and on: these are the checks of the run before. Reset begins a run that is checked.");
   }
 
-  static void DrawCheck(PanelFrame& frame, const CheckRow& check) {
+  static void DrawCheck(PanelFrame& frame, const workbench::CheckRow& check) {
     const std::string_view state = StateAt(check, frame.contents.moment);
     const bool is_open = state == "open", is_good = state == "true";
     const ImVec4 color = is_open                ? theme::kQuiet
@@ -88,7 +88,7 @@ class MissionPanel final : public Panel {
       ImGui::EndGroup();
       if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       if (ImGui::IsItemClicked()) {
-        frame.Ask(SeekRequest{check.tick});
+        frame.Ask(workbench::SeekRequest{check.tick});
         for (const world::AgentSnapshot& agent : frame.scene.agents)
           if (agent.name == check.agent) frame.selected = agent.id;
       }
@@ -126,26 +126,26 @@ class MissionPanel final : public Panel {
     ImGui::Dummy({size, size});
   }
 
-  static void DrawLesson(PanelFrame& frame, const LessonContents& lesson) {
+  static void DrawLesson(PanelFrame& frame, const workbench::LessonContents& lesson) {
     WrappedText(theme::kAccent, lesson.title);
     WrappedText(lesson.task);
     FoldedText("idea", lesson.idea, theme::kQuiet);
-    using What = LessonRequest::What;
+    using What = workbench::LessonRequest::What;
     const bool has_more = lesson.hints.size() < lesson.hint_count;
     const std::string hint = "Hint " + std::to_string(std::min(lesson.hints.size() + 1, lesson.hint_count)) + " of " +
                              std::to_string(lesson.hint_count);
     ImGui::BeginDisabled(!has_more);
-    if (ImGui::Button(hint.c_str())) frame.Ask(LessonRequest{What::kHint});
+    if (ImGui::Button(hint.c_str())) frame.Ask(workbench::LessonRequest{What::kHint});
     ImGui::EndDisabled();
     Tooltip("A nudge first, then the idea, then the outline of the rule");
     FlowLine(ButtonWidth("Check my rules"));
     ImGui::BeginDisabled(lesson.is_graded);
-    if (ImGui::Button("Check my rules")) frame.Ask(LessonRequest{What::kGrade});
+    if (ImGui::Button("Check my rules")) frame.Ask(workbench::LessonRequest{What::kGrade});
     ImGui::EndDisabled();
     Tooltip("Runs your saved rules with ten seeds and says whether the lesson is done");
     if (!lesson.next.empty()) {
       FlowLine(ButtonWidth("Next lesson"));
-      if (ImGui::Button("Next lesson")) frame.Ask(LessonRequest{What::kOpen, lesson.next});
+      if (ImGui::Button("Next lesson")) frame.Ask(workbench::LessonRequest{What::kOpen, lesson.next});
       Tooltip("Every lesson is open, whether this one is done or not");
     }
     // Above what may be long.

@@ -12,7 +12,7 @@ namespace {
 class PlotsPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     DrawBar(frame);
     if (contents.plots == nullptr || contents.plots->empty()) {
       EmptyNote("Nothing is plotted yet.",
@@ -26,7 +26,7 @@ class PlotsPanel final : public Panel {
     const float room = ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y;
     const float height = std::clamp(room / count - label, frame.Px(44), frame.Px(160));
     // All of them over the same time, so that what stands above each other happened together.
-    const Moment& moment = contents.moment;
+    const workbench::Moment& moment = contents.moment;
     double first = static_cast<double>(moment.last_tick);
     for (const debugger::PlotSeries& series : *contents.plots) {
       first =
@@ -45,7 +45,7 @@ class PlotsPanel final : public Panel {
 
  private:
   void DrawBar(PanelFrame& frame) {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     if (contents.agent.empty()) {
       ColoredText(theme::kQuiet, "Select an agent to plot its numbers.");
       return;
@@ -65,11 +65,11 @@ class PlotsPanel final : public Panel {
   void Choice(PanelFrame& frame, const std::string& what) {
     if (!HasPart(debugger::PlotTitle(what), filter_)) return;
     if (ImGui::Selectable((debugger::PlotTitle(what) + "##" + what).c_str()))
-      frame.Ask(PlotRequest{frame.contents.agent, what, true});
+      frame.Ask(workbench::PlotRequest{frame.contents.agent, what, true});
   }
 
   /// Why a plot has no points, or where they begin.
-  static std::string NoteOf(const debugger::PlotSeries& series, const Moment& moment) {
+  static std::string NoteOf(const debugger::PlotSeries& series, const workbench::Moment& moment) {
     if (series.points.empty()) {
       if (series.what == "decide_us" && moment.is_recording) return "not recorded: it is only measured during a run";
       if (series.what == "fired") {
@@ -99,12 +99,12 @@ class PlotsPanel final : public Panel {
     ImGui::SameLine();
     CutText(value, ImGui::GetContentRegionAvail().x - button, series.points.empty() ? theme::kQuiet : theme::kText);
     ImGui::SameLine();
-    if (ImGui::SmallButton("\xc3\x97")) frame.Ask(PlotRequest{series.agent, series.what, false});
+    if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::PlotRequest{series.agent, series.what, false});
     Tooltip("No longer plot it");
-    const Moment& moment = frame.contents.moment;
+    const workbench::Moment& moment = frame.contents.moment;
     if (const auto tick =
             DrawGraph(frame, "graph", {&curve, 1}, height, first, static_cast<double>(moment.last_tick), true))
-      frame.Ask(SeekRequest{*tick});
+      frame.Ask(workbench::SeekRequest{*tick});
     ImGui::PopID();
   }
 

@@ -35,7 +35,7 @@ class ProblemsPanel final : public Panel {
       Tooltip("Only the problems of the selected agent");
       FlowLine(ButtonWidth("Clear"));
     }
-    if (ImGui::SmallButton("Clear")) frame.Ask(ClearProblemsRequest{});
+    if (ImGui::SmallButton("Clear")) frame.Ask(workbench::ClearProblemsRequest{});
     ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);
     int number = 0;
     for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem) {  // The newest first.
@@ -50,14 +50,14 @@ class ProblemsPanel final : public Panel {
 
   std::string Text(const PanelFrame& frame) const override {
     std::string text;
-    for (const ProblemRow& problem : frame.contents.problems)
+    for (const workbench::ProblemRow& problem : frame.contents.problems)
       text += TimeText(problem.time_s) + (problem.agent.empty() ? "" : "  " + problem.agent) + "\n" +
               Format(problem.diagnostic);
     return text;
   }
 
  private:
-  static void DrawProblem(PanelFrame& frame, const ProblemRow& problem) {
+  static void DrawProblem(PanelFrame& frame, const workbench::ProblemRow& problem) {
     const Diagnostic& what = problem.diagnostic;
     Tag(Word(what.severity), theme::ColorOf(what.severity));
     ImGui::SameLine();
@@ -77,7 +77,7 @@ class ProblemsPanel final : public Panel {
         Tooltip("Opens it in the panel Edit, at this line");
         ImGui::SameLine();
       }
-      if (ImGui::SmallButton("Open in editor")) frame.Ask(OpenFileRequest{what.file, what.line});
+      if (ImGui::SmallButton("Open in editor")) frame.Ask(workbench::OpenFileRequest{what.file, what.line});
       Tooltip("Opens the file with $VISUAL, $EDITOR or what your desktop takes for it");
     }
     ImGui::Separator();

@@ -26,7 +26,7 @@ class RulesPanel final : public Panel {
     const int before = set_;
     ImGui::Combo("##set", &set_, sets, IM_ARRAYSIZE(sets));
     Tooltip("Which rules are listed. coverage: which took part in the run, and where the others stop");
-    if (set_ == kCoverage && before != kCoverage) frame.Ask(CoverageRequest{});
+    if (set_ == kCoverage && before != kCoverage) frame.Ask(workbench::CoverageRequest{});
     ImGui::SameLine();
     SearchField("##filter", "Filter by name", filter_);
     const bool has_rule = frame.contents.rule.has_value();
@@ -113,7 +113,7 @@ class RulesPanel final : public Panel {
       const auto now =
           at == rules.end() ? (step > 0 ? -1 : static_cast<std::ptrdiff_t>(rules.size())) : at - rules.begin();
       const auto next = std::clamp<std::ptrdiff_t>(now + step, 0, static_cast<std::ptrdiff_t>(rules.size()) - 1);
-      frame.Ask(RuleRequest{rules[static_cast<std::size_t>(next)]->name});
+      frame.Ask(workbench::RuleRequest{rules[static_cast<std::size_t>(next)]->name});
       ScrollToRow(static_cast<int>(next));
     }
     ImGuiListClipper clipper;
@@ -138,7 +138,7 @@ class RulesPanel final : public Panel {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable(("##" + name).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
-      frame.Ask(RuleRequest{chosen ? "" : name});
+      frame.Ask(workbench::RuleRequest{chosen ? "" : name});
     ImGui::PopStyleColor();
     Tooltip(name);
     ImGui::SetCursorScreenPos(at);
@@ -146,7 +146,7 @@ class RulesPanel final : public Panel {
   }
 
   void DrawCoverage(PanelFrame& frame) {
-    if (ImGui::SmallButton("Look again")) frame.Ask(CoverageRequest{});
+    if (ImGui::SmallButton("Look again")) frame.Ask(workbench::CoverageRequest{});
     Tooltip("Notes how far the rules that have not fired match now");
     if (!ImGui::BeginTable("coverage", 3,
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
@@ -181,20 +181,20 @@ class RulesPanel final : public Panel {
     WrappedText(theme::kAccent, rule.name);
     ImGui::PopFont();
     if (ImGui::SmallButton("Edit") && !rule.file.empty()) {
-      frame.Ask(EditRequest{rule.file, rule.line, rule.name});
-      frame.layout.Show(PanelId::kEdit);
+      frame.Ask(workbench::EditRequest{rule.file, rule.line, rule.name});
+      frame.layout.Show(workbench::PanelId::kEdit);
     }
     Tooltip(rule.file.empty() ? "It was typed, or learned: there is no file"
                               : rule.file + ":" + std::to_string(rule.line));
     FlowLine(ButtonWidth("Break when it fires"));
     if (ImGui::SmallButton("Break when it fires")) {
-      frame.Ask(BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
-      frame.layout.Show(PanelId::kBreakpoints);
+      frame.Ask(workbench::BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
+      frame.layout.Show(workbench::PanelId::kBreakpoints);
     }
     FlowLine(ButtonWidth("Break when it matches"));
     if (ImGui::SmallButton("Break when it matches")) {
-      frame.Ask(BreakRequest{debugger::BreakKind::kMatch, frame.contents.agent, rule.name});
-      frame.layout.Show(PanelId::kBreakpoints);
+      frame.Ask(workbench::BreakRequest{debugger::BreakKind::kMatch, frame.contents.agent, rule.name});
+      frame.layout.Show(workbench::PanelId::kBreakpoints);
     }
     FlowLine(ButtonWidth("Copy"));
     if (ImGui::SmallButton("Copy")) {
@@ -203,7 +203,7 @@ class RulesPanel final : public Panel {
     }
     Tooltip("The rule's text");
     FlowLine(ButtonWidth("Close"));
-    if (ImGui::SmallButton("Close")) frame.Ask(RuleRequest{});
+    if (ImGui::SmallButton("Close")) frame.Ask(workbench::RuleRequest{});
     ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
     if (view.source.empty()) {
       WrappedText(theme::kQuiet, frame.contents.past_note.empty()

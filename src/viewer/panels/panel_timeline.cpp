@@ -143,7 +143,7 @@ class TimelinePanel final : public Panel {
       EmptyNote("Nothing has happened yet.", "Let the world run: operators, commands and events appear here.");
       return;
     }
-    const Moment& now = frame.contents.moment;
+    const workbench::Moment& now = frame.contents.moment;
     const double last = static_cast<double>(std::max(now.last_tick, now.first_tick + 1));
     if (!is_zoomed_) {
       shown_ticks_ = std::clamp(last - static_cast<double>(now.first_tick), 60.0, 900.0);
@@ -382,7 +382,7 @@ class TimelinePanel final : public Panel {
   }
 
   void DrawCursor(PanelFrame& frame, float top, float bottom) {
-    const Moment& now = frame.contents.moment;
+    const workbench::Moment& now = frame.contents.moment;
     ImDrawList& out = *ImGui::GetWindowDrawList();
     if (now.branch_tick) {
       const float x = X(static_cast<double>(*now.branch_tick));
@@ -414,7 +414,7 @@ class TimelinePanel final : public Panel {
     }
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Right)) is_zoomed_ = false;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && tick >= 0)
-      frame.Ask(SeekRequest{static_cast<std::uint64_t>(tick)});
+      frame.Ask(workbench::SeekRequest{static_cast<std::uint64_t>(tick)});
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(TimeText(tick * frame.contents.moment.step_s).c_str());
     if (!hover_.empty()) {

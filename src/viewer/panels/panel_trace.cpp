@@ -145,7 +145,8 @@ class TracePanel final : public Panel {
   static void DrawLine(PanelFrame& frame, const TraceLine& line, int number) {
     const bool is_now = line.tick == frame.contents.moment.shown_tick;
     ImGui::PushID(number);
-    if (Link("time", TimeText(line.time_s), is_now ? theme::kWarn : theme::kQuiet)) frame.Ask(SeekRequest{line.tick});
+    if (Link("time", TimeText(line.time_s), is_now ? theme::kWarn : theme::kQuiet))
+      frame.Ask(workbench::SeekRequest{line.tick});
     Tooltip("Click to go to tick " + std::to_string(line.tick) + "; so does a double click on the line");
     ImGui::PopID();
     ImGui::SameLine();
@@ -156,7 +157,7 @@ class TracePanel final : public Panel {
       TextWithPlace(frame, "place", text, ColorOf(line.kind));
     } else {
       ColoredText(ColorOf(line.kind), text);
-      if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) frame.Ask(SeekRequest{line.tick});
+      if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) frame.Ask(workbench::SeekRequest{line.tick});
     }
   }
 

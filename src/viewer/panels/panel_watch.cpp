@@ -16,7 +16,7 @@ class WatchPanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     DrawField(frame);
     DrawBeside(frame);
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     if (contents.watches.empty()) {
       EmptyNote("Nothing is watched yet.",
                 "Type a path above (io.input-link.self.health, <s>.operator.name) or a command that prints (print s1 "
@@ -33,14 +33,15 @@ class WatchPanel final : public Panel {
     for (const std::string& agent : contents.beside) ImGui::TableSetupColumn(agent.c_str(), 0, 3);
     ImGui::TableHeadersRow();
     int number = 0;
-    for (const WatchRow& row : contents.watches) DrawRow(frame, row, number++);
+    for (const workbench::WatchRow& row : contents.watches) DrawRow(frame, row, number++);
     ImGui::EndTable();
   }
 
   std::string Text(const PanelFrame& frame) const override {
     std::string text;
-    for (const WatchRow& row : frame.contents.watches) {
-      for (const WatchRow::Cell& cell : row.cells) text += cell.agent + "  " + row.what + ": " + cell.text + "\n";
+    for (const workbench::WatchRow& row : frame.contents.watches) {
+      for (const workbench::WatchRow::Cell& cell : row.cells)
+        text += cell.agent + "  " + row.what + ": " + cell.text + "\n";
     }
     return text;
   }
@@ -56,7 +57,7 @@ class WatchPanel final : public Panel {
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !what_.empty()) {
       fault_ = debugger::WatchFault(what_);
       if (fault_.empty()) {
-        frame.Ask(WatchRequest{what_, true});
+        frame.Ask(workbench::WatchRequest{what_, true});
         what_.clear();
       }
       wants_focus_ = true;
@@ -64,15 +65,15 @@ class WatchPanel final : public Panel {
     if (!fault_.empty()) WrappedText(theme::kBad, fault_);
   }
 
-  static void DrawRow(PanelFrame& frame, const WatchRow& row, int number) {
+  static void DrawRow(PanelFrame& frame, const workbench::WatchRow& row, int number) {
     ImGui::PushID(number);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (ImGui::SmallButton("\xc3\x97")) frame.Ask(WatchRequest{row.what, false});
+    if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::WatchRequest{row.what, false});
     Tooltip("No longer watch it");
     ImGui::SameLine();
     WrappedText(theme::kAccent, row.what);
-    for (const WatchRow::Cell& cell : row.cells) {
+    for (const workbench::WatchRow::Cell& cell : row.cells) {
       ImGui::TableNextColumn();
       ImGui::PushID(cell.agent.c_str());
       ImGui::PushFont(frame.fonts.mono);

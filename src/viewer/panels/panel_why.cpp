@@ -11,12 +11,12 @@ namespace {
 class WhyPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
-    const PanelContents& contents = frame.contents;
+    const workbench::Contents& contents = frame.contents;
     if (contents.agent.empty()) {
       EmptyNote("No agent is selected.", "Click one: this panel then explains why it does what it does.");
       return;
     }
-    if (ImGui::Button("Why this?")) frame.Ask(WhyRequest{});
+    if (ImGui::Button("Why this?")) frame.Ask(workbench::WhyRequest{});
     Tooltip("Why does the agent do what it does now?");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
@@ -46,7 +46,7 @@ class WhyPanel final : public Panel {
   void DrawField(PanelFrame& frame) {
     SearchField("##not", "Why not ...", not_);
     const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    if (entered && !not_.empty()) frame.Ask(WhyRequest{WhyRequest::About::kNot, not_});
+    if (entered && !not_.empty()) frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kNot, not_});
   }
 
   std::string not_;

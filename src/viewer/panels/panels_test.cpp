@@ -147,7 +147,7 @@ class PanelStage {
   /// What a selected agent's panels show.
   void Fill(const std::string& agent) {
     contents = {};
-    Moment& at = contents.moment;
+    workbench::Moment& at = contents.moment;
     at.last_tick = at.shown_tick = last.tick;
     at.can_go_back = true;
     contents.agent = agent;
@@ -171,7 +171,7 @@ class PanelStage {
                        {"a moment", "walker should see listener", "", "", true, "open", 0, 0},
                        {"later", "walker should be at east by 60 s", "", "walker", false, "true", 1'000'000, 33'333}};
     contents.moment.shown_tick = 20;
-    LessonContents lesson;
+    workbench::LessonContents lesson;
     lesson.name = "01-a-rule";
     lesson.title = "1. A rule fires once for each match";
     lesson.idea = "A rule fires once for each set of elements that it matches.";
@@ -218,7 +218,7 @@ class PanelStage {
       if (agent.name == contents.agent) selected = agent.id;
     constexpr int kFrames = 3;  // Tables and windows know after the first how large they are.
     for (int i = 0; i < kFrames; ++i) {
-      std::vector<PanelRequest> requests;
+      std::vector<workbench::Request> requests;
       std::vector<ViewerCommand> commands;
       if (i + 1 == kFrames && in_the_last) in_the_last(workspace);
       ImGui::NewFrame();
@@ -244,7 +244,7 @@ class PanelStage {
     complaints = AuditLayout(*ImGui::GetIO().Fonts);
   }
 
-  void Draw(PanelId panel, const std::function<void(Workspace&, PanelId)>& in_the_last = {}) {
+  void Draw(workbench::PanelId panel, const std::function<void(Workspace&, workbench::PanelId)>& in_the_last = {}) {
     Layout layout = DefaultLayout();
     layout.Show(panel);
     Draw(layout, [&](Workspace& workspace) {
@@ -255,7 +255,7 @@ class PanelStage {
   std::unique_ptr<sim::Simulation> simulation;
   debugger::RunModels models;
   record::TickRecord last;
-  PanelContents contents;
+  workbench::Contents contents;
   int width = 1280, height = 720, percent = 100;
   std::vector<world::UiSnapshot> script_ui;  ///< Panels of the scenario's own.
   PictureRect cover;                         ///< What lay over the picture.
@@ -291,7 +291,7 @@ TEST_F(Panels, NothingIsCutAndNothingOverlapsWhateverIsOpen) {
     for (const char* agent : {"walker", "listener-with-a-rather-long-name", ""}) {
       if (*agent != 'w' && size.height != 720) continue;  // Once is enough.
       stage->Fill(agent);
-      for (const PanelInfo& info : kPanelInfos) {
+      for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
         stage->Draw(info.id);
         EXPECT_THAT(stage->complaints, IsEmpty()) << info.word << " of '" << agent << "' at " << size.width << "x"
                                                   << size.height << ", " << size.percent << " %";
@@ -432,7 +432,8 @@ TEST_F(Panels, DrawWhatCanBeSeenHoweverLongTheRunAndHoweverManyTheAgents) {
   const debugger::RunModels runs[] = {BusyRun(1'000, 40), BusyRun(4'000, 40)};
   for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{3840, 2160}}) {
     stage->SetSize(width, height, 100);
-    for (const PanelId panel : {PanelId::kTimeline, PanelId::kPlots, PanelId::kTrace}) {
+    for (const workbench::PanelId panel :
+         {workbench::PanelId::kTimeline, workbench::PanelId::kPlots, workbench::PanelId::kTrace}) {
       int corners[2] = {};
       for (const std::size_t run : {0, 1}) {
         const debugger::RunModels& models = runs[run];
@@ -441,7 +442,8 @@ TEST_F(Panels, DrawWhatCanBeSeenHoweverLongTheRunAndHoweverManyTheAgents) {
         stage->contents.trace = &models.trace;
         stage->contents.plots = &models.plots.series();
         stage->contents.moment.last_tick = stage->contents.moment.shown_tick = models.timeline.last_tick();
-        stage->Draw(panel, [](Workspace& workspace, PanelId) { workspace.layout.at(Area::kBottom).size = 1400; });
+        stage->Draw(panel,
+                    [](Workspace& workspace, workbench::PanelId) { workspace.layout.at(Area::kBottom).size = 1400; });
         corners[run] = MostCorners();
         EXPECT_THAT(stage->overfull, testing::IsEmpty()) << InfoOf(panel).word << " at " << width;
         EXPECT_LT(corners[run], 1 << 16) << InfoOf(panel).word << " at " << width;
@@ -477,28 +479,28 @@ TEST_F(Panels, AWindowThatHoldsTooMuchIsCutAndEndsNothing) {
 TEST_F(Panels, CanBeCopied) {
   stage->SetSize(1280, 720, 100);
   stage->Fill("walker");
-  const std::vector<std::pair<PanelId, const char*>> wanted = {
-      {PanelId::kAgents, "walker"},
-      {PanelId::kMind, "S1"},
-      {PanelId::kMemory, "superstate"},
-      {PanelId::kRules, "sp {walker*propose*flee"},
-      {PanelId::kWhy, "Why does walker"},
-      {PanelId::kLinks, "seek"},
-      {PanelId::kMessages, "I am on my way"},
-      {PanelId::kTimeline, "seek"},
-      {PanelId::kTrace, "seek"},
-      {PanelId::kPlots, "health"},
-      {PanelId::kConsole, "superstate"},
-      {PanelId::kEdit, "walker*propose*seek"},
-      {PanelId::kBreakpoints, "flee"},
-      {PanelId::kProblems, "did you mean"},
-      {PanelId::kMission, "it stood idle for 0 s"},
-      {PanelId::kLongTerm, "no long-term memory is switched on"},
-      {PanelId::kLearning, "nothing has been learned"},
+  const std::vector<std::pair<workbench::PanelId, const char*>> wanted = {
+      {workbench::PanelId::kAgents, "walker"},
+      {workbench::PanelId::kMind, "S1"},
+      {workbench::PanelId::kMemory, "superstate"},
+      {workbench::PanelId::kRules, "sp {walker*propose*flee"},
+      {workbench::PanelId::kWhy, "Why does walker"},
+      {workbench::PanelId::kLinks, "seek"},
+      {workbench::PanelId::kMessages, "I am on my way"},
+      {workbench::PanelId::kTimeline, "seek"},
+      {workbench::PanelId::kTrace, "seek"},
+      {workbench::PanelId::kPlots, "health"},
+      {workbench::PanelId::kConsole, "superstate"},
+      {workbench::PanelId::kEdit, "walker*propose*seek"},
+      {workbench::PanelId::kBreakpoints, "flee"},
+      {workbench::PanelId::kProblems, "did you mean"},
+      {workbench::PanelId::kMission, "it stood idle for 0 s"},
+      {workbench::PanelId::kLongTerm, "no long-term memory is switched on"},
+      {workbench::PanelId::kLearning, "nothing has been learned"},
   };
   for (const auto& [panel, text] : wanted) {
     ImGui::SetClipboardText("");
-    stage->Draw(panel, [](Workspace& workspace, PanelId opened) {
+    stage->Draw(panel, [](Workspace& workspace, workbench::PanelId opened) {
       workspace.Open(opened);
       workspace.CopyPanel();
     });
@@ -602,41 +604,41 @@ TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {
 TEST_F(Panels, EachShowsWhatTheRunHolds) {
   stage->SetSize(1280, 720, 100);
   stage->Fill("walker");
-  const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
-      {PanelId::kAgents, {"walker", "listener", "seek", "operator", "100"}},
-      {PanelId::kMind, {"Goal stack", "propose", "seek", "Standing", "better than"}},
-      {PanelId::kMemory, {"S1", "^superstate", "nil", "^operator"}},
-      {PanelId::kRules, {"walker*apply*seek", "Fired", "Break when it fires", "health"}},
-      {PanelId::kWhy, {"Why does walker do what it does?", "command", "walker*propose*seek", "north"}},
-      {PanelId::kLinks,
+  const std::vector<std::pair<workbench::PanelId, std::vector<const char*>>> wanted = {
+      {workbench::PanelId::kAgents, {"walker", "listener", "seek", "operator", "100"}},
+      {workbench::PanelId::kMind, {"Goal stack", "propose", "seek", "Standing", "better than"}},
+      {workbench::PanelId::kMemory, {"S1", "^superstate", "nil", "^operator"}},
+      {workbench::PanelId::kRules, {"walker*apply*seek", "Fired", "Break when it fires", "health"}},
+      {workbench::PanelId::kWhy, {"Why does walker do what it does?", "command", "walker*propose*seek", "north"}},
+      {workbench::PanelId::kLinks,
        {"Commands (output link)", "seek", "broadcast", "^waypoint north", "Percepts (input link)",
         "Filter by attribute"}},
-      {PanelId::kMessages, {"From", "walker", "team red", "I am on my way"}},
-      {PanelId::kTimeline, {"walker", "seek"}},
-      {PanelId::kTrace, {"seek", "walker"}},
-      {PanelId::kPlots, {"Plot a number of walker", "health", "self.position.x (m)"}},
-      {PanelId::kConsole, {"print s1", "superstate nil"}},
-      {PanelId::kEdit, {"Apply", "walker*propose*seek", "line 14", "variable <t>"}},
-      {PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
-      {PanelId::kFutures, {"There is only one future so far."}},
-      {PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
-      {PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
-      {PanelId::kMinds, {"No mind is looked at.", "Add agent"}},
-      {PanelId::kMission,
+      {workbench::PanelId::kMessages, {"From", "walker", "team red", "I am on my way"}},
+      {workbench::PanelId::kTimeline, {"walker", "seek"}},
+      {workbench::PanelId::kTrace, {"seek", "walker"}},
+      {workbench::PanelId::kPlots, {"Plot a number of walker", "health", "self.position.x (m)"}},
+      {workbench::PanelId::kConsole, {"print s1", "superstate nil"}},
+      {workbench::PanelId::kEdit, {"Apply", "walker*propose*seek", "line 14", "variable <t>"}},
+      {workbench::PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
+      {workbench::PanelId::kFutures, {"There is only one future so far."}},
+      {workbench::PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
+      {workbench::PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
+      {workbench::PanelId::kMinds, {"No mind is looked at.", "Add agent"}},
+      {workbench::PanelId::kMission,
        {"1. A rule fires once", "Greet each visitor", "Hint 2 of 3", "1. Watch the panel", "Check my rules",
         "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20", "it stood idle for 0 s",
         "a moment that others refer to", "walker should be at east by 60 s", "once per visit"}},
-      {PanelId::kLongTerm, {"Known 0", "Recalled 0", "Episodes 0", "no long-term memory is switched on"}},
-      {PanelId::kLearning, {"Rules 0", "Episodes 0", "No rule has been learned yet."}},
+      {workbench::PanelId::kLongTerm, {"Known 0", "Recalled 0", "Episodes 0", "no long-term memory is switched on"}},
+      {workbench::PanelId::kLearning, {"Rules 0", "Episodes 0", "No rule has been learned yet."}},
   };
-  ASSERT_EQ(wanted.size(), kPanelCount);
+  ASSERT_EQ(wanted.size(), workbench::kPanelCount);
   for (const auto& [panel, texts] : wanted) {
     stage->Draw(panel);
     for (const char* text : texts) EXPECT_THAT(stage->shown, HasSubstr(text)) << InfoOf(panel).word;
   }
   // Where there is room, all plots stand there.
   Layout tall = DefaultLayout();
-  tall.Move(PanelId::kPlots, Area::kRight);
+  tall.Move(workbench::PanelId::kPlots, Area::kRight);
   stage->Draw(tall);
   for (const char* text : {"decision time (\xc2\xb5s)", "reward", "0.5"}) EXPECT_THAT(stage->shown, HasSubstr(text));
 }
@@ -647,7 +649,7 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
   record::MindRecord mind;
   mind.events.Add(mind::Recalled{1, false, 12, "^kind ammo", "^kind ammo ^site @3", "the only one that fits"});
   recalls.Add(5, mind);
-  PanelContents& contents = stage->contents;
+  workbench::Contents& contents = stage->contents;
   contents.recalls = &recalls;
   explain::LongTermFacts& facts = contents.long_term.facts;
   contents.long_term.note.clear();
@@ -657,13 +659,13 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
   facts.episodes = 40;
   for (const auto& [width, height] : {std::pair{1280, 800}, std::pair{1920, 1080}}) {
     stage->SetSize(width, height, 100);
-    stage->Draw(PanelId::kLongTerm);
+    stage->Draw(workbench::PanelId::kLongTerm);
     for (const char* text : {"Known 5000", "Recalled 1", "Episodes 40", "The 2 most active.", "@12", "1.250", "@3",
                              "-0.500", "^kind ammo ^site @3"})
       EXPECT_THAT(stage->shown, HasSubstr(text)) << width;
     EXPECT_THAT(stage->complaints, IsEmpty()) << width;
   }
-  stage->Draw(PanelId::kLongTerm, [](Workspace& workspace, PanelId opened) {
+  stage->Draw(workbench::PanelId::kLongTerm, [](Workspace& workspace, workbench::PanelId opened) {
     workspace.Open(opened);
     workspace.CopyPanel();
   });
@@ -671,7 +673,7 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
     EXPECT_THAT(ImGui::GetClipboardText(), HasSubstr(text));
   facts.known.clear();
   facts.objects = 0;
-  stage->Draw(PanelId::kLongTerm);
+  stage->Draw(workbench::PanelId::kLongTerm);
   EXPECT_THAT(stage->shown, HasSubstr("Nothing is known yet."));
 }
 
@@ -690,7 +692,7 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   mind.events.Add(mind::RewardReceived{-1});
   mind.events.Add(mind::EpisodeEnded{});
   log.Add(20, mind);
-  PanelContents& contents = stage->contents;
+  workbench::Contents& contents = stage->contents;
   contents.learning_log = &log;
   debugger::LearningView& view = contents.learning;
   view = {};
@@ -709,7 +711,7 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   }
   for (const auto& [width, height] : {std::pair{1280, 800}, std::pair{1920, 1080}}) {
     stage->SetSize(width, height, 100);
-    stage->Draw(PanelId::kLearning);
+    stage->Draw(workbench::PanelId::kLearning);
     for (const char* text : {"Rules 20001", "Values 1", "Episodes 2", "chunk*walker*turn*t4-1", "proposes turn",
                              "S2: operator tie in S1", "0:00.17"})
       EXPECT_THAT(stage->shown, HasSubstr(text)) << width;
@@ -722,18 +724,18 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   chosen.why.below.push_back({"why each condition is there", "reason", "", {}});
   chosen.why.below[0].below.push_back({"(<s> ^operator <o>)", "condition", "", {}});
   chosen.fired = {20};
-  stage->Draw(PanelId::kLearning);
+  stage->Draw(workbench::PanelId::kLearning);
   for (const char* text : {"Fired since:", "0:00.67", "learned in the substate S2", "(<s> ^operator <o>)", "Close"})
     EXPECT_THAT(stage->shown, HasSubstr(text));
   EXPECT_THAT(stage->complaints, IsEmpty());
   view.rules.clear();
   view.note = "reinforcement learning is off: rl --set learning on";
   chosen = {};
-  stage->Draw(PanelId::kLearning);
+  stage->Draw(workbench::PanelId::kLearning);
   EXPECT_THAT(stage->shown, HasSubstr("rl*walker*1")) << "values, where no rule was learned";
   view.learners = 0;
   view.numbers.clear();
-  stage->Draw(PanelId::kLearning);
+  stage->Draw(workbench::PanelId::kLearning);
   EXPECT_THAT(stage->shown, HasSubstr("No rule has been learned yet."));
 }
 
@@ -753,7 +755,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   minds.Add(tick);
   const std::unique_ptr<explain::Inspector> mind = minds.Inspect("walker");
   ASSERT_NE(mind, nullptr);
-  PanelContents& contents = stage->contents;
+  workbench::Contents& contents = stage->contents;
   contents.moment.is_recording = true;
   contents.moment.is_live = false;
   contents.past_note = "The mind at this moment cannot be rebuilt: the scenario has gone";
@@ -766,15 +768,15 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
   contents.learning = debugger::LookAtLearning(*mind);
   contents.rule.reset();
   contents.story.reset();
-  const std::vector<std::pair<PanelId, std::vector<const char*>>> wanted = {
-      {PanelId::kMind,
+  const std::vector<std::pair<workbench::PanelId, std::vector<const char*>>> wanted = {
+      {workbench::PanelId::kMind,
        {"as recorded", "seek (O3) was selected: as recorded: better than the", "preferences: not recorded"}},
-      {PanelId::kMemory, {"Not recorded at this level"}},
-      {PanelId::kRules, {"Not recorded at this level"}},
-      {PanelId::kBreakpoints, {"Nothing stops a recording."}},
-      {PanelId::kFutures, {"A recording has one future."}},
-      {PanelId::kLongTerm, {"what it knows and remembers: not recorded"}},
-      {PanelId::kLearning, {"what it has learned: not recorded"}},
+      {workbench::PanelId::kMemory, {"Not recorded at this level"}},
+      {workbench::PanelId::kRules, {"Not recorded at this level"}},
+      {workbench::PanelId::kBreakpoints, {"Nothing stops a recording."}},
+      {workbench::PanelId::kFutures, {"A recording has one future."}},
+      {workbench::PanelId::kLongTerm, {"what it knows and remembers: not recorded"}},
+      {workbench::PanelId::kLearning, {"what it has learned: not recorded"}},
   };
   for (const auto& [panel, texts] : wanted) {
     stage->Draw(panel);

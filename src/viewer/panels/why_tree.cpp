@@ -26,23 +26,23 @@ ImVec4 ColorOfReason(const std::string& kind) {
 }
 
 void FollowReason(PanelFrame& frame, const WhyNode& node) {
-  using About = WhyRequest::About;
+  using About = workbench::WhyRequest::About;
   if (node.kind == "rule") {
-    frame.Ask(RuleRequest{node.link});
-    frame.layout.Show(PanelId::kRules);
+    frame.Ask(workbench::RuleRequest{node.link});
+    frame.layout.Show(workbench::PanelId::kRules);
   } else if (node.kind == "learned") {
-    frame.Ask(LearnedRuleRequest{node.link});
-    frame.layout.Show(PanelId::kLearning);
+    frame.Ask(workbench::LearnedRuleRequest{node.link});
+    frame.layout.Show(workbench::PanelId::kLearning);
   } else if (node.kind == "operator") {
-    frame.Ask(WhyRequest{About::kOperator, node.link});
+    frame.Ask(workbench::WhyRequest{About::kOperator, node.link});
   } else if (node.kind == "command") {
-    frame.Ask(WhyRequest{About::kCommand, node.link});
+    frame.Ask(workbench::WhyRequest{About::kCommand, node.link});
   } else if (node.kind == "agent") {
     for (const world::AgentSnapshot& agent : frame.scene.agents) {
       if (agent.name == node.link) frame.selected = agent.id;
     }
   } else if (std::all_of(node.link.begin(), node.link.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
-    frame.Ask(WhyRequest{About::kElement, node.link});
+    frame.Ask(workbench::WhyRequest{About::kElement, node.link});
   }
 }
 

@@ -28,29 +28,29 @@ const char* Title(Area area) {
 }  // namespace
 
 Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
-  const auto put = [this](PanelId id, std::unique_ptr<Panel> panel) {
+  const auto put = [this](workbench::PanelId id, std::unique_ptr<Panel> panel) {
     panels_[static_cast<std::size_t>(id)] = std::move(panel);
   };
-  put(PanelId::kAgents, MakeAgentsPanel());
-  put(PanelId::kMind, MakeMindPanel());
-  put(PanelId::kMemory, MakeMemoryPanel());
-  put(PanelId::kRules, MakeRulesPanel());
-  put(PanelId::kWhy, MakeWhyPanel());
-  put(PanelId::kLinks, MakeLinksPanel());
-  put(PanelId::kMessages, MakeMessagesPanel());
-  put(PanelId::kTimeline, MakeTimelinePanel());
-  put(PanelId::kTrace, MakeTracePanel());
-  put(PanelId::kPlots, MakePlotsPanel());
-  put(PanelId::kConsole, MakeConsolePanel());
-  put(PanelId::kEdit, MakeEditPanel());
-  put(PanelId::kBreakpoints, MakeBreakpointsPanel());
-  put(PanelId::kFutures, MakeFuturesPanel());
-  put(PanelId::kProblems, MakeProblemsPanel());
-  put(PanelId::kWatch, MakeWatchPanel());
-  put(PanelId::kLongTerm, MakeLongTermPanel());
-  put(PanelId::kLearning, MakeLearningPanel());
-  put(PanelId::kMinds, MakeMindsPanel());
-  put(PanelId::kMission, MakeMissionPanel());
+  put(workbench::PanelId::kAgents, MakeAgentsPanel());
+  put(workbench::PanelId::kMind, MakeMindPanel());
+  put(workbench::PanelId::kMemory, MakeMemoryPanel());
+  put(workbench::PanelId::kRules, MakeRulesPanel());
+  put(workbench::PanelId::kWhy, MakeWhyPanel());
+  put(workbench::PanelId::kLinks, MakeLinksPanel());
+  put(workbench::PanelId::kMessages, MakeMessagesPanel());
+  put(workbench::PanelId::kTimeline, MakeTimelinePanel());
+  put(workbench::PanelId::kTrace, MakeTracePanel());
+  put(workbench::PanelId::kPlots, MakePlotsPanel());
+  put(workbench::PanelId::kConsole, MakeConsolePanel());
+  put(workbench::PanelId::kEdit, MakeEditPanel());
+  put(workbench::PanelId::kBreakpoints, MakeBreakpointsPanel());
+  put(workbench::PanelId::kFutures, MakeFuturesPanel());
+  put(workbench::PanelId::kProblems, MakeProblemsPanel());
+  put(workbench::PanelId::kWatch, MakeWatchPanel());
+  put(workbench::PanelId::kLongTerm, MakeLongTermPanel());
+  put(workbench::PanelId::kLearning, MakeLearningPanel());
+  put(workbench::PanelId::kMinds, MakeMindsPanel());
+  put(workbench::PanelId::kMission, MakeMissionPanel());
 }
 
 Workspace::Metrics Workspace::Measure(int width, int height) const {
@@ -141,7 +141,7 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
   DrawTabs(frame, area);
   AreaLayout& side = layout.at(area);
   if (side.front < side.panels.size()) {
-    const PanelId panel = side.panels[side.front];
+    const workbench::PanelId panel = side.panels[side.front];
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {2, 2});
     ImGui::BeginChild(InfoOf(panel).word.data(), {0, 0}, false, ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
@@ -160,9 +160,9 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
 namespace {
 
 /// "Problems 3"
-std::string TitleOf(PanelId panel, const PanelContents& contents) {
+std::string TitleOf(workbench::PanelId panel, const workbench::Contents& contents) {
   std::string title(InfoOf(panel).title);
-  if (panel == PanelId::kProblems && !contents.problems.empty())
+  if (panel == workbench::PanelId::kProblems && !contents.problems.empty())
     title.append(1, ' ').append(std::to_string(contents.problems.size()));
   return title;
 }
@@ -174,11 +174,11 @@ ImVec2 SizeOfTab(const std::string& title) {
 
 /// Which panels of an area get a tab. All of them, in as many rows as they take; but where rows of tabs would leave
 /// the panel itself too little, those that fit into one row, and a menu has the others. The one in front has a tab.
-std::vector<PanelId> WithTabs(const AreaLayout& side, const PanelContents& contents, float gap) {
+std::vector<workbench::PanelId> WithTabs(const AreaLayout& side, const workbench::Contents& contents, float gap) {
   constexpr float kLow_em = 17;
   if (ImGui::GetContentRegionAvail().y > kLow_em * ImGui::GetFontSize()) return side.panels;
   const float room = ImGui::GetContentRegionAvail().x, more = SizeOfTab("+88").x + gap;
-  std::vector<PanelId> shown;
+  std::vector<workbench::PanelId> shown;
   float taken = 0;
   for (std::size_t i = 0; i < side.panels.size(); ++i) {
     const float width = SizeOfTab(TitleOf(side.panels[i], contents)).x + gap;
@@ -188,7 +188,7 @@ std::vector<PanelId> WithTabs(const AreaLayout& side, const PanelContents& conte
     shown.push_back(side.panels[i]);
   }
   if (side.front >= side.panels.size()) return shown;
-  const PanelId front = side.panels[side.front];
+  const workbench::PanelId front = side.panels[side.front];
   if (std::find(shown.begin(), shown.end(), front) != shown.end()) return shown;
   for (const float width = SizeOfTab(TitleOf(front, contents)).x + gap; !shown.empty() && taken + width + more > room;
        shown.pop_back())
@@ -200,8 +200,8 @@ std::vector<PanelId> WithTabs(const AreaLayout& side, const PanelContents& conte
 }  // namespace
 
 /// The panels of an area that have no tab.
-void Workspace::DrawOtherTabs(PanelFrame& frame, const std::vector<PanelId>& panels,
-                              const std::vector<PanelId>& shown) {
+void Workspace::DrawOtherTabs(PanelFrame& frame, const std::vector<workbench::PanelId>& panels,
+                              const std::vector<workbench::PanelId>& shown) {
   if (shown.size() == panels.size()) return;
   const std::string title = "+" + std::to_string(panels.size() - shown.size());
   const ImVec2 size = SizeOfTab(title), pad = ImGui::GetStyle().FramePadding;
@@ -213,7 +213,7 @@ void Workspace::DrawOtherTabs(PanelFrame& frame, const std::vector<PanelId>& pan
   PutText(*ImGui::GetWindowDrawList(), {at.x + 0.8f * pad.x, at.y + 0.8f * pad.y},
           theme::Packed(hovered ? theme::kText : theme::kAccent), title);
   if (!ImGui::BeginPopup("other panels")) return;
-  for (const PanelId panel : panels) {
+  for (const workbench::PanelId panel : panels) {
     if (std::find(shown.begin(), shown.end(), panel) != shown.end()) continue;
     if (ImGui::MenuItem(TitleOf(panel, frame.contents).c_str(), ("Alt+" + std::string(1, InfoOf(panel).key)).c_str()))
       layout.Show(panel);
@@ -225,11 +225,11 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   AreaLayout& side = layout.at(area);
   const ImVec2 pad = ImGui::GetStyle().FramePadding;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, gap = frame.Px(2);
-  const std::vector<PanelId> all = side.panels, panels = WithTabs(side, frame.contents, gap);
+  const std::vector<workbench::PanelId> all = side.panels, panels = WithTabs(side, frame.contents, gap);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const PanelInfo& info = InfoOf(panels[i]);
+    const workbench::PanelInfo& info = InfoOf(panels[i]);
     const bool is_front = side.front < all.size() && panels[i] == all[side.front];
-    const bool alarms = panels[i] == PanelId::kProblems && !frame.contents.problems.empty();
+    const bool alarms = panels[i] == workbench::PanelId::kProblems && !frame.contents.problems.empty();
     const std::string title = TitleOf(panels[i], frame.contents);
     const ImVec2 size = SizeOfTab(title);
     if (i > 0) {
@@ -269,12 +269,12 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   if (!ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y}, false)) return;
   ImGui::GetForegroundDrawList()->AddRect(corner, {corner.x + size.x, corner.y + size.y}, theme::Packed(theme::kAccent),
                                           0, 0, frame.Px(2));
-  const PanelId dropped = *static_cast<const PanelId*>(payload->Data);
+  const workbench::PanelId dropped = *static_cast<const workbench::PanelId*>(payload->Data);
   const bool is_here = std::find(side.panels.begin(), side.panels.end(), dropped) != side.panels.end();
   if (ImGui::IsMouseReleased(0) && !is_here) layout.Move(dropped, area);
 }
 
-bool Workspace::MayClose(const PanelContents& contents) {
+bool Workspace::MayClose(const workbench::Contents& contents) {
   std::vector<std::string> unsent;
   for (const auto& panel : panels_) {
     if (std::string text = panel->Unsent(); !text.empty()) unsent.push_back(std::move(text));
@@ -282,26 +282,26 @@ bool Workspace::MayClose(const PanelContents& contents) {
   return closing_.MayClose(contents, std::move(unsent));
 }
 
-void Workspace::Open(PanelId panel) {
+void Workspace::Open(workbench::PanelId panel) {
   only_picture = false;
   layout.Show(panel);
   used_ = panel;
   focus_ = panel;
 }
 
-void Workspace::Copy(PanelFrame& frame, PanelId panel) {
+void Workspace::Copy(PanelFrame& frame, workbench::PanelId panel) {
   const std::string text = panels_[static_cast<std::size_t>(panel)]->Text(frame);
   const std::string title(InfoOf(panel).title);
   if (text.empty()) {
-    frame.Ask(TellRequest{title + ": there is nothing to copy"});
+    frame.Ask(workbench::TellRequest{title + ": there is nothing to copy"});
     return;
   }
   ImGui::SetClipboardText(text.c_str());
   const auto lines = std::count(text.begin(), text.end(), '\n') + (text.back() == '\n' ? 0 : 1);
-  frame.Ask(TellRequest{title + ": copied " + std::to_string(lines) + (lines == 1 ? " line" : " lines")});
+  frame.Ask(workbench::TellRequest{title + ": copied " + std::to_string(lines) + (lines == 1 ? " line" : " lines")});
 }
 
-void Workspace::DrawTabMenu(PanelFrame& frame, PanelId panel) {
+void Workspace::DrawTabMenu(PanelFrame& frame, workbench::PanelId panel) {
   if (!ImGui::BeginPopupContextItem("menu")) return;
   if (ImGui::MenuItem("Copy what it shows", "Ctrl+C")) Copy(frame, panel);
   ImGui::Separator();

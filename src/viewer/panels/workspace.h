@@ -38,7 +38,7 @@ class Workspace {
   bool IsModal() const { return modal_; }
 
   /// Somebody wants to close the window: true if it may close; false: the user is asked, and kQuit comes if he agrees.
-  bool MayClose(const PanelContents& contents);
+  bool MayClose(const workbench::Contents& contents);
   /// Leaves the question open whether the window is to close. True if there was one.
   bool StayOpen() { return closing_.is_open() ? (closing_.Stay(), true) : false; }
 
@@ -48,7 +48,7 @@ class Workspace {
   bool CloseFinder() { return finder_.is_open() ? (finder_.Close(), true) : false; }
 
   /// Brings a panel to the front and lets the keyboard go on there.
-  void Open(PanelId panel);
+  void Open(workbench::PanelId panel);
   /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
   void FocusField() { focus_ = used_; }
   /// What that panel shows goes to the clipboard.
@@ -82,20 +82,22 @@ class Workspace {
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
   void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);
   void DrawTabs(PanelFrame& frame, Area area);
-  void DrawOtherTabs(PanelFrame& frame, const std::vector<PanelId>& panels, const std::vector<PanelId>& shown);
-  void DrawTabMenu(PanelFrame& frame, PanelId panel);
-  void Copy(PanelFrame& frame, PanelId panel);
+  void DrawOtherTabs(PanelFrame& frame, const std::vector<workbench::PanelId>& panels,
+                     const std::vector<workbench::PanelId>& shown);
+  void DrawTabMenu(PanelFrame& frame, workbench::PanelId panel);
+  void Copy(PanelFrame& frame, workbench::PanelId panel);
   void DrawSplitter(Area area, ImVec2 corner, ImVec2 size, const Metrics& metrics);
   void DrawHelp(PanelFrame& frame, int width, int height);
 
-  std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
+  std::array<std::unique_ptr<Panel>, workbench::kPanelCount> panels_;
   bool modal_ = false;
   FirstSteps first_steps_;
   Closing closing_;
   Finder finder_;
   PictureRect cover_{0, 0, 0, 0};
-  PanelId used_ = PanelId::kAgents;  ///< Under the mouse when it was moved last, or opened by key since then.
-  std::optional<PanelId> focus_;     ///< Its field takes the keyboard in the next frame.
+  workbench::PanelId used_ =
+      workbench::PanelId::kAgents;           ///< Under the mouse when it was moved last, or opened by key since then.
+  std::optional<workbench::PanelId> focus_;  ///< Its field takes the keyboard in the next frame.
   bool wants_copy_ = false;
   std::string layout_name_;  ///< As typed into the menu of layouts.
   std::string layout_fault_;

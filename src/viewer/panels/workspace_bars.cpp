@@ -81,7 +81,7 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Panels")) {
-    for (const PanelInfo& info : kPanelInfos) {
+    for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
       const std::string keys = std::string("Alt+") + info.key;
       if (ImGui::MenuItem(info.title.data(), keys.c_str(), layout.IsVisible(info.id))) {
         if (layout.IsVisible(info.id)) {
@@ -125,10 +125,10 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     Tooltip("Leads you through the window, one thing at a time");
     if (ImGui::BeginMenu("Lessons", !frame.contents.lessons.empty())) {
       int number = 0;
-      for (const LessonOffer& lesson : frame.contents.lessons) {
+      for (const workbench::LessonOffer& lesson : frame.contents.lessons) {
         const std::string title = std::to_string(++number) + ". " + lesson.title;
         if (ImGui::MenuItem(title.c_str(), lesson.is_passed ? "done" : nullptr))
-          frame.Ask(LessonRequest{LessonRequest::What::kOpen, lesson.name});
+          frame.Ask(workbench::LessonRequest{workbench::LessonRequest::What::kOpen, lesson.name});
       }
       ImGui::EndMenu();
     }
@@ -144,11 +144,11 @@ void Workspace::DrawFileMenu(PanelFrame& frame) {
   if (ImGui::MenuItem("Open recording ...", "Ctrl+Shift+O")) Find(Finder::For::kRecording);
   if (ImGui::BeginMenu("Open recent", !frame.contents.recent.empty())) {
     for (const std::string& recent : frame.contents.recent)
-      if (ImGui::MenuItem(recent.c_str())) frame.Ask(OpenRunRequest{recent});
+      if (ImGui::MenuItem(recent.c_str())) frame.Ask(workbench::OpenRunRequest{recent});
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Save picture")) frame.Ask(SavePictureRequest{});
+  if (ImGui::MenuItem("Save picture")) frame.Ask(workbench::SavePictureRequest{});
   Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file");
   ImGui::Separator();
   CommandItem(frame, ViewerCommand::kQuit);
@@ -181,7 +181,7 @@ void Workspace::DrawLayoutMenu(PanelFrame& frame) {
     const Result<void> kept = SaveLayoutAs(layout_name_, layout);
     layout_fault_ = kept ? std::string{} : kept.error().message;
     if (kept) {
-      frame.Ask(TellRequest{"Layout saved as " + layout_name_});
+      frame.Ask(workbench::TellRequest{"Layout saved as " + layout_name_});
       layout_name_.clear();
     }
   }
@@ -206,7 +206,7 @@ std::vector<Finder::Action> Workspace::Actions(PanelFrame& frame) {
       {"Smaller text", "Ctrl -", [this] { layout.SetText(layout.text_percent - 25); }},
       {"Picture only", "F11", [this] { only_picture = !only_picture; }},
       {"Reset the layout", "", [this] { ResetLayout(); }},
-      {"Save picture", "the window as a PNG file", [&frame] { frame.Ask(SavePictureRequest{}); }},
+      {"Save picture", "the window as a PNG file", [&frame] { frame.Ask(workbench::SavePictureRequest{}); }},
       {"Keys and mouse", "?", [this] { show_help = true; }},
       {"First steps", "", [this] {
          layout.first_steps = true;
@@ -264,7 +264,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     float speed = std::isinf(status.speed) ? 16.0f : static_cast<float>(status.speed);
     ImGui::SetNextItemWidth(frame.Px(80));
     constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
-    if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(SpeedRequest{speed});
+    if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(workbench::SpeedRequest{speed});
     Tooltip("Simulated seconds per second of yours; keys + and -");
     ImGui::SameLine(0, frame.Px(4));
     if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
@@ -301,8 +301,10 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
 
 void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   BeginBar("Time", m.height - m.scrubber, m.width, m.scrubber, theme::kRaised);
-  const Moment& at = frame.contents.moment;
-  const auto seek = [&](std::uint64_t tick) { frame.Ask(SeekRequest{std::clamp(tick, at.first_tick, at.last_tick)}); };
+  const workbench::Moment& at = frame.contents.moment;
+  const auto seek = [&](std::uint64_t tick) {
+    frame.Ask(workbench::SeekRequest{std::clamp(tick, at.first_tick, at.last_tick)});
+  };
   const bool offers_resume = !at.is_live && !at.is_recording;
   const bool is_newest = at.is_live || (at.is_recording && at.shown_tick >= at.last_tick);
   const char* const newest = at.is_recording ? "End" : "Live";
@@ -341,13 +343,13 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
     const std::string about = at.can_resume ? "The run continues from this moment; the old future stays as ghosts, "
                                               "for comparison"
                                             : at.resume_refusal;
-    if (IconButton(Icon::kBranch, "resume", resume, about, at.can_resume, true)) frame.Ask(ResumeRequest{});
+    if (IconButton(Icon::kBranch, "resume", resume, about, at.can_resume, true)) frame.Ask(workbench::ResumeRequest{});
     ImGui::SameLine(0, frame.Px(6));
   }
   const char* const to_newest = is_newest         ? "This is the newest moment"
                                 : at.is_recording ? "To the end of the recording"
                                                   : "Back to the newest moment";
-  if (IconButton(Icon::kToEnd, "live", newest, to_newest, !is_newest)) frame.Ask(LiveRequest{});
+  if (IconButton(Icon::kToEnd, "live", newest, to_newest, !is_newest)) frame.Ask(workbench::LiveRequest{});
   ImGui::End();
 }
 

@@ -7,10 +7,21 @@
 #include <variant>
 
 #include "debugger/breakpoints.h"
+#include "workbench/panel_id.h"
 
-namespace soarbox::viewer {
+namespace soarbox::workbench {
 
-/// What a user asks for in a panel. The application carries it out; what comes of it appears in the contents.
+/// What a user asks for. A desk carries it out; what comes of it appears in the contents. requests_json.h has their
+/// form as JSON.
+
+/// Look at an agent of the world, by its name; empty: at none.
+struct SelectRequest {
+  std::string agent;
+};
+/// These panels are looked at: the others need no contents.
+struct LookRequest {
+  PanelSet panels;
+};
 
 /// Open a file in the user's own editor.
 struct OpenFileRequest {
@@ -150,12 +161,12 @@ struct LessonRequest {
   std::string lesson = {};  ///< Which one to open.
 };
 
-using PanelRequest =
-    std::variant<OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest, ClearConsoleRequest,
-                 ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest, SavePictureRequest,
-                 TellRequest, StateRequest, ObjectRequest, ElementRequest, SearchMemoryRequest, RuleRequest,
-                 CoverageRequest, SearchKnownRequest, EpisodeRequest, LearnedRuleRequest, WhyRequest, PlotRequest,
-                 EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
+using Request =
+    std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest,
+                 ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest,
+                 SavePictureRequest, TellRequest, StateRequest, ObjectRequest, ElementRequest, SearchMemoryRequest,
+                 RuleRequest, CoverageRequest, SearchKnownRequest, EpisodeRequest, LearnedRuleRequest, WhyRequest,
+                 PlotRequest, EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
                  SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
 
-}  // namespace soarbox::viewer
+}  // namespace soarbox::workbench

@@ -6,11 +6,11 @@
 #include <sstream>
 #include <utility>
 
-#include "app/window/desk.h"
 #include "debugger/watch.h"
 #include "tell/mind_words.h"
+#include "workbench/desk.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
 
 std::string TextOf(const std::filesystem::path& file) {
@@ -71,7 +71,7 @@ std::string RuleIn(const std::string& text, std::string_view rule, int& line) {
 
 }  // namespace
 
-void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds) {
+void Desk::FillBeside(Contents& contents, bool watches, bool minds) {
   contents.beside = beside_;
   if (contents.beside.empty() && !agent_.empty()) contents.beside.push_back(agent_);
   contents.watches.clear();
@@ -87,8 +87,8 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
   }
   for (const std::string& agent : contents.beside) {
     const std::unique_ptr<explain::Inspector> mind = inspect(agent);
-    for (viewer::WatchRow& row : contents.watches) {
-      viewer::WatchRow::Cell cell;
+    for (WatchRow& row : contents.watches) {
+      WatchRow::Cell cell;
       cell.agent = agent;
       cell.tick = past_.shown_tick();
       if (mind != nullptr) {
@@ -99,7 +99,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
         cell.text = "no mind to look into";
         cell.is_error = true;
       }
-      viewer::WatchRow::Cell& before = watched_[{row.what, agent}];
+      WatchRow::Cell& before = watched_[{row.what, agent}];
       if (before.text == cell.text && !before.agent.empty()) {
         // It stays marked as new until the next tick.
         cell.is_new = before.is_new && before.tick == cell.tick;
@@ -111,7 +111,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
       row.cells.push_back(std::move(cell));
     }
     if (!minds) continue;
-    viewer::MindColumn& column = contents.minds.emplace_back();
+    MindColumn& column = contents.minds.emplace_back();
     column.agent = agent;
     if (mind == nullptr) {
       column.note = past_.is_live() ? "It has no Soar mind." : past_.PastNote();
@@ -124,7 +124,7 @@ void Desk::FillBeside(viewer::PanelContents& contents, bool watches, bool minds)
   }
 }
 
-void Desk::FillRuleText(viewer::PanelContents& contents) {
+void Desk::FillRuleText(Contents& contents) {
   contents.rule_text.clear();
   if (!contents.rule || Live() == nullptr) return;
   const explain::RuleFact& rule = contents.rule->rule;
@@ -145,7 +145,7 @@ void Desk::FillRuleText(viewer::PanelContents& contents) {
   }
 }
 
-void Desk::FillActivities(viewer::PanelContents& contents) {
+void Desk::FillActivities(Contents& contents) {
   contents.activities.clear();
   if (!past_.is_live() || Live() == nullptr) return;
   for (const world::AgentOverlay& agent : Live()->Overlays({}).agents) {
@@ -210,4 +210,4 @@ std::string Desk::TakeChange() {
   return change;
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/drafts.h"
+#include "workbench/drafts.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 
-#include "app/next_run.h"
-#include "app/window/recent.h"
 #include "record/test_ticks.h"
+#include "workbench/recent.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
 
 TEST(Drafts, AreKeptByFileAndDropped) {
@@ -49,17 +48,5 @@ TEST(RecentRuns, AreTheNewestFirstAndOnce) {
   unsetenv("XDG_STATE_HOME");
 }
 
-TEST(NextRun, IsAScenarioOrARecordingOrNothingThatIsThere) {
-  EXPECT_FALSE(FindNextRun("soar_seek")->is_recording);
-  const Result<NextRun> none = FindNextRun("no_such_world");
-  ASSERT_FALSE(none);
-  EXPECT_NE(none.error().message.find("no_such_world"), std::string::npos);
-  EXPECT_FALSE(FindNextRun("/no/such.soarrec"));
-  EXPECT_FALSE(TakeNextRun());
-  KeepNextRun({"soar_seek", false, 3});
-  EXPECT_EQ(TakeNextRun()->script_line, 3U);
-  EXPECT_FALSE(TakeNextRun()) << "once";
-}
-
 }  // namespace
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

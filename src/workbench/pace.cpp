@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/pace.h"
+#include "workbench/pace.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <utility>
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16};
@@ -29,38 +29,38 @@ double NextSlower(double speed) {
 
 }  // namespace
 
-void Pace::Obey(viewer::ViewerCommand command) {
-  switch (command) {
-    case viewer::ViewerCommand::kTogglePause:
+void Pace::Obey(Flow flow) {
+  switch (flow) {
+    case Flow::kTogglePause:
       paused_ = !paused_;
       break;
-    case viewer::ViewerCommand::kSingleStep:
+    case Flow::kStepTick:
       paused_ = true;
       ++steps_;
       break;
-    case viewer::ViewerCommand::kFaster:
+    case Flow::kFaster:
       if (!unlimited_) speed_ = NextFaster(speed_);
       break;
-    case viewer::ViewerCommand::kSlower:
+    case Flow::kSlower:
       // From no limit down to the fastest of the limits.
       speed_ = unlimited_ ? *(std::end(kSpeeds) - 1) : NextSlower(speed_);
       unlimited_ = false;
       break;
-    case viewer::ViewerCommand::kNormalSpeed:
+    case Flow::kNormalSpeed:
       speed_ = 1;
       unlimited_ = false;
       break;
-    case viewer::ViewerCommand::kUnlimited:
+    case Flow::kUnlimited:
       unlimited_ = !unlimited_;
       break;
-    case viewer::ViewerCommand::kStepDecision:
-    case viewer::ViewerCommand::kStepPhase:
+    case Flow::kStepDecision:
+    case Flow::kStepPhase:
       paused_ = true;
       break;
-    case viewer::ViewerCommand::kStepChange:
+    case Flow::kStepChange:
       paused_ = false;
       break;
-    case viewer::ViewerCommand::kQuit:
+    case Flow::kQuit:
       quit_ = true;
       break;
     default:
@@ -97,4 +97,4 @@ double Pace::Blend(double step_s) const {
   return paused_ || unlimited_ ? 1 : std::clamp(earned_s_ / step_s, 0.0, 1.0);
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

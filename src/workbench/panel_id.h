@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace soarbox::viewer {
+namespace soarbox::workbench {
 
 /// The panels around the picture, in the order of the Panels menu.
 enum class PanelId : std::uint8_t {
@@ -88,4 +88,18 @@ inline constexpr std::optional<PanelId> FindPanel(std::string_view word) {
   return std::nullopt;
 }
 
-}  // namespace soarbox::viewer
+/// Some of the panels.
+class PanelSet {
+ public:
+  void Add(PanelId id) { bits_ |= Bit(id); }
+  bool Has(PanelId id) const { return (bits_ & Bit(id)) != 0; }
+  friend bool operator==(const PanelSet&, const PanelSet&) = default;
+
+ private:
+  static constexpr std::uint32_t Bit(PanelId id) { return std::uint32_t{1} << static_cast<unsigned>(id); }
+
+  std::uint32_t bits_ = 0;
+};
+static_assert(kPanelCount <= 32);
+
+}  // namespace soarbox::workbench

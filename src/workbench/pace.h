@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include "viewer/viewer.h"
+#include "workbench/flow.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
 /// The user's hold on the flow of time in a window, and the simulated time that the wall clock has earned.
 ///
@@ -15,7 +15,7 @@ class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
 
-  void Obey(viewer::ViewerCommand command);
+  void Obey(Flow flow);
   void Pause() { paused_ = true; }
   void Resume() { paused_ = false; }
   /// Simulated seconds per second.
@@ -47,4 +47,4 @@ class Pace {
   Clock::time_point last_ = Clock::now();
 };
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/recent.h"
+#include "workbench/recent.h"
 
 #include <algorithm>
 #include <fstream>
 #include <system_error>
 
-#include "app/window/drafts.h"
+#include "workbench/drafts.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace fs = std::filesystem;
 namespace {
 
@@ -57,4 +57,4 @@ void NoteRecentRun(const std::string& what) {
   fs::rename(half, file, error);
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -2,54 +2,48 @@
 // What the user asks for in panels.
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include "app/next_run.h"
-#include "app/window/desk.h"
-#include "app/window/open_editor.h"
 #include "sim/vet_rules.h"
+#include "workbench/desk.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
 struct Desk::Visitor {
   Desk& desk;
-  viewer::Viewer& viewer;
-  Pace& pace;
+  Surroundings& surroundings;
 
-  void operator()(const viewer::OpenFileRequest& request) const {
-    if (const Result<void> opened = OpenInEditor(request.file, request.line); !opened)
+  void operator()(const SelectRequest& request) const { desk.wanted_agent_ = request.agent; }
+  void operator()(const LookRequest& request) const { desk.visible_ = request.panels; }
+  void operator()(const OpenFileRequest& request) const {
+    if (const Result<void> opened = surroundings.OpenInEditor(request.file, request.line); !opened)
       desk.NoteProblem(opened.error(), {});
   }
-  void operator()(const viewer::ConsoleRequest& request) const { desk.Type(request); }
-  void operator()(const viewer::CompleteRequest& request) const {
+  void operator()(const ConsoleRequest& request) const { desk.Type(request); }
+  void operator()(const CompleteRequest& request) const {
     desk.completed_line_ = request.line;
     desk.completion_ = {};
     if (sim::Simulation* world = desk.Looked()) {
       if (const auto mind = world->Inspect(request.agent)) desk.completion_ = debugger::Complete(*mind, request.line);
     }
   }
-  void operator()(const viewer::KeepLineRequest& request) const {
+  void operator()(const KeepLineRequest& request) const {
     desk.unsent_lines_[request.agent] = {.text = request.line, .has_draft = true};
   }
-  void operator()(const viewer::ClearConsoleRequest&) const { desk.ConsoleOf(desk.agent_).Clear(); }
-  void operator()(const viewer::ClearProblemsRequest&) const { desk.problems_.clear(); }
-  void operator()(const viewer::SeekRequest& request) const {
-    pace.Pause();
+  void operator()(const ClearConsoleRequest&) const { desk.ConsoleOf(desk.agent_).Clear(); }
+  void operator()(const ClearProblemsRequest&) const { desk.problems_.clear(); }
+  void operator()(const SeekRequest& request) const {
+    surroundings.Pause();
     desk.past_.Seek(request.tick);
     desk.sought_at_ = Clock::now();
   }
-  void operator()(const viewer::LiveRequest&) const { desk.past_.GoLive(); }
-  void operator()(const viewer::ResumeRequest&) const { desk.Resume(pace); }
-  void operator()(const viewer::SpeedRequest& request) const { pace.SetSpeed(request.speed); }
-  void operator()(const viewer::TellRequest& request) const { viewer.Tell(request.text); }
-  void operator()(const viewer::SavePictureRequest&) const {
-    // The menu that it was asked from is closed by then.
-    constexpr int kSoon = 6;
-    desk.picture_in_frames_ = kSoon;
-  }
-  void operator()(const viewer::StateRequest& request) const { desk.state_ = request.state; }
-  void operator()(const viewer::ObjectRequest& request) const {
+  void operator()(const LiveRequest&) const { desk.past_.GoLive(); }
+  void operator()(const ResumeRequest&) const { desk.Resume(); }
+  void operator()(const SpeedRequest& request) const { surroundings.SetSpeed(request.speed); }
+  void operator()(const TellRequest& request) const { surroundings.Tell(request.text); }
+  void operator()(const SavePictureRequest&) const { surroundings.SavePicture(); }
+  void operator()(const StateRequest& request) const { desk.state_ = request.state; }
+  void operator()(const ObjectRequest& request) const {
     constexpr std::size_t kMostOpen = 200;
     if (!request.is_open) {
       desk.open_objects_.erase(request.id);
@@ -57,15 +51,15 @@ struct Desk::Visitor {
       desk.open_objects_.insert(request.id);
     }
   }
-  void operator()(const viewer::ElementRequest& request) const { desk.timetag_ = request.timetag; }
-  void operator()(const viewer::SearchMemoryRequest& request) const { desk.search_ = request.text; }
-  void operator()(const viewer::RuleRequest& request) const { desk.rule_ = request.rule; }
-  void operator()(const viewer::SearchKnownRequest& request) const { desk.known_search_ = request.text; }
-  void operator()(const viewer::EpisodeRequest& request) const { desk.episode_ = request.number; }
-  void operator()(const viewer::LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
-  void operator()(const viewer::CoverageRequest&) const { desk.wants_coverage_ = true; }
-  void operator()(const viewer::WhyRequest& request) const { desk.why_ = request; }
-  void operator()(const viewer::PlotRequest& request) const {
+  void operator()(const ElementRequest& request) const { desk.timetag_ = request.timetag; }
+  void operator()(const SearchMemoryRequest& request) const { desk.search_ = request.text; }
+  void operator()(const RuleRequest& request) const { desk.rule_ = request.rule; }
+  void operator()(const SearchKnownRequest& request) const { desk.known_search_ = request.text; }
+  void operator()(const EpisodeRequest& request) const { desk.episode_ = request.number; }
+  void operator()(const LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
+  void operator()(const CoverageRequest&) const { desk.wants_coverage_ = true; }
+  void operator()(const WhyRequest& request) const { desk.why_ = request; }
+  void operator()(const PlotRequest& request) const {
     if (request.is_on) {
       if (desk.models_.plots.Plot(request.agent, request.what))
         desk.histories_.emplace_back(request.agent, request.what);
@@ -73,15 +67,15 @@ struct Desk::Visitor {
       desk.models_.plots.Remove(request.agent, request.what);
     }
   }
-  void operator()(const viewer::EditRequest& request) const { desk.OpenEdit(request); }
-  void operator()(const viewer::EditTextRequest& request) const { desk.ChangeText(request); }
-  void operator()(const viewer::SaveAllRequest&) const {
+  void operator()(const EditRequest& request) const { desk.OpenEdit(request); }
+  void operator()(const EditTextRequest& request) const { desk.ChangeText(request); }
+  void operator()(const SaveAllRequest&) const {
     for (auto& [name, file] : desk.open_files_) {
       if (file.edit.is_unsaved()) desk.SaveEdit(file);
     }
   }
-  void operator()(const viewer::WatchRequest& request) const { Put(desk.watches_, request.what, request.is_on); }
-  void operator()(const viewer::BesideRequest& request) const {
+  void operator()(const WatchRequest& request) const { Put(desk.watches_, request.what, request.is_on); }
+  void operator()(const BesideRequest& request) const {
     // Who adds another mind wants to see it beside the one that is looked at.
     if (request.is_on && desk.beside_.empty() && !desk.agent_.empty()) Put(desk.beside_, desk.agent_, true);
     Put(desk.beside_, request.agent, request.is_on);
@@ -92,42 +86,39 @@ struct Desk::Visitor {
     if (!is_on && found != list.end()) list.erase(found);
     if (is_on && found == list.end() && list.size() < kMost) list.push_back(what);
   }
-  void operator()(const viewer::OpenRunRequest& request) const { Open(request.what, {}); }
-  void Open(const std::string& what, const std::filesystem::path& lesson) const {
-    Result<NextRun> next = FindNextRun(what);
-    if (next) {
-      next->lesson = lesson;
-      desk.wants_run_ = std::move(*next);
-    } else {
-      desk.NoteProblem(next.error(), {});
-      const std::string& message = next.error().message;
-      viewer.Tell(message.substr(0, message.find(": ")));  // Problems has the rest.
-    }
+  void operator()(const OpenRunRequest& request) const { Open(request.what, {}); }
+  void Open(const std::string& what, const std::string& lesson) const {
+    const Result<void> opened = surroundings.OpenRun(what, lesson);
+    if (opened) return;
+    desk.NoteProblem(opened.error(), {});
+    const std::string& message = opened.error().message;
+    surroundings.Tell(message.substr(0, message.find(": ")));  // Problems has the rest.
   }
-  void operator()(const viewer::LessonRequest& request) const {
-    using What = viewer::LessonRequest::What;
-    if (desk.lesson_ == nullptr) return;
-    if (request.what == What::kHint) return desk.lesson_->Hint();
+  void operator()(const LessonRequest& request) const {
+    using What = LessonRequest::What;
+    Lessons* const lessons = surroundings.lessons();
+    if (lessons == nullptr) return;
+    if (request.what == What::kHint) return lessons->Hint();
     if (request.what == What::kGrade) {
       const bool is_unsaved =
           std::ranges::any_of(desk.open_files_, [](const auto& named) { return named.second.edit.is_unsaved(); });
-      if (is_unsaved) viewer.Tell("Only saved rules are graded: press Save in Edit first");
-      if (const Result<void> begun = desk.lesson_->Grade(); !begun) desk.NoteProblem(begun.error(), {});
+      if (is_unsaved) surroundings.Tell("Only saved rules are graded: press Save in Edit first");
+      if (const Result<void> begun = lessons->Grade(); !begun) desk.NoteProblem(begun.error(), {});
       return;
     }
-    const Result<LessonDesk::Opened> opened = desk.lesson_->Open(request.lesson);
+    const Result<Lessons::Opened> opened = lessons->Open(request.lesson);
     if (!opened) return desk.NoteProblem(opened.error(), {});
     Open(opened->folder, opened->lesson);
   }
-  void operator()(const viewer::SearchRequest& request) const { desk.searched_ = request.text; }
-  void operator()(const viewer::OfferRequest& request) const { desk.offers_ = request.is_on; }
-  void operator()(const viewer::BreakRequest& request) const {
-    if (desk.session_ == nullptr) return viewer.Tell("Nothing stops a recording: breakpoints are for a run");
+  void operator()(const SearchRequest& request) const { desk.searched_ = request.text; }
+  void operator()(const OfferRequest& request) const { desk.offers_ = request.is_on; }
+  void operator()(const BreakRequest& request) const {
+    if (desk.run_ == nullptr) return surroundings.Tell("Nothing stops a recording: breakpoints are for a run");
     if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
       desk.NoteProblem(set.error(), request.agent);
   }
-  void operator()(const viewer::ChangeBreakRequest& request) const {
-    using What = viewer::ChangeBreakRequest::What;
+  void operator()(const ChangeBreakRequest& request) const {
+    using What = ChangeBreakRequest::What;
     if (request.what == What::kClear) {
       desk.breakpoints_.Clear(request.number);
     } else {
@@ -136,25 +127,12 @@ struct Desk::Visitor {
   }
 };
 
-void Desk::Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace) {
-  std::visit(Visitor{*this, viewer, pace}, request);
-  is_stale_ = true;
+void Desk::Obey(const Request& request) {
+  std::visit(Visitor{*this, surroundings_}, request);
+  is_stale_ |= !std::holds_alternative<SelectRequest>(request) && !std::holds_alternative<LookRequest>(request);
 }
 
-void Desk::SaveAwaitedPicture(viewer::Viewer& viewer) {
-  if (picture_in_frames_ == 0 || --picture_in_frames_ > 0) return;
-  const std::string name = "soarbox-" + std::to_string(past_.shown_tick());
-  std::string file = name + ".png";
-  std::error_code error;  // What is there already stays.
-  for (int i = 2; std::filesystem::exists(file, error); ++i) file = name + "-" + std::to_string(i) + ".png";
-  if (const Result<void> saved = viewer.SaveScreenshot(file); !saved) {
-    NoteProblem(saved.error(), {});
-  } else {
-    viewer.Tell("Saved as " + file);
-  }
-}
-
-void Desk::Type(const viewer::ConsoleRequest& request) {
+void Desk::Type(const ConsoleRequest& request) {
   sim::Simulation* world = Looked();
   if (world == nullptr) {
     ConsoleOf(request.agent).Refuse(request.line, past_.PastNote());
@@ -166,7 +144,7 @@ void Desk::Type(const viewer::ConsoleRequest& request) {
   ++console_lines_;
 }
 
-void Desk::Resume(Pace& pace) {
+void Desk::Resume() {
   // What is still being rebuilt goes on as soon as it is there.
   resume_at_.reset();
   if (past_.past() == nullptr && !past_.is_live() && past_.CanBeRebuilt()) {
@@ -174,15 +152,15 @@ void Desk::Resume(Pace& pace) {
     return;
   }
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
-  if (simulation == nullptr || session_ == nullptr) return;
-  session_->GoOnWith(std::move(simulation), past_.branch_record(), past_.Inputs());
+  if (simulation == nullptr || run_ == nullptr) return;
+  run_->GoOnWith(std::move(simulation), past_.branch_record(), past_.Inputs());
   noted_agent_.clear();
   hits_.clear();
   // Who goes back wants to see it happen.
-  pace.Resume();
+  surroundings_.GoOn();
 }
 
-void Desk::OpenEdit(const viewer::EditRequest& request) {
+void Desk::OpenEdit(const EditRequest& request) {
   std::vector<sim::WatchedFile> files;
   if (sim::Simulation* live = Live()) files = debugger::FilesOf(*live, {});
   const std::filesystem::path wanted(request.file);
@@ -192,13 +170,20 @@ void Desk::OpenEdit(const viewer::EditRequest& request) {
   sim::WatchedFile file{agent_, wanted, wanted.extension() == ".soar"};
   if (found != files.end()) file = *found;
   const std::string name = file.file.string();
+  if (found == files.end() && !surroundings_.MayBrowse()) {
+    Diagnostic problem;
+    problem.file = name;
+    problem.message = "the run was not made from this file";
+    problem.hint = "only files of the run can be edited here";
+    return NoteProblem(std::move(problem), agent_);
+  }
   if (!open_files_.contains(name)) {
     Result<debugger::Edit> opened = debugger::Edit::Open(file);
     if (!opened) {
       NoteProblem(opened.error(), agent_);
       return;
     }
-    viewer::EditContents contents;
+    EditContents contents;
     contents.file = name;
     contents.is_rules = file.is_rules;
     contents.version = ++edit_version_;
@@ -245,12 +230,12 @@ void Desk::ApplyAwaited() {
   }
 }
 
-void Desk::ChangeText(const viewer::EditTextRequest& request) {
+void Desk::ChangeText(const EditTextRequest& request) {
   OpenFile* const file = Edited();
   if (file == nullptr) return;
   debugger::Edit& edit = file->edit;
-  using What = viewer::EditTextRequest::What;
-  viewer::EditContents& shown = file->contents;
+  using What = EditTextRequest::What;
+  EditContents& shown = file->contents;
   edit.text() = request.text;
   shown.text = request.text;
   file->has_draft = true;
@@ -290,7 +275,7 @@ void Desk::ShowDraft() {
 }
 
 bool Desk::SaveEdit(OpenFile& file) {
-  viewer::EditContents& shown = file.contents;
+  EditContents& shown = file.contents;
   const Result<void> saved = file.edit.Save();
   file.failure = saved ? std::string{} : saved.error().message + ": " + saved.error().hint;
   file.has_draft = true;
@@ -323,4 +308,4 @@ void Desk::LookAtDisk() {
   is_stale_ = true;
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -8,17 +8,13 @@
 #include <sstream>
 #include <string>
 
-#include "app/data_folders.h"
-#include "app/window/desk.h"
-#include "app/window/recent.h"
 #include "debugger/memory.h"
-#include "sim/scenario.h"
+#include "workbench/desk.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
 
 namespace fs = std::filesystem;
-using viewer::FoundPlace;
 
 constexpr std::size_t kMostOfKind = 12, kShortest = 2;
 
@@ -29,22 +25,8 @@ bool HasPart(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-/// Those that come with the program, with what their files say of them.
-const std::vector<viewer::ScenarioOffer>& Shipped() {
-  static const std::vector<viewer::ScenarioOffer> shipped = [] {
-    std::vector<viewer::ScenarioOffer> offers;
-    const Result<sim::DataFolders> data = FindDataFolders();
-    if (!data) return offers;
-    for (const std::string& name : sim::ListScenarios(*data)) {
-      offers.push_back({name, sim::DescribeScenario(name, *data)});
-    }
-    return offers;
-  }();
-  return shipped;
-}
-
 /// What lies in the folder of a path that is being typed, or in the one where the program was started.
-void AddFolder(const std::string& typed, std::vector<viewer::ScenarioOffer>& offers) {
+void AddFolder(const std::string& typed, std::vector<ScenarioOffer>& offers) {
   constexpr std::size_t kMost = 200;
   const std::size_t slash = typed.rfind('/');
   const fs::path folder = slash == std::string::npos ? fs::path(".") : fs::path(typed.substr(0, slash + 1));
@@ -88,24 +70,23 @@ void FindInFile(const std::string& file, std::string_view text, bool is_rules, s
 
 }  // namespace
 
-void Desk::FillOffers(viewer::Viewer& viewer, explain::Inspector* mind) {
-  viewer::PanelContents& contents = viewer.panel_contents();
+void Desk::FillOffers(Contents& contents, explain::Inspector* mind) {
   constexpr auto kEvery = std::chrono::seconds(2);
   if (Clock::now() - read_recent_ > kEvery) {
     read_recent_ = Clock::now();
-    contents.recent = RecentRuns();
+    contents.recent = surroundings_.RecentRuns();
   }
   contents.searched = searched_;
   contents.places.clear();
   contents.scenarios.clear();
   contents.all_files.clear();
   if (!offers_) return;
-  contents.scenarios = Shipped();
-  AddFolder(searched_, contents.scenarios);
+  contents.scenarios = surroundings_.Scenarios();
+  if (surroundings_.MayBrowse()) AddFolder(searched_, contents.scenarios);
   std::vector<sim::WatchedFile> files;
   if (Live() != nullptr) files = debugger::FilesOf(*Live(), {});
   for (const sim::WatchedFile& file : files) contents.all_files.push_back(file.file.string());
-  if (mind != nullptr && !viewer.panel_visible(viewer::PanelId::kRules)) contents.rules = debugger::ListRules(*mind);
+  if (mind != nullptr && !visible_.Has(PanelId::kRules)) contents.rules = debugger::ListRules(*mind);
   if (searched_.size() < kShortest) return;
 
   std::size_t in_rules = 0, in_scripts = 0;
@@ -141,4 +122,4 @@ void Desk::FillOffers(viewer::Viewer& viewer, explain::Inspector* mind) {
   }
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

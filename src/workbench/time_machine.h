@@ -13,7 +13,7 @@
 #include "sim/scenario.h"
 #include "sim/simulation.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
 /// The past of a live run: shows any of its ticks, rebuilds the world and its minds as they were then, and lets the run
 /// go on from there, with the old future kept for comparison. Or a recording, which has nothing but a past: there is
@@ -101,4 +101,4 @@ class TimeMachine {
   record::TickRecord branch_record_;
 };
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

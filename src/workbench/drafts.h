@@ -7,7 +7,7 @@
 
 #include "diagnostics/result.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
 /// What was typed into files and not saved, kept on the disk beside the files of other programs' state, so that neither
 /// a closed window nor a crash loses it. A draft stays until its file is saved or reverted.
@@ -31,4 +31,4 @@ class Drafts {
   std::filesystem::path folder_;
 };
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -25,11 +25,12 @@
 #include "debugger/why.h"
 #include "diagnostics/diagnostic.h"
 #include "record/compare.h"
+#include "world/scene_snapshot.h"
 
-namespace soarbox::viewer {
+namespace soarbox::workbench {
 
-/// What the panels show, as values. The application fills in what the panels that are visible need, when the tick or
-/// what the user looks at has changed; drawing asks nobody anything.
+/// What panels show, as values. A desk fills in what the panels that are looked at need, when the tick or what the user
+/// looks at has changed; who shows them asks nobody anything. contents_json.h has their form as JSON.
 
 /// Something that a user should mend.
 struct ProblemRow {
@@ -119,7 +120,7 @@ struct WatchRow {
     std::uint64_t tick = 0;  ///< In which it became so.
   };
   std::string what;         ///< "S1.io.input-link.self.health", "print s1".
-  std::vector<Cell> cells;  ///< One for each agent of PanelContents::beside.
+  std::vector<Cell> cells;  ///< One for each agent of Contents::beside.
 };
 
 /// One of several minds that are looked at side by side.
@@ -157,7 +158,17 @@ struct FuturesContents {
   record::Comparison comparison;
 };
 
-struct PanelContents {
+/// A figure that is not there: where somebody would be in another future, or what an agent remembers.
+struct GhostBody {
+  std::string name;
+  std::uint32_t agent_id = 0;  ///< Whose figure it is; 0: nobody's.
+  std::string kind, team;      ///< Of that agent.
+  world::Vec3 position;        ///< Of the middle of the body, as in AgentSnapshot.
+  world::Vec3 forward{0, 0, 1};
+  float radius_m = 0.3f, height_m = 0.6f;
+};
+
+struct Contents {
   Moment moment;
   /// The agent that the panels are about; empty: none is selected.
   std::string agent;
@@ -214,8 +225,9 @@ struct PanelContents {
   std::vector<debugger::BreakHit> hits;  ///< Why the world stands still; empty once it goes on.
   std::vector<std::string> plottable;
   std::optional<FuturesContents> futures;
+  std::vector<GhostBody> ghosts;
 
-  // What grows with the run; the application's. Null before its first tick.
+  // What grows with the run; the desk's. Null before its first tick.
   const debugger::Timeline* timeline = nullptr;
   const debugger::Trace* trace = nullptr;
   const debugger::MessageLog* messages = nullptr;
@@ -224,4 +236,4 @@ struct PanelContents {
   const std::vector<debugger::PlotSeries>* plots = nullptr;
 };
 
-}  // namespace soarbox::viewer
+}  // namespace soarbox::workbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/drafts.h"
+#include "workbench/drafts.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace fs = std::filesystem;
 namespace {
 
@@ -79,4 +79,4 @@ std::optional<std::string> Drafts::Find(const fs::path& file) const {
   return text.str();
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/desk.h"
+#include "workbench/desk.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
 
 constexpr std::size_t kMostProblems = 500;
@@ -40,20 +40,18 @@ Diagnostic DiagnosticOf(const sim::RunEvent& event) {
 
 }  // namespace
 
-Desk::Desk(RunSession& session, const record::Header& header, const sim::Scenario& scenario,
-           const sim::SimulationSettings& settings)
-    : session_(&session),
-      past_(header, scenario, settings),
-      lesson_(std::make_unique<LessonDesk>(scenario, session.lesson())),
-      world_(FileOf(scenario)) {
-  session.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
-  session.SetOnEdit([this](const Diagnostic& told) {
+Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scenario,
+           const sim::SimulationSettings& settings, Surroundings& surroundings)
+    : run_(&run), surroundings_(surroundings), past_(header, scenario, settings), world_(FileOf(scenario)) {
+  run.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
+  run.SetOnEdit([this](const Diagnostic& told) {
     if (told.severity != Severity::kNote) NoteProblem(told, {});
   });
 }
 
-Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range)
+Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range, Surroundings& surroundings)
     : recording_(&recording),
+      surroundings_(surroundings),
       next_tick_(recording.first_tick()),
       recorded_(recording.header().level),
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),
@@ -61,23 +59,16 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
 
 Desk::~Desk() {
   KeepDrafts(true);
-  if (session_ != nullptr) {
-    session_->Watch({});
-    session_->SetOnEdit({});
+  if (run_ != nullptr) {
+    run_->Watch({});
+    run_->SetOnEdit({});
   }
 }
 
 Desk::Belongings Desk::TakeBelongings() {
   KeepDrafts(true);
-  return {std::exchange(open_files_, {}),
-          edited_file_,
-          edit_version_,
-          breakpoints_.list(),
-          std::move(consoles_),
-          console_lines_,
-          watches_,
-          beside_,
-          std::move(lesson_)};
+  return {std::exchange(open_files_, {}), edited_file_,   edit_version_, breakpoints_.list(),
+          std::move(consoles_),           console_lines_, watches_,      beside_};
 }
 
 void Desk::Bring(Belongings belongings) {
@@ -93,7 +84,6 @@ void Desk::Bring(Belongings belongings) {
   console_lines_ = belongings.console_lines + 1;
   watches_ = std::move(belongings.watches);
   beside_ = std::move(belongings.beside);
-  lesson_ = std::move(belongings.lesson);
 }
 
 void Desk::KeepDrafts(bool at_once) {
@@ -130,12 +120,12 @@ const std::string& Desk::BegunLine(const std::string& agent) {
 
 void Desk::Prepare() {
   hit_is_new_ = false;
-  if (session_ == nullptr) return;
-  sim::Simulation& simulation = session_->simulation();
+  if (run_ == nullptr) return;
+  sim::Simulation& simulation = run_->simulation();
   breakpoints_.Prepare(simulation);
   if (noted_agent_ == agent_ || past_.branches() > 0) return;  // Minds of another future note all.
   // Breakpoints may need the one before; they ask again in each frame.
-  const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, session_->LeastDetail());
+  const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, run_->LeastDetail());
   if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, least);
   if (!agent_.empty()) simulation.NoteMind(agent_, sim::MindDetail::kAll);
   noted_agent_ = agent_;
@@ -152,7 +142,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
     console.Add(tick.events);
     if (console.lines().size() != before) ++console_lines_;
   }
-  const sim::Simulation& simulation = session_->simulation();
+  const sim::Simulation& simulation = run_->simulation();
   models_.plots.Sample(simulation);
   LookForChange(tick);
   if (breakpoints_.list().empty()) return;
@@ -179,8 +169,8 @@ void Desk::Learn(const record::TickRecord& tick) {
 void Desk::NoteCheck(const sim::RunEvent& event) {
   constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
   if (event.reasons.size() != kParts) return;
-  const auto known = std::ranges::find(checks_, event.text, &viewer::CheckRow::name);
-  viewer::CheckRow& row = known != checks_.end() ? *known : checks_.emplace_back();
+  const auto known = std::ranges::find(checks_, event.text, &CheckRow::name);
+  CheckRow& row = known != checks_.end() ? *known : checks_.emplace_back();
   row = {event.text,       event.reasons[0], event.reasons[1], event.reasons[2], !event.reasons[3].empty(),
          event.parameters, event.tick,       event.time_s};
   is_stale_ = true;
@@ -280,4 +270,4 @@ debugger::Console& Desk::ConsoleOf(const std::string& agent) {
   return consoles_.try_emplace(agent, agent).first->second;
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

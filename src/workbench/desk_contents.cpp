@@ -4,17 +4,14 @@
 #include <unordered_set>
 #include <utility>
 
-#include "app/window/desk.h"
 #include "debugger/learning.h"
 #include "debugger/recall.h"
 #include "debugger/why.h"
-#include "viewer/palette.h"
+#include "workbench/desk.h"
 #include "world/world.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 namespace {
-
-using viewer::PanelId;
 
 /// While the world runs, panels that look into minds follow it this often: fast enough for eyes.
 constexpr auto kRefreshEvery = std::chrono::milliseconds(120);
@@ -26,70 +23,71 @@ const char* const kNoKernel =
     "This mind cannot be looked into: its Soar kernel has gone, or it was halted because it needed too much memory. "
     "The world keeps running. The panel Problems says more.";
 
-std::uint64_t VisiblePanels(const viewer::Viewer& viewer) {
-  std::uint64_t panels = 0;
-  for (const viewer::PanelInfo& info : viewer::kPanelInfos) {
-    if (viewer.panel_visible(info.id)) panels |= std::uint64_t{1} << static_cast<unsigned>(info.id);
-  }
-  return panels;
-}
-
-std::string NameOf(const world::SceneSnapshot& scene, std::uint32_t id) {
-  for (const world::AgentSnapshot& agent : scene.agents) {
-    if (agent.id == id) return agent.name;
-  }
-  return {};
+GhostBody GhostOf(const world::AgentSnapshot& agent, std::string name) {
+  return {std::move(name), agent.id,      agent.kind,     agent.team,
+          agent.position,  agent.forward, agent.radius_m, agent.height_m};
 }
 
 }  // namespace
 
-void Desk::Serve(viewer::Viewer& viewer, Pace& pace) {
+std::string Desk::NameOf(std::uint32_t agent_id) {
+  const record::TickRecord* const shown = past_.Shown();
+  if (shown == nullptr) return {};
+  const auto found = std::ranges::find(shown->scene.agents, agent_id, &world::AgentSnapshot::id);
+  return found == shown->scene.agents.end() ? std::string() : found->name;
+}
+
+void Desk::LookAtAgent(Contents& contents) {
+  const record::TickRecord* const shown = past_.Shown();
+  const bool is_there = shown != nullptr && std::ranges::find(shown->scene.agents, wanted_agent_,
+                                                              &world::AgentSnapshot::name) != shown->scene.agents.end();
+  const std::string agent = is_there ? wanted_agent_ : std::string();
+  if (agent == agent_) return;
+  agent_ = agent;
+  state_.clear();
+  search_.clear();
+  rule_.clear();
+  open_objects_.clear();
+  known_search_.clear();
+  learned_rule_.clear();
+  episode_ = 0;
+  timetag_ = 0;
+  why_ = {};
+  contents.coverage.clear();
+  // Notes are taken of it from now on.
+  if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
+  is_stale_ = true;
+}
+
+bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   ShowDraft();
-  SaveAwaitedPicture(viewer);
-  for (const viewer::PanelRequest& request : viewer.TakePanelRequests()) Obey(request, viewer, pace);
+  for (const Request& request : requests) Obey(request);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
   ApplyAwaited();
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
-  if (resume_at_ && past_.past() != nullptr) Resume(pace);
+  if (resume_at_ && past_.past() != nullptr) Resume();
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
-  if (!news_.empty()) viewer.Tell(std::exchange(news_, {}));
-  if (lesson_ != nullptr) is_stale_ |= lesson_->Poll();
+  if (!news_.empty()) surroundings_.Tell(std::exchange(news_, {}));
+  if (Lessons* const lessons = surroundings_.lessons()) is_stale_ |= lessons->Poll();
   ReadOn();
   FillPlots();
   LookAtDisk();
   KeepDrafts(false);
+  LookAtAgent(contents);
 
-  const record::TickRecord* shown = past_.Shown();
-  const std::string agent = shown != nullptr ? NameOf(shown->scene, viewer.selected_agent()) : std::string{};
-  if (agent != agent_) {
-    agent_ = agent;
-    state_.clear();
-    search_.clear();
-    rule_.clear();
-    open_objects_.clear();
-    known_search_.clear();
-    learned_rule_.clear();
-    episode_ = 0;
-    timetag_ = 0;
-    why_ = {};
-    viewer.panel_contents().coverage.clear();
-    // Notes are taken of it from now on.
-    if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
-    is_stale_ = true;
-  }
-  const std::uint64_t panels = VisiblePanels(viewer);
   const std::string note = past_.is_live() || past_.past() != nullptr ? std::string{} : past_.PastNote();
-  is_stale_ |= panels != refreshed_panels_ || note != refreshed_note_;
+  is_stale_ |= visible_ != refreshed_panels_ || note != refreshed_note_;
   const bool moved = past_.shown_tick() != refreshed_tick_;
   const bool is_due = Clock::now() - refreshed_at_ > kRefreshEvery;
-  FillMoment(viewer.panel_contents());
-  if (!is_stale_ && !(moved && (is_due || pace.paused()))) return;
-  refreshed_panels_ = panels;
+  FillMoment(contents);
+  if (!is_stale_ && !(moved && (is_due || surroundings_.IsPaused()))) return false;
+  refreshed_panels_ = visible_;
   refreshed_note_ = note;
-  Refresh(viewer);
+  Refresh(contents);
   refreshed_tick_ = past_.shown_tick();
   refreshed_at_ = Clock::now();
   is_stale_ = false;
+  return true;
 }
 
 std::string Desk::NotRecorded() const {
@@ -102,8 +100,8 @@ std::string Desk::NotRecorded() const {
   return past_.PastNote();
 }
 
-void Desk::FillMoment(viewer::PanelContents& contents) {
-  viewer::Moment& at = contents.moment;
+void Desk::FillMoment(Contents& contents) {
+  Moment& at = contents.moment;
   at.first_tick = past_.first_tick();
   at.last_tick = past_.last_tick();
   at.shown_tick = past_.shown_tick();
@@ -118,9 +116,7 @@ void Desk::FillMoment(viewer::PanelContents& contents) {
   at.branches = past_.branches();
 }
 
-void Desk::Refresh(viewer::Viewer& viewer) {
-  viewer::PanelContents& contents = viewer.panel_contents();
-  const auto visible = [&](PanelId panel) { return viewer.panel_visible(panel); };
+void Desk::Refresh(Contents& contents) {
   contents.agent = agent_;
   contents.timeline = &models_.timeline;
   contents.trace = &models_.trace;
@@ -132,7 +128,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.learning_log = learning == models_.learning.end() ? nullptr : &learning->second;
   contents.problems = problems_;
   contents.checks = checks_;
-  if (lesson_ != nullptr) lesson_->Fill(contents);
+  if (const Lessons* const lessons = surroundings_.lessons()) lessons->Fill(contents);
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
   contents.edit = {};
@@ -146,7 +142,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   }
   const record::TickRecord* shown = past_.Shown();
   sim::Simulation* world = Looked();
-  if (visible(PanelId::kAgents) && shown != nullptr) {
+  if (visible_.Has(PanelId::kAgents) && shown != nullptr) {
     contents.agents = past_.is_live() ? debugger::ListAgents(*Live(), models_.troubles, &models_.timeline)
                                       : debugger::ListAgents(*shown, models_.timeline, models_.troubles);
   }
@@ -156,7 +152,7 @@ void Desk::Refresh(viewer::Viewer& viewer) {
   contents.completion = completion_;
   contents.begun_line = BegunLine(agent_);
   contents.completed_line = completed_line_;
-  if (visible(PanelId::kEdit) && Live() != nullptr) {
+  if (visible_.Has(PanelId::kEdit) && Live() != nullptr) {
     contents.files = debugger::FilesOf(*Live(), agent_);
     // Who edits wants the agent's rules first, then its scripts, and what comes with the program last.
     const auto rank = [&](const sim::WatchedFile& file) {
@@ -184,27 +180,25 @@ void Desk::Refresh(viewer::Viewer& viewer) {
     contents.not_available = kNoKernel;
   }
   contents.not_recorded = mind == nullptr ? std::string{} : debugger::MemoryAbsence(*mind);
-  if (mind != nullptr) FillMind(viewer, *mind);
-  FillBeside(contents, visible(PanelId::kWatch), visible(PanelId::kMinds));
-  if (visible(PanelId::kAgents) || visible(PanelId::kMind)) FillActivities(contents);
-  FillOffers(viewer, mind.get());
-  if (visible(PanelId::kWhy)) FillWhy(contents, mind.get());
+  if (mind != nullptr) FillMind(contents, *mind);
+  FillBeside(contents, visible_.Has(PanelId::kWatch), visible_.Has(PanelId::kMinds));
+  if (visible_.Has(PanelId::kAgents) || visible_.Has(PanelId::kMind)) FillActivities(contents);
+  FillOffers(contents, mind.get());
+  if (visible_.Has(PanelId::kWhy)) FillWhy(contents, mind.get());
   contents.long_term = {};
   contents.known_search = known_search_;
   contents.episode = {};
-  if (visible(PanelId::kLongTerm)) FillLongTerm(contents, mind.get());
+  if (visible_.Has(PanelId::kLongTerm)) FillLongTerm(contents, mind.get());
   contents.learning = {};
   contents.learned_rule = {};
-  if (visible(PanelId::kLearning)) FillLearning(contents, mind.get());
-  std::vector<viewer::Ghost> ghosts = FillFutures(contents);
-  if (shown != nullptr) AddRemembered(contents, shown->scene, ghosts);
-  viewer.SetGhosts(std::move(ghosts));
+  if (visible_.Has(PanelId::kLearning)) FillLearning(contents, mind.get());
+  contents.ghosts.clear();
+  FillFutures(contents);
+  if (shown != nullptr) AddRemembered(shown->scene, contents);
 }
 
-void Desk::FillMind(viewer::Viewer& viewer, explain::Inspector& mind) {
-  viewer::PanelContents& contents = viewer.panel_contents();
-  const auto visible = [&](PanelId panel) { return viewer.panel_visible(panel); };
-  if (visible(PanelId::kMind)) {
+void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
+  if (visible_.Has(PanelId::kMind)) {
     contents.stack = debugger::LookAtStack(mind);
     contents.operators = debugger::LookAtOperators(mind, state_);
     if (contents.operators.rows.empty() && !state_.empty()) {
@@ -218,14 +212,14 @@ void Desk::FillMind(viewer::Viewer& viewer, explain::Inspector& mind) {
       }
     }
   }
-  if (visible(PanelId::kMemory)) {
+  if (visible_.Has(PanelId::kMemory)) {
     contents.objects.clear();
     for (const std::string& id : open_objects_) contents.objects[id] = debugger::LookAtObject(mind, id, changes_);
     contents.story = timetag_ != 0 ? debugger::LookAtElement(mind, timetag_) : std::nullopt;
     contents.found = search_.empty() ? std::vector<explain::ElementFact>{} : debugger::SearchMemory(mind, search_, 200);
-    if (!visible(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
+    if (!visible_.Has(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
   }
-  if (visible(PanelId::kRules)) {
+  if (visible_.Has(PanelId::kRules)) {
     contents.rules = debugger::ListRules(mind);
     contents.rule = rule_.empty() ? std::nullopt : debugger::LookAtRule(mind, rule_);
     FillRuleText(contents);
@@ -236,16 +230,16 @@ void Desk::FillMind(viewer::Viewer& viewer, explain::Inspector& mind) {
     }
     wants_coverage_ = false;
   }
-  if (visible(PanelId::kLinks)) contents.io = debugger::LookAtIo(mind, changes_);
-  if (visible(PanelId::kPlots)) contents.plottable = debugger::Plottable(mind);
+  if (visible_.Has(PanelId::kLinks)) contents.io = debugger::LookAtIo(mind, changes_);
+  if (visible_.Has(PanelId::kPlots)) contents.plottable = debugger::Plottable(mind);
 }
 
-void Desk::FillWhy(viewer::PanelContents& contents, explain::Inspector* mind) {
+void Desk::FillWhy(Contents& contents, explain::Inspector* mind) {
   contents.why = {};
   sim::Simulation* world = Looked();
   if (agent_.empty() || (world == nullptr && mind == nullptr)) return;
-  using About = viewer::WhyRequest::About;
-  viewer::WhyContents& why = contents.why;
+  using About = WhyRequest::About;
+  WhyContents& why = contents.why;
   if (why_.about == About::kAgent) {
     why.question = "Why does " + agent_ + " do what it does?";
     if (world != nullptr) {
@@ -285,68 +279,48 @@ void Desk::FillWhy(viewer::PanelContents& contents, explain::Inspector* mind) {
   why.answer = debugger::WhyNameOrError(*world, agent_, why_.what);
 }
 
-void Desk::FillLongTerm(viewer::PanelContents& contents, explain::Inspector* mind) {
+void Desk::FillLongTerm(Contents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.long_term = debugger::LookAtLongTerm(*mind, known_search_);
   contents.episode = debugger::LookAtEpisode(*mind, episode_);
 }
 
-void Desk::FillLearning(viewer::PanelContents& contents, explain::Inspector* mind) {
+void Desk::FillLearning(Contents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.learning = debugger::LookAtLearning(*mind, {}, contents.learning_log, past_.shown_tick());
   contents.learned_rule = debugger::LookAtLearnedRule(*mind, learned_rule_, contents.learning_log, past_.shown_tick());
 }
 
-std::vector<viewer::Ghost> Desk::FillFutures(viewer::PanelContents& contents) {
-  std::vector<viewer::Ghost> ghosts;
+void Desk::FillFutures(Contents& contents) {
   record::Futures* futures = past_.futures();
-  if (futures == nullptr) return ghosts;
+  if (futures == nullptr) return;
   const std::uint64_t now = past_.shown_tick();
   const record::TickRecord* old = now >= *past_.branch_tick() ? futures->Old(now) : nullptr;
-  contents.futures = viewer::FuturesContents{*past_.branch_tick(), now, old != nullptr, futures->comparison()};
+  contents.futures = FuturesContents{*past_.branch_tick(), now, old != nullptr, futures->comparison()};
   // Where everybody was at this time in the old future.
-  if (old == nullptr) return ghosts;
+  if (old == nullptr) return;
   for (const world::AgentSnapshot& agent : old->scene.agents) {
-    if (!agent.alive) continue;
-    viewer::Ghost ghost;
-    ghost.name = agent.name + " before";
-    ghost.agent_id = agent.id;
-    ghost.color = agent.team.empty() ? viewer::AgentColor(agent.kind) : viewer::TeamColor(agent.team);
-    ghost.opacity = 0.8f;
-    ghost.position = agent.position;
-    ghost.forward = agent.forward;
-    ghost.radius_m = agent.radius_m;
-    ghost.height_m = agent.height_m;
-    ghosts.push_back(std::move(ghost));
+    if (agent.alive) contents.ghosts.push_back(GhostOf(agent, agent.name + " before"));
   }
-  return ghosts;
 }
 
-void Desk::AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
-                         std::vector<viewer::Ghost>& ghosts) const {
+void Desk::AddRemembered(const world::SceneSnapshot& scene, Contents& contents) const {
   for (const debugger::RememberedThing& thing : contents.episode.things) {
     const std::string& name = thing.name == "self" ? agent_ : thing.name;
-    viewer::Ghost ghost;
-    ghost.name = name + " in episode " + std::to_string(contents.episode.number);
-    ghost.opacity = 0.8f;
+    const std::string title = name + " in episode " + std::to_string(contents.episode.number);
     const auto agent = std::ranges::find(scene.agents, name, &world::AgentSnapshot::name);
+    GhostBody ghost;
     if (agent != scene.agents.end()) {
-      ghost.agent_id = agent->id;
-      ghost.color = agent->team.empty() ? viewer::AgentColor(agent->kind) : viewer::TeamColor(agent->team);
-      ghost.position = agent->position;  // For the height.
-      ghost.forward = agent->forward;
-      ghost.radius_m = agent->radius_m;
-      ghost.height_m = agent->height_m;
+      ghost = GhostOf(*agent, title);
     } else {
       // A thing: as a low column.
-      ghost.radius_m = 0.3f;
-      ghost.height_m = 0.6f;
+      ghost.name = title;
       ghost.position.y = ghost.height_m / 2;
     }
     ghost.position.x = static_cast<decltype(ghost.position.x)>(thing.x);
     ghost.position.z = static_cast<decltype(ghost.position.z)>(thing.z);
-    ghosts.push_back(std::move(ghost));
+    contents.ghosts.push_back(std::move(ghost));
   }
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

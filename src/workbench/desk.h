@@ -11,12 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/next_run.h"
-#include "app/run_session.h"
-#include "app/window/drafts.h"
-#include "app/window/lesson_desk.h"
-#include "app/window/pace.h"
-#include "app/window/time_machine.h"
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/recorded_mind.h"
@@ -25,22 +19,35 @@
 #include "debugger/run_models.h"
 #include "record/export.h"
 #include "record/reader.h"
-#include "viewer/viewer.h"
+#include "workbench/contents.h"
+#include "workbench/drafts.h"
+#include "workbench/live_run.h"
+#include "workbench/requests.h"
+#include "workbench/surroundings.h"
+#include "workbench/time_machine.h"
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
-/// What the window's panels work with: follows the run tick by tick, carries out what the user asks for in panels, and
-/// fills in what the visible ones show when the tick or the question has changed. A recording is shown by the same
-/// code: it is a run whose every tick is past.
+/// What everybody who watches a run works with: follows it tick by tick, carries out requests, and fills in what the
+/// panels that are looked at show when the tick or the question has changed. A recording is shown by the same code: it
+/// is a run whose every tick is past.
 ///
 /// The run itself is the same with it and without, but for what the user does.
+///
+///   Desk desk(run, header, scenario, settings, surroundings);
+///   Contents contents;
+///   while (...) {
+///     desk.Prepare();
+///     ... the run's next tick ...
+///     if (desk.Serve(requests, contents)) ... show the contents anew; contents.moment is new each time ...
+///   }
 class Desk {
  public:
-  /// The session tells it of each tick from now on and must outlive it.
-  Desk(RunSession& session, const record::Header& header, const sim::Scenario& scenario,
-       const sim::SimulationSettings& settings);
+  /// The run tells it of each tick from now on and must outlive it, and so must the surroundings.
+  Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scenario,
+       const sim::SimulationSettings& settings, Surroundings& surroundings);
   /// Of these ticks of a recording, which must live longer.
-  Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range);
+  Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range, Surroundings& surroundings);
   ~Desk();
 
   /// What the user has made and what outlives the run: files that are edited, breakpoints, what consoles say.
@@ -58,8 +65,13 @@ class Desk {
   void Prepare();
   /// Whether a breakpoint was hit in the last tick: the world is to stand still.
   bool WasHit() const { return !hits_.empty() && hit_is_new_; }
-  /// Carries out what was asked for, and refreshes the contents of the visible panels. Each frame.
-  void Serve(viewer::Viewer& viewer, Pace& pace);
+  /// Carries out what was asked for, and refreshes the contents of the panels that are looked at; each frame, or some
+  /// times a second. False: nothing but the moment may have changed. The contents are the same object each time.
+  bool Serve(const std::vector<Request>& requests, Contents& contents);
+  /// The agent of this number in the scene that is shown; empty: there is none.
+  std::string NameOf(std::uint32_t agent_id);
+  /// Adds something that the user should mend.
+  void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// The scene to draw instead of the live one; null while live.
   const world::SceneSnapshot* PastScene();
   bool is_live() const { return past_.is_live(); }
@@ -71,18 +83,14 @@ class Desk {
   void AwaitNothing() { awaited_ = {}; }
   /// What changed in that mind in the last tick, a sentence, once; or that nothing has for long.
   std::string TakeChange();
-  /// The scenario or recording that the user wants to see instead, if any. Once.
-  std::optional<NextRun> TakeWantedRun() { return std::exchange(wants_run_, std::nullopt); }
-  /// The lesson that the world belongs to; null for a recording.
-  const LessonDesk* lesson() const { return lesson_.get(); }
   /// Takes notes of this agent from now on, as if it were selected.
-  void Follow(const std::string& agent) { agent_ = agent; }
+  void Follow(const std::string& agent) { agent_ = wanted_agent_ = agent; }
 
  private:
   using Clock = std::chrono::steady_clock;
   struct OpenFile {
     debugger::Edit edit;
-    viewer::EditContents contents;
+    EditContents contents;
     bool has_draft = false;                      ///< The draft on the disk is not what was typed.
     std::string failure = {};                    ///< Why it could not be saved.
     std::optional<std::uint64_t> apply_at = {};  ///< To be applied to the minds of this tick, once they are rebuilt.
@@ -106,24 +114,20 @@ class Desk {
   /// Recorded minds are those of the tick that is shown.
   bool HasReadOn() const { return !recorded_.empty() && recorded_.last_tick() == past_.shown_tick(); }
   /// The run that is under way; null for a recording.
-  sim::Simulation* Live() const { return session_ == nullptr ? nullptr : &session_->simulation(); }
+  sim::Simulation* Live() const { return run_ == nullptr ? nullptr : &run_->simulation(); }
   /// Reads what was before plots that were asked for late, a slice of time per call.
   void FillPlots();
   bool HasMind(const std::string& agent);
   /// Why a recording tells nothing of the selected agent's mind at the tick that is shown.
   std::string NotRecorded() const;
-  void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// A check of the run's mission came to be known or was decided.
   void NoteCheck(const sim::RunEvent& event);
 
-  /// Writes the window that was asked for as a picture, once menus have closed.
-  void SaveAwaitedPicture(viewer::Viewer& viewer);
-
   // What the user asks for (desk_requests.cpp).
-  void Obey(const viewer::PanelRequest& request, viewer::Viewer& viewer, Pace& pace);
-  void Resume(Pace& pace);
-  void OpenEdit(const viewer::EditRequest& request);
-  void ChangeText(const viewer::EditTextRequest& request);
+  void Obey(const Request& request);
+  void Resume();
+  void OpenEdit(const EditRequest& request);
+  void ChangeText(const EditTextRequest& request);
   /// Reloads the file's rules into the world that the panels look into, as soon as that is there.
   void Apply(OpenFile& file);
   void ApplyAwaited();
@@ -141,36 +145,38 @@ class Desk {
     const auto found = open_files_.find(edited_file_);
     return found == open_files_.end() ? nullptr : &found->second;
   }
-  void Type(const viewer::ConsoleRequest& request);
+  void Type(const ConsoleRequest& request);
   struct Visitor;
 
   // What the panels show (desk_contents.cpp).
-  void Refresh(viewer::Viewer& viewer);
-  void FillMoment(viewer::PanelContents& contents);
-  void FillMind(viewer::Viewer& viewer, explain::Inspector& mind);
+  /// Another agent is looked at: what was asked about the one before is over.
+  void LookAtAgent(Contents& contents);
+  void Refresh(Contents& contents);
+  void FillMoment(Contents& contents);
+  void FillMind(Contents& contents, explain::Inspector& mind);
   /// The minds that are looked at side by side.
-  void FillBeside(viewer::PanelContents& contents, bool watches, bool minds);
+  void FillBeside(Contents& contents, bool watches, bool minds);
   /// What can be opened, and where a text stands that is searched everywhere.
-  void FillOffers(viewer::Viewer& viewer, explain::Inspector* mind);
+  void FillOffers(Contents& contents, explain::Inspector* mind);
   /// The rule that is looked at as its author wrote it.
-  void FillRuleText(viewer::PanelContents& contents);
+  void FillRuleText(Contents& contents);
   /// What bodies do now.
-  void FillActivities(viewer::PanelContents& contents);
-  void FillWhy(viewer::PanelContents& contents, explain::Inspector* mind);
-  /// Gives where everybody was in the old future.
-  std::vector<viewer::Ghost> FillFutures(viewer::PanelContents& contents);
-  void FillLongTerm(viewer::PanelContents& contents, explain::Inspector* mind);
-  void FillLearning(viewer::PanelContents& contents, explain::Inspector* mind);
+  void FillActivities(Contents& contents);
+  void FillWhy(Contents& contents, explain::Inspector* mind);
+  /// With where everybody was in the old future.
+  void FillFutures(Contents& contents);
+  void FillLongTerm(Contents& contents, explain::Inspector* mind);
+  void FillLearning(Contents& contents, explain::Inspector* mind);
   /// Adds what the selected agent remembers of the episode that is looked at.
-  void AddRemembered(const viewer::PanelContents& contents, const world::SceneSnapshot& scene,
-                     std::vector<viewer::Ghost>& ghosts) const;
+  void AddRemembered(const world::SceneSnapshot& scene, Contents& contents) const;
   /// The world that the panels look into: the live one, or the rebuilt past; null while that is not there.
   sim::Simulation* Looked();
   debugger::Console& ConsoleOf(const std::string& agent);
 
-  RunSession* session_ = nullptr;        ///< Null: a recording.
+  LiveRun* run_ = nullptr;               ///< Null: a recording.
   record::Reader* recording_ = nullptr;  ///< Null: a live run.
-  std::uint64_t next_tick_ = 0;          ///< Of the recording, for the models.
+  Surroundings& surroundings_;
+  std::uint64_t next_tick_ = 0;  ///< Of the recording, for the models.
   debugger::RecordedMinds recorded_;
   TimeMachine past_;
   debugger::RunModels models_;
@@ -179,10 +185,9 @@ class Desk {
   debugger::Breakpoints breakpoints_;
   std::vector<debugger::BreakHit> hits_;
   bool hit_is_new_ = false;
-  std::vector<viewer::ProblemRow> problems_;
-  std::vector<viewer::CheckRow> checks_;
-  std::unique_ptr<LessonDesk> lesson_;  ///< Null: the world is no lesson's.
-  std::string news_;                    ///< To be told in the picture; empty: nothing.
+  std::vector<ProblemRow> problems_;
+  std::vector<CheckRow> checks_;
+  std::string news_;  ///< To be told at once; empty: nothing.
   std::map<std::string, debugger::Console> consoles_;
   std::uint64_t console_lines_ = 0;
   std::map<std::string, UnsentLine> unsent_lines_;  ///< By agent, of those that were looked at.
@@ -191,11 +196,13 @@ class Desk {
   debugger::MemoryChanges changes_;  ///< Of the selected agent in the tick that is shown.
 
   // What the user looks at.
+  PanelSet visible_;
+  std::string wanted_agent_;  ///< Who is to be looked at, if he is there.
   std::string agent_;
   std::string noted_agent_;  ///< The one whose mind was asked to note all.
   std::string state_, search_, rule_;
   std::vector<std::string> watches_, beside_;  ///< What is watched, and of which agents; none: of the selected one.
-  std::map<std::pair<std::string, std::string>, viewer::WatchRow::Cell> watched_;  ///< By what and agent: shown last.
+  std::map<std::pair<std::string, std::string>, WatchRow::Cell> watched_;  ///< By what and agent: shown last.
   std::set<std::string> open_objects_;
   std::string known_search_;
   std::string learned_rule_;  ///< Whose explanation is looked at; empty: none.
@@ -211,10 +218,9 @@ class Desk {
   void LookForChange(const record::TickRecord& tick);
   Awaited awaited_;  ///< No agent: none is.
   bool wants_coverage_ = false;
-  std::optional<NextRun> wants_run_;  ///< What is to be opened instead of this run.
-  std::string searched_;              ///< Everywhere; empty: nothing.
-  bool offers_ = false;               ///< Somebody is about to choose what to open.
-  viewer::WhyRequest why_;
+  std::string searched_;  ///< Everywhere; empty: nothing.
+  bool offers_ = false;   ///< Somebody is about to choose what to open.
+  WhyRequest why_;
   /// Files that were opened to be edited; what was typed into one stays while another is looked at.
   OpenFiles open_files_;
   std::string edited_file_;  ///< The one of them that is looked at; empty: none.
@@ -226,11 +232,10 @@ class Desk {
 
   bool is_stale_ = true;  ///< The user asked for something else than what is shown.
   std::uint64_t refreshed_tick_ = ~std::uint64_t{0};
-  std::uint64_t refreshed_panels_ = 0;
+  PanelSet refreshed_panels_;
   std::string refreshed_note_;
   Clock::time_point refreshed_at_;
   Clock::time_point sought_at_;
-  int picture_in_frames_ = 0;               ///< Until a picture is saved; 0: none is wanted.
   std::optional<std::uint64_t> resume_at_;  ///< The run is to go on from this tick, which is being rebuilt.
   world::SceneSnapshot past_scene_;
   std::uint64_t past_scene_tick_ = ~std::uint64_t{0};
@@ -245,7 +250,6 @@ struct Desk::Belongings {
   std::map<std::string, debugger::Console> consoles;
   std::uint64_t console_lines = 0;
   std::vector<std::string> watches, beside;
-  std::unique_ptr<LessonDesk> lesson;  ///< What grading has told, or is about to.
 };
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

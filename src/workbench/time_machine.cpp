@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/time_machine.h"
+#include "workbench/time_machine.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-namespace soarbox::app {
+namespace soarbox::workbench {
 
 TimeMachine::TimeMachine(const record::Header& header, sim::Scenario scenario, sim::SimulationSettings settings)
     : scenario_(std::move(scenario)), settings_(std::move(settings)) {
@@ -116,4 +116,4 @@ std::unique_ptr<sim::Simulation> TimeMachine::Resume() {
   return simulation;
 }
 
-}  // namespace soarbox::app
+}  // namespace soarbox::workbench

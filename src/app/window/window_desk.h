@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/next_run.h"
+#include "app/window/lesson_desk.h"
+#include "viewer/viewer.h"
+#include "workbench/desk.h"
+#include "workbench/pace.h"
+
+namespace soarbox::app {
+
+/// The way between a window and a desk: what its user asks for goes to the desk, contents to its panels. And what the
+/// desk leaves to the window: remarks, pictures, editors, the next run.
+class WindowDesk final : public workbench::Surroundings {
+ public:
+  /// `lessons` may be null: of a recording.
+  WindowDesk(viewer::Viewer& viewer, workbench::Pace& pace, LessonDesk* lessons)
+      : viewer_(viewer), pace_(pace), lessons_(lessons) {}
+
+  /// Each frame.
+  void Serve(workbench::Desk& desk);
+  /// The scenario or recording that the user wants to see instead, if any. Once.
+  std::optional<NextRun> TakeWantedRun() { return std::exchange(wants_run_, std::nullopt); }
+
+  bool IsPaused() const override { return pace_.paused(); }
+  void Pause() override { pace_.Pause(); }
+  void GoOn() override { pace_.Resume(); }
+  void SetSpeed(double speed) override { pace_.SetSpeed(speed); }
+  void Tell(std::string remark) override { viewer_.Tell(std::move(remark)); }
+  Result<void> OpenInEditor(const std::string& file, int line) override;
+  Result<void> OpenRun(const std::string& what, const std::string& lesson) override;
+  void SavePicture() override;
+  std::vector<workbench::ScenarioOffer> Scenarios() override;
+  std::vector<std::string> RecentRuns() override;
+  bool MayBrowse() const override { return true; }
+  workbench::Lessons* lessons() override { return lessons_; }
+
+ private:
+  /// Writes the window that was asked for as a picture, once menus have closed.
+  void SaveAwaitedPicture(workbench::Desk& desk);
+
+  viewer::Viewer& viewer_;
+  workbench::Pace& pace_;
+  LessonDesk* lessons_;
+  int picture_in_frames_ = 0;         ///< Until a picture is saved; 0: none is wanted.
+  std::optional<NextRun> wants_run_;  ///< What is to be opened instead of this run.
+};
+
+/// What a command of a window asks of the flow of time; nothing if it asks for something else.
+std::optional<workbench::Flow> FlowOf(viewer::ViewerCommand command);
+
+}  // namespace soarbox::app

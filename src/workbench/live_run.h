@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+#include "record/tick_record.h"
+#include "sim/simulation.h"
+
+namespace soarbox::workbench {
+
+/// A run under way, as far as a desk needs it. The program that drives the run implements it.
+class LiveRun {
+ public:
+  virtual ~LiveRun() = default;
+  virtual sim::Simulation& simulation() = 0;
+  /// What minds are to note even if nobody looks at them.
+  virtual sim::MindDetail LeastDetail() const { return sim::MindDetail::kNone; }
+  /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
+  using OnTick = std::function<void(const record::TickRecord&)>;
+  virtual void Watch(OnTick on_tick) = 0;
+  /// Hears what live edits report: what was reloaded (notes), and what is wrong with a file. It takes effect in no run.
+  using OnEdit = std::function<void(const Diagnostic& told)>;
+  virtual void SetOnEdit(OnEdit on_edit) = 0;
+  /// Goes on with another simulation of the same run, as it was at an earlier tick, which is recorded as `at`; `inputs`
+  /// are what had come in by then.
+  virtual void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
+                        const std::vector<record::TickInputs>& inputs) = 0;
+};
+
+}  // namespace soarbox::workbench

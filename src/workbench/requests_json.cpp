@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "workbench/requests_json.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace soarbox::workbench {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+// The words of each choice, in the order of its enumerators.
+constexpr std::string_view kWhyAbout[] = {"agent", "operator", "command", "element", "not"};
+constexpr std::string_view kEditText[] = {"type", "check", "apply", "save", "revert"};
+constexpr std::string_view kBreakKinds[] = {"fire", "match", "element", "impasse", "command"};
+constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
+constexpr std::string_view kLessons[] = {"hint", "grade", "open"};
+
+enum Need : bool { kOptional = false, kNeeded = true };
+
+// The fields of each request, for readers, writers and the reference alike.
+template <typename Visit>
+void Fields(Visit& visit, SelectRequest& r) {
+  visit("agent", r.agent, "its name; empty: nobody", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, LookRequest& r) {
+  visit("panels", r.panels, "which contents are looked at: words of panels", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, OpenFileRequest& r) {
+  visit("file", r.file, "the file", kNeeded);
+  visit("line", r.line, "where to look first; 0: anywhere", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, ConsoleRequest& r) {
+  visit("agent", r.agent, "whose command line it is", kNeeded);
+  visit("line", r.line, "the command", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, CompleteRequest& r) {
+  visit("agent", r.agent, "whose command line it is", kNeeded);
+  visit("line", r.line, "what is typed so far", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, KeepLineRequest& r) {
+  visit("agent", r.agent, "whose command line it is", kNeeded);
+  visit("line", r.line, "what is typed so far; empty: nothing", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit&, ClearConsoleRequest&) {}
+template <typename Visit>
+void Fields(Visit&, ClearProblemsRequest&) {}
+template <typename Visit>
+void Fields(Visit& visit, SeekRequest& r) {
+  visit("tick", r.tick, "the tick to show", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit&, LiveRequest&) {}
+template <typename Visit>
+void Fields(Visit&, ResumeRequest&) {}
+template <typename Visit>
+void Fields(Visit& visit, SpeedRequest& r) {
+  visit("speed", r.speed, "simulated seconds per second", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit&, SavePictureRequest&) {}
+template <typename Visit>
+void Fields(Visit& visit, TellRequest& r) {
+  visit("text", r.text, "the remark", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, StateRequest& r) {
+  visit("state", r.state, "\"S1\"; empty: the lowest", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, ObjectRequest& r) {
+  visit("id", r.id, "an identifier of working memory", kNeeded);
+  visit("is_open", r.is_open, "whether it is unfolded", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, ElementRequest& r) {
+  visit("timetag", r.timetag, "its time tag; 0: no element any more", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, SearchMemoryRequest& r) {
+  visit("text", r.text, "what elements are to have in them; empty: nothing is searched", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, RuleRequest& r) {
+  visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit&, CoverageRequest&) {}
+template <typename Visit>
+void Fields(Visit& visit, SearchKnownRequest& r) {
+  visit("text", r.text, "what objects are to have in them; empty: all", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, EpisodeRequest& r) {
+  visit("number", r.number, "counted from 1; 0: no episode any more", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, LearnedRuleRequest& r) {
+  visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, WhyRequest& r) {
+  visit("about", r.about, kWhyAbout, "what is asked about", kNeeded);
+  visit("what", r.what, "a name, or the time tag of an element; not needed for `agent`", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, PlotRequest& r) {
+  visit("agent", r.agent, "whose number it is", kNeeded);
+  visit("what", r.what, "one of `plottable`, or a percept's path", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, EditRequest& r) {
+  visit("file", r.file, "the file, or its name alone", kNeeded);
+  visit("line", r.line, "where to look first; 0: anywhere", kOptional);
+  visit("rule", r.rule, "or the rule to look at", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, EditTextRequest& r) {
+  visit("what", r.what, kEditText, "what to do", kNeeded);
+  visit("text", r.text, "the whole text as it is typed now", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit&, SaveAllRequest&) {}
+template <typename Visit>
+void Fields(Visit& visit, OpenRunRequest& r) {
+  visit("what", r.what, "a scenario's name or path, or a recording", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, WatchRequest& r) {
+  visit("what", r.what, "a value, \"S1.io.input-link.self.health\", or a Soar command", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, BesideRequest& r) {
+  visit("agent", r.agent, "whose mind", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, SearchRequest& r) {
+  visit("text", r.text, "what to find; empty: nothing", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, OfferRequest& r) {
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, BreakRequest& r) {
+  visit("kind", r.kind, kBreakKinds, "what it waits for", kNeeded);
+  visit("agent", r.agent, "whose mind; empty: any", kOptional);
+  visit("what", r.what, "a rule, `ID ^attribute value`, an impasse or a command; * stands for anything", kOptional);
+}
+template <typename Visit>
+void Fields(Visit& visit, ChangeBreakRequest& r) {
+  visit("number", r.number, "the breakpoint's", kNeeded);
+  visit("what", r.what, kChangeBreak, "what to do", kNeeded);
+}
+template <typename Visit>
+void Fields(Visit& visit, LessonRequest& r) {
+  visit("what", r.what, kLessons, "the next hint, a grade, or another lesson", kNeeded);
+  visit("lesson", r.lesson, "which one to open", kOptional);
+}
+
+/// "agent, operator or not".
+std::string Choice(Words words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += "`" + std::string(words[i]) + "`";
+  }
+  return text;
+}
+
+/// Lists the fields of a request.
+struct Lister {
+  std::vector<RequestField> fields;
+
+  void Add(std::string_view name, std::string type, std::string_view about, Need need) {
+    fields.push_back({name, std::move(type), about, need});
+  }
+  void operator()(std::string_view name, const std::string&, std::string_view about, Need need) {
+    Add(name, "text", about, need);
+  }
+  void operator()(std::string_view name, const bool&, std::string_view about, Need need) {
+    Add(name, "true or false", about, need);
+  }
+  void operator()(std::string_view name, const PanelSet&, std::string_view about, Need need) {
+    Add(name, "list of text", about, need);
+  }
+  template <typename Number>
+  void operator()(std::string_view name, const Number&, std::string_view about, Need need) {
+    Add(name, "number", about, need);
+  }
+  template <typename Enum>
+  void operator()(std::string_view name, const Enum&, Words words, std::string_view about, Need need) {
+    Add(name, Choice(words), about, need);
+  }
+};
+
+/// Writes the fields of a request.
+struct Writer {
+  Json& json;
+
+  template <typename Value>
+  void operator()(std::string_view name, const Value& value, std::string_view, Need) {
+    json[std::string(name)] = value;
+  }
+  void operator()(std::string_view name, const PanelSet& panels, std::string_view, Need) {
+    Json& list = json[std::string(name)] = Json::array();
+    for (const PanelInfo& info : kPanelInfos)
+      if (panels.Has(info.id)) list.push_back(std::string(info.word));
+  }
+  template <typename Enum>
+  void operator()(std::string_view name, const Enum& value, Words words, std::string_view, Need) {
+    json[std::string(name)] = std::string(words[static_cast<std::size_t>(value)]);
+  }
+};
+
+/// Reads the fields of a request; the first mistake stays.
+struct Reader {
+  static constexpr std::size_t kLongestText = std::size_t{4} << 20;
+
+  const Json& json;
+  std::string_view request;
+  std::vector<std::string_view> known = {"request", "id"};
+  std::string mistake = {}, hint = {};
+
+  void Refuse(std::string_view name, const std::string& what, const std::string& remedy = {}) {
+    if (!mistake.empty()) return;
+    mistake = std::string(name) + " " + what;
+    hint = remedy;
+  }
+  /// Null if it is not there.
+  const Json* Find(std::string_view name, Need need) {
+    known.push_back(name);
+    const auto found = json.find(name);
+    if (found != json.end()) return &*found;
+    if (need == kNeeded) Refuse(name, "is missing");
+    return nullptr;
+  }
+  void operator()(std::string_view name, std::string& value, std::string_view, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    if (!found->is_string()) return Refuse(name, "is to be a text");
+    value = found->get<std::string>();
+    if (value.size() > kLongestText) Refuse(name, "is longer than 4 MiB");
+  }
+  void operator()(std::string_view name, bool& value, std::string_view, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    if (!found->is_boolean()) return Refuse(name, "is to be true or false");
+    value = found->get<bool>();
+  }
+  void operator()(std::string_view name, double& value, std::string_view, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    if (!found->is_number()) return Refuse(name, "is to be a number");
+    value = found->get<double>();
+  }
+  template <typename Whole>
+  void ReadWhole(std::string_view name, Whole& value, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    const bool is_whole = found->is_number_integer() &&
+                          (found->is_number_unsigned() || found->get<std::int64_t>() >= 0) &&
+                          std::in_range<Whole>(found->get<std::uint64_t>());
+    if (!is_whole) return Refuse(name, "is to be a whole number, 0 or more");
+    value = static_cast<Whole>(found->get<std::uint64_t>());
+  }
+  void operator()(std::string_view name, int& value, std::string_view, Need need) { ReadWhole(name, value, need); }
+  void operator()(std::string_view name, std::uint64_t& value, std::string_view, Need need) {
+    ReadWhole(name, value, need);
+  }
+  void operator()(std::string_view name, PanelSet& value, std::string_view, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    if (!found->is_array()) return Refuse(name, "is to be a list of panels' words");
+    std::vector<std::string_view> words;
+    for (const PanelInfo& info : kPanelInfos) words.push_back(info.word);
+    for (const Json& word : *found) {
+      const std::string text = word.is_string() ? word.get<std::string>() : word.dump();
+      const std::optional<PanelId> panel = FindPanel(text);
+      if (!panel) return RefuseWord(name, text, words);
+      value.Add(*panel);
+    }
+  }
+  template <typename Enum>
+  void operator()(std::string_view name, Enum& value, Words words, std::string_view, Need need) {
+    const Json* const found = Find(name, need);
+    if (found == nullptr) return;
+    const std::string text = found->is_string() ? found->get<std::string>() : found->dump();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] != text) continue;
+      value = static_cast<Enum>(i);
+      return;
+    }
+    RefuseWord(name, text, {words.begin(), words.end()});
+  }
+  void RefuseWord(std::string_view name, const std::string& text, const std::vector<std::string_view>& words) {
+    const std::string_view near = Suggest(text, words);
+    std::string remedy = near.empty() ? "it is one of" : "did you mean '" + std::string(near) + "'?";
+    for (std::size_t i = 0; near.empty() && i < words.size(); ++i) remedy += " " + std::string(words[i]);
+    Refuse(name, "cannot be '" + text + "'", remedy);
+  }
+};
+
+struct Row {
+  std::string_view name, about;
+  std::vector<RequestField> (*list)();
+  Request (*read)(Reader& reader);
+  bool (*write)(const Request& request, Json& json);  ///< False: it is another one.
+};
+
+template <typename R>
+constexpr Row RowOf(std::string_view name, std::string_view about) {
+  return {name, about,
+          [] {
+            R request;
+            Lister lister;
+            Fields(lister, request);
+            return std::move(lister.fields);
+          },
+          [](Reader& reader) -> Request {
+            R request;
+            Fields(reader, request);
+            return request;
+          },
+          [](const Request& request, Json& json) {
+            const R* const mine = std::get_if<R>(&request);
+            if (mine == nullptr) return false;
+            R copy = *mine;
+            Writer writer{json};
+            Fields(writer, copy);
+            return true;
+          }};
+}
+
+/// All requests.
+constexpr Row kRows[] = {
+    RowOf<SelectRequest>("select", "Look at an agent of the world: most contents are about it."),
+    RowOf<LookRequest>("look", "Which panels are looked at; the others get no contents."),
+    RowOf<OpenFileRequest>("open-file", "Open a file in the user's own editor; in a window only."),
+    RowOf<ConsoleRequest>("console", "Carry out a line of the Soar command language for an agent."),
+    RowOf<CompleteRequest>("complete", "How the word that a line ends with may go on."),
+    RowOf<KeepLineRequest>("keep-line", "Keep a line that is typed and not sent."),
+    RowOf<ClearConsoleRequest>("clear-console", "Forget what the selected agent's console has printed."),
+    RowOf<ClearProblemsRequest>("clear-problems", "Forget the problems so far."),
+    RowOf<SeekRequest>("seek", "Show a past tick; a run pauses."),
+    RowOf<LiveRequest>("live", "Show the newest tick, and follow it."),
+    RowOf<ResumeRequest>("resume", "Go on from the tick that is shown; what came after it becomes the old future."),
+    RowOf<SpeedRequest>("set-speed", "How fast the world goes."),
+    RowOf<SavePictureRequest>("save-picture", "Write the window as a picture; in a window only."),
+    RowOf<TellRequest>("tell", "Tell the user that something was done."),
+    RowOf<StateRequest>("state", "Show the operators of this state."),
+    RowOf<ObjectRequest>("object", "Unfold an object of working memory, or fold it."),
+    RowOf<ElementRequest>("element", "Tell all about an element."),
+    RowOf<SearchMemoryRequest>("search-memory", "Find elements of working memory."),
+    RowOf<RuleRequest>("rule", "Tell all about a rule."),
+    RowOf<CoverageRequest>("coverage", "Tell which rules took part so far, and how far the others match now."),
+    RowOf<SearchKnownRequest>("search-known", "Find objects of long-term memory."),
+    RowOf<EpisodeRequest>("episode", "Look at an episode of the selected agent."),
+    RowOf<LearnedRuleRequest>("learned-rule", "Show how a rule was learned, and where it fired."),
+    RowOf<WhyRequest>("ask", "Why something is, or is not."),
+    RowOf<PlotRequest>("plot", "Draw a number of an agent over time."),
+    RowOf<EditRequest>("edit", "Edit a file that the run was made from."),
+    RowOf<EditTextRequest>("edit-text", "What to do with the edited text."),
+    RowOf<SaveAllRequest>("save-all", "Write all files that have changes."),
+    RowOf<OpenRunRequest>("open-run", "Show another world or recording; in a window only."),
+    RowOf<WatchRequest>("watch", "Print this of minds again and again."),
+    RowOf<BesideRequest>("beside", "Look at an agent's mind beside those of others."),
+    RowOf<SearchRequest>("search", "Find a text in rules, scripts, memory and the trace."),
+    RowOf<OfferRequest>("offer", "Tell what can be opened and searched."),
+    RowOf<BreakRequest>("break", "Stop the world when something happens in a mind."),
+    RowOf<ChangeBreakRequest>("change-break", "Remove a breakpoint, or switch it on or off."),
+    RowOf<LessonRequest>("lesson", "Help with a lesson, its grade, or another lesson."),
+};
+static_assert(std::size(kRows) == std::variant_size_v<Request>);
+
+Diagnostic Problem(std::string message, std::string hint) {
+  Diagnostic problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+}  // namespace
+
+std::vector<RequestInfo> RequestInfos() {
+  std::vector<RequestInfo> infos;
+  for (const Row& row : kRows) infos.push_back({row.name, row.about, row.list()});
+  return infos;
+}
+
+Result<Request> ReadRequest(const Json& json) {
+  const auto named = json.is_object() ? json.find("request") : json.end();
+  if (!json.is_object() || named == json.end() || !named->is_string())
+    return Problem("a request is an object with a field 'request'", R"(as {"request": "seek", "tick": 120})");
+  const auto name = named->get<std::string>();
+  std::vector<std::string_view> names;
+  for (const Row& row : kRows) {
+    names.push_back(row.name);
+    if (row.name != name) continue;
+    Reader reader{json, row.name};
+    Request request = row.read(reader);
+    for (const auto& [key, value] : json.items()) {
+      const std::string_view near = Suggest(key, reader.known);
+      if (std::find(reader.known.begin(), reader.known.end(), key) == reader.known.end())
+        reader.Refuse(key, "is no field of it", near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+    }
+    if (!reader.mistake.empty()) return Problem("request " + name + ": " + reader.mistake, reader.hint);
+    return request;
+  }
+  const std::string_view near = Suggest(name, names);
+  return Problem("there is no request '" + name + "'",
+                 near.empty() ? "docs/workbench.md lists them" : "did you mean '" + std::string(near) + "'?");
+}
+
+Json ToJson(const Request& request) {
+  Json json;
+  for (const Row& row : kRows) {
+    json["request"] = std::string(row.name);
+    if (row.write(request, json)) break;
+  }
+  return json;
+}
+
+}  // namespace soarbox::workbench

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Whole sessions of somebody who watches a run: requests go in as JSON, contents come out as JSON. No display.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "app/event_printer.h"
+#include "app/record_run.h"
+#include "app/run_session.h"
+#include "debugger/views.h"
+#include "record/reader.h"
+#include "record/test_run.h"
+#include "record/test_ticks.h"
+#include "sim/scenario.h"
+#include "workbench/contents_json.h"
+#include "workbench/desk.h"
+#include "workbench/pace.h"
+#include "workbench/requests_json.h"
+
+namespace soarbox {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using workbench::Json;
+
+/// A program around a desk that only keeps what it is told.
+class Room final : public workbench::Surroundings {
+ public:
+  bool IsPaused() const override { return pace.paused(); }
+  void Pause() override { pace.Pause(); }
+  void GoOn() override { pace.Resume(); }
+  void SetSpeed(double speed) override { pace.SetSpeed(speed); }
+  void Tell(std::string remark) override { told.push_back(std::move(remark)); }
+
+  workbench::Pace pace{1};
+  std::vector<std::string> told;
+};
+
+/// Somebody at a desk who writes and reads JSON.
+class Watcher {
+ public:
+  explicit Watcher(workbench::Desk& desk) : desk_(desk) {}
+
+  void Ask(const char* request) {
+    const Result<workbench::Request> read = workbench::ReadRequest(Json::parse(request));
+    ASSERT_TRUE(read) << read.error().message;
+    requests_.push_back(*read);
+  }
+  void Serve() { desk_.Serve(std::exchange(requests_, {}), contents_); }
+  Json See(const char* name) { return workbench::ToJson(contents_, name); }
+  /// Serves until there is nothing that is still being read or simulated again; that begins once seeking rests.
+  void Await() {
+    for (int i = 0; i < 20'000; ++i) {
+      Serve();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (See("moment")["past_note"] == "" && See("moment")["not_available"] == "") return;
+    }
+    ADD_FAILURE() << See("moment").dump();
+  }
+
+ private:
+  workbench::Desk& desk_;
+  std::vector<workbench::Request> requests_;
+  workbench::Contents contents_;
+};
+
+class Sessions : public testing::Test {
+ protected:
+  Sessions() { setenv("XDG_STATE_HOME", (scratch.path() / "state").c_str(), 1); }
+  ~Sessions() override { unsetenv("XDG_STATE_HOME"); }
+
+  /// A run of soldiers with Soar minds, recorded.
+  void Begin(record::Level level = record::Level::kDecisions) {
+    scenario = sim::FindScenario("soar_skirmish", record::Data()).value();
+    settings.seed = settings.soar.seed = 4;
+    settings.soar.threads = 1;
+    settings.mind_detail = sim::MindDetail::kDecisions;
+    options.scenario = "soar_skirmish";
+    options.record = scratch.path() / "fight.soarrec";
+    session.emplace(std::move(sim::Simulation::Create(scenario, settings).value()),
+                    app::EventPrinter::MakeText(out, out), options);
+    header = app::HeaderOfRun(options, scenario, settings, session->simulation(), level);
+    recordings.emplace(options);
+    static_cast<void>(recordings->Begin(*session, header));
+  }
+  void Tick(workbench::Desk& desk, int ticks) {
+    for (int i = 0; i < ticks && !desk.WasHit(); ++i) {
+      desk.Prepare();
+      session->Tick();
+    }
+  }
+
+  record::ScratchFolder scratch;
+  std::ostringstream out;
+  sim::Scenario scenario;
+  sim::SimulationSettings settings;
+  app::RunOptions options;
+  record::Header header;
+  std::optional<app::RunSession> session;
+  std::optional<app::RunRecordings> recordings;
+  Room room;
+};
+
+TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
+  Begin();
+  const std::uint64_t hash_alone = [&] {
+    auto alone = std::move(sim::Simulation::Create(scenario, settings).value());
+    for (int i = 0; i < 40; ++i) alone->Tick();
+    return alone->StateHash();
+  }();
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+
+  // Who looks at nothing gets nothing but where the run stands.
+  Tick(desk, 10);
+  user.Serve();
+  EXPECT_EQ(user.See("moment")["agent"], "");
+  EXPECT_EQ(user.See("moment")["time"]["last_tick"], 10);
+  EXPECT_THAT(user.See("agents")["agents"], IsEmpty());
+
+  // An agent's mind, and why it does what it does.
+  user.Ask(R"({"request": "select", "agent": "blue-1"})");
+  user.Ask(
+      R"({"request": "look", "panels": ["agents", "mind", "why", "rules", "links", "memory", "trace", "timeline"]})");
+  Tick(desk, 30);
+  user.Serve();
+  EXPECT_EQ(session->simulation().StateHash(), hash_alone) << "watching changes nothing";
+  EXPECT_EQ(user.See("moment")["has_mind"], true);
+  EXPECT_EQ(user.See("agents")["agents"].size(), session->simulation().soar_agents());
+  const Json stack = user.See("mind")["stack"];
+  EXPECT_THAT(stack.dump(), HasSubstr("S1"));
+  EXPECT_THAT(user.See("why")["question"].get<std::string>(), HasSubstr("blue-1"));
+  EXPECT_THAT(user.See("why")["answer"].dump(), Not(IsEmpty()));
+  EXPECT_GT(user.See("rules")["rules"].size(), 5U);
+  EXPECT_THAT(user.See("links")["io"].dump(), HasSubstr("input-link"));
+  EXPECT_THAT(user.See("trace")["lines"].dump(), HasSubstr("blue-1"));
+
+  // The command line prints the same forms.
+  const auto mind = session->simulation().Inspect("blue-1");
+  EXPECT_EQ(stack, workbench::ToJson(
+                       [&] {
+                         workbench::Contents contents;
+                         contents.stack = debugger::LookAtStack(*mind);
+                         return contents;
+                       }(),
+                       "mind")["stack"]);
+  debugger::RunModels models;
+  record::TickRecord last;
+  record::Observe(session->simulation(), {}, record::Level::kAll, last);
+  for (const workbench::ContentField& field : workbench::ContentFields()) {
+    if (field.view != "stack" && field.view != "operators" && field.view != "rules") continue;
+    const auto shown = debugger::ShowView({&session->simulation(), &models, &last, nullptr},
+                                          {std::string(field.view), "blue-1", "", 0, last.tick});
+    ASSERT_TRUE(shown) << shown.error().message;
+    EXPECT_EQ(Json::parse(shown->json), user.See(std::string(field.content).c_str())[std::string(field.name)])
+        << field.view;
+  }
+
+  // Questions, an unfolded object, a console.
+  user.Ask(R"({"request": "object", "id": "S1"})");
+  user.Ask(R"({"request": "ask", "about": "not", "what": "no-such-operator"})");
+  user.Ask(R"({"request": "console", "agent": "blue-1", "line": "print s1"})");
+  user.Ask(R"({"request": "complete", "agent": "blue-1", "line": "pri"})");
+  user.Ask(R"({"request": "look", "panels": ["memory", "why", "console"]})");
+  user.Serve();
+  EXPECT_THAT(user.See("memory")["objects"]["S1"].dump(), HasSubstr("superstate"));
+  EXPECT_THAT(user.See("why")["question"].get<std::string>(), HasSubstr("Why not no-such-operator"));
+  EXPECT_THAT(user.See("console")["lines"].dump(), HasSubstr("(S1 "));
+  EXPECT_THAT(user.See("console")["completion"]["words"].dump(), HasSubstr("print"));
+
+  // A breakpoint stops the world; what it cannot be is a problem.
+  user.Ask(R"({"request": "break", "kind": "command"})");
+  user.Ask(R"({"request": "break", "kind": "fire", "what": ""})");
+  user.Ask(R"({"request": "look", "panels": ["breakpoints", "problems"]})");
+  user.Serve();
+  EXPECT_EQ(user.See("breakpoints")["breakpoints"].size(), 1U);
+  EXPECT_EQ(user.See("problems")["problems"].size(), 1U) << user.See("problems").dump();
+  Tick(desk, 300);
+  user.Serve();
+  ASSERT_TRUE(desk.WasHit());
+  EXPECT_THAT(user.See("breakpoints")["hits"].dump(), HasSubstr("breakpoint 1"));
+  user.Ask(R"({"request": "change-break", "number": 1, "what": "clear"})");
+  user.Serve();
+  EXPECT_THAT(user.See("breakpoints")["breakpoints"], IsEmpty());
+
+  // Back to a past tick, and on from there.
+  const std::uint64_t newest = session->simulation().tick();
+  user.Ask(R"({"request": "seek", "tick": 20})");
+  user.Ask(R"({"request": "look", "panels": ["mind", "futures"]})");
+  user.Serve();
+  EXPECT_FALSE(desk.is_live());
+  EXPECT_TRUE(room.pace.paused());
+  EXPECT_EQ(user.See("moment")["time"]["shown_tick"], 20);
+  user.Await();
+  EXPECT_THAT(user.See("mind")["stack"].dump(), HasSubstr("S1"));
+  user.Ask(R"({"request": "resume"})");
+  user.Serve();
+  EXPECT_TRUE(desk.is_live());
+  EXPECT_EQ(session->simulation().tick(), 20U);
+  Tick(desk, 5);
+  user.Serve();
+  user.Serve();
+  EXPECT_EQ(user.See("moment")["time"]["branches"], 1);
+  EXPECT_EQ(user.See("futures")["futures"]["branch_tick"], 20);
+  EXPECT_THAT(user.See("ghosts")["ghosts"].dump(), HasSubstr("before")) << newest;
+}
+
+TEST_F(Sessions, OnlyFilesOfTheRunAreEditedAndDraftsOutliveTheSession) {
+  Begin();
+  std::string file;
+  {
+    workbench::Desk desk(*session, header, scenario, settings, room);
+    Watcher user(desk);
+    user.Ask(R"({"request": "select", "agent": "blue-1"})");
+    user.Ask(R"({"request": "look", "panels": ["edit", "problems"]})");
+    user.Ask(R"({"request": "edit", "file": "/etc/hostname"})");
+    user.Serve();
+    EXPECT_EQ(user.See("edit")["edit"]["file"], "");
+    EXPECT_THAT(user.See("problems")["problems"].dump(), HasSubstr("only files of the run"));
+    file = user.See("edit")["files"][0]["file"];
+    ASSERT_THAT(file, HasSubstr(".soar"));
+    user.Ask(Json{{"request", "edit"}, {"file", file}}.dump().c_str());
+    user.Ask(R"j({"request": "edit-text", "what": "check", "text": "sp {broken (state <s>) --> (<s> ^x"})j");
+    user.Serve();
+    EXPECT_EQ(user.See("edit")["edit"]["is_unsaved"], true);
+    EXPECT_THAT(user.See("edit")["edit"]["problems"], Not(IsEmpty()));
+  }
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+  user.Ask(Json{{"request", "edit"}, {"file", file}}.dump().c_str());
+  user.Ask(R"({"request": "look", "panels": ["edit"]})");
+  user.Serve();
+  user.Serve();
+  EXPECT_THAT(user.See("edit")["edit"]["text"].get<std::string>(), HasSubstr("broken")) << "the draft";
+  user.Ask(R"({"request": "edit-text", "what": "revert", "text": ""})");
+  user.Serve();
+  EXPECT_THAT(user.See("edit")["edit"]["text"].get<std::string>(), Not(HasSubstr("broken")));
+}
+
+TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {
+  Begin();
+  for (int i = 0; i < 60; ++i) session->Tick();
+  session->Record(nullptr);
+  const auto recording = record::Reader::Open(options.record);
+  ASSERT_TRUE(recording) << recording.error().message;
+  workbench::Desk desk(**recording, record::Data(), {0, 60}, room);
+  Watcher user(desk);
+  EXPECT_FALSE(desk.is_live());
+  user.Ask(R"({"request": "select", "agent": "red-1"})");
+  user.Ask(R"({"request": "look", "panels": ["mind", "why", "agents", "timeline"]})");
+  user.Ask(R"({"request": "seek", "tick": 45})");
+  user.Serve();
+  ASSERT_NE(desk.PastScene(), nullptr);
+  EXPECT_EQ(desk.PastScene()->tick, 45U);
+  EXPECT_EQ(user.See("moment")["time"]["is_recording"], true);
+  EXPECT_EQ(user.See("moment")["time"]["can_resume"], false);
+  user.Await();
+  const Json at_45 = user.See("mind")["stack"];
+  EXPECT_THAT(at_45.dump(), HasSubstr("S1"));
+  EXPECT_THAT(user.See("why")["answer"].dump(), Not(HasSubstr("Not recorded")));
+  // Back, and there again: the same mind.
+  user.Ask(R"({"request": "seek", "tick": 5})");
+  user.Serve();
+  user.Await();
+  EXPECT_EQ(user.See("moment")["time"]["shown_tick"], 5);
+  user.Ask(R"({"request": "seek", "tick": 45})");
+  user.Serve();
+  user.Await();
+  EXPECT_EQ(user.See("mind")["stack"], at_45);
+  // What only a run can do is refused with a remark, or a problem.
+  user.Ask(R"({"request": "break", "kind": "command"})");
+  user.Ask(R"({"request": "open-run", "what": "soar_seek"})");
+  user.Ask(R"({"request": "save-picture"})");
+  user.Ask(R"({"request": "resume"})");
+  user.Ask(R"({"request": "look", "panels": ["problems"]})");
+  user.Serve();
+  EXPECT_EQ(room.told.size(), 3U);
+  EXPECT_THAT(room.told[0], HasSubstr("breakpoints are for a run"));
+  EXPECT_THAT(user.See("problems")["problems"].dump(), HasSubstr("cannot be opened here"));
+  EXPECT_EQ(user.See("moment")["time"]["shown_tick"], 45);
+}
+
+}  // namespace
+}  // namespace soarbox
