@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mind/decision.h"
+#include "mind/facts.h"
 
 namespace sml {
 class Agent;
@@ -17,105 +17,17 @@ class Agent;
 
 namespace soarbox::explain {
 
-/// A working memory element.
-struct ElementFact {
-  std::uint64_t timetag = 0;
-  std::string id, attribute, value;
-  bool acceptable = false;
-  bool is_object = false;  ///< The value is an identifier.
-  friend bool operator==(const ElementFact&, const ElementFact&) = default;
-};
-
-/// What put an element or a preference there.
-struct MakerFact {
-  enum class Kind : std::uint8_t { kRule, kInput, kArchitecture } kind = Kind::kRule;
-  std::string rule;  ///< kRule only, as are the rest.
-  bool o_supported = false;
-  int level = 0;                      ///< Of the state for which the rule fired.
-  std::vector<ElementFact> elements;  ///< What the rule matched; empty if that match is over.
-};
-
-/// A rule with a condition that an element reaches: it has the constants that the condition asks for.
-struct TesterFact {
-  std::string rule;
-  std::size_t condition = 0;  ///< Counted from 0, in the order in which the rule matches.
-  bool negated = false;
-  bool matches = false;  ///< The element stands in a whole match of the rule now.
-};
-
-struct StateFact {
-  int level = 1;
-  std::string id;
-  std::string impasse;    ///< "tie", "conflict", "constraint-failure", "no-change"; "none" for the top state.
-  std::string attribute;  ///< "operator" or "state"; empty for the top state.
-  std::string operator_id, operator_name;  ///< Selected in it; empty if none is.
-};
-
-struct PreferenceFact {
-  std::string type;         ///< "acceptable", "require", "reject", "prohibit", "best", "worst", "better", "worse",
-                            ///< "indifferent", "numeric", "equal" (indifferent to another operator).
-  std::string sign;         ///< "+", "!", ">", ...
-  std::string value, name;  ///< The operator and its ^name.
-  std::string referent, other_name;  ///< Of binary preferences: the other operator; of numeric ones: the number.
-  MakerFact maker;
-};
-
-/// A candidate that a decision would choose among, with the chance that exploration gives it.
-struct CandidateFact {
-  std::string id, name;
-  double value = 0;
-  double probability = 0;  ///< 0 to 1.
-};
-
-/// The operator slot of a state.
-struct OperatorFacts {
-  std::string state;     ///< Empty if there is no such state.
-  std::string selected;  ///< Identifier; empty if none is.
-  std::vector<PreferenceFact> preferences;
-  std::vector<CandidateFact> candidates;  ///< Empty if the decision would be an impasse.
-  std::string impasse;                    ///< Of the state below; "none" if there is none.
-  /// What the decision procedure says of these preferences now; none where that is not told. Nobody works it out again.
-  std::optional<mind::Decision> decision;
-};
-
-struct RuleFact {
-  std::string name;
-  std::string type;  ///< "user", "default", "chunk", "justification", "template".
-  std::string file;  ///< Empty for typed rules.
-  int line = 0;
-  std::string documentation;
-  std::uint64_t firings = 0;
-  std::size_t matches = 0;  ///< Whole matches now.
-  bool breaks = false;      ///< `production break` is on.
-};
-
-struct ConditionFact {
-  std::string text;
-  bool negated = false;
-  std::size_t partial_matches = 0;  ///< That pass it (a negated one: are not blocked by it); 0 behind the failing one.
-};
-
-/// How far a rule matches.
-struct MatchFacts {
-  std::string rule;
-  std::vector<ConditionFact> conditions;
-  std::optional<std::size_t> failing;             ///< The first condition that nothing passes, counted from 0.
-  std::size_t complete = 0;                       ///< Whole matches.
-  std::vector<std::vector<ElementFact>> matches;  ///< Some of them, oldest first.
-  std::vector<std::vector<ElementFact>> before;   ///< Some partial matches that reach the failing condition.
-  std::vector<ElementFact> candidates;            ///< Elements that pass its constant tests but do not join.
-  std::vector<ElementFact> seen;                  ///< What stands where the condition looks, with other values.
-};
-
-struct MindFacts {
-  std::string phase;  ///< That runs next: "input", "propose", "decide", "apply", "output"; empty if it is not told.
-  bool within_phase = false;
-  std::uint64_t decisions = 0, elaborations = 0, firings = 0;
-  std::size_t elements = 0, rules = 0;
-  bool halted = false;
-  std::string breakdown;                ///< What used its memory up; empty if nothing did.
-  std::string input_link, output_link;  ///< Identifiers; empty if there is none.
-};
+using mind::CandidateFact;
+using mind::ConditionFact;
+using mind::ElementFact;
+using mind::MakerFact;
+using mind::MatchFacts;
+using mind::MindFacts;
+using mind::OperatorFacts;
+using mind::PreferenceFact;
+using mind::RuleFact;
+using mind::StateFact;
+using mind::TesterFact;
 
 /// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. Reads only: no run
 /// is different because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.

@@ -97,8 +97,8 @@ class LocalInspection final : public MindInspection {
  public:
   explicit LocalInspection(sml::LocalAgentLink& link) : link_(link), agent_(link.hosted().agent()) {}
 
-  InspectedMind Mind() override {
-    InspectedMind mind;
+  mind::MindFacts Mind() override {
+    mind::MindFacts mind;
     mind.phase = PhaseName(agent_.next_phase());
     mind.within_phase = agent_.in_middle_of_phase();
     const kernel::AgentCounters& counters = agent_.counters();
@@ -114,12 +114,12 @@ class LocalInspection final : public MindInspection {
     return mind;
   }
 
-  std::vector<InspectedState> Stack() override {
-    std::vector<InspectedState> stack;
+  std::vector<mind::StateFact> Stack() override {
+    std::vector<mind::StateFact> stack;
     for (GoalLevel level = 1; level <= agent_.goals().depth(); ++level) {
       const Goal& goal = agent_.goals().at(level);
       const Symbol selected = agent_.OperatorOf(goal);
-      InspectedState& state = stack.emplace_back();
+      mind::StateFact& state = stack.emplace_back();
       state.level = level;
       state.id = SymbolText(agent_, goal.id);
       state.impasse = cli::ImpasseName(goal.impasse);
@@ -131,43 +131,43 @@ class LocalInspection final : public MindInspection {
     return stack;
   }
 
-  std::vector<InspectedElement> ElementsOf(std::string_view id) override {
-    std::vector<InspectedElement> elements;
+  std::vector<mind::ElementFact> ElementsOf(std::string_view id) override {
+    std::vector<mind::ElementFact> elements;
     if (const Symbol symbol = cli::FindIdentifier(agent_, id))
       for (const WmeId wme : cli::SortedWmes(agent_, symbol)) elements.push_back(InspectElement(agent_, wme));
     return elements;
   }
 
-  std::vector<InspectedElement> Search(std::string_view text, std::size_t most) override {
-    std::vector<InspectedElement> found;
+  std::vector<mind::ElementFact> Search(std::string_view text, std::size_t most) override {
+    std::vector<mind::ElementFact> found;
     const kernel::WmeTable& wmes = agent_.memory().wmes();
     for (std::uint32_t i = 0; i < wmes.size(); ++i) {
       if (!wmes[i].live) continue;
-      InspectedElement element = InspectElement(agent_, static_cast<WmeId>(i));
+      mind::ElementFact element = InspectElement(agent_, static_cast<WmeId>(i));
       if (element.attribute.find(text) == std::string::npos && element.value.find(text) == std::string::npos &&
           element.id != text)
         continue;
       found.push_back(std::move(element));
     }
-    std::ranges::sort(found, {}, &InspectedElement::timetag);
+    std::ranges::sort(found, {}, &mind::ElementFact::timetag);
     if (found.size() > most) found.resize(most);
     return found;
   }
 
-  std::optional<InspectedElement> Element(std::uint64_t timetag) override {
+  std::optional<mind::ElementFact> Element(std::uint64_t timetag) override {
     const WmeId wme = agent_.memory().FindByTimetag(timetag);
     if (wme == WmeId::kNone) return std::nullopt;
     return InspectElement(agent_, wme);
   }
 
-  std::vector<InspectedMaker> MakersOf(std::uint64_t timetag) override {
-    std::vector<InspectedMaker> makers;
+  std::vector<mind::MakerFact> MakersOf(std::uint64_t timetag) override {
+    std::vector<mind::MakerFact> makers;
     const WmeId wme = agent_.memory().FindByTimetag(timetag);
     if (wme == WmeId::kNone) return makers;
     const kernel::WmeRecord& record = agent_.memory().record(wme);
     if (record.kind == WmeKind::kInput || record.kind == WmeKind::kArchitecture) {
       makers.emplace_back().kind =
-          record.kind == WmeKind::kInput ? InspectedMaker::Kind::kInput : InspectedMaker::Kind::kArchitecture;
+          record.kind == WmeKind::kInput ? mind::MakerFact::Kind::kInput : mind::MakerFact::Kind::kArchitecture;
       return makers;
     }
     if (record.slot == SlotId::kNone) return makers;
@@ -178,13 +178,13 @@ class LocalInspection final : public MindInspection {
     return makers;
   }
 
-  std::vector<InspectedTester> TestersOf(std::uint64_t timetag) override {
+  std::vector<mind::TesterFact> TestersOf(std::uint64_t timetag) override {
     const WmeId wme = agent_.memory().FindByTimetag(timetag);
-    return wme == WmeId::kNone ? std::vector<InspectedTester>() : InspectTesters(agent_, wme);
+    return wme == WmeId::kNone ? std::vector<mind::TesterFact>() : InspectTesters(agent_, wme);
   }
 
-  InspectedOperators Operators(std::string_view state) override {
-    InspectedOperators operators;
+  mind::OperatorFacts Operators(std::string_view state) override {
+    mind::OperatorFacts operators;
     for (GoalLevel level = 1; level <= agent_.goals().depth(); ++level) {
       const Goal& goal = agent_.goals().at(level);
       if (SymbolText(agent_, goal.id) != state) continue;
@@ -203,11 +203,11 @@ class LocalInspection final : public MindInspection {
     return operators;
   }
 
-  std::vector<InspectedRule> Rules() override {
-    std::vector<InspectedRule> rules;
+  std::vector<mind::RuleFact> Rules() override {
+    std::vector<mind::RuleFact> rules;
     for (const ProductionId id : agent_.Productions()) {
       const kernel::Production& production = agent_.production(id);
-      InspectedRule& rule = rules.emplace_back();
+      mind::RuleFact& rule = rules.emplace_back();
       rule.name = cli::RuleName(agent_, production);
       rule.type = TypeName(production.type);
       rule.file = production.file();
@@ -220,15 +220,15 @@ class LocalInspection final : public MindInspection {
     return rules;
   }
 
-  InspectedLearning Learning() override {
-    InspectedLearning learning;
+  mind::LearningFacts Learning() override {
+    mind::LearningFacts learning;
     learning.by_reward = agent_.reinforcement().learning;
     learning.last_reward = agent_.reward().reward;
     learning.total_reward = agent_.reward().total_reward;
     for (const ProductionId id : agent_.Productions()) {
       const kernel::Production& production = agent_.production(id);
       if (!production.is_rl) continue;
-      InspectedNumber& number = learning.numbers.emplace_back();
+      mind::NumberFact& number = learning.numbers.emplace_back();
       number.rule = cli::RuleName(agent_, production);
       if (const kernel::RlValue* const learned = agent_.LearnedValue(id)) {
         number.value = agent_.symbols().NumberValue(learned->value);
@@ -242,14 +242,14 @@ class LocalInspection final : public MindInspection {
     return learning;
   }
 
-  std::vector<InspectedLesson> Lessons(bool whole, std::string_view rule) override {
+  std::vector<mind::LessonFact> Lessons(bool whole, std::string_view rule) override {
     return InspectLessons(agent_, whole, rule);
   }
 
-  InspectedLongTerm LongTerm(std::size_t most, std::string_view text) override {
+  mind::LongTermFacts LongTerm(std::size_t most, std::string_view text) override {
     return InspectLongTerm(agent_, most, text);
   }
-  std::vector<InspectedMemory> Episode(std::size_t number) override { return InspectEpisode(agent_, number); }
+  std::vector<mind::RememberedFact> Episode(std::size_t number) override { return InspectEpisode(agent_, number); }
 
   std::string RuleSource(std::string_view rule) override {
     const ProductionId id = cli::FindRule(agent_, rule);
@@ -257,7 +257,7 @@ class LocalInspection final : public MindInspection {
                                      : kernel::PrintProduction(agent_.symbols(), *agent_.ProductionAsLearned(id));
   }
 
-  std::optional<InspectedMatch> Match(std::string_view rule) override {
+  std::optional<mind::MatchFacts> Match(std::string_view rule) override {
     const ProductionId id = cli::FindRule(agent_, rule);
     if (id == ProductionId::kNone) return std::nullopt;
     return InspectMatch(agent_, id);
@@ -268,11 +268,11 @@ class LocalInspection final : public MindInspection {
   }
 
  private:
-  InspectedMaker MakerOf(const Preference& preference) {
-    InspectedMaker maker;
+  mind::MakerFact MakerOf(const Preference& preference) {
+    mind::MakerFact maker;
     maker.rule = agent_.ProductionName(preference.instantiation);
     if (maker.rule.empty() || maker.rule == "|Memory System Recall|") {
-      maker.kind = InspectedMaker::Kind::kArchitecture;
+      maker.kind = mind::MakerFact::Kind::kArchitecture;
       maker.rule.clear();
     }
     maker.o_supported = preference.o_supported;
@@ -284,7 +284,7 @@ class LocalInspection final : public MindInspection {
 
   std::string NameOf(Symbol op) { return op.IsIdentifier() ? cli::OperatorName(agent_, op) : std::string(); }
 
-  void AddPreferences(const Goal& goal, InspectedOperators& operators) {
+  void AddPreferences(const Goal& goal, mind::OperatorFacts& operators) {
     if (goal.operator_slot == SlotId::kNone) return;
     constexpr PreferenceType kOrder[] = {PreferenceType::kAcceptable,
                                          PreferenceType::kRequire,
@@ -300,7 +300,7 @@ class LocalInspection final : public MindInspection {
     for (const PreferenceType type : kOrder) {
       for (const PreferenceId id : agent_.PreferencesOf(goal.operator_slot, type)) {
         const Preference& preference = agent_.memory().preference(id);
-        InspectedPreference& told = operators.preferences.emplace_back();
+        mind::PreferenceFact& told = operators.preferences.emplace_back();
         told.type = TypeName(type);
         told.sign = kernel::PreferenceSign(type);
         told.value = SymbolText(agent_, preference.value);

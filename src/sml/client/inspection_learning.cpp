@@ -10,8 +10,8 @@ namespace {
 
 using kernel::ExplainedRule;
 
-InspectedTriple ReadCondition(const ExplainedRule::Condition& from) {
-  InspectedTriple to;
+mind::TripleFact ReadCondition(const ExplainedRule::Condition& from) {
+  mind::TripleFact to;
   to.negated = from.negated;
   to.id = from.id.text;
   if (from.negated) return to;
@@ -25,8 +25,8 @@ InspectedTriple ReadCondition(const ExplainedRule::Condition& from) {
   return to;
 }
 
-InspectedTriple ReadAction(const ExplainedRule::Action& from) {
-  InspectedTriple to;
+mind::TripleFact ReadAction(const ExplainedRule::Action& from) {
+  mind::TripleFact to;
   to.id = from.id.text;
   to.attribute = from.attribute.text;
   to.value = from.value.text;
@@ -37,19 +37,19 @@ InspectedTriple ReadAction(const ExplainedRule::Action& from) {
 }
 
 void ReadTriples(const std::vector<ExplainedRule::Condition>& conditions,
-                 const std::vector<ExplainedRule::Action>& actions, std::vector<InspectedTriple>& to_conditions,
-                 std::vector<InspectedTriple>& to_actions) {
+                 const std::vector<ExplainedRule::Action>& actions, std::vector<mind::TripleFact>& to_conditions,
+                 std::vector<mind::TripleFact>& to_actions) {
   for (const ExplainedRule::Condition& condition : conditions) to_conditions.push_back(ReadCondition(condition));
   for (const ExplainedRule::Action& action : actions) to_actions.push_back(ReadAction(action));
 }
 
 }  // namespace
 
-std::vector<InspectedLesson> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
-  std::vector<InspectedLesson> lessons;
+std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
+  std::vector<mind::LessonFact> lessons;
   for (const ExplainedRule& from : agent.NotedExplanations()) {
     if (!rule.empty() && from.name != rule) continue;
-    InspectedLesson& to = lessons.emplace_back();
+    mind::LessonFact& to = lessons.emplace_back();
     to.rule = from.name;
     to.decision = from.decision;
     to.level = from.level;
@@ -72,7 +72,7 @@ std::vector<InspectedLesson> InspectLessons(const kernel::Agent& agent, bool who
     }
     ReadTriples(from.conditions, from.actions, to.conditions, to.actions);
     for (const ExplainedRule::Firing& firing : from.firings) {
-      InspectedFiring& read = to.firings.emplace_back();
+      mind::FiringFact& read = to.firings.emplace_back();
       read.serial = firing.serial;
       read.rule = firing.rule;
       read.level = firing.level;

@@ -10,6 +10,6 @@
 namespace soarbox {
 
 /// How an agent learned its rules. See MindInspection.
-std::vector<InspectedLesson> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule);
+std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule);
 
 }  // namespace soarbox

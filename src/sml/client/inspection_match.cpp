@@ -38,16 +38,16 @@ std::array<std::uint16_t, 1> Path(std::size_t condition) {
   return {static_cast<std::uint16_t>(condition)};
 }
 
-void AddOnce(const Agent& agent, WmeId wme, std::vector<InspectedElement>& list) {
+void AddOnce(const Agent& agent, WmeId wme, std::vector<mind::ElementFact>& list) {
   const std::uint64_t timetag = agent.memory().wme(wme).timetag;
-  const auto same = [&](const InspectedElement& element) { return element.timetag == timetag; };
+  const auto same = [&](const mind::ElementFact& element) { return element.timetag == timetag; };
   if (list.size() < kMostElements && std::ranges::none_of(list, same)) list.push_back(InspectElement(agent, wme));
 }
 
-std::vector<std::vector<InspectedElement>> Describe(const Agent& agent, const kernel::Rete::PartialMatches& matches) {
-  std::vector<std::vector<InspectedElement>> list;
+std::vector<std::vector<mind::ElementFact>> Describe(const Agent& agent, const kernel::Rete::PartialMatches& matches) {
+  std::vector<std::vector<mind::ElementFact>> list;
   for (std::size_t i = 0; i < matches.size() && i < kMostMatches; ++i) {
-    std::vector<InspectedElement>& one = list.emplace_back();
+    std::vector<mind::ElementFact>& one = list.emplace_back();
     for (const WmeId wme : matches[i]) one.push_back(InspectElement(agent, wme));
   }
   return list;
@@ -71,7 +71,7 @@ Symbol Bound(const Agent& agent, const Production& rule, std::size_t before, Sym
 
 /// Elements where a condition looks: of the identifier that it hangs on, with its attribute, whatever their value.
 void FindSeen(const Agent& agent, const Production& rule, std::size_t place, const kernel::Rete::PartialMatches& before,
-              InspectedMatch& match) {
+              mind::MatchFacts& match) {
   const Condition& condition = rule.conditions[place];
   if (condition.kind == ConditionKind::kConjunctiveNegation) return;
   const Symbol variable = Equal(condition.id);
@@ -95,7 +95,7 @@ void FindSeen(const Agent& agent, const Production& rule, std::size_t place, con
 
 }  // namespace
 
-InspectedElement InspectElement(const Agent& agent, WmeId id) {
+mind::ElementFact InspectElement(const Agent& agent, WmeId id) {
   const kernel::Wme& wme = agent.memory().wme(id);
   return {wme.timetag,
           cli::SymbolText(agent, wme.id),
@@ -112,13 +112,13 @@ std::size_t CountMatches(const Agent& agent, ProductionId id) {
   return conditions == 0 ? 0 : agent.rete().CountAfter(id, Path(conditions - 1));
 }
 
-InspectedMatch InspectMatch(const Agent& agent, ProductionId id) {
+mind::MatchFacts InspectMatch(const Agent& agent, ProductionId id) {
   const Production& rule = agent.production(id);
   const kernel::Rete& rete = agent.rete();
-  InspectedMatch match;
+  mind::MatchFacts match;
   match.rule = cli::RuleName(agent, rule);
   for (std::size_t i = 0; i < rule.conditions.size(); ++i) {
-    InspectedCondition& condition = match.conditions.emplace_back();
+    mind::ConditionFact& condition = match.conditions.emplace_back();
     condition.text = cli::ConditionText(agent, rule.conditions[i]);
     condition.negated = rule.conditions[i].kind != ConditionKind::kPositive;
     if (match.failing) continue;
@@ -145,8 +145,8 @@ InspectedMatch InspectMatch(const Agent& agent, ProductionId id) {
   return match;
 }
 
-std::vector<InspectedTester> InspectTesters(const Agent& agent, WmeId wme) {
-  std::vector<InspectedTester> testers;
+std::vector<mind::TesterFact> InspectTesters(const Agent& agent, WmeId wme) {
+  std::vector<mind::TesterFact> testers;
   if (agent.out_of_memory()) return testers;
   for (const ProductionId id : agent.Productions()) {
     const Production& rule = agent.production(id);
@@ -157,7 +157,7 @@ std::vector<InspectedTester> InspectTesters(const Agent& agent, WmeId wme) {
       if (kind == ConditionKind::kConjunctiveNegation) continue;
       const std::vector<WmeId> passing = agent.rete().RightMatches(id, Path(i));
       if (std::ranges::find(passing, wme) == passing.end()) continue;
-      InspectedTester& tester = testers.emplace_back();
+      mind::TesterFact& tester = testers.emplace_back();
       tester.rule = cli::RuleName(agent, rule);
       tester.condition = i;
       tester.negated = kind == ConditionKind::kNegative;

@@ -6,15 +6,15 @@
 
 namespace soarbox {
 
-InspectedElement InspectElement(const kernel::Agent& agent, kernel::WmeId wme);
+mind::ElementFact InspectElement(const kernel::Agent& agent, kernel::WmeId wme);
 
 /// How far a rule matches, and what its first failing condition saw.
-InspectedMatch InspectMatch(const kernel::Agent& agent, kernel::ProductionId rule);
+mind::MatchFacts InspectMatch(const kernel::Agent& agent, kernel::ProductionId rule);
 
 /// How many whole matches a rule has.
 std::size_t CountMatches(const kernel::Agent& agent, kernel::ProductionId rule);
 
 /// The rules that test an element, in the order of loading.
-std::vector<InspectedTester> InspectTesters(const kernel::Agent& agent, kernel::WmeId wme);
+std::vector<mind::TesterFact> InspectTesters(const kernel::Agent& agent, kernel::WmeId wme);
 
 }  // namespace soarbox

@@ -38,7 +38,7 @@ bool Has(const std::string& text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-void InspectSemantic(const SemanticMemory& memory, std::size_t most, std::string_view text, InspectedLongTerm& to) {
+void InspectSemantic(const SemanticMemory& memory, std::size_t most, std::string_view text, mind::LongTermFacts& to) {
   const Knowledge& knowledge = memory.knowledge();
   to.semantic = memory.settings().enabled;
   to.objects = knowledge.object_count();
@@ -57,7 +57,7 @@ void InspectSemantic(const SemanticMemory& memory, std::size_t most, std::string
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(sorted), order.end(), before);
   for (std::size_t n = 0; n < sorted && to.known.size() < most; ++n) {
     const auto& [activation, object] = order[n];
-    InspectedObject told;
+    mind::KnownObjectFact told;
     told.number = knowledge.NumberAt(object);
     told.text = ObjectText(knowledge, object);
     if (!text.empty() && !Has(told.text, text) && "@" + std::to_string(told.number) != text) continue;
@@ -70,8 +70,8 @@ void InspectSemantic(const SemanticMemory& memory, std::size_t most, std::string
 
 }  // namespace
 
-InspectedLongTerm InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text) {
-  InspectedLongTerm to;
+mind::LongTermFacts InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text) {
+  mind::LongTermFacts to;
   if (const SemanticMemory* memory = SemanticMemory::Find(std::as_const(agent.long_term()))) {
     InspectSemantic(*memory, most, text, to);
   }
@@ -83,8 +83,8 @@ InspectedLongTerm InspectLongTerm(kernel::Agent& agent, std::size_t most, std::s
   return to;
 }
 
-std::vector<InspectedMemory> InspectEpisode(kernel::Agent& agent, std::size_t number) {
-  std::vector<InspectedMemory> told;
+std::vector<mind::RememberedFact> InspectEpisode(kernel::Agent& agent, std::size_t number) {
+  std::vector<mind::RememberedFact> told;
   const EpisodicMemory* memory = EpisodicMemory::Find(std::as_const(agent.long_term()));
   if (memory == nullptr || number == 0 || number > memory->store().last()) return told;
   const kernel::EpisodeStore& store = memory->store();
@@ -100,7 +100,7 @@ std::vector<InspectedMemory> InspectEpisode(kernel::Agent& agent, std::size_t nu
     for (auto at = std::ranges::lower_bound(triples, objects[n], {}, &kernel::EpisodeTriple::parent);
          at != triples.end() && at->parent == objects[n]; ++at) {
       const kernel::EpisodeTriple& triple = *at;
-      InspectedMemory& element = told.emplace_back();
+      mind::RememberedFact& element = told.emplace_back();
       element.object = triple.parent;
       element.attribute = memory->terms().Show(triple.attribute);
       element.is_object = triple.value.IsNode();

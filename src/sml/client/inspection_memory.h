@@ -11,7 +11,7 @@
 namespace soarbox {
 
 /// What an agent knows and remembers. See MindInspection.
-InspectedLongTerm InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text);
-std::vector<InspectedMemory> InspectEpisode(kernel::Agent& agent, std::size_t number);
+mind::LongTermFacts InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text);
+std::vector<mind::RememberedFact> InspectEpisode(kernel::Agent& agent, std::size_t number);
 
 }  // namespace soarbox
