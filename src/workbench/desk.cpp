@@ -42,7 +42,12 @@ Diagnostic DiagnosticOf(const sim::RunEvent& event) {
 
 Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scenario,
            const sim::SimulationSettings& settings, Surroundings& surroundings)
-    : run_(&run), surroundings_(surroundings), past_(header, scenario, settings), world_(FileOf(scenario)) {
+    : run_(&run),
+      surroundings_(surroundings),
+      past_(header, scenario, settings),
+      common_{&run, past_, surroundings, NoteProblems()},
+      files_(common_),
+      consoles_(common_, FileOf(scenario)) {
   run.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
   run.SetOnEdit([this](const Diagnostic& told) {
     if (told.severity != Severity::kNote) NoteProblem(told, {});
@@ -55,7 +60,9 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
       next_tick_(recording.first_tick()),
       recorded_(recording.header().level),
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),
-      world_(std::filesystem::path(recording.header().folder) / recording.header().scenario) {}
+      common_{nullptr, past_, surroundings, NoteProblems()},
+      files_(common_),
+      consoles_(common_, std::filesystem::path(recording.header().folder) / recording.header().scenario) {}
 
 Desk::~Desk() {
   KeepDrafts(true);
@@ -67,21 +74,16 @@ Desk::~Desk() {
 
 Desk::Belongings Desk::TakeBelongings() {
   KeepDrafts(true);
-  return {std::exchange(open_files_, {}), edited_file_,   edit_version_, breakpoints_.list(),
-          std::move(consoles_),           console_lines_, watches_,      beside_};
+  return {files_.Take(), consoles_.Take(), breakpoints_.list(), watches_, beside_};
 }
 
 void Desk::Bring(Belongings belongings) {
-  open_files_ = std::move(belongings.open_files);
-  for (auto& [name, file] : open_files_) file.edit.BeginAgain();
-  edited_file_ = std::move(belongings.edited_file);
-  edit_version_ = belongings.edit_version;
+  files_.Bring(std::move(belongings.files));
+  consoles_.Bring(std::move(belongings.consoles));
   for (const debugger::Breakpoint& kept : belongings.breakpoints) {
     const Result<int> set = breakpoints_.Set(kept.kind, kept.agent, kept.what);
     if (set && !kept.enabled) breakpoints_.Enable(*set, false);
   }
-  consoles_ = std::move(belongings.consoles);
-  console_lines_ = belongings.console_lines + 1;
   watches_ = std::move(belongings.watches);
   beside_ = std::move(belongings.beside);
 }
@@ -90,32 +92,8 @@ void Desk::KeepDrafts(bool at_once) {
   constexpr auto kEvery = std::chrono::seconds(1);
   if (!at_once && Clock::now() - kept_drafts_ < kEvery) return;
   kept_drafts_ = Clock::now();
-  for (auto& [name, file] : open_files_) {
-    if (!std::exchange(file.has_draft, false)) continue;
-    if (!file.edit.is_unsaved()) {
-      drafts_.Drop(name);
-    } else if (const Result<void> kept = drafts_.Keep(name, file.edit.text()); !kept) {
-      NoteProblem(kept.error(), {});
-    }
-  }
-  for (auto& [agent, line] : unsent_lines_) {
-    if (!std::exchange(line.has_draft, false)) continue;
-    if (line.text.find_first_not_of(" \t") == std::string::npos) {
-      drafts_.Drop(PlaceOfLine(agent));
-    } else if (const Result<void> kept = drafts_.Keep(PlaceOfLine(agent), line.text); !kept) {
-      NoteProblem(kept.error(), {});
-    }
-  }
-}
-
-std::filesystem::path Desk::PlaceOfLine(const std::string& agent) const {
-  return std::filesystem::path(world_).concat(" console of " + agent);
-}
-
-const std::string& Desk::BegunLine(const std::string& agent) {
-  const auto [line, is_new] = unsent_lines_.try_emplace(agent);
-  if (is_new && !agent.empty()) line->second.text = drafts_.Find(PlaceOfLine(agent)).value_or("");
-  return line->second.text;
+  files_.KeepDrafts();
+  consoles_.KeepDrafts();
 }
 
 void Desk::Prepare() {
@@ -137,14 +115,10 @@ void Desk::OnTick(const record::TickRecord& tick) {
   for (const sim::RunEvent& event : tick.events) {
     if (event.kind == sim::EventKind::kMindLost || event.kind == sim::EventKind::kMindBack) news_ = event.text;
   }
-  for (auto& [agent, console] : consoles_) {
-    const std::size_t before = console.lines().size();
-    console.Add(tick.events);
-    if (console.lines().size() != before) ++console_lines_;
-  }
-  const sim::Simulation& simulation = run_->simulation();
+  consoles_.Add(tick.events);
+  sim::Simulation& simulation = run_->simulation();
   models_.plots.Sample(simulation);
-  LookForChange(tick);
+  change_.Look(simulation, tick);
   if (breakpoints_.list().empty()) return;
   if (std::vector<debugger::BreakHit> hits = breakpoints_.Check(simulation); !hits.empty()) {
     hits_ = std::move(hits);
@@ -226,7 +200,7 @@ void Desk::FillPlots() {
 
 bool Desk::HasMind(const std::string& agent) {
   if (agent.empty()) return false;
-  if (const sim::Simulation* live = Live()) return live->HasMind(agent);
+  if (const sim::Simulation* live = common_.Live()) return live->HasMind(agent);
   if (const sim::Simulation* past = past_.past()) return past->HasMind(agent);
   // Until it is known, nobody is told that there is none.
   const bool is_known = HasReadOn() && recording_->header().level != record::Level::kWorld;
@@ -234,7 +208,7 @@ bool Desk::HasMind(const std::string& agent) {
 }
 
 void Desk::NoteProblem(Diagnostic diagnostic, std::string agent) {
-  const sim::Simulation* simulation = Live();
+  const sim::Simulation* simulation = common_.Live();
   const std::uint64_t tick = simulation != nullptr ? simulation->tick() : past_.shown_tick();
   const double time_s =
       simulation != nullptr ? simulation->time_s() : static_cast<double>(tick) * recording_->header().step_s;
@@ -260,14 +234,6 @@ void Desk::GoOn() {
   hits_.clear();
   past_.GoLive();
   is_stale_ = true;
-}
-
-sim::Simulation* Desk::Looked() {
-  return past_.is_live() ? Live() : past_.past();
-}
-
-debugger::Console& Desk::ConsoleOf(const std::string& agent) {
-  return consoles_.try_emplace(agent, agent).first->second;
 }
 
 }  // namespace soarbox::workbench

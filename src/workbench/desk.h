@@ -12,16 +12,17 @@
 #include <vector>
 
 #include "debugger/breakpoints.h"
-#include "debugger/console.h"
 #include "debugger/recorded_mind.h"
-#include "debugger/rule_edit.h"
 #include "debugger/rules.h"
 #include "debugger/run_models.h"
 #include "record/export.h"
 #include "record/reader.h"
+#include "workbench/console_desk.h"
 #include "workbench/contents.h"
-#include "workbench/drafts.h"
+#include "workbench/desk_common.h"
+#include "workbench/file_desk.h"
 #include "workbench/live_run.h"
+#include "workbench/mind_change.h"
 #include "workbench/requests.h"
 #include "workbench/surroundings.h"
 #include "workbench/time_machine.h"
@@ -58,9 +59,8 @@ class Desk {
 
   /// Shows another tick of a recording; the user's hand on the scrubber may have moved it since.
   void Show(std::uint64_t tick);
-  std::uint64_t shown_tick() const { return past_.shown_tick(); }
-  std::uint64_t first_tick() const { return past_.first_tick(); }
-  std::uint64_t last_tick() const { return past_.last_tick(); }
+  /// Which ticks there are, and which of them is shown.
+  const TimeMachine& past() const { return past_; }
   /// Before the ticks of a frame: minds note what breakpoints and the selected agent's panels need.
   void Prepare();
   /// Whether a breakpoint was hit in the last tick: the world is to stand still.
@@ -79,32 +79,13 @@ class Desk {
   void GoOn();
   /// From now on the selected agent's mind is compared with what it is now, after each tick. Why it cannot be; empty:
   /// it can.
-  std::string AwaitChange();
-  void AwaitNothing() { awaited_ = {}; }
-  /// What changed in that mind in the last tick, a sentence, once; or that nothing has for long.
-  std::string TakeChange();
+  std::string AwaitChange() { return change_.Await(common_.Live(), agent_, past_.last_tick()); }
+  MindChange& change() { return change_; }
   /// Takes notes of this agent from now on, as if it were selected.
   void Follow(const std::string& agent) { agent_ = wanted_agent_ = agent; }
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct OpenFile {
-    debugger::Edit edit;
-    EditContents contents;
-    bool has_draft = false;                      ///< The draft on the disk is not what was typed.
-    std::string failure = {};                    ///< Why it could not be saved.
-    std::optional<std::uint64_t> apply_at = {};  ///< To be applied to the minds of this tick, once they are rebuilt.
-    std::optional<std::string> draft = {};       ///< To be shown once the file itself was, so that it can be undone.
-  };
-
-  /// A line of the console that was typed and not sent.
-  struct UnsentLine {
-    std::string text;
-    bool has_draft = false;  ///< The draft on the disk is another one.
-  };
-
-  using OpenFiles = std::map<std::string, OpenFile>;
-
   void OnTick(const record::TickRecord& tick);
   /// What the models that grow with a run take from a tick, live or recorded.
   void Learn(const record::TickRecord& tick);
@@ -113,8 +94,6 @@ class Desk {
   void ReadOn();
   /// Recorded minds are those of the tick that is shown.
   bool HasReadOn() const { return !recorded_.empty() && recorded_.last_tick() == past_.shown_tick(); }
-  /// The run that is under way; null for a recording.
-  sim::Simulation* Live() const { return run_ == nullptr ? nullptr : &run_->simulation(); }
   /// Reads what was before plots that were asked for late, a slice of time per call.
   void FillPlots();
   bool HasMind(const std::string& agent);
@@ -126,26 +105,8 @@ class Desk {
   // What the user asks for (desk_requests.cpp).
   void Obey(const Request& request);
   void Resume();
-  void OpenEdit(const EditRequest& request);
-  void ChangeText(const EditTextRequest& request);
-  /// Reloads the file's rules into the world that the panels look into, as soon as that is there.
-  void Apply(OpenFile& file);
-  void ApplyAwaited();
-  bool SaveEdit(OpenFile& file);
-  /// Takes over what another program has written to the file that is edited.
-  void LookAtDisk();
-  /// Keeps what was typed and not saved on the disk, now and then, or `at_once`.
+  /// Keeps what was typed and not saved or sent on the disk, now and then, or `at_once`.
   void KeepDrafts(bool at_once);
-  void ShowDraft();
-  /// The line of the console that was begun for this agent, here or in an earlier window.
-  const std::string& BegunLine(const std::string& agent);
-  /// What the drafts call the agent's line: a file that is not there.
-  std::filesystem::path PlaceOfLine(const std::string& agent) const;
-  OpenFile* Edited() {
-    const auto found = open_files_.find(edited_file_);
-    return found == open_files_.end() ? nullptr : &found->second;
-  }
-  void Type(const ConsoleRequest& request);
   struct Visitor;
 
   // What the panels show (desk_contents.cpp).
@@ -169,9 +130,9 @@ class Desk {
   void FillLearning(Contents& contents, explain::Inspector* mind);
   /// Adds what the selected agent remembers of the episode that is looked at.
   void AddRemembered(const world::SceneSnapshot& scene, Contents& contents) const;
-  /// The world that the panels look into: the live one, or the rebuilt past; null while that is not there.
-  sim::Simulation* Looked();
-  debugger::Console& ConsoleOf(const std::string& agent);
+  auto NoteProblems() {
+    return [this](Diagnostic diagnostic, std::string agent) { NoteProblem(std::move(diagnostic), std::move(agent)); };
+  }
 
   LiveRun* run_ = nullptr;               ///< Null: a recording.
   record::Reader* recording_ = nullptr;  ///< Null: a live run.
@@ -179,6 +140,10 @@ class Desk {
   std::uint64_t next_tick_ = 0;  ///< Of the recording, for the models.
   debugger::RecordedMinds recorded_;
   TimeMachine past_;
+  DeskCommon common_;
+  FileDesk files_;
+  ConsoleDesk consoles_;
+  MindChange change_;
   debugger::RunModels models_;
   std::deque<debugger::PlotHistory> histories_;  ///< Still to be read; the first one is under way.
   std::uint64_t history_tick_ = 0;               ///< Next for it; 0: not begun.
@@ -188,10 +153,6 @@ class Desk {
   std::vector<ProblemRow> problems_;
   std::vector<CheckRow> checks_;
   std::string news_;  ///< To be told at once; empty: nothing.
-  std::map<std::string, debugger::Console> consoles_;
-  std::uint64_t console_lines_ = 0;
-  std::map<std::string, UnsentLine> unsent_lines_;  ///< By agent, of those that were looked at.
-  std::filesystem::path world_;                     ///< The file that the run was made from, for their drafts.
   std::map<std::string, debugger::Coverage> coverage_;
   debugger::MemoryChanges changes_;  ///< Of the selected agent in the tick that is shown.
 
@@ -208,27 +169,11 @@ class Desk {
   std::string learned_rule_;  ///< Whose explanation is looked at; empty: none.
   std::size_t episode_ = 0;   ///< Of the selected agent, as ghosts; 0: none.
   std::uint64_t timetag_ = 0;
-  /// The mind that is awaited to change, as it was.
-  struct Awaited {
-    std::string agent, operators, impasse, command;
-    std::uint64_t since_tick = 0;
-    std::string change;  ///< What came of it.
-  };
-  Awaited MindNow(const std::string& agent);
-  void LookForChange(const record::TickRecord& tick);
-  Awaited awaited_;  ///< No agent: none is.
   bool wants_coverage_ = false;
   std::string searched_;  ///< Everywhere; empty: nothing.
   bool offers_ = false;   ///< Somebody is about to choose what to open.
   WhyRequest why_;
-  /// Files that were opened to be edited; what was typed into one stays while another is looked at.
-  OpenFiles open_files_;
-  std::string edited_file_;  ///< The one of them that is looked at; empty: none.
-  std::uint64_t edit_version_ = 0;
-  Clock::time_point looked_at_disk_, kept_drafts_, read_recent_;
-  Drafts drafts_{Drafts::Folder()};
-  std::string completed_line_;
-  debugger::Completion completion_;
+  Clock::time_point kept_drafts_, read_recent_;
 
   bool is_stale_ = true;  ///< The user asked for something else than what is shown.
   std::uint64_t refreshed_tick_ = ~std::uint64_t{0};
@@ -243,12 +188,9 @@ class Desk {
 };
 
 struct Desk::Belongings {
-  OpenFiles open_files;
-  std::string edited_file;
-  std::uint64_t edit_version = 0;
+  FileDesk::Belongings files;
+  ConsoleDesk::Belongings consoles;
   std::vector<debugger::Breakpoint> breakpoints;
-  std::map<std::string, debugger::Console> consoles;
-  std::uint64_t console_lines = 0;
   std::vector<std::string> watches, beside;
 };
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "debugger/watch.h"
-#include "tell/mind_words.h"
 #include "workbench/desk.h"
 
 namespace soarbox::workbench {
@@ -18,15 +17,6 @@ std::string TextOf(const std::filesystem::path& file) {
   std::ostringstream text;
   if (in) text << in.rdbuf();
   return text.str();
-}
-
-/// What a mind said last in a tick, or how that went; empty if it said nothing.
-std::string LastCommand(const mind::EventLog& events) {
-  std::string last;
-  events.ForEach(mind::Cases{[&](const mind::CommandSaid& said) { last = tell::CommandText(said); },
-                             [&](const mind::CommandEnded& ended) { last = tell::CommandText(ended); },
-                             [](const auto&) {}});
-  return last;
 }
 
 /// Behind the brace that closes the one at `open`; npos if none does. Comments and quoted texts hold no braces.
@@ -77,7 +67,7 @@ void Desk::FillBeside(Contents& contents, bool watches, bool minds) {
   contents.watches.clear();
   contents.minds.clear();
   if (!watches && !minds) return;
-  sim::Simulation* const world = Looked();
+  sim::Simulation* const world = common_.Looked();
   const auto inspect = [&](const std::string& agent) -> std::unique_ptr<explain::Inspector> {
     if (world != nullptr) return world->HasMind(agent) ? world->Inspect(agent) : nullptr;
     return recording_ != nullptr && HasReadOn() ? recorded_.Inspect(agent) : nullptr;
@@ -126,17 +116,16 @@ void Desk::FillBeside(Contents& contents, bool watches, bool minds) {
 
 void Desk::FillRuleText(Contents& contents) {
   contents.rule_text.clear();
-  if (!contents.rule || Live() == nullptr) return;
+  if (!contents.rule || common_.Live() == nullptr) return;
   const explain::RuleFact& rule = contents.rule->rule;
   if (rule.type != "user" && rule.type != "default") return;
-  for (const sim::WatchedFile& file : debugger::FilesOf(*Live(), agent_)) {
+  for (const sim::WatchedFile& file : debugger::FilesOf(*common_.Live(), agent_)) {
     if (!file.is_rules) continue;
     int line = 0;
     std::string text = RuleIn(TextOf(file.file), rule.name, line);
     // An edit that runs and is not saved stands in the open file.
-    if (const auto open = open_files_.find(file.file.string());
-        open != open_files_.end() && !open->second.edit.is_changed())
-      text = RuleIn(open->second.edit.text(), rule.name, line);
+    if (const debugger::Edit* const open = files_.FindRunning(file.file.string()))
+      text = RuleIn(open->text(), rule.name, line);
     if (text.empty()) continue;
     contents.rule_text = std::move(text);
     contents.rule_file = file.file.string();
@@ -147,67 +136,13 @@ void Desk::FillRuleText(Contents& contents) {
 
 void Desk::FillActivities(Contents& contents) {
   contents.activities.clear();
-  if (!past_.is_live() || Live() == nullptr) return;
-  for (const world::AgentOverlay& agent : Live()->Overlays({}).agents) {
+  if (!past_.is_live() || common_.Live() == nullptr) return;
+  for (const world::AgentOverlay& agent : common_.Live()->Overlays({}).agents) {
     if (agent.doing.empty()) continue;
     contents.activities[agent.id] = agent.operator_name.empty() || agent.operator_name == agent.doing
                                         ? agent.doing
                                         : agent.operator_name + " \xc2\xb7 " + agent.doing;
   }
-}
-
-Desk::Awaited Desk::MindNow(const std::string& agent) {
-  Awaited now;
-  now.agent = agent;
-  now.since_tick = past_.last_tick();
-  sim::Simulation* const live = Live();
-  const std::unique_ptr<explain::Inspector> mind = live != nullptr ? live->Inspect(agent) : nullptr;
-  if (mind == nullptr) return {};
-  for (const explain::StateFact& state : mind->Stack()) {
-    if (!state.operator_id.empty()) {
-      now.operators += now.operators.empty() ? "" : ", ";
-      now.operators +=
-          state.operator_name.empty() ? state.operator_id : state.operator_name + " (" + state.operator_id + ")";
-    }
-    // An operator whose command takes its time changes nothing.
-    if (state.level > 1 && !(state.attribute == "operator" && state.impasse == "no-change"))
-      now.impasse += (now.impasse.empty() ? "" : ", ") + state.attribute + " " + state.impasse;
-  }
-  return now;
-}
-
-std::string Desk::AwaitChange() {
-  AwaitNothing();
-  if (agent_.empty()) return "Select the Soar agent whose mind is to change";
-  awaited_ = MindNow(agent_);
-  return awaited_.agent.empty() ? agent_ + " has no Soar mind that can be looked into" : std::string();
-}
-
-void Desk::LookForChange(const record::TickRecord& tick) {
-  constexpr std::uint64_t kLongest_ticks = 3600;
-  if (awaited_.agent.empty() || !awaited_.change.empty()) return;
-  const Awaited now = MindNow(awaited_.agent);
-  const record::MindRecord* mind = record::FindMind(tick, awaited_.agent);
-  std::string change;
-  if (now.agent.empty()) {
-    change = "its mind has gone";
-  } else if (now.impasse != awaited_.impasse) {
-    change = now.impasse.empty() ? "out of the impasse " + awaited_.impasse : "impasse " + now.impasse;
-  } else if (mind != nullptr && !LastCommand(mind->events).empty()) {
-    change = "gave " + LastCommand(mind->events);
-  } else if (now.operators != awaited_.operators) {
-    change = now.operators.empty() ? "no operator is left" : "now " + now.operators;
-  } else if (tick.tick > awaited_.since_tick + kLongest_ticks) {
-    change = "nothing has changed for two minutes";
-  }
-  if (!change.empty()) awaited_.change = awaited_.agent + ": " + change;
-}
-
-std::string Desk::TakeChange() {
-  if (awaited_.change.empty()) return {};
-  std::string change = std::move(awaited_.change);
-  awaited_ = {};
-  return change;
 }
 
 }  // namespace soarbox::workbench

@@ -60,10 +60,10 @@ void Desk::LookAtAgent(Contents& contents) {
 }
 
 bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
-  ShowDraft();
+  files_.ShowDraft();
   for (const Request& request : requests) Obey(request);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
-  ApplyAwaited();
+  files_.GoOn();
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
   if (resume_at_ && past_.past() != nullptr) Resume();
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
@@ -71,8 +71,8 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   if (Lessons* const lessons = surroundings_.lessons()) is_stale_ |= lessons->Poll();
   ReadOn();
   FillPlots();
-  LookAtDisk();
   KeepDrafts(false);
+  is_stale_ |= files_.TakeNews();
   LookAtAgent(contents);
 
   const std::string note = past_.is_live() || past_.past() != nullptr ? std::string{} : past_.PastNote();
@@ -105,7 +105,7 @@ void Desk::FillMoment(Contents& contents) {
   at.first_tick = past_.first_tick();
   at.last_tick = past_.last_tick();
   at.shown_tick = past_.shown_tick();
-  const sim::Simulation* live = Live();
+  const sim::Simulation* live = common_.Live();
   at.step_s = live != nullptr ? static_cast<double>(live->world().settings().step_s) : recording_->header().step_s;
   at.is_recording = past_.is_recording();
   at.is_live = past_.is_live();
@@ -131,29 +131,17 @@ void Desk::Refresh(Contents& contents) {
   if (const Lessons* const lessons = surroundings_.lessons()) lessons->Fill(contents);
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
-  contents.edit = {};
-  contents.open_files.clear();
-  for (const auto& [name, file] : open_files_)
-    contents.open_files.push_back({name, file.edit.is_changed(), file.edit.is_unsaved(), file.failure});
-  if (const OpenFile* file = Edited()) {
-    contents.edit = file->contents;
-    contents.edit.is_changed = file->edit.is_changed();
-    contents.edit.is_unsaved = file->edit.is_unsaved();
-  }
+  files_.Fill(contents);
   const record::TickRecord* shown = past_.Shown();
-  sim::Simulation* world = Looked();
+  sim::Simulation* world = common_.Looked();
   if (visible_.Has(PanelId::kAgents) && shown != nullptr) {
-    contents.agents = past_.is_live() ? debugger::ListAgents(*Live(), models_.troubles, &models_.timeline)
+    contents.agents = past_.is_live() ? debugger::ListAgents(*common_.Live(), models_.troubles, &models_.timeline)
                                       : debugger::ListAgents(*shown, models_.timeline, models_.troubles);
   }
   contents.has_mind = HasMind(agent_);
-  contents.console = contents.has_mind ? &ConsoleOf(agent_) : nullptr;
-  contents.console_lines = console_lines_;
-  contents.completion = completion_;
-  contents.begun_line = BegunLine(agent_);
-  contents.completed_line = completed_line_;
-  if (visible_.Has(PanelId::kEdit) && Live() != nullptr) {
-    contents.files = debugger::FilesOf(*Live(), agent_);
+  consoles_.Fill(contents);
+  if (visible_.Has(PanelId::kEdit) && common_.Live() != nullptr) {
+    contents.files = debugger::FilesOf(*common_.Live(), agent_);
     // Who edits wants the agent's rules first, then its scripts, and what comes with the program last.
     const auto rank = [&](const sim::WatchedFile& file) {
       return (file.agent == agent_ && !agent_.empty() ? 0 : 2) + (file.is_rules ? 0 : 1);
@@ -236,7 +224,7 @@ void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
 
 void Desk::FillWhy(Contents& contents, explain::Inspector* mind) {
   contents.why = {};
-  sim::Simulation* world = Looked();
+  sim::Simulation* world = common_.Looked();
   if (agent_.empty() || (world == nullptr && mind == nullptr)) return;
   using About = WhyRequest::About;
   WhyContents& why = contents.why;

@@ -84,7 +84,7 @@ void Desk::FillOffers(Contents& contents, explain::Inspector* mind) {
   contents.scenarios = surroundings_.Scenarios();
   if (surroundings_.MayBrowse()) AddFolder(searched_, contents.scenarios);
   std::vector<sim::WatchedFile> files;
-  if (Live() != nullptr) files = debugger::FilesOf(*Live(), {});
+  if (common_.Live() != nullptr) files = debugger::FilesOf(*common_.Live(), {});
   for (const sim::WatchedFile& file : files) contents.all_files.push_back(file.file.string());
   if (mind != nullptr && !visible_.Has(PanelId::kRules)) contents.rules = debugger::ListRules(*mind);
   if (searched_.size() < kShortest) return;

@@ -107,7 +107,7 @@ void LiveWindow::Tick(double step_s) {
     const Clock::time_point tick_start = Clock::now();
     session_.Tick();
     tick_time_.Add(Clock::now() - tick_start);
-    if (const std::string change = desk_->TakeChange(); !change.empty()) {
+    if (const std::string change = desk_->change().Take(); !change.empty()) {
       pace_.Pause();
       viewer_.Tell(change);
       is_cut = true;
@@ -140,7 +140,7 @@ Result<void> LiveWindow::Obey() {
         viewer_.Tell(refusal);
       }
     } else if (command == ViewerCommand::kTogglePause || is_step) {
-      desk_->AwaitNothing();
+      desk_->change().AwaitNothing();
     }
     const Result<bool> obeyed = control.Obey(command, session_, viewer_, newest_);
     if (!obeyed) return obeyed.error();

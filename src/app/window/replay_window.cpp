@@ -45,7 +45,7 @@ class ReplayWindow {
 
   int Run() {
     while (!WasInterrupted() && !pace_.quit()) {
-      const bool is_over = desk_.shown_tick() >= desk_.last_tick();
+      const bool is_over = desk_.past().shown_tick() >= desk_.past().last_tick();
       viewer_.SetStatus(
           {.paused = pace_.paused(),
            .speed = pace_.speed(),
@@ -70,23 +70,23 @@ class ReplayWindow {
   /// Goes so many ticks on, or back.
   void Move(std::int64_t ticks) {
     if (ticks == 0) return;
-    const auto first = static_cast<std::int64_t>(desk_.first_tick()),
-               last = static_cast<std::int64_t>(desk_.last_tick());
-    const auto at = static_cast<std::int64_t>(desk_.shown_tick()) + ticks;
+    const auto first = static_cast<std::int64_t>(desk_.past().first_tick()),
+               last = static_cast<std::int64_t>(desk_.past().last_tick());
+    const auto at = static_cast<std::int64_t>(desk_.past().shown_tick()) + ticks;
     desk_.Show(static_cast<std::uint64_t>(std::clamp(at, first, last)));
   }
 
   void Obey(viewer::ViewerCommand command) {
     using viewer::ViewerCommand;
     if (command == ViewerCommand::kReset) {
-      desk_.Show(desk_.first_tick());
+      desk_.Show(desk_.past().first_tick());
     } else if (command == ViewerCommand::kNextSeed || command == ViewerCommand::kStepDecision ||
                command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange) {
       viewer_.Tell(std::string(viewer::InfoOf(command).title) + ": only in a run; this is a recording of one");
     } else {
       // At the end, to go on means to begin again.
-      const bool is_at_end = desk_.shown_tick() >= desk_.last_tick();
-      if (command == ViewerCommand::kTogglePause && pace_.paused() && is_at_end) desk_.Show(desk_.first_tick());
+      const bool is_at_end = desk_.past().shown_tick() >= desk_.past().last_tick();
+      if (command == ViewerCommand::kTogglePause && pace_.paused() && is_at_end) desk_.Show(desk_.past().first_tick());
       if (const std::optional<workbench::Flow> flow = FlowOf(command)) pace_.Obey(*flow);
     }
   }
@@ -98,8 +98,8 @@ class ReplayWindow {
     if (event.name == "right_key") Move(ticks_per_second_);
     if (event.name == "page_up_key") Move(-10 * ticks_per_second_);
     if (event.name == "page_down_key") Move(10 * ticks_per_second_);
-    if (event.name == "insert_key") desk_.Show(desk_.first_tick());
-    if (event.name == "end_key") desk_.Show(desk_.last_tick());
+    if (event.name == "insert_key") desk_.Show(desk_.past().first_tick());
+    if (event.name == "end_key") desk_.Show(desk_.past().last_tick());
     if (event.name == "comma_key") {
       pace_.Pause();
       Move(-1);

@@ -64,7 +64,7 @@ void WindowDesk::SavePicture() {
 
 void WindowDesk::SaveAwaitedPicture(workbench::Desk& desk) {
   if (picture_in_frames_ == 0 || --picture_in_frames_ > 0) return;
-  const std::string name = "soarbox-" + std::to_string(desk.shown_tick());
+  const std::string name = "soarbox-" + std::to_string(desk.past().shown_tick());
   std::string file = name + ".png";
   std::error_code error;  // What is there already stays.
   for (int i = 2; std::filesystem::exists(file, error); ++i) file = name + "-" + std::to_string(i) + ".png";
