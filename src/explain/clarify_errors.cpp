@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnostics/read_text.h"
+#include "explain/command_text.h"
 #include "explain/odd_characters.h"
 #include "explain/rule_text.h"
 
@@ -47,11 +48,6 @@ std::vector<std::string> SplitLines(const std::string& text) {
 
 SourceFile ReadSource(const std::string& text) {
   return {SplitLines(text), SplitLines(BlankComments(text))};
-}
-
-std::string Trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == kNowhere ? std::string() : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 /// "sp {" and "gp {" at the beginning of a line.

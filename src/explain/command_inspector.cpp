@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "explain/command_text.h"
 #include "explain/rule_text.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
@@ -15,19 +16,6 @@
 
 namespace soarbox::explain {
 namespace {
-
-std::vector<std::string> Lines(std::string_view text) {
-  std::vector<std::string> lines;
-  std::istringstream in{std::string(text)};
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string_view WithoutBlanks(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
 
 /// The words of an element's text; |quoted ones| stay whole.
 std::vector<std::string> Words(std::string_view text) {

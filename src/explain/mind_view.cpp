@@ -2,12 +2,13 @@
 #include "explain/mind_view.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "explain/command_inspector.h"
+#include "explain/command_text.h"
 #include "explain/rule_text.h"
 #include "sml_Client.h"
 
@@ -16,19 +17,6 @@ namespace {
 
 constexpr std::size_t kMostRules = 2000;
 constexpr std::size_t kMostFollowed = 50;  ///< Identifiers of one step of a path.
-
-std::vector<std::string> Lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::string Trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
 
 /// The values behind each ^attribute in "(I2 ^attribute a ^attribute b)".
 void ReadValues(const std::string& text, const std::string& attribute, std::vector<std::string>& values) {
@@ -114,69 +102,36 @@ const RuleText* MindView::FindRule(std::string_view name) {
 
 std::vector<StackEntry> MindView::Stack() {
   std::vector<StackEntry> stack;
-  for (const std::string& line : Lines(Ask("print --stack"))) {
-    const bool is_state = line.find("==>S:") != std::string::npos;
-    const std::size_t at = is_state ? line.find("S:") : line.find("O:");
-    if (at == std::string::npos) continue;
-    StackEntry& entry = stack.emplace_back();
-    entry.is_state = is_state;
-    const std::string rest = Trimmed(line.substr(at + 2));
-    entry.id = rest.substr(0, rest.find(' '));
-    const std::size_t open = rest.find('('), close = rest.rfind(')');
-    if (open != std::string::npos && close != std::string::npos) entry.about = rest.substr(open + 1, close - open - 1);
+  for (const StateFact& state : ReadStack(Ask("print --stack"))) {
+    stack.push_back({true, state.id, state.attribute.empty() ? "" : state.attribute + " " + state.impasse});
+    if (!state.operator_id.empty()) stack.push_back({false, state.operator_id, state.operator_name});
   }
   return stack;
 }
 
 RuleMatch MindView::Match(const std::string& rule) {
+  const MatchFacts facts = ReadMatches(rule, Ask("matches " + rule));
   RuleMatch match;
-  int depth = 0;
-  std::string group;
-  for (const std::string& line : Lines(Ask("matches " + rule))) {
-    std::string text = Trimmed(line);
-    if (text.empty()) continue;
-    if (text.find("complete match") != std::string::npos) break;
-    const bool fails = text.starts_with(">>>>");
-    if (fails) text = Trimmed(text.substr(4));
-    const bool is_counted = std::isdigit(static_cast<unsigned char>(text[0])) != 0;
-    if (is_counted) text = Trimmed(text.substr(text.find_first_not_of("0123456789")));
-    if (text.starts_with("-{")) {
-      ++depth;
-    } else if (text.starts_with('}')) {
-      if (--depth > 0) continue;
-      ++match.total;
-      if (fails && match.failing.empty()) {
-        match.failing = group;
-        match.is_group = true;
-      } else if (match.failing.empty()) {
-        ++match.matched;
-      }
-      group.clear();
-    } else if (depth > 0) {
-      group += text + " ";
-    } else {
-      ++match.total;
-      if (fails && match.failing.empty()) {
-        match.failing = text;
-      } else if (is_counted && match.failing.empty()) {
-        ++match.matched;
-      }
-    }
-  }
+  match.total = static_cast<int>(facts.conditions.size());
+  match.matched = static_cast<int>(facts.failing.value_or(facts.conditions.size()));
+  if (!facts.failing) return match;
+  match.failing = facts.conditions[*facts.failing].text;
+  constexpr std::string_view kOpen = "-{ ", kClose = " }";
+  match.is_group = match.failing.starts_with(kOpen) && match.failing.ends_with(kClose);
+  if (match.is_group)
+    match.failing = match.failing.substr(kOpen.size(), match.failing.size() - kOpen.size() - kClose.size());
   return match;
 }
 
 bool MindView::HasFired(const std::string& rule) {
+  return Firings(rule).value_or(1) > 0;
+}
+
+std::optional<std::uint64_t> MindView::Firings(const std::string& rule) {
   // " 3:  rule"
   std::istringstream in(Ask("production firing-counts " + rule));
   std::uint64_t count = 0;
-  return !(in >> count) || count > 0;
-}
-
-std::uint64_t MindView::Firings(const std::string& rule) {
-  std::istringstream in(Ask("production firing-counts " + rule));
-  std::uint64_t count = 0;
-  return in >> count ? count : 0;
+  return in >> count ? std::optional(count) : std::nullopt;
 }
 
 bool MindView::IsPending(const std::string& rule) {

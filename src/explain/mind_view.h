@@ -54,8 +54,8 @@ class MindView {
   bool HasFired(const std::string& rule);
   /// Whether a match of it is yet to fire: the elaboration limit, or a break, came before.
   bool IsPending(const std::string& rule);
-  /// How often it has fired; 0 if that is not told.
-  std::uint64_t Firings(const std::string& rule);
+  /// How often it has fired; nothing if that is not told.
+  std::optional<std::uint64_t> Firings(const std::string& rule);
   std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
   /// Values of an attribute anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);

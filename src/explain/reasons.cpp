@@ -516,7 +516,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   std::vector<std::string> reasons;
   const std::initializer_list<tell::Slot> op = {{"op", shown}, {"state", state}};
   if (pending != nullptr) {
-    const std::uint64_t firings = view_.Firings(pending->name);
+    const std::uint64_t firings = view_.Firings(pending->name).value_or(0);
     reasons.push_back(
         firings > 1
             ? Say(Situation::kFiresAgain,
