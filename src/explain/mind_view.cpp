@@ -49,8 +49,7 @@ bool IsMadeUp(const std::string& variable) {
 }
 
 /// "{ > 50 <h*1> }" as its author wrote it, "> 50"; what it is compared with as the place where that lies.
-void ReadTests(const std::string& value, const std::map<std::string, std::vector<std::string>>& paths,
-               ConditionText& text) {
+void ReadTests(const std::string& value, const PathMap& paths, ConditionText& text) {
   std::istringstream in(value);
   std::vector<std::string> words;
   bool relates = false;
@@ -225,29 +224,8 @@ std::string ConditionText::Text() const {
   return value.empty() ? text : text + " " + value;
 }
 
-std::map<std::string, std::vector<std::string>> VariablePaths(const RuleText& rule) {
-  std::map<std::string, std::vector<std::string>> paths;
-  for (const RuleAttribute& condition : rule.conditions)
-    if (condition.on_state) paths.try_emplace(condition.id);
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const RuleAttribute& condition : rule.conditions) {
-      const auto from = paths.find(condition.id);
-      if (from == paths.end()) continue;
-      // <x>, or { <x> <> ... }: a variable behind a relation is bound elsewhere.
-      std::string first = condition.value.substr(condition.value.starts_with("{ ") ? 2 : 0);
-      first = first.substr(0, first.find(' '));
-      if (!IsVariable(first)) continue;
-      std::vector<std::string> path = from->second;
-      path.push_back(condition.attribute);
-      grows |= paths.try_emplace(first, std::move(path)).second;
-    }
-  }
-  return paths;
-}
-
 std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string& printed) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   std::vector<ConditionText> found;
   for (const RuleAttribute& part : ReadConditions(printed)) {
     ConditionText& text = found.emplace_back();

@@ -80,8 +80,6 @@ struct ConditionText {
   std::vector<std::vector<std::string>> compared;  ///< Paths of the variables that it compares with.
   std::string Text() const;
 };
-/// Where the variables of a rule lie, as attributes from the state on.
-std::map<std::string, std::vector<std::string>> VariablePaths(const RuleText& rule);
 /// Reads what a kernel printed of one condition, or of a group of them, of this rule.
 std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string& printed);
 

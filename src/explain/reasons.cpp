@@ -291,7 +291,7 @@ std::string MindReasons::SubstateOfSelected(const RuleText& rule) {
 
 std::string MindReasons::WhatExcludesAbove(const RuleText& rule, const ConditionText& failing) {
   if (!IsForSubstate(rule) || failing.path.size() < 2 || failing.path.front() != "superstate") return {};
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   const std::vector<std::string> above(failing.path.begin(), failing.path.end() - 1);
   for (const RuleAttribute& condition : rule.conditions) {
     const auto path = paths.find(condition.id);

@@ -11,8 +11,6 @@
 namespace soarbox::explain {
 namespace {
 
-using PathMap = std::map<std::string, std::vector<std::string>>;
-
 std::optional<double> NumberOf(const std::string& word) {
   double number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -79,7 +77,7 @@ bool IsFree(const std::string& tests) {
 
 /// Where the variables of a rule's actions lie, those of objects that it makes included.
 PathMap MadePaths(const RuleText& rule) {
-  PathMap paths = VariablePaths(rule);
+  PathMap paths = rule.paths;
   for (bool grows = true; grows;) {
     grows = false;
     for (const RuleAttribute& action : rule.actions) {
@@ -101,9 +99,8 @@ bool IsObjectOf(const RuleText& rule, const std::string& variable) {
 
 /// Whether further conditions of a rule are about what lies at this path: it must be an object.
 bool MustBeObject(const RuleText& rule, const std::vector<std::string>& path) {
-  return std::ranges::any_of(VariablePaths(rule), [&](const auto& variable) {
-    return variable.second == path && IsObjectOf(rule, variable.first);
-  });
+  return std::ranges::any_of(
+      rule.paths, [&](const auto& variable) { return variable.second == path && IsObjectOf(rule, variable.first); });
 }
 
 /// Whether a rule is about the top state, a substate, or any.
@@ -209,7 +206,7 @@ std::string OtherValueBy(const RuleText& maker, const RuleText& rule, const Cond
 }
 
 bool WaitsForTheSame(const RuleText& rule, const ConditionText& asked) {
-  const PathMap paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   return std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
     const auto at = paths.find(condition.id);
     if (at == paths.end() || condition.negated || condition.attribute != asked.path.back()) return false;

@@ -30,7 +30,7 @@ class MeaningChecker {
   std::vector<Slip> slips;
 
   void CheckConditions(const RuleText& rule) {
-    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+    const PathMap& paths = rule.paths;
     std::set<std::string> inputs, states;
     for (const RuleAttribute& condition : rule.conditions) {
       if (condition.attribute == "input-link") inputs.insert(FirstWord(condition.value));
@@ -64,7 +64,7 @@ class MeaningChecker {
 
   /// What rules wait for below a command, of what commands are never answered.
   void CheckAnswers(const RuleText& rule) {
-    const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+    const PathMap& paths = rule.paths;
     for (const RuleAttribute& condition : rule.conditions) {
       const bool is_status = condition.attribute == "status";
       if ((!is_status && condition.attribute != "reason") || condition.value.empty()) continue;

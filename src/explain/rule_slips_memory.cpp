@@ -48,7 +48,7 @@ std::string HintOf(const std::string& word, const Words& words, std::string_view
 }
 
 void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   for (const RuleAttribute& action : rule.actions) {
     const auto path = paths.find(action.id);
     const Memory* const memory = path == paths.end() ? nullptr : MemoryOn(path->second, "command");
@@ -73,7 +73,7 @@ void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
 
 /// A reward that is no number, or that hangs where nobody looks.
 void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   std::set<std::string> rewards;
   for (const RuleAttribute& action : rule.actions) {
     const auto path = paths.find(action.id);
@@ -119,7 +119,7 @@ void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
 }
 
 bool GivesReward(const RuleText& rule) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
     const auto path = paths.find(action.id);
     return action.attribute == "reward" && path != paths.end() && !path->second.empty() &&

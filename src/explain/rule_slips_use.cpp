@@ -158,7 +158,7 @@ void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
 /// "^io.input-link.waypoint.name gate ^io.input-link.waypoint.here no": each path may lead to another waypoint.
 void FindPartedPaths(const RuleText& rule, std::vector<Slip>& slips) {
   constexpr std::string_view kMany[] = {"agent", "object", "waypoint", "region", "message"};
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   // Variables that the kernel made for the dots of a path have a * in their name.
   std::map<std::string, std::map<std::string, std::string>> tested;  // By kind: variable, attribute.
   for (const RuleAttribute& condition : rule.conditions) {

@@ -23,7 +23,7 @@ bool IsBelowInputLink(const std::vector<std::string>& path) {
 /// The restless percept that a rule tests, as "range"; empty if there is none. A rule that also looks at how moving
 /// goes stops matching as soon as its command has begun.
 std::string RestlessPercept(const RuleText& rule) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   std::string found;
   for (const RuleAttribute& condition : rule.conditions) {
     const auto path = paths.find(condition.id);
@@ -91,7 +91,7 @@ void FindPiles(const RuleText& rule, const std::vector<RuleText>& rules, std::ve
 
 /// Actions on the input link itself.
 void FindInputWriters(const RuleText& rule, std::vector<Slip>& slips) {
-  const std::map<std::string, std::vector<std::string>> paths = VariablePaths(rule);
+  const PathMap& paths = rule.paths;
   for (const RuleAttribute& action : rule.actions) {
     const auto path = paths.find(action.id);
     if (path == paths.end() || path->second.empty()) continue;

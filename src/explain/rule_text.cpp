@@ -268,6 +268,31 @@ std::vector<RuleAttribute> ReadConditions(std::string_view text) {
   return ReadSide(Tokens(text));
 }
 
+namespace {
+
+PathMap VariablePaths(const RuleText& rule) {
+  PathMap paths;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.on_state) paths.try_emplace(condition.id);
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      const auto from = paths.find(condition.id);
+      if (from == paths.end()) continue;
+      // <x>, or { <x> <> ... }: a variable behind a relation is bound elsewhere.
+      std::string first = condition.value.substr(condition.value.starts_with("{ ") ? 2 : 0);
+      first = first.substr(0, first.find(' '));
+      if (!IsVariable(first)) continue;
+      std::vector<std::string> path = from->second;
+      path.push_back(condition.attribute);
+      grows |= paths.try_emplace(first, std::move(path)).second;
+    }
+  }
+  return paths;
+}
+
+}  // namespace
+
 std::vector<RuleText> ReadRules(std::string_view text) {
   std::vector<RuleText> rules;
   constexpr std::string_view kBegin = "sp {";
@@ -298,6 +323,7 @@ std::vector<RuleText> ReadRules(std::string_view text) {
       if (call.function == "exec" && !call.arguments.empty()) rule.calls.insert("exec " + call.arguments.front());
     }
     Classify(rule);
+    rule.paths = VariablePaths(rule);
     rules.push_back(std::move(rule));
   }
   return rules;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,10 +24,14 @@ struct RuleCall {
   std::vector<std::string> arguments;  ///< As they are printed; "(" for a call within the call.
 };
 
+/// Places by name, each as attributes from the state on.
+using PathMap = std::map<std::string, std::vector<std::string>>;
+
 /// What a rule says about itself, as far as reasons and checks need it.
 struct RuleText {
   std::string name;
   std::vector<RuleAttribute> conditions, actions;
+  PathMap paths;  ///< Where the variables of its conditions lie.
 
   /// Constant names of the operators that it proposes; "" among them stands for names that are not constant.
   std::set<std::string> proposes;
