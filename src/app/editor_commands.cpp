@@ -12,6 +12,7 @@
 #include "app/exit_codes.h"
 #include "app/refuse.h"
 #include "diagnostics/plain_text.h"
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "editors/dap_server.h"
 #include "editors/lsp_server.h"
@@ -24,14 +25,6 @@ namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-Diagnostic EditorProblem(const fs::path& file, std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
 
 /// The files of rules that were named, and those below folders that were.
 std::vector<fs::path> RuleFiles(const std::vector<fs::path>& named) {
@@ -73,7 +66,7 @@ int FormatFiles(const FormatOptions& options) {
     const std::optional<std::string> text = ReadText(file);
     const std::string why = !text ? "this file cannot be read" : WhyNoPlainText(*text);
     if (!why.empty()) {
-      std::cerr << Format(EditorProblem(file, why));
+      std::cerr << Format(ProblemIn(file, why));
       code = kProblems;
       continue;
     }
@@ -83,7 +76,7 @@ int FormatFiles(const FormatOptions& options) {
       std::cout << file.string() << '\n';
       code = kProblems;
     } else if (!Replace(file, made)) {
-      std::cerr << Format(EditorProblem(file, "this file cannot be written"));
+      std::cerr << Format(ProblemIn(file, "this file cannot be written"));
       code = kProblems;
     }
   }
@@ -93,8 +86,7 @@ int FormatFiles(const FormatOptions& options) {
 int WriteDatamap(const DatamapOptions& options) {
   std::error_code error;
   if (!fs::is_regular_file(options.rules, error))
-    return Refuse(
-        EditorProblem(options.rules, "there is no such file of rules", "name the file that loads all others"));
+    return Refuse(ProblemIn(options.rules, "there is no such file of rules", "name the file that loads all others"));
   const fs::path root = fs::absolute(options.rules, error).lexically_normal();
   language::Workspace workspace;
   language::Program program = workspace.ProgramOf(root);
@@ -112,7 +104,7 @@ int WriteDatamap(const DatamapOptions& options) {
     return kOk;
   }
   if (!(std::ofstream(options.output, std::ios::binary) << text).flush())
-    return Refuse(EditorProblem(options.output, "this file cannot be written"));
+    return Refuse(ProblemIn(options.output, "this file cannot be written"));
   return kOk;
 }
 
@@ -123,8 +115,8 @@ Result<fs::path> RulesOfProject(const fs::path& file) {
   if (!project) return project.error();
   fs::path root = language::RootOfProject(file);
   if (root.empty())
-    return EditorProblem(file, "there is no file beside this project that loads its rules",
-                         "VisualSoar writes it: a file with the project's name that ends in .soar");
+    return ProblemIn(file, "there is no file beside this project that loads its rules",
+                     "VisualSoar writes it: a file with the project's name that ends in .soar");
   return root;
 }
 
@@ -148,9 +140,9 @@ int ServeDebugger() {
 int ServeAssistant(const fs::path& folder) {
   std::signal(SIGPIPE, SIG_IGN);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) return Refuse(EditorProblem(folder, "there is no such folder"));
+  if (!fs::is_directory(folder, error)) return Refuse(ProblemIn(folder, "there is no such folder"));
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return Refuse(EditorProblem({}, "the program does not find itself in /proc"));
+  if (error) return Refuse(ProblemIn({}, "the program does not find itself in /proc"));
   return editors::ServeMcp(STDIN_FILENO, STDOUT_FILENO, program, folder);
 }
 

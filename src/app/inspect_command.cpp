@@ -14,6 +14,7 @@
 #include "app/kernel_address.h"
 #include "debugger/breakpoints.h"
 #include "debugger/views.h"
+#include "diagnostics/problem.h"
 #include "record/format.h"
 #include "record/reader.h"
 #include "record/recorder.h"
@@ -55,10 +56,8 @@ Result<void> SetUntil(const std::string& until, const std::string& agent, debugg
   const auto [kind, what] = SplitView(until);
   const std::optional<debugger::BreakKind> known = debugger::BreakKindNamed(kind);
   if (!known) {
-    Diagnostic problem;
-    problem.message = "a run cannot be stopped at '" + until + "'";
-    problem.hint = "say fire RULE, match RULE, element \"^ATTRIBUTE VALUE\", impasse KIND or command NAME";
-    return problem;
+    return NewProblem("a run cannot be stopped at '" + until + "'",
+                      "say fire RULE, match RULE, element \"^ATTRIBUTE VALUE\", impasse KIND or command NAME");
   }
   const Result<int> set = breakpoints.Set(*known, agent, what);
   return set ? Result<void>() : set.error();
@@ -112,10 +111,8 @@ Result<void> RunScenario(const InspectOptions& options, const sim::DataFolders& 
     if (!hits.empty()) return {};
   }
   if (options.until.empty()) return {};
-  Diagnostic problem;
-  problem.message = "the run did not come to '" + options.until + "' by tick " + std::to_string(last);
-  problem.hint = "--at SECONDS says how long to wait for it";
-  return problem;
+  return NewProblem("the run did not come to '" + options.until + "' by tick " + std::to_string(last),
+                    "--at SECONDS says how long to wait for it");
 }
 
 Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders& data, Inspected& run) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "diagnostics/problem.h"
 #include "mission/sentences.h"
 
 namespace soarbox::app {
@@ -85,10 +86,7 @@ Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<Tes
   out << "</testsuites>\n";
   std::ofstream to(file, std::ios::binary);
   if ((to << out.str()).flush()) return {};
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::string("this file cannot be written: ") + std::strerror(errno);
-  return problem;
+  return ProblemIn(file.string(), std::string("this file cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace soarbox::app

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <system_error>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::app {
 
 Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& settings) {
@@ -14,10 +16,8 @@ Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& setti
     const char* end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + colon + 1, end, settings.remote_port);
     if (error != std::errc{} || at != end || settings.remote_port < 1 || settings.remote_port > 65535) {
-      Diagnostic problem;
-      problem.message = "'" + text + "' is no address of a kernel";
-      problem.hint = "write HOST:PORT, for example --kernel 127.0.0.1:12121";
-      return problem;
+      return NewProblem("'" + text + "' is no address of a kernel",
+                        "write HOST:PORT, for example --kernel 127.0.0.1:12121");
     }
   }
   return {};

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/run_session.h"
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "explain/rule_text.h"
 #include "mission/cast.h"
@@ -131,11 +132,8 @@ Result<void> PrepareLesson(const Lesson& lesson, const fs::path& folder) {
     if (error) break;
   }
   if (!error) return {};
-  Diagnostic problem;
-  problem.file = folder.string();
-  problem.message = "the lesson's files cannot be written: " + error.message();
-  problem.hint = "name another folder with --folder";
-  return problem;
+  return ProblemIn(folder.string(), "the lesson's files cannot be written: " + error.message(),
+                   "name another folder with --folder");
 }
 
 std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders& data,

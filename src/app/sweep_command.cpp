@@ -15,6 +15,7 @@
 #include "app/exit_codes.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
 #include "record/header.h"
@@ -29,14 +30,6 @@ namespace fs = std::filesystem;
 constexpr int kMostRounds = 5;
 constexpr int kLockWaits = 20;
 constexpr useconds_t kLockWait_us = 100'000;
-
-Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
 
 void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady_clock::time_point begin) {
   if (!is_terminal) return;
@@ -83,13 +76,13 @@ int Sweep(const SweepOptions& options) {
   }
   if (options.on == "slurm") {
     if (const std::string missing = sweep::WhyNoSlurm(); !missing.empty())
-      return Refuse(Problem(
+      return Refuse(ProblemIn(
           {}, missing, "run this on a login node of the cluster, or without --on slurm to use this machine's cores"));
   }
   std::error_code error;
   fs::create_directories(folder / "parts", error);
   if (error)
-    return Refuse(Problem(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
+    return Refuse(ProblemIn(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
   // A task of a job array finds the folder as the sweep that submitted it has made it.
   const Result<sweep::Plan> plan =
       sweep::MakePlan(spec, folder, *data, options.task >= 0 ? sweep::Sources::kTrust : sweep::Sources::kCompare);
@@ -98,7 +91,7 @@ int Sweep(const SweepOptions& options) {
     return Refuse(claimed.error());
   if (options.on != "slurm" && options.task < 0 && !LockFolder(folder))
     return Refuse(
-        Problem(folder, "another sweep is making runs here", "wait for it, or name another folder with --folder"));
+        ProblemIn(folder, "another sweep is making runs here", "wait for it, or name another folder with --folder"));
   CatchInterrupts();
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -171,8 +164,8 @@ int Sweep(const SweepOptions& options) {
     if (!progress) return Refuse(progress.error());
     for (const std::string& problem : progress->problems)
       std::cerr << Format(
-          Problem(options.spec, problem,
-                  std::to_string(progress->left_out) + " runs were left out; the same command makes them later"));
+          ProblemIn(options.spec, problem,
+                    std::to_string(progress->left_out) + " runs were left out; the same command makes them later"));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::cerr << progress->done << " runs made, " << progress->there_before << " were there, in "
               << mission::SecondsText(seconds) << '\n';

@@ -17,6 +17,7 @@
 #include "app/junit.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
+#include "diagnostics/problem.h"
 #include "mission/read_mission.h"
 #include "mission/sentences.h"
 #include "mission/statistics.h"
@@ -260,12 +261,10 @@ Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::Dat
     std::vector<fs::path> found = mission::FindMissionFiles(path, data);
     std::error_code error;
     if (found.empty()) {
-      Diagnostic problem;
-      problem.message = fs::exists(path, error) || !path.is_relative() || fs::exists(data.scenarios / path, error)
+      return NewProblem(fs::exists(path, error) || !path.is_relative() || fs::exists(data.scenarios / path, error)
                             ? "there is no mission in " + (path == "." ? std::string("this folder") : path.string())
-                            : "there is no file, folder or scenario '" + path.string() + "'";
-      problem.hint = "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md";
-      return problem;
+                            : "there is no file, folder or scenario '" + path.string() + "'",
+                        "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md");
     }
     files.insert(files.end(), found.begin(), found.end());
   }

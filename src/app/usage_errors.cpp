@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/data_folders.h"
+#include "diagnostics/problem.h"
 #include "sim/scenario.h"
 
 namespace soarbox::app {
@@ -161,10 +162,7 @@ Diagnostic ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   if (!stray.empty()) return UnknownCommand(program, stray.front());
   const std::vector<CLI::App*> used = program.get_subcommands();
   if (used.empty()) {
-    Diagnostic problem;
-    problem.message = FirstLine(error.what());
-    problem.hint = "soarbox --help lists the sub-commands";
-    return problem;
+    return NewProblem(FirstLine(error.what()), "soarbox --help lists the sub-commands");
   }
   const CLI::App& command = *used.front();
   // The library names a value that is missing before an option that it does not know, though that one is the cause.
@@ -182,10 +180,8 @@ std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, cons
     if (!is_word || (command != nullptr && command->get_name() == "soar")) continue;
     const std::string doubled = "-" + word.substr(0, word.find('='));
     if (!Holds(OptionsOf(command == nullptr ? program : *command), doubled)) continue;
-    Diagnostic problem;
-    problem.message = "soarbox" + (command == nullptr ? "" : " " + command->get_name()) + " has no option " + word;
-    problem.hint = "did you mean " + doubled + "?";
-    return problem;
+    return NewProblem("soarbox" + (command == nullptr ? "" : " " + command->get_name()) + " has no option " + word,
+                      "did you mean " + doubled + "?");
   }
   return std::nullopt;
 }
@@ -199,10 +195,8 @@ std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, co
     const CLI::Option* option = command->get_option_no_throw(word);
     const bool is_followed = i + 1 < argc && Holds(OptionsOf(*command), argv[i + 1]);
     if (option == nullptr || option->get_items_expected_min() == 0 || !is_followed) continue;
-    Diagnostic problem;
-    problem.message = "soarbox " + command->get_name() + ": " + word + " takes a value, and none is given";
-    problem.hint = word + ": " + option->get_description();
-    return problem;
+    return NewProblem("soarbox " + command->get_name() + ": " + word + " takes a value, and none is given",
+                      word + ": " + option->get_description());
   }
   return std::nullopt;
 }

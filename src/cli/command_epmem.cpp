@@ -12,6 +12,7 @@
 #include "cli/session.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
+#include "diagnostics/problem.h"
 #include "journal/sqlite_journal.h"
 #include "kernel/agent.h"
 #include "kernel/longterm/episodic_memory.h"
@@ -75,10 +76,7 @@ Result<void> OpenFile(EpisodicMemory& memory, const std::string& path, const jou
   Result<journal::OpenedJournal> opened = journal::Open(path, journal::Memory::kEpisodic, options);
   if (!opened) return opened.error();
   if (!memory.Load(opened->image, opened->records)) {
-    Diagnostic problem;
-    problem.message = path + " is damaged: its records make no sense";
-    problem.hint = "use a backup; the file was not touched";
-    return problem;
+    return NewProblem(path + " is damaged: its records make no sense", "use a backup; the file was not touched");
   }
   memory.SetJournal(std::move(opened->journal));
   return {};

@@ -13,6 +13,7 @@
 #include "cli/setting_store.h"
 #include "cli/smem_tables.h"
 #include "cli/summary.h"
+#include "diagnostics/problem.h"
 #include "journal/sqlite_journal.h"
 #include "kernel/agent.h"
 #include "kernel/longterm/journal.h"
@@ -138,10 +139,8 @@ Result<void> OpenFile(SemanticMemory& memory, const Database& database) {
   Result<journal::OpenedJournal> opened = journal::Open(database.path, journal::Memory::kSemantic, database.options);
   if (!opened) return opened.error();
   if (!memory.Load(opened->image, opened->records)) {
-    Diagnostic problem;
-    problem.message = database.path + " is damaged: its records make no sense";
-    problem.hint = "use a backup; the file was not touched";
-    return problem;
+    return NewProblem(database.path + " is damaged: its records make no sense",
+                      "use a backup; the file was not touched");
   }
   memory.SetJournal(std::move(opened->journal));
   return {};

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "cli/rule_image.h"
+#include "diagnostics/problem.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/functions/builtin_functions.h"
@@ -427,11 +428,7 @@ class Reader {
 };
 
 Diagnostic Problem(const std::string& file, std::string message, std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.file = file;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  return ProblemIn(file, std::move(message), std::move(hint));
 }
 
 std::uint64_t Fixed(std::string_view bytes, std::size_t place, std::size_t size) {

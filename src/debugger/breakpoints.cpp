@@ -8,6 +8,8 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
+#include "diagnostics/problem.h"
+#include "diagnostics/wildcard.h"
 #include "tell/mind_words.h"
 
 namespace soarbox::debugger {
@@ -15,31 +17,9 @@ namespace {
 
 constexpr std::string_view kKinds[] = {"fire", "match", "element", "impasse", "command"};
 
-/// Whether a text is like a pattern in which * stands for anything.
-bool IsLikeText(std::string_view text, std::string_view pattern) {
-  // Greedy with one point to come back to.
-  std::size_t t = 0, p = 0, star = std::string_view::npos, mark = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      mark = t;
-    } else if (p < pattern.size() && pattern[p] == text[t]) {
-      ++p;
-      ++t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++mark;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
-}
-
 /// A rule's name holds * itself: one that is meant literally is found first.
 bool IsRule(std::string_view name, std::string_view pattern) {
-  return name == pattern || IsLikeText(name, pattern);
+  return name == pattern || IsLikePattern(name, pattern);
 }
 
 std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& event) {
@@ -57,7 +37,7 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
     if (impasse.find(point.what) != std::string::npos) return "impasse: " + tell::DecisionLine(event);
   }
   if (const auto* said = std::get_if<mind::CommandSaid>(&event); point.kind == BreakKind::kCommand && said != nullptr) {
-    if (point.what.empty() || IsLikeText(said->name, point.what)) return "command " + tell::CommandText(*said);
+    if (point.what.empty() || IsLikePattern(said->name, point.what)) return "command " + tell::CommandText(*said);
   }
   return std::nullopt;
 }
@@ -67,13 +47,6 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::EventLog
   for (std::size_t at = 0; events.Next(at, event);)
     if (std::optional<std::string> cause = CauseIn(point, event)) return cause;
   return std::nullopt;
-}
-
-Diagnostic Problem(std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
 }
 
 }  // namespace
@@ -106,16 +79,16 @@ bool IsLike(const explain::ElementFact& element, std::string_view pattern) {
       place = 2;
     }
   }
-  return IsLikeText(element.id, id) && IsLikeText(element.attribute, attribute) && IsLikeText(element.value, value) &&
-         (!acceptable || element.acceptable);
+  return IsLikePattern(element.id, id) && IsLikePattern(element.attribute, attribute) &&
+         IsLikePattern(element.value, value) && (!acceptable || element.acceptable);
 }
 
 Result<int> Breakpoints::Set(BreakKind kind, std::string agent, std::string what) {
   const bool is_blank = what.find_first_not_of(" \t") == std::string::npos;
   if (is_blank && (kind == BreakKind::kFire || kind == BreakKind::kMatch))
-    return Problem("a breakpoint on a rule needs the rule's name", "for example: fire propose*move");
+    return NewProblem("a breakpoint on a rule needs the rule's name", "for example: fire propose*move");
   if (kind == BreakKind::kElement && what.find('^') == std::string::npos)
-    return Problem("a breakpoint on an element needs an attribute", "for example: ^enemy *, or S1 ^operator O1 +");
+    return NewProblem("a breakpoint on an element needs an attribute", "for example: ^enemy *, or S1 ^operator O1 +");
   Breakpoint& point = list_.emplace_back();
   point.number = ++last_number_;
   point.kind = kind;

@@ -8,28 +8,17 @@
 #include <fstream>
 #include <sstream>
 
+#include "diagnostics/problem.h"
 #include "sim/check.h"
 #include "sim/live_edits.h"
 #include "sim/vet_rules.h"
 
 namespace soarbox::debugger {
-namespace {
-
-Diagnostic Problem(const std::filesystem::path& file, std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
-}  // namespace
-
 Result<Edit> Edit::Open(const sim::WatchedFile& file) {
   std::ifstream in(file.file, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf()))
-    return Problem(file.file, "this file cannot be read", "check that it is there and its permissions");
+    return ProblemIn(file.file, "this file cannot be read", "check that it is there and its permissions");
   Edit edit;
   edit.file_ = file;
   edit.text_ = edit.running_ = edit.saved_ = text.str();
@@ -47,7 +36,7 @@ std::vector<Diagnostic> Edit::Check() const {
 std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   std::vector<Diagnostic> problems = Check();
   if (sim::IsEmptied(running_, text_))
-    problems.push_back(Problem(file_.file, "the text is empty", "leave a comment in it to take everything out"));
+    problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to take everything out"));
   if (sim::HasError(problems)) return problems;
   std::vector<std::string> agents;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
@@ -78,7 +67,7 @@ Result<void> Edit::Save() {
   }
   if (!is_written || !may_write || error) {
     fs::remove(half, ignored);
-    return Problem(file_.file, "this file cannot be written", "check the folder and its permissions");
+    return ProblemIn(file_.file, "this file cannot be written", "check the folder and its permissions");
   }
   saved_ = text_;
   // A run in a window takes over what is saved, unless it has errors.

@@ -15,6 +15,7 @@
 #include "debugger/operators.h"
 #include "debugger/recall.h"
 #include "debugger/why.h"
+#include "diagnostics/problem.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -39,13 +40,6 @@ constexpr ViewInfo kViews[] = {
     {"console", "COMMAND", "what a Soar command prints", true},
 };
 
-Diagnostic Problem(std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 /// "there is no ...": with what was most likely meant, or with all there is.
 Diagnostic NoSuch(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
   const std::vector<std::string_view> names(known.begin(), known.end());
@@ -53,7 +47,7 @@ Diagnostic NoSuch(const std::string& what, const std::string& name, const std::v
   std::string hint = near.empty() ? "there are:" : "did you mean '" + std::string(near) + "'?";
   constexpr std::size_t kMostNamed = 20;
   for (std::size_t i = 0; near.empty() && i < known.size() && i < kMostNamed; ++i) hint += " " + known[i];
-  return Problem("there is no " + what + " '" + name + "'", known.empty() ? "" : hint);
+  return NewProblem("there is no " + what + " '" + name + "'", known.empty() ? "" : hint);
 }
 
 template <typename Model>
@@ -91,21 +85,22 @@ Result<ViewText> ShowMemory(explain::Inspector& mind, const MemoryChanges& chang
   }
   if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) {
     const std::optional<ElementStory> story = LookAtElement(mind, timetag);
-    if (!story) return Problem("there is no element with the time tag " + of + " now", "");
+    if (!story) return NewProblem("there is no element with the time tag " + of + " now", "");
     return Both(*story);
   }
   constexpr std::size_t kDepth = 3;
   const std::vector<explain::StateFact> stack = mind.Stack();
   const std::string id = of.empty() && !stack.empty() ? stack.front().id : of;
   const MemoryObject object = LookAtObject(mind, id, changes, kDepth);
-  if (!object.exists) return Problem("there is no identifier '" + id + "' now", "states are: S1 and what is below it");
+  if (!object.exists)
+    return NewProblem("there is no identifier '" + id + "' now", "states are: S1 and what is below it");
   return Both(object);
 }
 
 Result<ViewText> ShowLongTerm(explain::Inspector& mind, const RecallLog* log, const std::string& of) {
   if (of.starts_with('#')) {
     const EpisodeView episode = LookAtEpisode(mind, static_cast<std::size_t>(WholeNumber(of.substr(1))));
-    if (episode.number == 0) return Problem("there is no episode " + of.substr(1), "they are numbered from 1");
+    if (episode.number == 0) return NewProblem("there is no episode " + of.substr(1), "they are numbered from 1");
     return Both(episode);
   }
   const LongTermView view = LookAtLongTerm(mind, of);
@@ -161,7 +156,7 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   if (request.view == "rules") return Both(ListRules(mind, of));
   if (request.view == "operators") {
     const OperatorsView view = LookAtOperators(mind, of);
-    if (!view.note.empty() && view.rows.empty() && !of.empty()) return Problem(view.note, "");
+    if (!view.note.empty() && view.rows.empty() && !of.empty()) return NewProblem(view.note, "");
     return Both(view);
   }
   if (request.view == "rule") {
@@ -203,8 +198,8 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
   const std::unique_ptr<explain::Inspector> mind =
       source.recorded == nullptr ? nullptr : source.recorded->Inspect(agent);
   if (mind == nullptr) {
-    return minds.empty() ? Problem("nothing is recorded of any mind",
-                                   "record with --record-level decisions or all, or simulate the run again")
+    return minds.empty() ? NewProblem("nothing is recorded of any mind",
+                                      "record with --record-level decisions or all, or simulate the run again")
                          : NoSuch("recorded mind named", agent, minds);
   }
   if (request.view == "stack") return Both(LookAtStack(*mind));
@@ -222,10 +217,10 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
     if (const std::optional<WhyNode> command = WhyRecordedCommand(*source.recorded->Find(agent), request.of))
       return Both(*command);
     if (const std::optional<WhyNode> op = WhyOperator(*mind, request.of)) return Both(*op);
-    return Problem("nothing is recorded of '" + request.of + "' at this moment",
-                   "`soarbox why FILE " + request.of + "` simulates the run again");
+    return NewProblem("nothing is recorded of '" + request.of + "' at this moment",
+                      "`soarbox why FILE " + request.of + "` simulates the run again");
   }
-  return Problem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
+  return NewProblem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
 }
 
 Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, const std::string& agent) {
@@ -272,8 +267,8 @@ Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) 
     return NoSuch("view", request.view, names);
   }
   if (request.of.empty() && !view->of.empty() && !view->of.starts_with('['))
-    return Problem("the view " + request.view + " needs a name",
-                   "--view \"" + request.view + " " + std::string(view->of) + "\"");
+    return NewProblem("the view " + request.view + " needs a name",
+                      "--view \"" + request.view + " " + std::string(view->of) + "\"");
   std::vector<std::string> names, minds;
   for (const world::AgentSnapshot& agent : source.last->scene.agents) {
     names.push_back(agent.name);
@@ -286,7 +281,7 @@ Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) 
   if (source.simulation == nullptr) return ShowRecorded(source, request, request.agent);
   const std::unique_ptr<explain::Inspector> mind = source.simulation->Inspect(agent);
   if (mind == nullptr) {
-    return minds.empty() ? Problem("no agent of this run has a Soar mind", "")
+    return minds.empty() ? NewProblem("no agent of this run has a Soar mind", "")
                          : NoSuch("agent with a Soar mind named", agent, minds);
   }
   return ShowMind(source, request, *mind, agent);

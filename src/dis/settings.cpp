@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::dis {
 namespace {
 
@@ -18,10 +20,8 @@ bool ReadNumber(std::string_view text, Number& value) {
 }
 
 Diagnostic Wrong(std::string_view option, std::string what) {
-  Diagnostic problem;
-  problem.message = "--dis " + std::string(option) + ": " + std::move(what);
-  problem.hint = "write ADDRESS:PORT, or ADDRESS:PORT,SITE,APPLICATION,EXERCISE: --dis 239.1.2.3:3000,1,7,1";
-  return problem;
+  return NewProblem("--dis " + std::string(option) + ": " + std::move(what),
+                    "write ADDRESS:PORT, or ADDRESS:PORT,SITE,APPLICATION,EXERCISE: --dis 239.1.2.3:3000,1,7,1");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "dis/settings.h"
 
@@ -188,10 +189,7 @@ class TableReader {
 Result<std::optional<Settings>> ReadFile(const std::filesystem::path& file, Settings settings) {
   const std::optional<std::string> text = ReadText(file);
   if (!text) {
-    Diagnostic problem;
-    problem.file = file.string();
-    problem.message = "this file cannot be read";
-    return problem;
+    return ProblemIn(file.string(), "this file cannot be read");
   }
   toml::table root;
   try {

@@ -7,6 +7,7 @@
 
 #include "debugger/breakpoints.h"
 #include "debugger/why.h"
+#include "diagnostics/problem.h"
 #include "editors/debuggee.h"
 #include "language/visual_soar.h"
 #include "sml_Client.h"
@@ -15,10 +16,7 @@ namespace soarbox::editors {
 namespace {
 
 Diagnostic NoKernel(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 class KernelDebuggee final : public Debuggee {

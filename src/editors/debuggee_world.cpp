@@ -9,6 +9,7 @@
 #include "debugger/breakpoints.h"
 #include "debugger/goal_stack.h"
 #include "debugger/why.h"
+#include "diagnostics/problem.h"
 #include "editors/debuggee.h"
 #include "language/visual_soar.h"
 #include "record/reader.h"
@@ -23,10 +24,7 @@ namespace {
 using Made = Result<std::unique_ptr<sim::Simulation>>;
 
 Diagnostic NoWorld(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 class WorldDebuggee final : public Debuggee {

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <utility>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::journal {
 namespace {
 
@@ -18,10 +20,7 @@ constexpr std::uint32_t kSchemaVersion = 2;
 constexpr std::size_t kSegmentBytes = 1u << 20;
 
 Diagnostic Problem(const std::string& path, std::string_view what, std::string hint = {}) {
-  Diagnostic diagnostic;
-  diagnostic.message = path + " " + std::string(what);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  return NewProblem(path + " " + std::string(what), std::move(hint));
 }
 
 /// CRC-32 as in zip files.
@@ -270,10 +269,7 @@ bool MakeTables(SqliteJournal& journal, Memory memory) {
 
 Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options) {
   if (path.empty()) {
-    Diagnostic diagnostic;
-    diagnostic.message = "no file is named for the database";
-    diagnostic.hint = "set path";
-    return diagnostic;
+    return NewProblem("no file is named for the database", "set path");
   }
   if (std::optional<Diagnostic> problem = LookAt(path)) return *problem;
   std::error_code error;

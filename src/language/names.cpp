@@ -5,6 +5,7 @@
 #include <cctype>
 #include <set>
 
+#include "diagnostics/problem.h"
 #include "explain/rule_text.h"
 #include "sim/sourced_files.h"
 #include "vocabulary/vocabulary.h"
@@ -54,10 +55,7 @@ bool IsConstant(const std::string& text) {
 }
 
 Diagnostic Refusal(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 bool IsCommandWord(const std::string& attribute, const std::string& path) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "diagnostics/wildcard.h"
 #include "mission/sentences.h"
 
 namespace soarbox::mission {
@@ -215,23 +216,7 @@ Finding LookAtElement(const Condition& condition, const AgentFacts& agent, const
 }  // namespace
 
 bool MatchesPattern(std::string_view pattern, std::string_view text) {
-  std::size_t p = 0, t = 0, star = std::string_view::npos, mark = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      mark = t;
-    } else if (p < pattern.size() && pattern[p] == text[t]) {
-      ++p;
-      ++t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++mark;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
+  return IsLikePattern(text, pattern);
 }
 
 Finding LookAt(const Condition& condition, const AgentFacts* agent, const ItemFacts* item, const TickFacts& facts,

@@ -10,6 +10,7 @@
 
 #include "diagnostics/plain_text.h"
 #include "mission/sentences.h"
+#include "mission/table_reader.h"
 
 namespace soarbox::mission {
 namespace {
@@ -22,35 +23,10 @@ constexpr std::string_view kCheckWords[] = {"name",   "agent",    "team",  "item
                                             "always", "never",    "from",  "to",   "after",   "before", "within",
                                             "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by"};
 
-class MissionReader {
+class MissionReader : public TableReader {
  public:
-  MissionReader(std::string file, std::vector<Diagnostic>& problems) : file_(std::move(file)), problems_(problems) {}
-
-  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
-    Diagnostic& problem = problems_.emplace_back();
-    problem.file = file_;
-    problem.line = static_cast<int>(at.source().begin.line);
-    problem.column = static_cast<int>(at.source().begin.column);
-    problem.message = std::move(message);
-    problem.hint = std::move(hint);
-  }
-
-  void CheckKeys(const toml::table& table, const std::string& what, const std::vector<std::string_view>& known) {
-    for (const auto& [key, value] : table) {
-      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string_view near = Suggest(key.str(), known);
-      Problem(value, what + " has no '" + std::string(key.str()) + "'",
-              near.empty() ? "docs/missions.md lists what there is" : "did you mean '" + std::string(near) + "'?");
-    }
-  }
-
-  std::string Text(const toml::table& table, std::string_view key) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return {};
-    if (const auto text = node->value_exact<std::string>()) return *text;
-    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
-    return {};
-  }
+  MissionReader(std::string file, std::vector<Diagnostic>& problems)
+      : TableReader(std::move(file), "docs/missions.md", problems) {}
 
   /// A text, a number or a truth value, as rules would write it.
   std::optional<std::string> Word(const toml::node& node) {
@@ -132,22 +108,6 @@ class MissionReader {
     return bounds;
   }
 
-  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key) {
-    std::vector<const toml::table*> tables;
-    const toml::node* node = root.get(key);
-    if (node == nullptr) return tables;
-    const toml::array* list = node->as_array();
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
-      if (list->get(i)->is_table()) tables.push_back(list->get(i)->as_table());
-    if (list == nullptr || tables.size() != list->size())
-      Problem(*node, "write [[" + std::string(key) + "]] above each one");
-    if (tables.size() > kMostChecks) {
-      Problem(*node, "there are more than " + std::to_string(kMostChecks) + " of them");
-      tables.resize(kMostChecks);
-    }
-    return tables;
-  }
-
   void ReadFrame(const toml::table& table, Mission& mission) {
     if (const toml::node* node = table.get("seeds")) {
       std::optional<std::vector<std::uint64_t>> seeds;
@@ -179,13 +139,13 @@ class MissionReader {
   /// `earlier`: checks that these may refer to, too; they are counted on from there.
   void ReadChecks(const toml::table& root, std::string_view key, std::vector<Check>& checks, std::size_t most_seeds,
                   const std::vector<Check>& earlier = {}) {
-    const std::vector<const toml::table*> tables = Tables(root, key);
+    const std::vector<const toml::table*> tables = Tables(root, key, kMostChecks);
     std::map<std::string, std::size_t> names;
     for (std::size_t i = 0; i < earlier.size(); ++i) names.emplace(earlier[i].name, i);
     const std::size_t first = earlier.size();
     for (const toml::table* table : tables) {
       Check& check = checks.emplace_back();
-      check.file = file_;
+      check.file = file();
       check.line = static_cast<int>(table->source().begin.line);
       ReadCheck(*table, key == "mistake", check);
       if (check.pass && most_seeds > 0 && static_cast<std::size_t>(*check.pass) > most_seeds)
@@ -442,9 +402,6 @@ class MissionReader {
       check.times = condition.bounds;
     }
   }
-
-  std::string file_;
-  std::vector<Diagnostic>& problems_;
 };
 
 std::optional<toml::table> ParseToml(std::string_view text, const std::filesystem::path& file,

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "diagnostics/problem.h"
 #include "record/recorder.h"
 
 namespace soarbox::record {
@@ -67,13 +68,12 @@ Result<void> Branch::Check() {
   Observe(*simulation_, std::move(events), level_, now);
   const std::optional<Difference> difference = FirstDifference(**recorded, now, past_.header().own_kernel);
   if (!difference) return {};
-  Diagnostic problem;
-  problem.file = past_.name();
-  problem.message = fmt::format("simulated again, the run has another state at tick {}: {}{} was {} and is {}", tick_,
-                                difference->agent.empty() ? "" : difference->agent + "'s ", difference->element,
-                                difference->recorded, difference->now);
-  problem.hint = warnings_.empty() ? "`soarbox verify` reports the first tick that differs" : warnings_.front().message;
-  return problem;
+  return ProblemIn(
+      past_.name(),
+      fmt::format("simulated again, the run has another state at tick {}: {}{} was {} and is {}", tick_,
+                  difference->agent.empty() ? "" : difference->agent + "'s ", difference->element, difference->recorded,
+                  difference->now),
+      warnings_.empty() ? "`soarbox verify` reports the first tick that differs" : warnings_.front().message);
 }
 
 Futures Branch::CompareFutures() const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::record {
 namespace {
 
@@ -77,10 +79,7 @@ Result<Comparison> Compare(TickSource& a, TickSource& b) {
   const std::uint64_t first = std::max(a.first_tick(), b.first_tick());
   const std::uint64_t last = std::min(a.last_tick(), b.last_tick());
   if (first > last) {
-    Diagnostic problem;
-    problem.file = a.name();
-    problem.message = "this recording and " + b.name() + " share no tick";
-    return problem;
+    return ProblemIn(a.name(), "this recording and " + b.name() + " share no tick");
   }
   Comparer comparer(a.header().step_s);
   for (std::uint64_t tick = first; tick <= last; ++tick) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "record/export.h"
 #include "record/writer.h"
 
@@ -13,11 +14,7 @@ Result<void> ExportRecording(Reader& recording, TickRange range, const std::file
   if (first > last) return NotThere(recording, range.first);
   std::error_code error;
   if (std::filesystem::equivalent(recording.file(), file, error)) {
-    Diagnostic problem;
-    problem.file = file.string();
-    problem.message = "a part of a recording cannot take the place of the whole";
-    problem.hint = "name another file";
-    return problem;
+    return ProblemIn(file.string(), "a part of a recording cannot take the place of the whole", "name another file");
   }
   Result<std::vector<TickInputs>> earlier = recording.Inputs();
   if (!earlier) return earlier.error();

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "mind/byte_stream.h"
 
 namespace soarbox::record {
@@ -129,9 +130,7 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
   const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
                         header.step_s <= 10 && level < kLevels.size();
   if (in.failed() || !sensible) {
-    Diagnostic problem;
-    problem.message = "the recording's header is damaged";
-    return problem;
+    return NewProblem("the recording's header is damaged");
   }
   header.screen_width_px = static_cast<std::uint32_t>(width);
   header.screen_height_px = static_cast<std::uint32_t>(height);
@@ -151,10 +150,7 @@ std::string_view NameOf(Level level) {
 Result<Level> LevelNamed(std::string_view name) {
   const auto at = std::find(kLevels.begin(), kLevels.end(), name);
   if (at != kLevels.end()) return static_cast<Level>(at - kLevels.begin());
-  Diagnostic problem;
-  problem.message = "'" + std::string(name) + "' is no level of recording";
-  problem.hint = "there are world, decisions and all";
-  return problem;
+  return NewProblem("'" + std::string(name) + "' is no level of recording", "there are world, decisions and all");
 }
 
 }  // namespace soarbox::record

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "record/header.h"
 #include "world/state_hash.h"
@@ -47,9 +48,7 @@ std::vector<fs::path> FilesBelow(const fs::path& folder, const std::vector<fs::p
 }
 
 Diagnostic CannotRestore(const std::string& why) {
-  Diagnostic problem;
-  problem.message = "the files that this run was made from cannot be restored: " + why;
-  return problem;
+  return NewProblem("the files that this run was made from cannot be restored: " + why);
 }
 
 /// Goes with all that is in it.

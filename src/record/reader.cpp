@@ -6,6 +6,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "mind/byte_stream.h"
 #include "record/tick_codec.h"
 
@@ -21,11 +22,8 @@ bool IsRecording(const fs::path& file) {
 }
 
 Diagnostic Reader::Damaged(std::uint64_t at, const std::string& what) const {
-  Diagnostic problem;
-  problem.file = path_.string();
-  problem.message = what + " (at byte " + std::to_string(at) + ")";
-  problem.hint = "the other parts of the recording can still be used";
-  return problem;
+  return ProblemIn(path_.string(), what + " (at byte " + std::to_string(at) + ")",
+                   "the other parts of the recording can still be used");
 }
 
 Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
@@ -68,13 +66,11 @@ Result<void> Reader::ReadFrames() {
       break;
     }
     if (block.frame.version < kOldestVersion || block.frame.version > kVersion) {
-      Diagnostic problem;
-      problem.file = path_.string();
-      problem.message = "this recording has format " + std::to_string(block.frame.version) +
-                        ", and this program reads " + std::to_string(kOldestVersion) + " to " +
-                        std::to_string(kVersion);
-      problem.hint = "use the version of Soarbox that made it";
-      return problem;
+      return ProblemIn(path_.string(),
+                       "this recording has format " + std::to_string(block.frame.version) +
+                           ", and this program reads " + std::to_string(kOldestVersion) + " to " +
+                           std::to_string(kVersion),
+                       "use the version of Soarbox that made it");
     }
     block.payload_at = at + kFrameBytes;
     at = block.payload_at + block.frame.compressed_bytes;

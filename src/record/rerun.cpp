@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "diagnostics/problem.h"
 #include "record/branch.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
@@ -179,10 +180,7 @@ Result<Rerun> GoTo(TickSource& recording, std::uint64_t tick, const sim::DataFol
   if (!branch) return branch.error();
   while (!(*branch)->IsThere()) {
     if (progress && !progress((*branch)->tick())) {
-      Diagnostic problem;
-      problem.file = recording.name();
-      problem.message = "interrupted before tick " + std::to_string(tick) + " was reached";
-      return problem;
+      return ProblemIn(recording.name(), "interrupted before tick " + std::to_string(tick) + " was reached");
     }
     if (const Result<void> gone = (*branch)->Advance(1); !gone) return gone.error();
   }

@@ -7,23 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostics/problem.h"
 #include "mind/byte_stream.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
 namespace fs = std::filesystem;
-namespace {
-
-Diagnostic Problem(const fs::path& path, std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.file = path.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
-}  // namespace
-
 Writer::Writer(File file, fs::path path, const Header& header, const WriterSettings& settings)
     : file_(std::move(file)), path_(std::move(path)), settings_(settings), builder_(settings.ticks_per_block) {
   BlockFrame frame;
@@ -39,8 +28,8 @@ Result<std::unique_ptr<Writer>> Writer::Create(const fs::path& path, const Heade
                                                const WriterSettings& settings) {
   File file(std::fopen(path.c_str(), "wb"));
   if (file == nullptr) {
-    return Problem(path, std::string("this recording cannot be written: ") + std::strerror(errno),
-                   "check the folder and its permissions");
+    return ProblemIn(path, std::string("this recording cannot be written: ") + std::strerror(errno),
+                     "check the folder and its permissions");
   }
   std::unique_ptr<Writer> writer(new Writer(std::move(file), path, header, settings));
   if (const Result<void> written = writer->Write(writer->header_block_); !written) return written.error();
@@ -48,8 +37,8 @@ Result<std::unique_ptr<Writer>> Writer::Create(const fs::path& path, const Heade
 }
 
 Result<void> Writer::Failed(const char* doing) {
-  failure_ = Problem(path_, std::string("the recording ends here: ") + doing + ": " + std::strerror(errno),
-                     "what was recorded until now can be used; free some disk space and record again");
+  failure_ = ProblemIn(path_, std::string("the recording ends here: ") + doing + ": " + std::strerror(errno),
+                       "what was recorded until now can be used; free some disk space and record again");
   failure_->severity = Severity::kWarning;
   return *failure_;
 }

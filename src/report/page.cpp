@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "record/reader.h"
 
@@ -15,14 +16,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRuns = 50;
-
-Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
 
 void Replace(std::string& text, std::string_view mark, std::string_view with) {
   if (const std::size_t at = text.find(mark); at != std::string::npos) text.replace(at, mark.size(), with);
@@ -123,8 +116,8 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
         if (record::IsRecording(it->path())) files.push_back(it->path());
       std::sort(files.begin(), files.end());
       if (files.empty())
-        return Problem(source, "this folder holds no recordings and no sweep",
-                       "soarbox test and soarbox run --record make recordings");
+        return ProblemIn(source, "this folder holds no recordings and no sweep",
+                         "soarbox test and soarbox run --record make recordings");
       if (files.size() > kMostRuns) files.resize(kMostRuns);
       for (const fs::path& file : files) {
         Result<std::string> made = RunData(file, data);
@@ -140,17 +133,17 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
              fs::exists(fs::path(source).replace_extension(".sweep") / "sweep.id", error)) {
     return MakePage(fs::path(source).replace_extension(".sweep"), data);
   } else if (!fs::exists(source, error)) {
-    return Problem(source, "there is no such file or folder");
+    return ProblemIn(source, "there is no such file or folder");
   } else {
-    return Problem(source, "this is neither a recording, nor a folder of recordings, nor a sweep",
-                   "soarbox run SCENARIO --record FILE makes a recording");
+    return ProblemIn(source, "this is neither a recording, nor a folder of recordings, nor a sweep",
+                     "soarbox run SCENARIO --record FILE makes a recording");
   }
   const fs::path folder = data.media / "report";
   std::string page = ReadText(folder / "page.html").value_or("");
   const std::string style = ReadText(folder / "page.css").value_or(""),
                     script = ReadText(folder / "page.js").value_or("");
   if (page.empty() || style.empty() || script.empty())
-    return Problem(folder, "the parts of the page are not there: the program is not installed whole");
+    return ProblemIn(folder, "the parts of the page are not there: the program is not installed whole");
   std::string all = "[";
   for (const std::string& part : parts) all += (all.size() > 1 ? ",\n" : "") + part;
   all += "]";

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "diagnostics/problem.h"
 #include "vocabulary/vocabulary.h"
 
 namespace soarbox::sim {
@@ -49,10 +50,7 @@ constexpr std::string_view kOthers[] = {
 };
 
 Diagnostic Bad(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 Diagnostic UnknownOption(const std::string& name) {

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "diagnostics/plain_text.h"
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "explain/odd_characters.h"
 #include "explain/reasons.h"
@@ -31,14 +32,6 @@ namespace soarbox::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
 
 /// What may have been meant by a file of rules that is not there.
 std::string HintForRules(const std::string& name, const fs::path& folder) {
@@ -103,12 +96,12 @@ class Checker {
     std::error_code error;
     if (fs::is_directory(file, error)) return CheckFolder(file);
     if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-      problems.push_back(Problem(file, "this is no plain file", "pipes and devices are not read"));
+      problems.push_back(ProblemIn(file, "this is no plain file", "pipes and devices are not read"));
     } else if (!fs::is_regular_file(file, error)) {
-      problems.push_back(Problem(file, "there is no such file",
-                                 "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
+      problems.push_back(ProblemIn(file, "there is no such file",
+                                   "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
     } else if (const std::string why = WhyNoPlainText(ReadText(file).value_or("")); !why.empty()) {
-      problems.push_back(Problem(file, why));
+      problems.push_back(ProblemIn(file, why));
     } else if (file.extension() == ".soar") {
       CheckRules(file);
     } else if (file.extension() == ".lua") {
@@ -117,7 +110,7 @@ class Checker {
       CheckScenario(file);
     } else {
       problems.push_back(
-          Problem(file, "this is no file of rules, script or scenario", "they end in .soar, .lua and .toml"));
+          ProblemIn(file, "this is no file of rules, script or scenario", "they end in .soar, .lua and .toml"));
     }
   }
 
@@ -135,13 +128,13 @@ class Checker {
       if (extension != ".soar" && extension != ".lua" && extension != ".toml") continue;
       if (it->is_symlink(error) && it->exists(error) && !it->is_directory(error) &&
           !IsPlainFileBelow(it->path(), folders_)) {
-        problems.push_back(Problem(it->path(), "this link leads out of the folder", "what it leads to is not read"));
+        problems.push_back(ProblemIn(it->path(), "this link leads out of the folder", "what it leads to is not read"));
       } else {
         files.push_back(it->path());
       }
     }
     std::sort(files.begin(), files.end());
-    if (files.empty()) problems.push_back(Problem(folder, "this folder holds no rules, scripts or scenarios"));
+    if (files.empty()) problems.push_back(ProblemIn(folder, "this folder holds no rules, scripts or scenarios"));
     for (const fs::path& file : files) Check(file);
   }
 
@@ -152,14 +145,14 @@ class Checker {
       if (agent.rules.empty() || agent.rules == kGivenRules) continue;
       const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
       if (!FindInFolders(agent.rules, {folder}).empty()) continue;
-      problems.push_back(Problem(file, "there are no rules '" + agent.rules + "' beside this scenario",
-                                 HintForRules(agent.rules, folder)));
+      problems.push_back(ProblemIn(file, "there are no rules '" + agent.rules + "' beside this scenario",
+                                   HintForRules(agent.rules, folder)));
       problems.back().line = agent.line_of_rules;
     }
     if (std::ranges::any_of(problems, [&](const Diagnostic& one) { return one.file == file.string(); })) return;
     if (read.agents.empty()) {
-      problems.push_back(Problem(file, "this scenario has no agents",
-                                 "add one: [[agent]], and below it name = \"scout\" and rules = \"scout.soar\""));
+      problems.push_back(ProblemIn(file, "this scenario has no agents",
+                                   "add one: [[agent]], and below it name = \"scout\" and rules = \"scout.soar\""));
       problems.back().severity = Severity::kWarning;
       problems.back().line = 1;
     }
@@ -168,8 +161,8 @@ class Checker {
       const auto [first, is_new] = lines.try_emplace(agent.name, agent.line);
       if (is_new || agent.name.empty()) continue;
       problems.push_back(
-          Problem(file, "there is another agent named '" + agent.name + "' in line " + std::to_string(first->second),
-                  "give each its own name, or write count = 2: this one is called " + agent.name + "-2"));
+          ProblemIn(file, "there is another agent named '" + agent.name + "' in line " + std::to_string(first->second),
+                    "give each its own name, or write count = 2: this one is called " + agent.name + "-2"));
       problems.back().severity = Severity::kWarning;
       problems.back().line = agent.line;
     }
@@ -261,12 +254,12 @@ std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "soarbox-check-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr)
-    return {Problem(folder, "this folder cannot be made, so that the rules cannot be checked")};
+    return {ProblemIn(folder, "this folder cannot be made, so that the rules cannot be checked")};
   const fs::path file = fs::path(folder) / "rules.soar";
   Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(LookingOver({folder}));
   if (!host) return {host.error()};
   if (!(std::ofstream(file, std::ios::binary) << text).flush())
-    return {Problem(file, "this file cannot be written, so that the rules cannot be checked")};
+    return {ProblemIn(file, "this file cannot be written, so that the rules cannot be checked")};
   Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("check", file);
   fs::remove_all(folder, error);
   std::vector<Diagnostic> problems = loaded ? std::move(loaded->problems) : std::vector<Diagnostic>{loaded.error()};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "diagnostics/problem.h"
 #include "explain/reasons.h"
 #include "sim/directions.h"
 #include "sim/senses.h"
@@ -121,10 +122,8 @@ Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const A
   const bool is_own = named.empty();
   const std::string wanted = is_own ? std::string(kind.rules) : named;
   if (wanted.empty()) {
-    Diagnostic problem;
-    problem.message = agent + " has no rules";
-    problem.hint = "name the file: Sandbox.CreateSoarAgent(sandbox, \"Body.lua\", \"scout.soar\")";
-    return problem;
+    return NewProblem(agent + " has no rules",
+                      "name the file: Sandbox.CreateSoarAgent(sandbox, \"Body.lua\", \"scout.soar\")");
   }
   const std::filesystem::path found = FindInFolders(wanted, scenario_.rule_folders);
   const std::string near = found.empty() ? NearMiss(wanted, scenario_.rule_folders) : std::string();
@@ -165,16 +164,11 @@ Result<void> Minds::MakeBody(world::Agent& body, const AgentOptions& options) {
   if (!options.leader.empty()) {
     const world::EntityId leader = arena_.FindAgentNamed(options.leader);
     if (leader == world::kNoEntity) {
-      Diagnostic problem;
-      problem.message = "the leader of " + body.name() + ", '" + options.leader + "', is not there";
-      problem.hint = "create the leader before the agents that follow it";
-      return problem;
+      return NewProblem("the leader of " + body.name() + ", '" + options.leader + "', is not there",
+                        "create the leader before the agents that follow it");
     }
     if (leader == body.id()) {
-      Diagnostic problem;
-      problem.message = body.name() + " cannot be its own leader";
-      problem.hint = "name another agent, or none";
-      return problem;
+      return NewProblem(body.name() + " cannot be its own leader", "name another agent, or none");
     }
     body.SetLeader(leader);
   }
@@ -192,9 +186,7 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   world::Agent& body = *world_.FindAgent(agent);
   const AgentKind* kind = FindAgentKind(request.kind);
   if (kind == nullptr) {
-    Diagnostic problem;
-    problem.message = "there is no kind of agent '" + request.kind + "'";
-    return problem;
+    return NewProblem("there is no kind of agent '" + request.kind + "'");
   }
   Result<AgentOptions> options = ReadAgentOptions(request.options, body_kinds_);
   if (!options) return options.error();
@@ -540,9 +532,7 @@ void Minds::TellCounts() {
 Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) {
-    Diagnostic problem;
-    problem.message = "there is no agent '" + std::string(agent) + "' with a mind";
-    return problem;
+    return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
   }
   if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
   return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());

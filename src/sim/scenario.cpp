@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::sim {
@@ -204,21 +205,16 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
   if (argument.empty()) return NotFound(argument, data);
   const fs::path main = FindMain(given, data);
   if (main.empty() && IsFolder(given) && given.has_parent_path()) {
-    Diagnostic problem;
-    problem.file = given.string();
-    problem.message = std::string("this folder holds neither ") + kScenarioFile + " nor " + kSandboxScript;
-    problem.hint = HintForFolder(given);
-    return problem;
+    return ProblemIn(given.string(),
+                     std::string("this folder holds neither ") + kScenarioFile + " nor " + kSandboxScript,
+                     HintForFolder(given));
   }
   if (main.empty()) return NotFound(argument, data);
 
   const fs::path kind = main.extension();
   if (kind != ".toml" && kind != ".soar" && kind != ".lua") {
-    Diagnostic problem;
-    problem.file = main.string();
-    problem.message = "this is no file of rules, script or scenario";
-    problem.hint = "they end in .soar, .lua and .toml";
-    return problem;
+    return ProblemIn(main.string(), "this is no file of rules, script or scenario",
+                     "they end in .soar, .lua and .toml");
   }
 
   if (kind == ".lua" && main.filename() != kSandboxScript && IsScriptOfAgent(main)) {

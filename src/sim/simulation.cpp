@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnostics/problem.h"
 #include "script/lua_machine.h"
 #include "script/script_host.h"
 #include "sim/apply_input.h"
@@ -359,10 +360,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
       if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError)
         return event.diagnostic;
     }
-    Diagnostic problem;
-    problem.file = scenario.script.string();
-    problem.message = "this script did not load";
-    return problem;
+    return ProblemIn(scenario.script.string(), "this script did not load");
   }
   impl->scripts->Initialize();
   if (definition) {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "diagnostics/problem.h"
 #include "explain/clarify_errors.h"
 #include "sim/vet_rules.h"
 #include "sml_Client.h"
@@ -18,13 +19,6 @@ namespace soarbox::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-Diagnostic Problem(std::string message, std::string hint = {}) {
-  Diagnostic diagnostic;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
-}
 
 std::string AddressOf(const SoarSettings& settings) {
   return settings.remote_host + ":" + std::to_string(settings.remote_port);
@@ -127,16 +121,16 @@ Result<std::unique_ptr<SoarHost>> SoarHost::Create(const SoarSettings& settings)
   }
   if (kernel->HadError()) {
     if (!settings.remote_host.empty()) {
-      return Problem(
+      return NewProblem(
           "no Soar kernel answers at " + AddressOf(settings) + " (" + ErrorText(*kernel) + ")",
           "start one there, for example with: soarbox kernel --port " + std::to_string(settings.remote_port));
     }
     if (settings.port != 0) {
-      return Problem(
+      return NewProblem(
           "port " + std::to_string(settings.port) + " cannot be opened for debuggers (" + ErrorText(*kernel) + ")",
           "another program holds it; choose another with --port N, or none with --port 0");
     }
-    return Problem("the Soar kernel did not start: " + ErrorText(*kernel));
+    return NewProblem("the Soar kernel did not start: " + ErrorText(*kernel));
   }
   return std::unique_ptr<SoarHost>(new SoarHost(std::move(kernel), settings));
 }
@@ -172,19 +166,19 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
                                                const char* first, bool beside_world) {
   const std::string file = rules.string();
   if (std::error_code error; fs::exists(rules, error) && !fs::is_regular_file(rules, error)) {
-    Diagnostic problem = Problem("the rules of " + name + " are no plain file", "name a file of rules");
+    Diagnostic problem = NewProblem("the rules of " + name + " are no plain file", "name a file of rules");
     problem.file = file;
     return problem;
   }
   if (!std::ifstream(rules)) {
     Diagnostic problem =
-        Problem("the rules of " + name + " cannot be read", "check the name, or add their folder with --path");
+        NewProblem("the rules of " + name + " cannot be read", "check the name, or add their folder with --path");
     problem.file = file;
     return problem;
   }
   if (IsRemote() && kernel_->GetAgent(name.c_str()) != nullptr) {
-    return Problem("the kernel at " + AddressOf(settings_) + " already has an agent named " + name,
-                   "another run may be using that kernel; give this one a kernel of its own");
+    return NewProblem("the kernel at " + AddressOf(settings_) + " already has an agent named " + name,
+                      "another run may be using that kernel; give this one a kernel of its own");
   }
   Loaded loaded;
   loaded.thread = agents_made_ % threads();
@@ -195,7 +189,8 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   }
   ::sml::Kernel& kernel = KernelOf(loaded.thread);
   loaded.agent = agents_.contains(name) ? nullptr : kernel.CreateAgent(name.c_str());
-  if (loaded.agent == nullptr) return Problem("the kernel refuses an agent named " + name + ": " + ErrorText(kernel));
+  if (loaded.agent == nullptr)
+    return NewProblem("the kernel refuses an agent named " + name + ": " + ErrorText(kernel));
   agents_[name] = loaded.thread;
   loaded.agent->ExecuteCommandLine("watch 0");
   // Each agent draws from a stream of its own, given by the run's seed and its place in the order of creation.
@@ -250,8 +245,8 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     std::vector<std::string_view> names;
     for (const auto& [name, thread] : agents_) names.push_back(name);
     const std::string_view near = Suggest(agent, names);
-    return Problem("there is no Soar agent '" + agent + "' for the command '" + line + "'",
-                   near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+    return NewProblem("there is no Soar agent '" + agent + "' for the command '" + line + "'",
+                      near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
   }
   // What does not parse changes nothing: the kernel would excise the rule of before first.
   for (Diagnostic& problem : VetTypedRules(line)) {
@@ -264,7 +259,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
   const char* text = recorded ? ExecuteRecorded(kernel, line.c_str(), agent.c_str())
                               : kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
   if (text == nullptr)
-    return Problem("the command '" + line + "' comes from a recording, and this kernel has no fence");
+    return NewProblem("the command '" + line + "' comes from a recording, and this kernel has no fence");
   std::string answer = text == nullptr ? "" : text;
   if (kernel.GetLastCommandLineResult()) return answer;
   // Soar adds these to whatever failed, also where no file is being read: they help nobody who typed a line.
@@ -275,7 +270,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     if (const std::size_t at = answer.rfind(tail); at != std::string::npos) answer.erase(at, tail.size());
   }
   answer.erase(answer.find_last_not_of(" \n") + 1);
-  return Problem("the command '" + line + "' failed for " + agent + ": " + answer);
+  return NewProblem("the command '" + line + "' failed for " + agent + ": " + answer);
 }
 
 bool SoarHost::IsConnected() const {

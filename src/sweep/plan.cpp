@@ -9,6 +9,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/cast.h"
 #include "record/header.h"
@@ -20,14 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFolder = 64 << 20;
-
-Diagnostic Problem(const fs::path& file, std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
 
 class Digest {
  public:
@@ -47,7 +40,7 @@ class Digest {
 
 Result<void> Write(const fs::path& file, std::string_view text) {
   if ((std::ofstream(file, std::ios::binary) << text).flush()) return {};
-  return Problem(file, "this file cannot be written", "is the disk full, or the folder not yours?");
+  return ProblemIn(file, "this file cannot be written", "is the disk full, or the folder not yours?");
 }
 
 /// Sets "agent.scout.senses.sight" of a scenario; the entries of [[agent]] go by their names.
@@ -92,7 +85,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
   if (variant.rules.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
   const bool is_file = definition.extension() == ".toml";
   const auto refuse = [&](std::string message, std::string hint) {
-    Diagnostic problem = Problem(spec.file, "variant '" + variant.name + "': " + std::move(message), std::move(hint));
+    Diagnostic problem = ProblemIn(spec.file, "variant '" + variant.name + "': " + std::move(message), std::move(hint));
     problem.line = variant.line;
     return problem;
   };
@@ -167,7 +160,7 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   const fs::path from = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return Problem(folder, "this folder cannot be made: " + error.message());
+  if (error) return ProblemIn(folder, "this folder cannot be made: " + error.message());
   std::uintmax_t bytes = 0;
   // Sweeps in the scenario's own folder are no part of it, this one above all.
   const std::string inside = fs::weakly_canonical(folder, error).string();
@@ -184,12 +177,13 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
       fs::create_directories(target, failed);
     } else if (IsPlainFileBelow(it->path(), {&from, 1})) {
       bytes += it->file_size(unknown);
-      if (bytes > kLargestFolder) return Problem(from, "this scenario's folder is too large to copy for each variant");
+      if (bytes > kLargestFolder)
+        return ProblemIn(from, "this scenario's folder is too large to copy for each variant");
       fs::copy_file(it->path(), target, fs::copy_options::overwrite_existing, failed);
     }
-    if (failed) return Problem(target, "this file cannot be written: " + failed.message());
+    if (failed) return ProblemIn(target, "this file cannot be written: " + failed.message());
   }
-  if (error) return Problem(from, "this folder cannot be read: " + error.message());
+  if (error) return ProblemIn(from, "this folder cannot be read: " + error.message());
   return folder / file.filename();
 }
 
@@ -200,10 +194,10 @@ Result<void> RefuseLinks(const fs::path& folder) {
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const fs::file_type type = it->symlink_status(error).type();
     if (type == fs::file_type::regular || type == fs::file_type::directory) continue;
-    return Problem(it->path(), "a sweep's folder holds plain files only, and this is none",
-                   "remove it, or name another folder with --folder");
+    return ProblemIn(it->path(), "a sweep's folder holds plain files only, and this is none",
+                     "remove it, or name another folder with --folder");
   }
-  if (error && fs::exists(folder, error)) return Problem(folder, "this folder cannot be read");
+  if (error && fs::exists(folder, error)) return ProblemIn(folder, "this folder cannot be read");
   return {};
 }
 
@@ -240,9 +234,9 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
   std::string argument = variant.scenario.empty() ? spec.scenario : variant.scenario;
   if (fs::path beside = spec.file.parent_path() / argument; fs::exists(beside, error)) argument = beside.string();
   const Result<sim::Scenario> original = sim::FindScenario(argument, data);
-  if (!original) return Problem(spec.file, original.error().message, original.error().hint);
+  if (!original) return ProblemIn(spec.file, original.error().message, original.error().hint);
   if (!original->rules.empty())
-    return Problem(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
+    return ProblemIn(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
   const fs::path making = folder / "variants" / ("." + variant.name);
   fs::remove_all(making, error);
   const Result<fs::path> copied = CopyOf(*original, making);
@@ -250,16 +244,16 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
   if (const Result<void> changed = Change(*copied, variant, spec); !changed) return changed.error();
   if (!fs::exists(place, error)) {
     fs::rename(making, place, error);
-    if (error) return Problem(place, "this folder cannot be made: " + error.message());
+    if (error) return ProblemIn(place, "this folder cannot be made: " + error.message());
     return place;
   }
   const fs::path scenario = copied->filename();
   const bool is_same = DigestOfFolder(making, scenario) == DigestOfFolder(place, scenario);
   fs::remove_all(making, error);
   if (is_same) return place;
-  return Problem(place,
-                 "variant '" + variant.name + "' has changed since this sweep began: its scenario, rules or parameters",
-                 "give the changed variant another name, or name another folder with --folder");
+  return ProblemIn(
+      place, "variant '" + variant.name + "' has changed since this sweep began: its scenario, rules or parameters",
+      "give the changed variant another name, or name another folder with --folder");
 }
 
 /// The file that makes the copy a scenario.
@@ -329,9 +323,9 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
   for (std::string line; std::getline(known, line);)
     if (line.size() > 17) digests[line.substr(17)] = line.substr(0, 16);
   if (!known_build.empty() && known_build != build && !mix) {
-    return Problem(folder,
-                   "the runs in this folder were made by another build of the program, which may behave differently",
-                   "--mix continues anyway; --folder names a new one");
+    return ProblemIn(folder,
+                     "the runs in this folder were made by another build of the program, which may behave differently",
+                     "--mix continues anyway; --folder names a new one");
   }
   std::size_t differing = 0;
   for (const ReadyVariant& variant : plan.variants) {
@@ -339,8 +333,8 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
     differing += !is_new && at->second != variant.digest ? 1 : 0;
   }
   if (differing > 0) {
-    return Problem(folder, "another sweep lives in this folder: its scenario, checks, metrics or seconds differ",
-                   "name another with --folder, or remove this one");
+    return ProblemIn(folder, "another sweep lives in this folder: its scenario, checks, metrics or seconds differ",
+                     "name another with --folder, or remove this one");
   }
   std::string text = (known_build.empty() ? build : known_build) + "\n";
   for (const auto& [name, digest] : digests) text += digest + " " + name + "\n";
@@ -352,7 +346,7 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
     making += ".part";
     if (const Result<void> written = Write(making, content); !written) return written;
     fs::rename(making, place, error);
-    if (error) return Problem(place, "this file cannot be written: " + error.message());
+    if (error) return ProblemIn(place, "this file cannot be written: " + error.message());
   }
   return {};
 }

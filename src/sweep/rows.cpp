@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/problem.h"
 #include "record/header.h"
 
 namespace soarbox::sweep {
@@ -26,11 +27,8 @@ std::string ChecksumOf(std::string_view text) {
 }
 
 Diagnostic Failed(const fs::path& path) {
-  Diagnostic problem;
-  problem.file = path.string();
-  problem.message = std::string("rows cannot be written: ") + std::strerror(errno);
-  problem.hint = "what was computed so far is kept: run the same command again when there is room";
-  return problem;
+  return ProblemIn(path.string(), std::string("rows cannot be written: ") + std::strerror(errno),
+                   "what was computed so far is kept: run the same command again when there is room");
 }
 
 Row RowFromJson(const Json& json) {

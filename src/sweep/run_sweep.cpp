@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "diagnostics/problem.h"
 #include "mission/child_pool.h"
 #include "mission/conditions.h"
 #include "mission/gather_facts.h"
@@ -193,10 +194,8 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
       continue;
     }
     if (row.result.outcome == "refused") {
-      Diagnostic problem;
-      problem.file = spec.file.string();
-      problem.message = "variant '" + plan.variants[job.variant].variant.name + "' cannot run: " + row.result.error;
-      return problem;
+      return ProblemIn(spec.file.string(),
+                       "variant '" + plan.variants[job.variant].variant.name + "' cannot run: " + row.result.error);
     }
     if (row.result.outcome != "ok" && row.tries < kMostTries) {
       waiting.push_back({job.variant, job.seed, row.tries});

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <thread>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 
 namespace soarbox::sweep {
@@ -43,13 +44,6 @@ Answer Ask(const std::vector<std::string>& words) {
   const int status = pclose(pipe);
   answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return answer;
-}
-
-Diagnostic Problem(std::string message, std::string hint = {}) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
 }
 
 bool IsJob(const std::string& text) {
@@ -88,8 +82,8 @@ std::string WhyNoSlurm() {
 Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
                         const std::function<bool(const std::string& no_answer)>& goes_on) {
   if (const std::string missing = WhyNoSlurm(); !missing.empty())
-    return Problem(missing,
-                   "run this on a login node of the cluster, or without --on slurm to use this machine's cores");
+    return NewProblem(missing,
+                      "run this on a login node of the cluster, or without --on slurm to use this machine's cores");
   std::string job = JobOf(folder);
   std::string why;
   if (job.empty() || IsKnown(job, why) == Known::kNo) {
@@ -100,7 +94,8 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
     text << "#!/bin/sh\n# One task of a sweep; Soarbox wrote this.\nexec";
     for (const std::string& word : settings.task_command) text << ' ' << Quoted(word);
     text << " --tasks " << settings.tasks << " --task \"$SLURM_ARRAY_TASK_ID\" --jobs \"${SLURM_CPUS_ON_NODE:-0}\"\n";
-    if (!(std::ofstream(script) << text.str()).flush()) return Problem("'" + script.string() + "' cannot be written");
+    if (!(std::ofstream(script) << text.str()).flush())
+      return NewProblem("'" + script.string() + "' cannot be written");
     std::vector<std::string> words = {"sbatch",
                                       "--parsable",
                                       "--requeue",
@@ -114,9 +109,9 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
     const Answer submitted = Ask(words);
     job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));
     if (submitted.code != 0 || !IsJob(job))
-      return Problem("Slurm did not take the job: " + submitted.text, "sinfo shows the partitions and their nodes");
+      return NewProblem("Slurm did not take the job: " + submitted.text, "sinfo shows the partitions and their nodes");
     if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
-      return Problem("the job's number cannot be written below '" + folder.string() + "'");
+      return NewProblem("the job's number cannot be written below '" + folder.string() + "'");
   }
   for (Known known; (known = IsKnown(job, why)) != Known::kNo;) {
     if (!goes_on(known == Known::kNoAnswer ? why : std::string())) return {};
@@ -124,19 +119,19 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
   }
   // Another command took the job's number away when it ended the job.
   if (JobOf(folder) != job)
-    return Problem("job " + job + " was cancelled", "the same command continues with what is missing");
+    return NewProblem("job " + job + " was cancelled", "the same command continues with what is missing");
   return {};
 }
 
 Result<void> CancelOnSlurm(const fs::path& folder) {
-  if (const std::string missing = WhyNoSlurm(); !missing.empty()) return Problem(missing);
+  if (const std::string missing = WhyNoSlurm(); !missing.empty()) return NewProblem(missing);
   const std::string job = JobOf(folder);
-  if (job.empty()) return Problem("this sweep was not given to Slurm");
+  if (job.empty()) return NewProblem("this sweep was not given to Slurm");
   if (const Answer answer = Ask({"scancel", job}); answer.code != 0)
-    return Problem("Slurm did not end job " + job + ": " + answer.text);
+    return NewProblem("Slurm did not end job " + job + ": " + answer.text);
   std::error_code error;
   if (!fs::remove(folder / "slurm" / "job", error))
-    return Problem("'" + (folder / "slurm" / "job").string() + "' cannot be removed: " + error.message());
+    return NewProblem("'" + (folder / "slurm" / "job").string() + "' cannot be removed: " + error.message());
   return {};
 }
 

@@ -7,17 +7,18 @@
 
 #include "diagnostics/read_text.h"
 #include "mission/read_mission.h"
+#include "mission/table_reader.h"
 #include "sweep/plan.h"
 
 namespace soarbox::sweep {
 namespace {
 
-constexpr std::size_t kMostVariants = 1000;
+constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000;
 
-class SpecReader {
+class SpecReader : public mission::TableReader {
  public:
   SpecReader(Spec& spec, std::vector<Diagnostic>& problems, bool is_copy)
-      : spec_(spec), problems_(problems), is_copy_(is_copy) {}
+      : TableReader(spec.file.string(), "docs/sweeps.md", problems), spec_(spec), is_copy_(is_copy) {}
 
   void Read(const toml::table& root) {
     CheckKeys(root, "a sweep",
@@ -29,7 +30,7 @@ class SpecReader {
     if (root.contains("record")) spec_.record = Text(root, "record");
     if (spec_.record != "none" && spec_.record != "failed" && spec_.record != "all")
       Problem(*root.get("record"), "'record' is \"none\", \"failed\" or \"all\"");
-    for (const toml::table* table : Tables(root, "variant")) ReadVariant(*table);
+    for (const toml::table* table : Tables(root, "variant", kMostTables)) ReadVariant(*table);
     if (spec_.variants.empty()) spec_.variants.push_back({"default", {}, {}, {}, {}, {}, 0});
     std::set<std::string> names;
     for (const Variant& variant : spec_.variants) {
@@ -39,48 +40,10 @@ class SpecReader {
         if (std::find(spec_.parameters.begin(), spec_.parameters.end(), key) == spec_.parameters.end())
           spec_.parameters.push_back(key);
     }
-    for (const toml::table* table : Tables(root, "metric")) ReadMetric(*table);
+    for (const toml::table* table : Tables(root, "metric", kMostTables)) ReadMetric(*table);
   }
 
  private:
-  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
-    Diagnostic& problem = problems_.emplace_back();
-    problem.file = spec_.file.string();
-    problem.line = static_cast<int>(at.source().begin.line);
-    problem.column = static_cast<int>(at.source().begin.column);
-    problem.message = std::move(message);
-    problem.hint = std::move(hint);
-  }
-
-  void CheckKeys(const toml::table& table, const std::string& what, const std::vector<std::string_view>& known) {
-    for (const auto& [key, value] : table) {
-      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string_view near = Suggest(key.str(), known);
-      Problem(value, what + " has no '" + std::string(key.str()) + "'",
-              near.empty() ? "docs/sweeps.md lists what there is" : "did you mean '" + std::string(near) + "'?");
-    }
-  }
-
-  std::string Text(const toml::table& table, std::string_view key) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return {};
-    if (const auto text = node->value_exact<std::string>()) return *text;
-    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
-    return {};
-  }
-
-  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key) {
-    std::vector<const toml::table*> tables;
-    const toml::node* node = root.get(key);
-    if (node == nullptr) return tables;
-    const toml::array* list = node->as_array();
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
-      if (list->get(i)->is_table()) tables.push_back(list->get(i)->as_table());
-    if (list == nullptr || tables.size() != list->size())
-      Problem(*node, "write [[" + std::string(key) + "]] above each one");
-    return tables;
-  }
-
   static bool IsOfThisMachine(std::string_view address) {
     const std::size_t colon = address.rfind(':');
     const std::string_view host = address.substr(0, colon);
@@ -102,7 +65,7 @@ class SpecReader {
     const std::optional<std::string> text = IsBeside(name) ? ReadText(file) : std::nullopt;
     if (!text) return Problem(at, "there is no mission '" + name + "' beside this sweep");
     mission::Mission read = mission::ParseMission(
-        *text, file, text->find("\nscenario") == std::string::npos && !text->starts_with("scenario"), problems_);
+        *text, file, text->find("\nscenario") == std::string::npos && !text->starts_with("scenario"), problems());
     if (spec_.scenario.empty()) {
       spec_.scenario =
           read.scenario.empty() ? file.string() : (file.parent_path() / read.scenario).lexically_normal().string();
@@ -216,7 +179,6 @@ class SpecReader {
   }
 
   Spec& spec_;
-  std::vector<Diagnostic>& problems_;
   bool is_copy_;
 };
 

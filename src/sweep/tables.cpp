@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "diagnostics/problem.h"
 #include "mission/sentences.h"
 #include "sweep/rows.h"
 
@@ -29,11 +30,8 @@ struct Table {
 };
 
 Diagnostic Unwritten(const fs::path& file, std::string message) {
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.message = "this table cannot be written: " + std::move(message);
-  problem.hint = "the rows are safe in the folder parts: run the same command again when there is room";
-  return problem;
+  return ProblemIn(file.string(), "this table cannot be written: " + std::move(message),
+                   "the rows are safe in the folder parts: run the same command again when there is room");
 }
 
 /// "40" as a number, "\"soldier\"" as a text.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "diagnostics/problem.h"
 #include "viewer/ogre_headers.h"
 #include "viewer/scaled_scene.h"
 #include "viewer/viewer.h"
@@ -19,10 +20,7 @@ namespace {
 constexpr const char* kPictureTexture = "Soarbox/Picture";
 
 Diagnostic Failure(std::string message, std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.message = std::move(message);
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 constexpr const char* kNoDisplayHint =

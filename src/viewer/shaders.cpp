@@ -4,6 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::viewer {
 namespace {
 
@@ -78,11 +80,8 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
     if (low_detail && missing.empty())
       source.insert(source.find('\n', source.find("#version")) + 1, "#define LOW_DETAIL 1\n");
     if (!missing.empty()) {
-      Diagnostic error;
-      error.file = missing.string();
-      error.message = "this shader cannot be read, so nothing can be drawn";
-      error.hint = "the media folder of Soarbox belongs beside its library; name another one if it was moved";
-      return error;
+      return ProblemIn(missing.string(), "this shader cannot be read, so nothing can be drawn",
+                       "the media folder of Soarbox belongs beside its library; name another one if it was moved");
     }
     auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
     programs.createProgram(file.name, kGroup, "glsl", file.type)->setSource(source);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "diagnostics/problem.h"
 #include "viewer/interpolate.h"
 #include "viewer/viewer_impl.h"
 
@@ -317,10 +318,8 @@ Result<std::unique_ptr<Viewer>> Viewer::Open(const ViewerOptions& options) {
   try {
     if (Result<void> built = impl->Build(); !built) return built.error();
   } catch (const std::exception& error) {
-    Diagnostic failure;
-    failure.message = std::string("the window cannot be set up: ") + error.what();
-    failure.hint = "it needs OpenGL 3.3; 'glxinfo -B' shows what the display offers";
-    return failure;
+    return NewProblem(std::string("the window cannot be set up: ") + error.what(),
+                      "it needs OpenGL 3.3; 'glxinfo -B' shows what the display offers");
   }
   return std::unique_ptr<Viewer>(new Viewer(std::move(impl)));
 }

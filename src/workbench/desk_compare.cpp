@@ -2,22 +2,14 @@
 // What panels show of several minds, and of what minds do not say themselves: files, bodies.
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "debugger/watch.h"
+#include "diagnostics/read_text.h"
 #include "workbench/desk.h"
 
 namespace soarbox::workbench {
 namespace {
-
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  return text.str();
-}
 
 /// Behind the brace that closes the one at `open`; npos if none does. Comments and quoted texts hold no braces.
 std::size_t EndOfRule(const std::string& text, std::size_t open) {
@@ -122,7 +114,7 @@ void Desk::FillRuleText(Contents& contents) {
   for (const sim::WatchedFile& file : debugger::FilesOf(*common_.Live(), agent_)) {
     if (!file.is_rules) continue;
     int line = 0;
-    std::string text = RuleIn(TextOf(file.file), rule.name, line);
+    std::string text = RuleIn(ReadText(file.file).value_or(""), rule.name, line);
     // An edit that runs and is not saved stands in the open file.
     if (const debugger::Edit* const open = files_.FindRunning(file.file.string()))
       text = RuleIn(open->text(), rule.name, line);

@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::workbench {
 namespace {
 
@@ -386,13 +388,6 @@ constexpr Row kRows[] = {
 };
 static_assert(std::size(kRows) == std::variant_size_v<Request>);
 
-Diagnostic Problem(std::string message, std::string hint) {
-  Diagnostic problem;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 }  // namespace
 
 std::vector<RequestInfo> RequestInfos() {
@@ -404,7 +399,7 @@ std::vector<RequestInfo> RequestInfos() {
 Result<Request> ReadRequest(const Json& json) {
   const auto named = json.is_object() ? json.find("request") : json.end();
   if (!json.is_object() || named == json.end() || !named->is_string())
-    return Problem("a request is an object with a field 'request'", R"(as {"request": "seek", "tick": 120})");
+    return NewProblem("a request is an object with a field 'request'", R"(as {"request": "seek", "tick": 120})");
   const auto name = named->get<std::string>();
   std::vector<std::string_view> names;
   for (const Row& row : kRows) {
@@ -417,12 +412,12 @@ Result<Request> ReadRequest(const Json& json) {
       if (std::find(reader.known.begin(), reader.known.end(), key) == reader.known.end())
         reader.Refuse(key, "is no field of it", near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
     }
-    if (!reader.mistake.empty()) return Problem("request " + name + ": " + reader.mistake, reader.hint);
+    if (!reader.mistake.empty()) return NewProblem("request " + name + ": " + reader.mistake, reader.hint);
     return request;
   }
   const std::string_view near = Suggest(name, names);
-  return Problem("there is no request '" + name + "'",
-                 near.empty() ? "docs/workbench.md lists them" : "did you mean '" + std::string(near) + "'?");
+  return NewProblem("there is no request '" + name + "'",
+                    near.empty() ? "docs/workbench.md lists them" : "did you mean '" + std::string(near) + "'?");
 }
 
 Json ToJson(const Request& request) {

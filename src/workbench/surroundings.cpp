@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "workbench/surroundings.h"
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::workbench {
 namespace {
 
 Diagnostic NotHere(const std::string& what) {
-  Diagnostic problem;
-  problem.message = what + " cannot be opened here";
-  problem.hint = "open it in a window: soarbox run, soarbox replay";
-  return problem;
+  return NewProblem(what + " cannot be opened here", "open it in a window: soarbox run, soarbox replay");
 }
 
 }  // namespace

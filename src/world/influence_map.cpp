@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "diagnostics/problem.h"
 #include "world/overlay_snapshot.h"
 #include "world/rotation.h"
 #include "world/state_hash.h"
@@ -22,10 +23,7 @@ constexpr float kLift_m = 0.03f;
 constexpr float kBelow_cells = 0.001f;
 
 Diagnostic Fault(std::string message, std::string hint) {
-  Diagnostic fault;
-  fault.message = std::move(message);
-  fault.hint = std::move(hint);
-  return fault;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 /// Whole cells, and for the rest of the way as many more as it has metres, rounded up: the first sandbox's count.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/problem.h"
 #include "world/navigation_build.h"
 #include "world/overlay_snapshot.h"
 #include "world/state_hash.h"
@@ -37,10 +38,8 @@ Navigation::~Navigation() = default;
 Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geometry, const NavigationConfig& config) {
   if (Result<void> checked = NavigationMesh::Check(geometry, config); !checked.ok()) return checked.error();
   if (entries_.size() >= kMaxMeshes && !entries_.contains(name)) {
-    Diagnostic fault;
-    fault.message = "there are " + std::to_string(kMaxMeshes) + " navigation meshes already";
-    fault.hint = "use a name again: the new mesh takes the place of the old one";
-    return fault;
+    return NewProblem("there are " + std::to_string(kMaxMeshes) + " navigation meshes already",
+                      "use a name again: the new mesh takes the place of the old one");
   }
   // One build at a time: many would only slow each other down.
   for (auto& [other, entry] : entries_) Finish(entry);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "diagnostics/problem.h"
 #include "world/navigation_mesh.h"
 #include "world/state_hash.h"
 
@@ -37,10 +38,7 @@ using PolyMesh = std::unique_ptr<rcPolyMesh, Freed<rcFreePolyMesh>>;
 using DetailMesh = std::unique_ptr<rcPolyMeshDetail, Freed<rcFreePolyMeshDetail>>;
 
 Diagnostic Fault(std::string message, std::string hint) {
-  Diagnostic fault;
-  fault.message = std::move(message);
-  fault.hint = std::move(hint);
-  return fault;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 Diagnostic TooLarge(const char* stage) {

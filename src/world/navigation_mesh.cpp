@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "diagnostics/problem.h"
 #include "world/navigation_build.h"
 #include "world/navigation_store.h"
 #include "world/rotation.h"
@@ -32,10 +33,7 @@ Vec3 FromFloats(const float* v) {
 }
 
 Diagnostic Fault(std::string message, std::string hint) {
-  Diagnostic fault;
-  fault.message = std::move(message);
-  fault.hint = std::move(hint);
-  return fault;
+  return NewProblem(std::move(message), std::move(hint));
 }
 
 std::string Text(float value) {

@@ -17,6 +17,7 @@
 #include "app/data_folders.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
+#include "diagnostics/problem.h"
 #include "workbench/panel_id.h"
 
 namespace soarbox::app {
@@ -83,9 +84,7 @@ class Helper {
 
  private:
   static Diagnostic Problem() {
-    Diagnostic problem;
-    problem.message = std::string("your rules cannot be checked now: ") + std::strerror(errno);
-    return problem;
+    return NewProblem(std::string("your rules cannot be checked now: ") + std::strerror(errno));
   }
 
   pid_t pid_ = 0;
@@ -191,9 +190,7 @@ Result<workbench::Lessons::Opened> LessonDesk::Open(const std::string& lesson) {
     if (const Result<void> prepared = PrepareLesson(each, folder); !prepared) return prepared.error();
     return Opened{folder.string(), each.folder.string()};
   }
-  Diagnostic problem;
-  problem.message = "there is no lesson '" + lesson + "'";
-  return problem;
+  return NewProblem("there is no lesson '" + lesson + "'");
 }
 
 bool LessonDesk::Poll() {

@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "diagnostics/problem.h"
 #include "sml/wire/framing.h"
 #include "sml/wire/local_socket.h"
 
@@ -370,10 +371,7 @@ void Channel::SetWake(std::function<void()> wake) {
 namespace {
 
 Diagnostic Failure(const std::string& what, const std::string& place, const asio::error_code& error, std::string hint) {
-  Diagnostic diagnostic;
-  diagnostic.message = what + " " + place + ": " + error.message();
-  diagnostic.hint = std::move(hint);
-  return diagnostic;
+  return NewProblem(what + " " + place + ": " + error.message(), std::move(hint));
 }
 
 std::string Place(const std::string& address, int port) {

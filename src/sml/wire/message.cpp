@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "diagnostics/problem.h"
 #include "sml/wire/xml_reader.h"
 #include "sml/wire/xml_writer.h"
 
@@ -23,9 +24,7 @@ std::string_view DocTypeName(DocType type) {
 }
 
 Diagnostic NotAMessage(std::string_view why) {
-  Diagnostic diagnostic;
-  diagnostic.message = why;
-  return diagnostic;
+  return NewProblem(why);
 }
 
 }  // namespace

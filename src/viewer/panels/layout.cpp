@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::viewer {
 namespace {
 
@@ -220,9 +222,7 @@ bool IsName(const std::string& name) {
 }
 
 Diagnostic BadName(const std::string& name) {
-  Diagnostic problem;
-  problem.message = "'" + name + "' is no name for a layout: letters, digits, spaces, '-' and '_', at most 40";
-  return problem;
+  return NewProblem("'" + name + "' is no name for a layout: letters, digits, spaces, '-' and '_', at most 40");
 }
 
 }  // namespace
@@ -263,9 +263,7 @@ Result<void> RemoveLayout(const std::string& name) {
   std::error_code error;
   std::filesystem::remove(LayoutsFolder() / (name + ".ini"), error);
   if (!error) return {};
-  Diagnostic problem;
-  problem.message = "the layout '" + name + "' cannot be deleted: " + error.message();
-  return problem;
+  return NewProblem("the layout '" + name + "' cannot be deleted: " + error.message());
 }
 
 std::filesystem::path LayoutFile() {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::mission {
+
+/// What readers of TOML files with checks have in common: they name the place of each problem.
+class TableReader {
+ public:
+  /// `page` lists what such a file may hold: "docs/missions.md".
+  TableReader(std::string file, std::string page, std::vector<Diagnostic>& problems)
+      : file_(std::move(file)), page_(std::move(page)), problems_(problems) {}
+
+  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
+    Diagnostic& problem = problems_.emplace_back();
+    problem.file = file_;
+    problem.line = static_cast<int>(at.source().begin.line);
+    problem.column = static_cast<int>(at.source().begin.column);
+    problem.message = std::move(message);
+    problem.hint = std::move(hint);
+  }
+
+  void CheckKeys(const toml::table& table, const std::string& what, const std::vector<std::string_view>& known) {
+    for (const auto& [key, value] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      const std::string_view near = Suggest(key.str(), known);
+      Problem(value, what + " has no '" + std::string(key.str()) + "'",
+              near.empty() ? page_ + " lists what there is" : "did you mean '" + std::string(near) + "'?");
+    }
+  }
+
+  std::string Text(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return {};
+    if (const auto text = node->value_exact<std::string>()) return *text;
+    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
+    return {};
+  }
+
+  /// Those of [[key]], no more than `most`.
+  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key, std::size_t most) {
+    std::vector<const toml::table*> tables;
+    const toml::node* node = root.get(key);
+    if (node == nullptr) return tables;
+    const toml::array* list = node->as_array();
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+      if (list->get(i)->is_table()) tables.push_back(list->get(i)->as_table());
+    if (list == nullptr || tables.size() != list->size())
+      Problem(*node, "write [[" + std::string(key) + "]] above each one");
+    if (tables.size() > most) {
+      Problem(*node, "there are more than " + std::to_string(most) + " of them");
+      tables.resize(most);
+    }
+    return tables;
+  }
+
+ protected:
+  const std::string& file() const { return file_; }
+  std::vector<Diagnostic>& problems() { return problems_; }
+
+ private:
+  std::string file_, page_;
+  std::vector<Diagnostic>& problems_;
+};
+
+}  // namespace soarbox::mission
