@@ -137,12 +137,7 @@ class AgentsPanel final : public Panel {
       frame.selected = rows[static_cast<std::size_t>(next)].id;
       ScrollToRow(static_cast<int>(next));
     }
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide, has_health);
-    }
+    ForRowsInSight(rows.size(), [&](int i) { DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide, has_health); });
     ImGui::EndTable();
   }
 

@@ -140,12 +140,7 @@ class LearningPanel final : public Panel {
     ImGui::TableSetupColumn("What it does", 0, 3.5f);
     if (has_sources) ImGui::TableSetupColumn("Learned in", 0, 4.5f);
     ImGui::TableHeadersRow();
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawRuleRow(frame, *rows[static_cast<std::size_t>(i)], i, has_sources);
-    }
+    ForRowsInSight(rows.size(), [&](int i) { DrawRuleRow(frame, *rows[static_cast<std::size_t>(i)], i, has_sources); });
     ImGui::EndTable();
   }
 
@@ -276,20 +271,14 @@ class LearningPanel final : public Panel {
 
   void DrawValueTable(PanelFrame& frame, const std::vector<const explain::NumberFact*>& rows,
                       const std::vector<std::string>& curves) {
-    if (!ImGui::BeginTable("values", 3, kLearningTable)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Value", 0, 2);
-    ImGui::TableSetupColumn("Updates", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Updates").x);
-    ImGui::TableSetupColumn("Rule", 0, 5);
-    ImGui::TableHeadersRow();
+    if (!BeginList("values", {{"Value", 2},
+                              {"Updates", ImGui::CalcTextSize("Updates").x, ImGuiTableColumnFlags_WidthFixed},
+                              {"Rule", 5}}))
+      return;
     double most = 1e-9;
     for (const explain::NumberFact* number : rows) most = std::max(most, std::abs(number->value));
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawValueRow(frame, *rows[static_cast<std::size_t>(i)], i, most, curves);
-    }
+    ForRowsInSight(rows.size(),
+                   [&](int i) { DrawValueRow(frame, *rows[static_cast<std::size_t>(i)], i, most, curves); });
     ImGui::EndTable();
   }
 
@@ -381,25 +370,21 @@ class LearningPanel final : public Panel {
       ImGui::TableSetupColumn("Took", 0, 1);
       ImGui::TableSetupColumn("Reward", 0, 1.2f);
       ImGui::TableHeadersRow();
-      ImGuiListClipper clipper;
-      clipper.Begin(static_cast<int>(count));
-      while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-          const std::size_t number = count - 1 - static_cast<std::size_t>(i);
-          const debugger::RewardEpisode& episode = episodes[number];
-          ImGui::PushID(i);
-          ImGui::TableNextRow();
-          ImGui::TableNextColumn();
-          ColoredText(theme::kQuiet, std::to_string(number + 1));
-          ImGui::TableNextColumn();
-          TimeLink(frame, episode.last_tick);
-          ImGui::TableNextColumn();
-          ColoredText(theme::kText, Formatted("%.1f s", SecondsOf(frame, episode.last_tick - episode.first_tick)));
-          ImGui::TableNextColumn();
-          ColoredText(episode.reward < 0 ? theme::kWarn : theme::kGood, Formatted("%.4g", episode.reward));
-          ImGui::PopID();
-        }
-      }
+      ForRowsInSight(count, [&](int i) {
+        const std::size_t number = count - 1 - static_cast<std::size_t>(i);
+        const debugger::RewardEpisode& episode = episodes[number];
+        ImGui::PushID(i);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ColoredText(theme::kQuiet, std::to_string(number + 1));
+        ImGui::TableNextColumn();
+        TimeLink(frame, episode.last_tick);
+        ImGui::TableNextColumn();
+        ColoredText(theme::kText, Formatted("%.1f s", SecondsOf(frame, episode.last_tick - episode.first_tick)));
+        ImGui::TableNextColumn();
+        ColoredText(episode.reward < 0 ? theme::kWarn : theme::kGood, Formatted("%.4g", episode.reward));
+        ImGui::PopID();
+      });
       ImGui::EndTable();
     }
     ImGui::EndChild();

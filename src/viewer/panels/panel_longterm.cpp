@@ -84,36 +84,24 @@ class LongTermPanel final : public Panel {
       WrappedText(theme::kQuiet, "The " + std::to_string(view.facts.known.size()) +
                                      " most active. The filter looks through all that is known.");
     }
-    if (!ImGui::BeginTable("known", 4,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp))
-      return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Object", 0, 1.1f);
-    ImGui::TableSetupColumn("Activation", 0, 2);
-    ImGui::TableSetupColumn("Uses", 0, 0.9f);
-    ImGui::TableSetupColumn("What is known of it", 0, 8);
-    ImGui::TableHeadersRow();
+    if (!BeginList("known", {{"Object", 1.1f}, {"Activation", 2}, {"Uses", 0.9f}, {"What is known of it", 8}})) return;
     double most = 1e-9;
     for (const explain::KnownObjectFact& object : view.facts.known) most = std::max(most, std::abs(object.activation));
     const std::uint64_t recalled = LastRecalled(frame);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(view.facts.known.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const explain::KnownObjectFact& object = view.facts.known[static_cast<std::size_t>(i)];
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ColoredText(object.number == recalled ? theme::kGood : theme::kVariable, "@" + std::to_string(object.number));
-        if (object.number == recalled) Tooltip("Recalled last");
-        ImGui::TableNextColumn();
-        DrawActivation(frame, object.activation, most);
-        ImGui::TableNextColumn();
-        ColoredText(object.uses > 0 ? theme::kText : theme::kQuiet, std::to_string(object.uses));
-        ImGui::TableNextColumn();
-        CutText(object.text);
-        Tooltip(object.text);
-      }
-    }
+    ForRowsInSight(view.facts.known.size(), [&](int i) {
+      const explain::KnownObjectFact& object = view.facts.known[static_cast<std::size_t>(i)];
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ColoredText(object.number == recalled ? theme::kGood : theme::kVariable, "@" + std::to_string(object.number));
+      if (object.number == recalled) Tooltip("Recalled last");
+      ImGui::TableNextColumn();
+      DrawActivation(frame, object.activation, most);
+      ImGui::TableNextColumn();
+      ColoredText(object.uses > 0 ? theme::kText : theme::kQuiet, std::to_string(object.uses));
+      ImGui::TableNextColumn();
+      CutText(object.text);
+      Tooltip(object.text);
+    });
     ImGui::EndTable();
   }
 
@@ -151,22 +139,10 @@ class LongTermPanel final : public Panel {
     for (auto recall = log->recalls().rbegin(); recall != log->recalls().rend(); ++recall) {
       if (HasPart(recall->question + " " + recall->answer, filter_)) rows.push_back(&*recall);
     }
-    if (!ImGui::BeginTable("recalled", 4,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp))
-      return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("When", 0, 1.2f);
-    ImGui::TableSetupColumn("Asked for", 0, 4);
-    ImGui::TableSetupColumn("Came", 0, 4);
-    ImGui::TableSetupColumn("Why", 0, 5);
-    ImGui::TableHeadersRow();
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i);
-      }
-    }
+    if (!BeginList("recalled", {{"When", 1.2f}, {"Asked for", 4}, {"Came", 4}, {"Why", 5}})) return;
+    ForRowsInSight(rows.size(), [&](int i) {
+      DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i);
+    });
     ImGui::EndTable();
   }
 
@@ -237,12 +213,7 @@ class LongTermPanel final : public Panel {
     if (episode.things.empty())
       WrappedText(theme::kQuiet, "Nothing in this episode has a ^position, so it has no ghosts.");
     ImGui::PushFont(frame.fonts.mono);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(episode.lines.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        CutText(episode.lines[static_cast<std::size_t>(i)]);
-    }
+    ForRowsInSight(episode.lines.size(), [&](int i) { CutText(episode.lines[static_cast<std::size_t>(i)]); });
     ImGui::PopFont();
     ImGui::EndChild();
   }

@@ -75,15 +75,12 @@ class RulesPanel final : public Panel {
       }
       return;
     }
-    if (!ImGui::BeginTable("rules", 3,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY |
-                               ImGuiTableFlags_SizingStretchProp))
+    if (!BeginList("rules",
+                   {{"Rule", 6, ImGuiTableColumnFlags_NoSort},
+                    {"Fired", 1.4f, ImGuiTableColumnFlags_PreferSortDescending},
+                    {"Matches", 1.8f, ImGuiTableColumnFlags_PreferSortDescending}},
+                   ImGuiTableFlags_Sortable))
       return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Rule", ImGuiTableColumnFlags_NoSort, 6);
-    ImGui::TableSetupColumn("Fired", ImGuiTableColumnFlags_PreferSortDescending, 1.4f);
-    ImGui::TableSetupColumn("Matches", ImGuiTableColumnFlags_PreferSortDescending, 1.8f);
-    ImGui::TableHeadersRow();
     if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
       const bool by_fired = specs->Specs[0].ColumnIndex == 1;
       const bool up = specs->Specs[0].SortDirection == ImGuiSortDirection_Ascending;
@@ -116,20 +113,16 @@ class RulesPanel final : public Panel {
       frame.Ask(workbench::RuleRequest{rules[static_cast<std::size_t>(next)]->name});
       ScrollToRow(static_cast<int>(next));
     }
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rules.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const explain::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        DrawName(frame, rule.name, rule.matches > 0 ? theme::kGood : rule.firings > 0 ? theme::kText : theme::kQuiet);
-        ImGui::TableNextColumn();
-        ColoredText(rule.firings > 0 ? theme::kText : theme::kQuiet, std::to_string(rule.firings));
-        ImGui::TableNextColumn();
-        ColoredText(rule.matches > 0 ? theme::kGood : theme::kQuiet, std::to_string(rule.matches));
-      }
-    }
+    ForRowsInSight(rules.size(), [&](int i) {
+      const explain::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      DrawName(frame, rule.name, rule.matches > 0 ? theme::kGood : rule.firings > 0 ? theme::kText : theme::kQuiet);
+      ImGui::TableNextColumn();
+      ColoredText(rule.firings > 0 ? theme::kText : theme::kQuiet, std::to_string(rule.firings));
+      ImGui::TableNextColumn();
+      ColoredText(rule.matches > 0 ? theme::kGood : theme::kQuiet, std::to_string(rule.matches));
+    });
     ImGui::EndTable();
   }
 
@@ -148,15 +141,7 @@ class RulesPanel final : public Panel {
   void DrawCoverage(PanelFrame& frame) {
     if (ImGui::SmallButton("Look again")) frame.Ask(workbench::CoverageRequest{});
     Tooltip("Notes how far the rules that have not fired match now");
-    if (!ImGui::BeginTable("coverage", 3,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
-                               ImGuiTableFlags_Resizable))
-      return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Rule", 0, 4);
-    ImGui::TableSetupColumn("Fired", 0, 1.3f);
-    ImGui::TableSetupColumn("Stops at", 0, 4);
-    ImGui::TableHeadersRow();
+    if (!BeginList("coverage", {{"Rule", 4}, {"Fired", 1.3f}, {"Stops at", 4}}, ImGuiTableFlags_Resizable)) return;
     for (const debugger::Coverage::Row& row : frame.contents.coverage) {
       if (!HasPart(row.rule, filter_)) continue;
       ImGui::TableNextRow();

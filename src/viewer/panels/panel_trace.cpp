@@ -49,12 +49,9 @@ class TracePanel final : public Panel {
     ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
     ImGui::PushFont(frame.fonts.mono);
     const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(found.size()), ImGui::GetTextLineHeightWithSpacing());
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        DrawLine(frame, *found[static_cast<std::size_t>(i)], i);
-    }
+    ForRowsInSight(
+        found.size(), [&](int i) { DrawLine(frame, *found[static_cast<std::size_t>(i)], i); },
+        ImGui::GetTextLineHeightWithSpacing());
     clipper.End();
     ImGui::PopFont();
     if (at_end && frame.contents.moment.is_live) ImGui::SetScrollHereY(1);

@@ -186,6 +186,15 @@ bool SearchField(const char* id, const char* hint, std::string& text, float righ
   return changed;
 }
 
+bool BeginList(const char* id, std::initializer_list<ListColumn> columns, ImGuiTableFlags flags) {
+  constexpr ImGuiTableFlags kAll = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), kAll | flags)) return false;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const ListColumn& column : columns) ImGui::TableSetupColumn(column.name, column.flags, column.width);
+  ImGui::TableHeadersRow();
+  return true;
+}
+
 void EmptyNote(std::string_view what, std::string_view advice) {
   ImGui::Dummy({1, ImGui::GetFontSize() * 0.5f});
   WrappedText(theme::kText, what);

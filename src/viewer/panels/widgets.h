@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -52,6 +54,21 @@ void ScrollToRow(int row);
 bool ListTakesArrows();
 /// What stands in the middle of a panel that has nothing to show, and what to do about it.
 void EmptyNote(std::string_view what, std::string_view advice = {});
+/// A column of a table.
+struct ListColumn {
+  const char* name;
+  float width = 0;  ///< Its share of the table's width, or px if a flag says so.
+  ImGuiTableColumnFlags flags = 0;
+};
+/// A table that scrolls below a row of headings; false: none of it is in sight. ImGui::EndTable ends it.
+bool BeginList(const char* id, std::initializer_list<ListColumn> columns, ImGuiTableFlags flags = 0);
+/// Draws those of so many rows of equal height that are in sight.
+void ForRowsInSight(std::size_t count, auto&& draw, float height = -1) {
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count), height);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw(i);
+}
 /// A heading within a panel.
 void Heading(PanelFrame& frame, std::string_view text);
 /// A short word on a coloured ground.
