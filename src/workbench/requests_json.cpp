@@ -25,150 +25,114 @@ constexpr std::string_view kLessons[] = {"hint", "grade", "open"};
 enum Need : bool { kOptional = false, kNeeded = true };
 
 // The fields of each request, for readers, writers and the reference alike.
-template <typename Visit>
-void Fields(Visit& visit, SelectRequest& r) {
+void Fields(auto& visit, SelectRequest& r) {
   visit("agent", r.agent, "its name; empty: nobody", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, LookRequest& r) {
+void Fields(auto& visit, LookRequest& r) {
   visit("panels", r.panels, "which contents are looked at: words of panels", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, OpenFileRequest& r) {
+void Fields(auto& visit, OpenFileRequest& r) {
   visit("file", r.file, "the file", kNeeded);
   visit("line", r.line, "where to look first; 0: anywhere", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, ConsoleRequest& r) {
+void Fields(auto& visit, ConsoleRequest& r) {
   visit("agent", r.agent, "whose command line it is", kNeeded);
   visit("line", r.line, "the command", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, CompleteRequest& r) {
+void Fields(auto& visit, CompleteRequest& r) {
   visit("agent", r.agent, "whose command line it is", kNeeded);
   visit("line", r.line, "what is typed so far", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, KeepLineRequest& r) {
+void Fields(auto& visit, KeepLineRequest& r) {
   visit("agent", r.agent, "whose command line it is", kNeeded);
   visit("line", r.line, "what is typed so far; empty: nothing", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit&, ClearConsoleRequest&) {}
-template <typename Visit>
-void Fields(Visit&, ClearProblemsRequest&) {}
-template <typename Visit>
-void Fields(Visit& visit, SeekRequest& r) {
+void Fields(auto&, ClearConsoleRequest&) {}
+void Fields(auto&, ClearProblemsRequest&) {}
+void Fields(auto& visit, SeekRequest& r) {
   visit("tick", r.tick, "the tick to show", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit&, LiveRequest&) {}
-template <typename Visit>
-void Fields(Visit&, ResumeRequest&) {}
-template <typename Visit>
-void Fields(Visit& visit, SpeedRequest& r) {
+void Fields(auto&, LiveRequest&) {}
+void Fields(auto&, ResumeRequest&) {}
+void Fields(auto& visit, SpeedRequest& r) {
   visit("speed", r.speed, "simulated seconds per second", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit&, SavePictureRequest&) {}
-template <typename Visit>
-void Fields(Visit& visit, TellRequest& r) {
+void Fields(auto&, SavePictureRequest&) {}
+void Fields(auto& visit, TellRequest& r) {
   visit("text", r.text, "the remark", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, StateRequest& r) {
+void Fields(auto& visit, StateRequest& r) {
   visit("state", r.state, "\"S1\"; empty: the lowest", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, ObjectRequest& r) {
+void Fields(auto& visit, ObjectRequest& r) {
   visit("id", r.id, "an identifier of working memory", kNeeded);
   visit("is_open", r.is_open, "whether it is unfolded", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, ElementRequest& r) {
+void Fields(auto& visit, ElementRequest& r) {
   visit("timetag", r.timetag, "its time tag; 0: no element any more", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, SearchMemoryRequest& r) {
+void Fields(auto& visit, SearchMemoryRequest& r) {
   visit("text", r.text, "what elements are to have in them; empty: nothing is searched", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, RuleRequest& r) {
+void Fields(auto& visit, RuleRequest& r) {
   visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit&, CoverageRequest&) {}
-template <typename Visit>
-void Fields(Visit& visit, SearchKnownRequest& r) {
+void Fields(auto&, CoverageRequest&) {}
+void Fields(auto& visit, SearchKnownRequest& r) {
   visit("text", r.text, "what objects are to have in them; empty: all", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, EpisodeRequest& r) {
+void Fields(auto& visit, EpisodeRequest& r) {
   visit("number", r.number, "counted from 1; 0: no episode any more", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, LearnedRuleRequest& r) {
+void Fields(auto& visit, LearnedRuleRequest& r) {
   visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, WhyRequest& r) {
+void Fields(auto& visit, WhyRequest& r) {
   visit("about", r.about, kWhyAbout, "what is asked about", kNeeded);
   visit("what", r.what, "a name, or the time tag of an element; not needed for `agent`", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, PlotRequest& r) {
+void Fields(auto& visit, PlotRequest& r) {
   visit("agent", r.agent, "whose number it is", kNeeded);
   visit("what", r.what, "one of `plottable`, or a percept's path", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, EditRequest& r) {
+void Fields(auto& visit, EditRequest& r) {
   visit("file", r.file, "the file, or its name alone", kNeeded);
   visit("line", r.line, "where to look first; 0: anywhere", kOptional);
   visit("rule", r.rule, "or the rule to look at", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, EditTextRequest& r) {
+void Fields(auto& visit, EditTextRequest& r) {
   visit("what", r.what, kEditText, "what to do", kNeeded);
   visit("text", r.text, "the whole text as it is typed now", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit&, SaveAllRequest&) {}
-template <typename Visit>
-void Fields(Visit& visit, OpenRunRequest& r) {
+void Fields(auto&, SaveAllRequest&) {}
+void Fields(auto& visit, OpenRunRequest& r) {
   visit("what", r.what, "a scenario's name or path, or a recording", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, WatchRequest& r) {
+void Fields(auto& visit, WatchRequest& r) {
   visit("what", r.what, "a value, \"S1.io.input-link.self.health\", or a Soar command", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, BesideRequest& r) {
+void Fields(auto& visit, BesideRequest& r) {
   visit("agent", r.agent, "whose mind", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, SearchRequest& r) {
+void Fields(auto& visit, SearchRequest& r) {
   visit("text", r.text, "what to find; empty: nothing", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, OfferRequest& r) {
+void Fields(auto& visit, OfferRequest& r) {
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, BreakRequest& r) {
+void Fields(auto& visit, BreakRequest& r) {
   visit("kind", r.kind, kBreakKinds, "what it waits for", kNeeded);
   visit("agent", r.agent, "whose mind; empty: any", kOptional);
   visit("what", r.what, "a rule, `ID ^attribute value`, an impasse or a command; * stands for anything", kOptional);
 }
-template <typename Visit>
-void Fields(Visit& visit, ChangeBreakRequest& r) {
+void Fields(auto& visit, ChangeBreakRequest& r) {
   visit("number", r.number, "the breakpoint's", kNeeded);
   visit("what", r.what, kChangeBreak, "what to do", kNeeded);
 }
-template <typename Visit>
-void Fields(Visit& visit, LessonRequest& r) {
+void Fields(auto& visit, LessonRequest& r) {
   visit("what", r.what, kLessons, "the next hint, a grade, or another lesson", kNeeded);
   visit("lesson", r.lesson, "which one to open", kOptional);
 }
