@@ -52,7 +52,6 @@ class TracePanel final : public Panel {
     ForRowsInSight(
         found.size(), [&](int i) { DrawLine(frame, *found[static_cast<std::size_t>(i)], i); },
         ImGui::GetTextLineHeightWithSpacing());
-    clipper.End();
     ImGui::PopFont();
     if (at_end && frame.contents.moment.is_live) ImGui::SetScrollHereY(1);
     ImGui::EndChild();
