@@ -24,7 +24,7 @@ std::string_view DocTypeName(DocType type) {
 }
 
 Diagnostic NotAMessage(std::string_view why) {
-  return NewProblem(why);
+  return NewProblem(std::string(why));
 }
 
 }  // namespace
