@@ -140,9 +140,7 @@ class LongTermPanel final : public Panel {
       if (HasPart(recall->question + " " + recall->answer, filter_)) rows.push_back(&*recall);
     }
     if (!BeginList("recalled", {{"When", 1.2f}, {"Asked for", 4}, {"Came", 4}, {"Why", 5}})) return;
-    ForRowsInSight(rows.size(), [&](int i) {
-      DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i);
-    });
+    ForRowsInSight(rows.size(), [&](int i) { DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i); });
     ImGui::EndTable();
   }
 
