@@ -63,6 +63,13 @@ TEST(Requests, SayWhatIsWrongWithThem) {
   EXPECT_TRUE(ReadRequest(Json::parse(R"({"id": 5, "request": "live"})")));
 }
 
+TEST(Requests, MayHoldAnythingButWhatTheyAskFor) {
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  const Result<Request> read = ReadRequest(Json::parse(R"({"request": "ask", "about": )" + deep + "}"));
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("about cannot be"));
+}
+
 TEST(ContentsJson, HasEachPanelOnce) {
   const std::vector<std::string_view> names = ContentNames();
   EXPECT_EQ(names.size(), kPanelCount + 3) << "moment, offers, ghosts";

@@ -254,7 +254,7 @@ struct Reader {
     std::vector<std::string_view> words;
     for (const PanelInfo& info : kPanelInfos) words.push_back(info.word);
     for (const Json& word : *found) {
-      const std::string text = word.is_string() ? word.get<std::string>() : word.dump();
+      const std::string text = word.is_string() ? word.get<std::string>() : word.type_name();
       const std::optional<PanelId> panel = FindPanel(text);
       if (!panel) return RefuseWord(name, text, words);
       value.Add(*panel);
@@ -264,7 +264,7 @@ struct Reader {
   void operator()(std::string_view name, Enum& value, Words words, std::string_view, Need need) {
     const Json* const found = Find(name, need);
     if (found == nullptr) return;
-    const std::string text = found->is_string() ? found->get<std::string>() : found->dump();
+    const std::string text = found->is_string() ? found->get<std::string>() : found->type_name();
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] != text) continue;
       value = static_cast<Enum>(i);
