@@ -332,7 +332,7 @@ constexpr ContentField kFields[] = {
        });
      }},
 
-    {"longterm", "long_term", "longterm", "what the agent knows and remembers",
+    {"longterm", "long_term", "longterm", "what the agent knows and remembers; `inspect` adds `recalls`",
      [](const Contents& c) { return debugger::ToJson(c.long_term); }},
     {"longterm", "known_search", "", "the text that all objects in it have",
      [](const Contents& c) -> Json { return c.known_search; }},
@@ -340,8 +340,12 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) { return debugger::ToJson(c.episode); }},
     {"longterm", "recalls", "", "what was recalled last, and why", RecallsJson},
 
-    {"learning", "learning", "learning", "learned rules, and values learned from reward",
+    {"learning", "learning", "learning", "learned rules, and values learned from reward; `inspect` adds `episodes`",
      [](const Contents& c) { return debugger::ToJson(c.learning); }},
+    {"learning", "episodes", "", "what was earned in each episode that has ended, the newest last",
+     [](const Contents& c) {
+       return c.learning_log == nullptr ? Json::array() : debugger::ToJson(c.learning_log->episodes());
+     }},
     {"learning", "rule", "", "the learned rule that is looked at, as `inspect --view \"learning #RULE\"` has it",
      [](const Contents& c) { return debugger::ToJson(c.learned_rule); }},
 
