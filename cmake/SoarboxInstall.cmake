@@ -8,6 +8,10 @@ if(TARGET soarbox_window)
   install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
+# The page for browsers, where npm has built it, and a service that serves it.
+install(DIRECTORY web/dist/page DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox OPTIONAL)
+configure_file(cmake/soarbox-serve.service.in "${PROJECT_BINARY_DIR}/soarbox-serve.service" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/soarbox-serve.service" DESTINATION lib/systemd/system)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
 # What a user reads; the specification and the design stay with the source.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox PATTERN spec EXCLUDE PATTERN design EXCLUDE)

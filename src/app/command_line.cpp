@@ -13,6 +13,7 @@
 
 #include "app/data_folders.h"
 #include "app/editor_commands.h"
+#include "app/engine/engine_window.h"
 #include "app/exit_codes.h"
 #include "app/inspect_command.h"
 #include "app/kernel_server.h"
@@ -23,6 +24,7 @@
 #include "app/recording_commands.h"
 #include "app/report_command.h"
 #include "app/run_options.h"
+#include "app/serve_command.h"
 #include "app/soar_shell.h"
 #include "app/sweep_command.h"
 #include "app/test_command.h"
@@ -266,6 +268,37 @@ void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datama
       ->capture_default_str();
 }
 
+void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
+  CLI::App* serve = program.add_subcommand("serve", "Serve lessons and worlds to browsers (docs/serve.md)");
+  serve->add_option("scenario", options.scenario,
+                    "What everybody who comes sees first (default: a list to choose from)");
+  serve->add_option("--listen", options.listen, "Address and port; beyond this machine only with --token or --open")
+      ->capture_default_str();
+  CLI::Option* token = serve->add_option("--token", options.token, "Serve only those who know this secret");
+  serve->add_flag("--open", options.open, "Serve anybody who reaches the address")->excludes(token);
+  serve->add_option("--class", options.class_list,
+                    "Names of learners, one a line: each gets a link, and the teacher one");
+  serve->add_option("--sessions", options.sessions, "Runs at a time")->capture_default_str()->check(NumberIn(1, 10000));
+  serve->add_option("--memory", options.memory_mb, "MB that one world may use")
+      ->capture_default_str()
+      ->check(NumberIn(64, 1'000'000));
+  serve->add_option("--idle", options.idle_min, "Minutes after which a run at which nobody looks ends")
+      ->capture_default_str()
+      ->check(NumberIn(1, 100'000));
+  serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
+  serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
+  serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
+  serve->add_option("--page", options.page, "Serve the page in this folder instead of the program's own")
+      ->check(CLI::ExistingDirectory);
+  // Started by the server, on a connection to it: not for people.
+  CLI::App* runs = program.add_subcommand("engine", "Run one world for a server")->group("");
+  runs->add_option("--world", engine.world);
+  runs->add_option("--lesson", engine.lesson);
+  runs->add_option("--recording", engine.recording);
+  runs->add_option("--home", engine.home)->required();
+  runs->add_option("--memory", engine.memory_mb);
+}
+
 int List() {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) {
@@ -404,6 +437,9 @@ int Main(int argc, char** argv) {
   DatamapOptions datamap;
   std::string folder = ".";
   AddEditors(program, format, datamap, folder);
+  ServeOptions serve;
+  EngineOptions engine;
+  AddServe(program, serve, engine);
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
     return kUsage;
@@ -455,6 +491,8 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("lsp")) return ServeLanguage();
   if (program.got_subcommand("dap")) return ServeDebugger();
   if (program.got_subcommand("mcp")) return ServeAssistant(folder);
+  if (program.got_subcommand("serve")) return ServePages(serve);
+  if (program.got_subcommand("engine")) return Engine(engine);
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();
 }

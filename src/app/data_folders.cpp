@@ -47,4 +47,10 @@ Result<sim::DataFolders> FindDataFolders() {
   return problem;
 }
 
+fs::path PageFolder(const sim::DataFolders& data) {
+  const fs::path root = data.scenarios.parent_path();
+  std::error_code error;
+  return fs::is_directory(root / "page", error) ? root / "page" : root / "web" / "dist" / "page";
+}
+
 }  // namespace soarbox::app

@@ -16,8 +16,14 @@ namespace soarbox::app {
 namespace fs = std::filesystem;
 using ProgressJson = nlohmann::ordered_json;
 
-LessonProgress::LessonProgress() : file_(mission::StateFolder("learn") / "progress.json") {
+LessonProgress::LessonProgress() : LessonProgress(mission::StateFolder("learn") / "progress.json") {}
+
+LessonProgress::LessonProgress(fs::path file) : file_(std::move(file)) {
   Read();
+}
+
+LessonProgress LessonProgress::Below(const fs::path& state) {
+  return LessonProgress(state / "soarbox" / "learn" / "progress.json");
 }
 
 void LessonProgress::Read() {

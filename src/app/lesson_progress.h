@@ -11,7 +11,10 @@ namespace soarbox::app {
 /// a file that is damaged is kept beside it.
 class LessonProgress {
  public:
+  /// The user's own.
   LessonProgress();
+  /// That of whoever has this folder for his $XDG_STATE_HOME.
+  static LessonProgress Below(const std::filesystem::path& state);
 
   bool IsPassed(const std::string& lesson) const { return Get(lesson, "passed") > 0; }
   /// "passed", "attempts", "hints"; 0 if nothing is known.
@@ -19,6 +22,7 @@ class LessonProgress {
   void Set(const std::string& lesson, const char* what, int value);
 
  private:
+  explicit LessonProgress(std::filesystem::path file);
   void Read();
   void Save();
 

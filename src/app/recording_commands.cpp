@@ -78,7 +78,7 @@ int Replay(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
   if (!reader) return Refuse(reader.error());
   CatchInterrupts();
-  if (!options.headless && !options.json && ProgramWindow() != nullptr && HasDisplay()) {
+  if (!options.headless && !options.json && CanOpenWindow()) {
     const Result<sim::DataFolders> data = FindDataFolders();
     if (!data) return Refuse(data.error());
     return ProgramWindow()->Replay(**reader, RangeOf(**reader, options), *data, options);

@@ -121,7 +121,7 @@ int Run(const RunOptions& given) {
     std::cerr << Format(problem);
     return kUsage;
   }
-  if (!options.headless && (!HasDisplay() || ProgramWindow() == nullptr)) {
+  if (!options.headless && !CanOpenWindow()) {
     Diagnostic note;
     note.message = HasDisplay() ? "this build has no window" : "there is no display (DISPLAY is not set)";
     note.hint = HasDisplay() ? "build with -DSOARBOX_VIEWER=ON, which puts soarbox-window beside this program"
@@ -144,6 +144,7 @@ int Run(const RunOptions& given) {
   settings.screen_width_px = window.width;
   settings.screen_height_px = window.height;
   settings.every_command = options.every_command;
+  settings.typed_by_strangers = options.by_strangers;
   settings.soar.seed = seed;
   settings.soar.threads = options.threads;
   settings.limits.memory_bytes = static_cast<std::size_t>(options.memory_mb) << 20;

@@ -40,6 +40,7 @@ struct RunOptions : WindowWishes {
   std::filesystem::path lesson;  ///< The folder of the lesson that this world belongs to; empty: looked up by name.
   bool watch = false;            ///< Edits of rules and scripts reach the running world; a window always watches.
   std::string dis;  ///< ADDRESS:PORT[,...]: joins an exercise of other simulations; empty: as the scenario says.
+  bool by_strangers = false;    ///< Whoever watches is not the user of this machine: what he types is fenced.
   double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };
 

@@ -26,6 +26,14 @@ void SetProgramWindow(const Window* window) {
   TheWindow() = window;
 }
 
+bool CanOpenWindow() {
+  return ProgramWindow() != nullptr && ProgramWindow()->CanOpen();
+}
+
+bool Window::CanOpen() const {
+  return HasDisplay();
+}
+
 bool HasDisplay() {
   const char* display = std::getenv("DISPLAY");
   return display != nullptr && *display != '\0';

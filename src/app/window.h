@@ -31,6 +31,8 @@ class Window {
   Window& operator=(const Window&) = delete;
   virtual ~Window() = default;
 
+  /// Whether there is something to open it on.
+  [[nodiscard]] virtual bool CanOpen() const;
   /// Width and height in px of what the display has room for; none: it does not say.
   [[nodiscard]] virtual std::optional<std::pair<int, int>> RoomOnDisplay() const = 0;
   /// Runs until the window is closed, the time is up or the screenshot is taken. Returns an ExitCode.
@@ -44,6 +46,8 @@ class Window {
 
 /// The window of this program; null: it has none.
 const Window* ProgramWindow();
+/// Whether it has one that can be opened.
+bool CanOpenWindow();
 /// Gives the program its window; null, or what lives as long as the program.
 void SetProgramWindow(const Window* window);
 

@@ -512,7 +512,7 @@ void Simulation::Submit(Input input) {
 }
 
 Result<std::string> Simulation::Command(const std::string& agent, const std::string& line) {
-  Result<std::string> answer = impl_->soar->Execute(agent, line);
+  Result<std::string> answer = impl_->soar->Execute(agent, line, impl_->settings.typed_by_strangers);
   impl_->answered.emplace_back(CommandInput{agent, line}, answer);
   impl_->door.Note(impl_->answered.back().first);
   return answer;

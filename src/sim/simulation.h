@@ -47,6 +47,7 @@ struct SimulationSettings {
   SoarSettings soar;                           ///< Its seed is taken from `seed`.
   MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() tells.
   script::WorldLimits limits;                  ///< Of all scripts and minds together.
+  bool typed_by_strangers = false;             ///< Commands that are typed may do no more than those of a recording.
 };
 
 /// What the parts of all ticks so far have taken, in seconds of real time. For benchmarks and panels; nothing in a run

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "diagnostics/problem.h"
 #include "sim/vet_rules.h"
 
 namespace soarbox::workbench {
@@ -136,7 +137,11 @@ void FileDesk::ShowDraft() {
 
 void FileDesk::Save(Open& file) {
   EditContents& shown = file.contents;
-  const Result<void> saved = file.edit.Save();
+  const Result<void> saved =
+      common_.surroundings.MayWrite(shown.file)
+          ? file.edit.Save()
+          : Result<void>(ProblemIn(shown.file, "this file is not yours to write",
+                                   "Apply lets the running world have your change; it is kept as your draft"));
   file.failure = saved ? std::string{} : saved.error().message + ": " + saved.error().hint;
   file.has_draft = true;
   if (!saved) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,8 @@ class Surroundings {
   virtual std::vector<std::string> RecentRuns() { return {}; }
   /// Whether the user may look into folders of this machine to open a world.
   virtual bool MayBrowse() const { return false; }
+  /// Whether what the user edits may be written to this file.
+  virtual bool MayWrite(const std::filesystem::path&) const { return true; }
   /// Null: there are none.
   virtual Lessons* lessons() { return nullptr; }
 };

@@ -41,9 +41,11 @@ ALLOWED = {
     "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
     # What everybody who watches a run works with: it draws nothing.
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
+    # HTTP and WebSockets: it starts engines, and knows no panel and no world.
+    "serve": {"diagnostics"},
     "viewer": {"diagnostics", "world", "sim", "record", "debugger", "workbench"},
     "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
-            "report", "debugger", "language", "editors", "workbench", "viewer"},
+            "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]
@@ -65,6 +67,7 @@ ONLY_IN = {
     re.compile(r"^(Recast|Detour)"): {"world"},
     re.compile(r"^(lua|lauxlib|lualib)"): {"script"},
     re.compile(r"^asio"): {"sml"},
+    re.compile(r"^boost/"): {"serve"},
     re.compile(r"^sqlite3"): {"journal", "sweep"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -1,89 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/window/run_control.h"
 
-#include <memory>
 #include <string>
-#include <vector>
+
+#include "app/mind_steps.h"
 
 namespace soarbox::app {
 namespace {
 
-/// The operator of the lowest state that has one, "seek (O3)"; or the impasse in which it stands.
-std::string WhatItIsAbout(sim::Simulation& simulation, const std::string& agent) {
-  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
-  if (mind == nullptr) return {};
-  const std::vector<explain::StateFact> stack = mind->Stack();
-  for (auto state = stack.rbegin(); state != stack.rend(); ++state) {
-    if (state->operator_id.empty()) continue;
-    return state->operator_name.empty() ? state->operator_id : state->operator_name + " (" + state->operator_id + ")";
-  }
+std::string NameOf(std::uint32_t agent_id, const world::SceneSnapshot& scene) {
+  for (const world::AgentSnapshot& agent : scene.agents)
+    if (agent.id == agent_id) return agent.name;
   return {};
-}
-
-std::string StandsIn(sim::Simulation& simulation, const std::string& agent) {
-  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
-  if (mind == nullptr) return {};
-  const std::vector<explain::StateFact> stack = mind->Stack();
-  if (stack.size() < 2) return {};
-  return stack.back().attribute + " " + stack.back().impasse;
-}
-
-std::string SaidIn(const sim::Simulation& simulation, const std::string& agent) {
-  for (const world::AgentSnapshot& body : simulation.Snapshot().agents)
-    if (body.name == agent) return body.last_command;
-  return {};
-}
-
-}  // namespace
-
-std::string StepDecision(RunSession& session, const std::string& agent) {
-  constexpr const char* kBudget = "soar max-nil-output-cycles";
-  sim::Simulation& simulation = session.simulation();
-  const Result<std::string> budget = simulation.Command(agent, kBudget);
-  if (!budget) return budget.error().message;
-  std::string number;
-  for (const char c : *budget)
-    if (c >= '0' && c <= '9') number += c;
-  const std::string before = WhatItIsAbout(simulation, agent), said_before = SaidIn(simulation, agent);
-  if (const Result<std::string> set = simulation.Command(agent, std::string(kBudget) + " 1"); !set)
-    return set.error().message;
-  session.Tick();
-  sim::Simulation& after = session.simulation();
-  if (!number.empty()) static_cast<void>(after.Command(agent, std::string(kBudget) + " " + number));
-  const std::string now = WhatItIsAbout(after, agent), impasse = StandsIn(after, agent);
-  std::string told = agent + ": ";
-  if (!impasse.empty() && impasse != "operator no-change")
-    told += "one decision, impasse " + impasse;
-  else if (now.empty())
-    told += "one decision, no operator";
-  else
-    told += now == before ? "one decision, still " + now : "decided " + now;
-  if (const std::string said = SaidIn(after, agent); !said.empty() && said != said_before) told += ", gave " + said;
-  return told;
-}
-
-namespace {
-
-void StepMind(RunControl& control, RunSession& session, viewer::Viewer& viewer, const world::SceneSnapshot& scene,
-              bool whole_decision) {
-  std::string name;
-  for (const world::AgentSnapshot& agent : scene.agents) {
-    if (agent.id == viewer.selected_agent()) name = agent.name;
-  }
-  sim::Simulation& simulation = session.simulation();
-  if (name.empty()) return viewer.Tell("Select the Soar agent whose mind is to take a step");
-  if (!simulation.HasMind(name)) return viewer.Tell(name + " has no Soar mind to step");
-  if (whole_decision) {
-    viewer.Tell(StepDecision(session, name));
-    control.has_ticked = true;
-    return;
-  }
-  const Result<std::string> answer = simulation.Command(name, "run -p 1 --self");
-  if (!answer) return viewer.Tell(answer.error().message);
-  std::string next;
-  if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(name)) next = mind->Mind().phase;
-  viewer.Tell(name + ": one phase" + (next.empty() ? "" : ", next is " + next) +
-              "; the world is paused and takes its commands in the next tick");
 }
 
 }  // namespace
@@ -92,9 +20,14 @@ Result<bool> RunControl::Obey(viewer::ViewerCommand command, RunSession& session
                               const world::SceneSnapshot& scene) {
   switch (command) {
     case viewer::ViewerCommand::kStepDecision:
-    case viewer::ViewerCommand::kStepPhase:
-      StepMind(*this, session, viewer, scene, command == viewer::ViewerCommand::kStepDecision);
+    case viewer::ViewerCommand::kStepPhase: {
+      const MindStepped stepped =
+          StepMind(session, NameOf(viewer.selected_agent(), scene),
+                   command == viewer::ViewerCommand::kStepDecision ? MindStep::kDecision : MindStep::kPhase);
+      viewer.Tell(stepped.told);
+      has_ticked |= stepped.has_ticked;
       return true;
+    }
     case viewer::ViewerCommand::kReset:
     case viewer::ViewerCommand::kNextSeed: {
       const Result<void> begun = session.BeginAgain(command == viewer::ViewerCommand::kNextSeed);

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/event_printer.h"
+#include "app/mind_steps.h"
 #include "app/next_run.h"
 #include "app/record_run.h"
 #include "app/run_session.h"
@@ -133,7 +134,7 @@ TEST(RunSession, AStepOfADecisionPerceivesDecidesOnceAndTellsWhat) {
   const auto decisions = [&] { return simulation.Inspect("blue-1")->Mind().decisions; };
   for (int i = 0; i < 5; ++i) {
     const std::uint64_t tick = simulation.tick(), before = decisions();
-    const std::string told = StepDecision(*run.session, "blue-1");
+    const std::string told = StepMind(*run.session, "blue-1", MindStep::kDecision).told;
     EXPECT_EQ(simulation.tick(), tick + 1) << "new input comes with a tick";
     EXPECT_EQ(decisions(), before + 1) << told;
     EXPECT_TRUE(told.starts_with("blue-1: ")) << told;

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/lesson_desk.h"
 #include "app/next_run.h"
-#include "app/window/lesson_desk.h"
 #include "viewer/viewer.h"
 #include "workbench/desk.h"
 #include "workbench/pace.h"

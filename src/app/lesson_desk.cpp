@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/lesson_desk.h"
+#include "app/lesson_desk.h"
 
 #include <fcntl.h>
 #include <signal.h>

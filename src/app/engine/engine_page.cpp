@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/engine/engine_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "diagnostics/problem.h"
+#include "workbench/contents_json.h"
+#include "workbench/requests_json.h"
+
+namespace soarbox::app {
+namespace {
+
+using workbench::Flow;
+using Json = EnginePage::Json;
+
+constexpr std::array<std::pair<std::string_view, Flow>, 10> kFlows{{
+    {"step-tick", Flow::kStepTick},
+    {"step-decision", Flow::kStepDecision},
+    {"step-phase", Flow::kStepPhase},
+    {"step-change", Flow::kStepChange},
+    {"faster", Flow::kFaster},
+    {"slower", Flow::kSlower},
+    {"normal-speed", Flow::kNormalSpeed},
+    {"unlimited", Flow::kUnlimited},
+    {"begin-again", Flow::kReset},
+    {"next-seed", Flow::kNextSeed},
+}};
+
+/// Names and rules of strangers may hold anything: what is no UTF-8 is replaced.
+std::string TextOf(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string TextOf(const Json& json, const char* field) {
+  const auto found = json.find(field);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// A finite number; else 0.
+float NumberOf(const Json& json, const char* field) {
+  const auto found = json.find(field);
+  if (found == json.end() || !found->is_number()) return 0;
+  const auto number = found->get<double>();
+  return std::isfinite(number) ? static_cast<float>(std::clamp(number, -1e6, 1e6)) : 0.0f;
+}
+
+bool FlagOf(const Json& json, const char* field) {
+  const auto found = json.find(field);
+  return found != json.end() && found->is_boolean() && found->get<bool>();
+}
+
+/// A key, a button, the pointer or the wheel, as the world's scripts hear of them.
+std::optional<sim::InputValue> InputOf(const Json& json) {
+  const std::string kind = TextOf(json, "kind"), name = TextOf(json, "name").substr(0, 40);
+  const float x = NumberOf(json, "x"), y = NumberOf(json, "y");
+  if (kind == "key") return sim::KeyInput{name, FlagOf(json, "pressed")};
+  if (kind == "button") return sim::ButtonInput{name, FlagOf(json, "pressed"), x, y};
+  if (kind == "pointer") return sim::PointerInput{x, y, NumberOf(json, "dx"), NumberOf(json, "dy")};
+  if (kind == "wheel") return sim::WheelInput{NumberOf(json, "notches"), x, y};
+  if (kind == "screen") {
+    const auto pixels = [&](const char* field) {
+      return std::clamp(static_cast<int>(NumberOf(json, field)), 160, 7680);
+    };
+    return sim::ScreenInput{pixels("width"), pixels("height")};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+EnginePage::Asked EnginePage::Receive(int most_ms) {
+  Asked asked;
+  for (const std::string& text : channel_.Receive(most_ms)) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) {
+      Refuse(NewProblem("this is no request", "a request is a JSON object (docs/serve.md)"));
+      continue;
+    }
+    const Result<void> taken = Take(json, asked);
+    if (!taken) Refuse(taken.error(), json.value("id", Json()));
+  }
+  return asked;
+}
+
+Result<void> EnginePage::Take(const Json& json, Asked& asked) {
+  const std::string request = TextOf(json, "request");
+  if (request == "presence") {
+    // The server's own: how many look.
+    pages_ = std::max(0, static_cast<int>(NumberOf(json, "pages")));
+    return {};
+  }
+  if (request == "scene") {
+    wants_full_ = true;
+    return {};
+  }
+  if (request == "flow") {
+    const std::string what = TextOf(json, "what");
+    if (what == "pause" || what == "go-on") {
+      asked.pause = what == "pause";
+      return {};
+    }
+    const auto found = std::ranges::find(kFlows, what, &std::pair<std::string_view, Flow>::first);
+    if (found == kFlows.end()) {
+      std::string words = "pause, go-on";
+      for (const auto& [word, flow] : kFlows) words += ", " + std::string(word);
+      return NewProblem("flow knows no '" + what + "'", "it is one of " + words);
+    }
+    asked.flows.push_back(found->second);
+    return {};
+  }
+  if (request == "overlays") {
+    const auto on = json.find("on");
+    const auto has = [&](std::string_view word) {
+      return on != json.end() && on->is_array() &&
+             std::ranges::any_of(*on, [&](const Json& each) { return each == word; });
+    };
+    overlay_wants_ = {has("navigation"), has("influence"), has("physics"), has("forces")};
+    return {};
+  }
+  if (request == "input") {
+    const std::optional<sim::InputValue> input = InputOf(json);
+    if (!input) return NewProblem("input knows no such kind", "it is one of key, button, pointer, wheel, screen");
+    asked.inputs.push_back(*input);
+    return {};
+  }
+  Result<workbench::Request> read = workbench::ReadRequest(json);
+  if (!read) return read.error();
+  asked.requests.push_back(std::move(*read));
+  return {};
+}
+
+void EnginePage::Say(const Json& message, serve::FrameKind kind) {
+  channel_.Send(kind, TextOf(message));
+}
+
+void EnginePage::Hello(Json about) {
+  Json message{{"message", "hello"}};
+  message.update(about);
+  Say(message, serve::FrameKind::kHello);
+  told_.clear();
+  flow_.clear();
+  wants_full_ = true;
+}
+
+void EnginePage::Refuse(const Diagnostic& problem, const Json& id) {
+  Json message{{"message", "error"}};
+  if (id.is_primitive() && !id.is_null()) message["id"] = id;
+  message["error"] = problem.message;
+  message["hint"] = problem.hint;
+  Say(message);
+}
+
+void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s) {
+  Json flow{{"message", "flow"}, {"paused", pace.paused()}};
+  // JSON has no word for infinity.
+  flow["speed"] = std::isfinite(pace.speed()) ? Json(pace.speed()) : Json("unlimited");
+  const std::string state = flow.dump();
+  const auto now = Clock::now();
+  if (state == flow_ && now - flow_at_ < std::chrono::milliseconds(250)) return;
+  flow_ = state;
+  flow_at_ = now;
+  flow["tick"] = tick;
+  flow["time_s"] = time_s;
+  Say(flow, serve::FrameKind::kFlow);
+}
+
+void EnginePage::ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels) {
+  for (const std::string_view name : workbench::ContentNames(panels, contents)) {
+    const std::string content = TextOf(workbench::ToJson(contents, name));
+    const std::size_t hash = std::hash<std::string>{}(content);
+    const auto [told, is_new] = told_.try_emplace(std::string(name), hash);
+    if (!is_new && std::exchange(told->second, hash) == hash) continue;
+    channel_.Send(serve::FrameKind::kContents, std::string(name) + '\0' + content);
+  }
+}
+
+bool EnginePage::WantsScene(std::size_t agents) const {
+  const auto every = std::chrono::milliseconds(agents <= 20 ? 30 : agents <= 100 ? 60 : 100);
+  return wants_full_ || Clock::now() - scene_at_ >= every;
+}
+
+void EnginePage::ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays) {
+  scene_at_ = Clock::now();
+  const stream::Block block = encoder_.Encode(scene, overlays, wants_full_);
+  wants_full_ = !channel_.SendScene(block.bytes, block.is_full);
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/engine/engine_channel.h"
+#include "debugger/json.h"
+#include "diagnostics/result.h"
+#include "sim/input.h"
+#include "stream/scene_encoder.h"
+#include "workbench/contents.h"
+#include "workbench/flow.h"
+#include "workbench/pace.h"
+#include "workbench/requests.h"
+
+namespace soarbox::app {
+
+/// Those who look at an engine's run in their browsers: what they ask for, and what they are told (docs/serve.md).
+/// Which of them is who, only the server knows.
+class EnginePage {
+ public:
+  using Json = debugger::Json;
+
+  explicit EnginePage(EngineChannel& channel) : channel_(channel) {}
+
+  /// What pages have asked for since.
+  struct Asked {
+    std::vector<workbench::Request> requests;
+    std::vector<workbench::Flow> flows;
+    std::optional<bool> pause;  ///< Asked for outright, whatever it was.
+    std::vector<sim::InputValue> inputs;
+    bool empty() const { return requests.empty() && flows.empty() && !pause && inputs.empty(); }
+  };
+  /// What was asked is carried out.
+  void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
+  /// Waits at most so long for something. What cannot be understood is refused here.
+  Asked Receive(int most_ms);
+  bool is_open() const { return channel_.is_open(); }
+  /// Nobody looks: the world may stand still.
+  bool is_alone() const { return pages_ == 0; }
+
+  /// A run begins: whatever was known of another one is void.
+  void Hello(Json about);
+  void Tell(const std::string& text) { Say({{"message", "told"}, {"text", text}}); }
+  void Refuse(const Diagnostic& problem, const Json& id = {});
+  void ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s);
+  /// Tells what has changed of the contents that these panels show.
+  void ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels);
+  /// Whether the next scene is to be whole, as somebody has nothing to add it to.
+  bool WantsFull() const { return wants_full_; }
+  /// At most so often as a page can use it, given how much there is to see. Overlays may be null.
+  bool WantsScene(std::size_t agents) const;
+  void ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays);
+  const world::OverlayWants& overlay_wants() const { return overlay_wants_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void Say(const Json& message, serve::FrameKind kind = serve::FrameKind::kText);
+  Result<void> Take(const Json& json, Asked& asked);
+
+  EngineChannel& channel_;
+  int pages_ = 1;
+  stream::SceneEncoder encoder_;
+  bool wants_full_ = true;
+  world::OverlayWants overlay_wants_;
+  Clock::time_point scene_at_, flow_at_;
+  std::string flow_;
+  std::map<std::string, std::size_t, std::less<>> told_;  ///< By the name of contents: a hash of what was told last.
+};
+
+}  // namespace soarbox::app

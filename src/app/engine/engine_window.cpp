@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/engine/engine_window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/data_folders.h"
+#include "app/engine/engine_desk.h"
+#include "app/engine/engine_page.h"
+#include "app/exit_codes.h"
+#include "app/lesson.h"
+#include "app/mind_steps.h"
+#include "app/refuse.h"
+#include "workbench/desk.h"
+#include "world/world.h"
+
+namespace soarbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+using workbench::Flow;
+using Clock = std::chrono::steady_clock;
+
+/// Contents go out so often at most, unless somebody asked for something.
+constexpr auto kContentsEvery = std::chrono::milliseconds(100);
+/// How long an engine whose world stands still waits before it looks at files and debuggers again.
+constexpr int kIdle_ms = 50, kAlone_ms = 500;
+
+bool IsStep(Flow flow) {
+  return flow == Flow::kStepTick || flow == Flow::kStepDecision || flow == Flow::kStepPhase ||
+         flow == Flow::kStepChange;
+}
+
+/// What live runs and recordings have in common: panels that are looked at, and when contents are due.
+class PanelsOfPage {
+ public:
+  explicit PanelsOfPage(EnginePage& page) : page_(page) {}
+
+  /// Lets the desk carry out what was asked, and tells what has changed.
+  void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests) {
+    for (const workbench::Request& request : requests)
+      if (const auto* look = std::get_if<workbench::LookRequest>(&request)) panels_ = look->panels;
+    if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
+    served_ = Clock::now();
+    desk.Serve(requests, contents_);
+    page_.ShowContents(contents_, panels_);
+  }
+  /// The desk is another one: what it shows is filled in anew.
+  std::vector<workbench::Request> BeginAgain() {
+    std::string agent = contents_.agent;
+    contents_ = {};
+    return {workbench::LookRequest{panels_}, workbench::SelectRequest{std::move(agent)}};
+  }
+  const std::string& agent() const { return contents_.agent; }
+
+ private:
+  EnginePage& page_;
+  workbench::PanelSet panels_;
+  workbench::Contents contents_;
+  Clock::time_point served_;
+};
+
+nlohmann::ordered_json NamesOf(const world::SceneSnapshot& scene) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const world::AgentSnapshot& agent : scene.agents) names.push_back(agent.name);
+  return names;
+}
+
+class LiveEngine {
+ public:
+  LiveEngine(RunSession& session, EnginePage& page, const WindowRun& run, const EngineOptions& options)
+      : session_(session),
+        page_(page),
+        run_(run),
+        options_(options),
+        lessons_(run.scenario, session.lesson()),
+        surroundings_(page, pace_, &lessons_, options.home),
+        panels_(page) {
+    desk_.emplace(session, run.header, run.scenario, run.settings, surroundings_);
+    Hello();
+    // Somebody new sees at once what the panels are for.
+    for (const world::AgentSnapshot& agent : session.simulation().Snapshot().agents) {
+      if (!session.simulation().HasMind(agent.name)) continue;
+      panels_.Serve(*desk_, {workbench::SelectRequest{agent.name}});
+      break;
+    }
+  }
+
+  int Run() {
+    while (!session_.IsOver() && page_.is_open()) {
+      EnginePage::Asked asked = page_.Receive(Wait_ms());
+      const bool was_asked = !asked.empty();
+      if (const Result<void> obeyed = Obey(asked); !obeyed) return Refuse(obeyed.error());
+      panels_.Serve(*desk_, std::move(asked.requests));
+      if (desk_->is_live() && !page_.is_alone()) {
+        for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
+        Tick();
+      } else {
+        pace_.Skip();
+      }
+      Show();
+      if (was_asked) page_.Done();
+    }
+    return session_.Finish();
+  }
+
+ private:
+  double Step_s() const { return static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s); }
+
+  void Hello() {
+    sim::Simulation& simulation = session_.simulation();
+    const world::SceneSnapshot scene = simulation.Snapshot();
+    nlohmann::ordered_json minds = nlohmann::ordered_json::array();
+    for (const world::AgentSnapshot& agent : scene.agents)
+      if (simulation.HasMind(agent.name)) minds.push_back(agent.name);
+    page_.Hello({{"lesson", session_.lesson().filename().string()},
+                 {"scenario", run_.scenario.name},
+                 {"seed", session_.seed()},
+                 {"agents", NamesOf(scene)},
+                 {"minds", std::move(minds)},
+                 {"step_s", Step_s()},
+                 {"may_edit", true},
+                 {"is_recording", false}});
+  }
+
+  int Wait_ms() {
+    if (page_.is_alone()) return kAlone_ms;
+    if (pace_.paused() || !desk_->is_live()) return kIdle_ms;
+    if (std::isinf(pace_.speed())) return 0;
+    const double rest_s = (1 - pace_.Blend(Step_s())) * Step_s() / pace_.speed();
+    return std::clamp(static_cast<int>(std::ceil(rest_s * 1000)), 1, kIdle_ms);
+  }
+
+  Result<void> Obey(const EnginePage::Asked& asked) {
+    if (asked.pause) {
+      if (!*asked.pause) desk_->GoOn();
+      *asked.pause ? pace_.Pause() : pace_.Resume();
+      desk_->change().AwaitNothing();
+    }
+    for (const Flow flow : asked.flows) {
+      // Who lets the world or a mind go on while he looks at the past wants to see it go on.
+      if (IsStep(flow)) desk_->GoOn();
+      pace_.Obey(flow);
+      if (flow == Flow::kStepChange) {
+        if (const std::string refusal = desk_->AwaitChange(); !refusal.empty()) {
+          pace_.Pause();
+          page_.Tell(refusal);
+        }
+      } else if (IsStep(flow)) {
+        desk_->change().AwaitNothing();
+      }
+      if (flow == Flow::kStepDecision || flow == Flow::kStepPhase)
+        page_.Tell(
+            StepMind(session_, panels_.agent(), flow == Flow::kStepDecision ? MindStep::kDecision : MindStep::kPhase)
+                .told);
+      if (flow == Flow::kReset || flow == Flow::kNextSeed) {
+        if (const Result<void> begun = BeginAgain(flow == Flow::kNextSeed); !begun) return begun;
+      }
+    }
+    return {};
+  }
+
+  Result<void> BeginAgain(bool with_next_seed) {
+    workbench::Desk::Belongings belongings = desk_->TakeBelongings();
+    desk_.reset();
+    if (const Result<void> begun = session_.BeginAgain(with_next_seed); !begun) return begun;
+    desk_.emplace(session_, run_.header, run_.scenario, run_.settings, surroundings_);
+    desk_->Bring(std::move(belongings));
+    Hello();
+    panels_.Serve(*desk_, panels_.BeginAgain());
+    page_.Tell("From the beginning, seed " + std::to_string(session_.seed()));
+    pace_.Skip();
+    return {};
+  }
+
+  void Tick() {
+    const int due = pace_.TicksDue(Step_s());
+    bool is_cut = false;
+    for (int i = 0; i < due && !is_cut && !session_.IsOver(); ++i) {
+      desk_->Prepare();
+      session_.Tick();
+      if (const std::string change = desk_->change().Take(); !change.empty()) {
+        pace_.Pause();
+        page_.Tell(change);
+        is_cut = true;
+      }
+      if (desk_->WasHit()) {
+        pace_.Pause();
+        is_cut = true;
+      }
+      is_cut |= pace_.OutOfTime();
+    }
+    if (due == 0) session_.Idle();
+  }
+
+  void Show() {
+    if (page_.is_alone()) return;
+    const sim::Simulation& simulation = session_.simulation();
+    page_.ShowFlow(pace_, desk_->past().shown_tick(), static_cast<double>(desk_->past().shown_tick()) * Step_s());
+    if (const world::SceneSnapshot* past = desk_->PastScene()) {
+      if (page_.WantsScene(past->agents.size()) && (past->tick != shown_tick_ || page_.WantsFull())) {
+        page_.ShowScene(*past, nullptr);
+        shown_tick_ = past->tick;
+        agents_ = past->agents.size();
+      }
+      return;
+    }
+    if (!page_.WantsScene(agents_) || (simulation.tick() == shown_tick_ && !page_.WantsFull())) return;
+    const world::SceneSnapshot scene = simulation.Snapshot();
+    const world::OverlaySnapshot overlays = simulation.Overlays(page_.overlay_wants());
+    page_.ShowScene(scene, &overlays);
+    shown_tick_ = simulation.tick();
+    agents_ = scene.agents.size();
+  }
+
+  RunSession& session_;
+  EnginePage& page_;
+  const WindowRun& run_;
+  const EngineOptions& options_;
+  workbench::Pace pace_{1};
+  LessonDesk lessons_;
+  EngineDesk surroundings_;
+  std::optional<workbench::Desk> desk_;
+  PanelsOfPage panels_;
+  std::uint64_t shown_tick_ = ~std::uint64_t{0};
+  std::size_t agents_ = 0;  ///< In the scene that was shown last.
+};
+
+class ReplayEngine {
+ public:
+  ReplayEngine(record::Reader& recording, record::TickRange range, const sim::DataFolders& data, EnginePage& page,
+               const EngineOptions& options)
+      : page_(page),
+        surroundings_(page, pace_, nullptr, options.home),
+        desk_(recording, data, range, surroundings_),
+        panels_(page),
+        step_s_(recording.header().step_s) {
+    const world::SceneSnapshot& scene = *desk_.PastScene();
+    nlohmann::ordered_json minds = nlohmann::ordered_json::array();
+    for (const world::AgentSnapshot& agent : scene.agents)
+      if (agent.kind.starts_with("soar")) minds.push_back(agent.name);
+    page.Hello({{"lesson", ""},
+                {"scenario", recording.header().scenario},
+                {"seed", recording.header().seed},
+                {"agents", NamesOf(scene)},
+                {"minds", minds},
+                {"step_s", step_s_},
+                {"may_edit", false},
+                {"is_recording", true}});
+    if (!minds.empty()) panels_.Serve(desk_, {workbench::SelectRequest{minds.front().get<std::string>()}});
+  }
+
+  int Run() {
+    while (!WasInterrupted() && page_.is_open()) {
+      const bool stands = pace_.paused() || page_.is_alone();
+      EnginePage::Asked asked = page_.Receive(stands ? kIdle_ms : static_cast<int>(std::ceil(step_s_ * 500)));
+      const bool was_asked = !asked.empty();
+      Obey(asked);
+      if (page_.is_alone()) {
+        pace_.Skip();
+      } else if (const int due = pace_.TicksDue(step_s_); due > 0) {
+        desk_.Show(std::min(desk_.past().shown_tick() + static_cast<std::uint64_t>(due), desk_.past().last_tick()));
+      }
+      panels_.Serve(desk_, std::move(asked.requests));
+      if (was_asked) page_.Done();
+      if (page_.is_alone()) continue;
+      const world::SceneSnapshot& scene = *desk_.PastScene();
+      page_.ShowFlow(pace_, desk_.past().shown_tick(), scene.time_s);
+      if (page_.WantsScene(scene.agents.size()) && (scene.tick != shown_tick_ || page_.WantsFull()))
+        page_.ShowScene(scene, nullptr);
+      shown_tick_ = scene.tick;
+    }
+    return kOk;
+  }
+
+ private:
+  void Obey(const EnginePage::Asked& asked) {
+    if (asked.pause) {
+      // At the end, to go on means to begin again.
+      if (!*asked.pause && desk_.past().shown_tick() >= desk_.past().last_tick()) desk_.Show(desk_.past().first_tick());
+      *asked.pause ? pace_.Pause() : pace_.Resume();
+    }
+    for (const Flow flow : asked.flows) {
+      if (flow == Flow::kReset) {
+        desk_.Show(desk_.past().first_tick());
+      } else if (flow == Flow::kNextSeed || (IsStep(flow) && flow != Flow::kStepTick)) {
+        page_.Tell("Only a run can do this; this is a recording of one");
+      } else {
+        pace_.Obey(flow);
+      }
+    }
+  }
+
+  EnginePage& page_;
+  workbench::Pace pace_{1};
+  EngineDesk surroundings_;
+  workbench::Desk desk_;
+  PanelsOfPage panels_;
+  double step_s_;
+  std::uint64_t shown_tick_ = ~std::uint64_t{0};
+};
+
+/// What the commands take for a window.
+class EngineWindow final : public Window {
+ public:
+  explicit EngineWindow(const EngineOptions& options) : options_(options), channel_(options.socket), page_(channel_) {}
+
+  [[nodiscard]] bool CanOpen() const override { return true; }
+  [[nodiscard]] std::optional<std::pair<int, int>> RoomOnDisplay() const override { return std::nullopt; }
+  int Run(RunSession& session, const RunOptions&, const sim::DataFolders&, const WindowRun& run) const override {
+    return LiveEngine(session, page_, run, options_).Run();
+  }
+  int Replay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
+             const RecordingOptions&) const override {
+    return ReplayEngine(recording, range, data, page_, options_).Run();
+  }
+
+ private:
+  const EngineOptions& options_;
+  mutable EngineChannel channel_;
+  mutable EnginePage page_;
+};
+
+}  // namespace
+
+int Engine(const EngineOptions& given) {
+  EngineOptions options = given;
+  std::error_code error;
+  options.home = fs::weakly_canonical(options.home, error);
+  const EngineWindow window(options);
+  SetProgramWindow(&window);
+  if (!options.recording.empty()) {
+    RecordingOptions replay;
+    replay.file = options.recording;
+    return Replay(replay);
+  }
+  RunOptions run;
+  run.port = 0;
+  run.threads = 1;
+  run.memory_mb = options.memory_mb;
+  run.by_strangers = true;
+  constexpr double kRecording_mb = 16;
+  run.record_limit_mb = kRecording_mb;
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return Refuse(data.error());
+  if (options.lesson.empty()) {
+    const fs::path folder = options.home / "worlds" / options.world;
+    if (!fs::exists(folder, error)) {
+      fs::create_directories(folder.parent_path(), error);
+      fs::copy(data->scenarios / options.world, folder, fs::copy_options::recursive, error);
+      if (error) return Refuse("there is no world '" + options.world + "' to copy: " + error.message());
+    }
+    run.scenario = folder.string();
+  } else {
+    std::vector<Diagnostic> problems;
+    const std::optional<Lesson> lesson = ReadLesson(ShippedLessons(*data) / options.lesson, *data, problems);
+    if (!lesson) return Refuse("there is no lesson '" + options.lesson + "'");
+    const fs::path folder = LessonsFolder() / lesson->name;
+    if (const Result<void> prepared = PrepareLesson(*lesson, folder); !prepared) return Refuse(prepared.error());
+    run.scenario = folder.string();
+    run.lesson = lesson->folder;
+  }
+  return Run(run);
+}
+
+}  // namespace soarbox::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/window.h"
+
+namespace soarbox::app {
+
+/// What `soarbox engine` was asked for. Nobody types it: the server starts it.
+struct EngineOptions {
+  std::string world;                ///< A scenario of the program; the learner gets a copy of it, and keeps it.
+  std::string lesson;               ///< Or a lesson, whose files are put into the learner's folder.
+  std::filesystem::path recording;  ///< Or a recording.
+  std::filesystem::path home;       ///< What the learner edits may be written below this folder alone.
+  int memory_mb = 256;
+  int socket = 3;  ///< Descriptor of the connection to the server.
+};
+
+/// Runs a scenario or shows a recording for pages in browsers, until the server closes the connection. Returns an
+/// ExitCode; what was wrong is told on standard error.
+int Engine(const EngineOptions& options);
+
+}  // namespace soarbox::app

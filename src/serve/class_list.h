@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "serve/place.h"
+
+namespace soarbox::serve {
+
+/// A class: learners with a place each, and a teacher with a key. Which place belongs to whom is kept beside the
+/// places, so that links stay the same.
+class ClassList {
+ public:
+  struct Learner {
+    std::string name, place;
+  };
+  /// Reads names, one a line, and makes places for those that have none yet. The error names the file and line.
+  static Result<ClassList> Read(const std::filesystem::path& names, const std::filesystem::path& state, Places& places);
+  /// Without learners: there is no class.
+  ClassList() = default;
+
+  const std::vector<Learner>& learners() const { return learners_; }
+  const std::string& key() const { return key_; }
+  bool IsKey(std::string_view given) const;
+  /// Whose place this is; empty: nobody's of the class.
+  std::string NameOf(std::string_view place) const;
+
+ private:
+  std::vector<Learner> learners_;
+  std::string key_;
+};
+
+}  // namespace soarbox::serve

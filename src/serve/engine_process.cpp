@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "serve/engine_process.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/write.hpp>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "diagnostics/problem.h"
+
+namespace soarbox::serve {
+namespace {
+
+constexpr int kEngineSocket = 3;
+constexpr std::size_t kLastWords = 2000, kMostWaiting = 16u << 20;
+
+void Limit(int what, rlim_t most) {
+  const rlimit limit{most, most};
+  setrlimit(static_cast<__rlimit_resource_t>(what), &limit);
+}
+
+struct Child {
+  std::vector<char*> words, environment;
+  int socket, error;
+  const Limits& limits;
+};
+
+/// In the new process, between fork and exec: only calls that are safe there.
+[[noreturn]] void Become(const Child& child) {
+  setpgid(0, 0);
+  const int null = open("/dev/null", O_RDWR);
+  // What comes to lie at the wanted number is moved out of its own way first.
+  const int socket = fcntl(child.socket, F_DUPFD, 10), error = fcntl(child.error, F_DUPFD, 10);
+  dup2(null, STDIN_FILENO);
+  dup2(null, STDOUT_FILENO);
+  dup2(error, STDERR_FILENO);
+  dup2(socket, kEngineSocket);
+  for (int i = kEngineSocket + 1; i < 4096; ++i) close(i);
+  constexpr rlim_t kMostFiles = 64, kMostFileBytes = rlim_t{256} << 20;
+  Limit(RLIMIT_DATA, static_cast<rlim_t>(child.limits.engine_data_mb) << 20);
+  Limit(RLIMIT_NOFILE, kMostFiles);
+  Limit(RLIMIT_FSIZE, kMostFileBytes);
+  Limit(RLIMIT_CORE, 0);
+  constexpr int kNice = 5;
+  setpriority(PRIO_PROCESS, 0, kNice);
+  signal(SIGPIPE, SIG_DFL);
+  execve(child.words.front(), child.words.data(), child.environment.data());
+  constexpr char kText[] = "the engine's program cannot be started\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  _exit(127);
+}
+
+std::vector<char*> Pointers(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+}  // namespace
+
+EngineProcess::EngineProcess(boost::asio::io_context& io) : socket_(io), error_(io), timer_(io) {}
+
+EngineProcess::~EngineProcess() {
+  if (pid_ <= 0) return;
+  kill(-pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+Result<std::shared_ptr<EngineProcess>> EngineProcess::Start(boost::asio::io_context& io,
+                                                            const std::vector<std::string>& given, const Place& place,
+                                                            const Limits& limits, Hooks hooks) {
+  const auto refuse = [] {
+    return NewProblem(std::string("the server cannot start another run: ") + std::strerror(errno), "try again later");
+  };
+  int ends[2], errors[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return refuse();
+  if (pipe2(errors, O_CLOEXEC) != 0) {
+    const Diagnostic problem = refuse();
+    close(ends[0]);
+    close(ends[1]);
+    return problem;
+  }
+  std::vector<std::string> words = given,
+                           environment = {"HOME=" + place.home().string(), "XDG_STATE_HOME=" + place.state().string(),
+                                          "PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
+  if (const char* data = std::getenv("SOARBOX_DATA")) environment.push_back(std::string("SOARBOX_DATA=") + data);
+  const Child child{Pointers(words), Pointers(environment), ends[1], errors[1], limits};
+  const pid_t pid = fork();
+  if (pid == 0) Become(child);
+  const Diagnostic problem = refuse();
+  close(ends[1]);
+  close(errors[1]);
+  if (pid < 0) {
+    close(ends[0]);
+    close(errors[0]);
+    return problem;
+  }
+  std::shared_ptr<EngineProcess> engine(new EngineProcess(io));
+  engine->pid_ = pid;
+  engine->hooks_ = std::move(hooks);
+  engine->socket_.assign(boost::asio::local::stream_protocol(), ends[0]);
+  engine->error_.assign(errors[0]);
+  engine->Read();
+  engine->ReadError();
+  return engine;
+}
+
+void EngineProcess::Read() {
+  socket_.async_read_some(boost::asio::buffer(bytes_),
+                          [self = shared_from_this()](boost::system::error_code error, std::size_t size) {
+                            if (!error) self->reader_.Add({self->bytes_.data(), size});
+                            while (std::optional<Frame> frame = error ? std::nullopt : self->reader_.Take())
+                              if (self->hooks_.on_frame) self->hooks_.on_frame(std::move(*frame));
+                            if (error || self->reader_.is_broken()) return self->AwaitEnd();
+                            self->Read();
+                          });
+}
+
+void EngineProcess::ReadError() {
+  error_.async_read_some(boost::asio::buffer(error_bytes_),
+                         [self = shared_from_this()](boost::system::error_code error, std::size_t size) {
+                           if (error) return;
+                           self->last_words_.append(self->error_bytes_.data(), size);
+                           if (self->last_words_.size() > 2 * kLastWords)
+                             self->last_words_.erase(0, self->last_words_.size() - kLastWords);
+                           self->ReadError();
+                         });
+}
+
+void EngineProcess::Send(std::string text) {
+  if (is_closed_) return;
+  waiting_bytes_ += text.size();
+  // It has not read for long: it hangs.
+  if (waiting_bytes_ > kMostWaiting) return AwaitEnd();
+  waiting_.push_back(WriteFrame(FrameKind::kText, text));
+  if (waiting_.size() == 1) Write();
+}
+
+void EngineProcess::Write() {
+  boost::asio::async_write(socket_, boost::asio::buffer(waiting_.front()),
+                           [self = shared_from_this()](boost::system::error_code error, std::size_t) {
+                             if (error) return;
+                             self->waiting_bytes_ -= std::min(self->waiting_bytes_, self->waiting_.front().size());
+                             self->waiting_.pop_front();
+                             if (!self->waiting_.empty()) self->Write();
+                           });
+}
+
+void EngineProcess::End() {
+  hooks_ = {};
+  AwaitEnd();
+}
+
+void EngineProcess::AwaitEnd() {
+  boost::system::error_code ignored;
+  if (!std::exchange(is_closed_, true)) socket_.close(ignored);
+  if (pid_ <= 0) return;
+  int status = 0;
+  if (waitpid(pid_, &status, WNOHANG) == pid_) {
+    kill(-pid_, SIGKILL);  // Whatever it had started.
+    pid_ = 0;
+    // Its last words may still lie in the pipe.
+    std::array<char, kLastWords> rest{};
+    error_.non_blocking(true, ignored);
+    const std::size_t size = error_.read_some(boost::asio::buffer(rest), ignored);
+    last_words_.append(rest.data(), size);
+    error_.close(ignored);
+    if (last_words_.size() > kLastWords) last_words_.erase(0, last_words_.size() - kLastWords);
+    if (const Hooks hooks = std::exchange(hooks_, {}); hooks.on_end)
+      hooks.on_end(last_words_, WIFEXITED(status) && WEXITSTATUS(status) <= 1);
+    return;
+  }
+  constexpr int kMostWaits = 100;
+  if (++waits_ == kMostWaits) kill(-pid_, SIGKILL);
+  timer_.expires_after(std::chrono::milliseconds(50));
+  timer_.async_wait([self = shared_from_this()](boost::system::error_code error) {
+    if (!error) self->AwaitEnd();
+  });
+}
+
+}  // namespace soarbox::serve

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "serve/frames.h"
+#include "serve/settings.h"
+
+namespace soarbox::serve {
+
+/// A process that runs one world: started without a shell, with a home, an environment and limits of its own, in a
+/// group of its own. It ends when the connection to it is closed; if it does not, it is killed.
+class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
+ public:
+  struct Hooks {
+    std::function<void(Frame)> on_frame;
+    /// It is gone. What it said last on standard error, and whether it ended by itself with success.
+    std::function<void(const std::string& last_words, bool is_good)> on_end;
+  };
+  static Result<std::shared_ptr<EngineProcess>> Start(boost::asio::io_context& io,
+                                                      const std::vector<std::string>& words, const Place& place,
+                                                      const Limits& limits, Hooks hooks);
+  ~EngineProcess();
+  EngineProcess(const EngineProcess&) = delete;
+  EngineProcess& operator=(const EngineProcess&) = delete;
+
+  void Send(std::string text);
+  /// Asks it to end; no hook is called any more.
+  void End();
+
+ private:
+  explicit EngineProcess(boost::asio::io_context& io);
+  void Read();
+  void ReadError();
+  void Write();
+  void AwaitEnd();
+
+  pid_t pid_ = 0;
+  boost::asio::local::stream_protocol::socket socket_;
+  boost::asio::posix::stream_descriptor error_;
+  boost::asio::steady_timer timer_;
+  Hooks hooks_;
+  FrameReader reader_;
+  std::array<char, 65536> bytes_{};
+  std::array<char, 1024> error_bytes_{};
+  std::string last_words_;
+  std::deque<std::string> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  bool is_closed_ = false;
+  int waits_ = 0;
+};
+
+}  // namespace soarbox::serve

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "serve/place.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "diagnostics/problem.h"
+#include "diagnostics/read_text.h"
+#include "serve/random_id.h"
+#include "serve/zip.h"
+
+namespace soarbox::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostPathBytes = 200, kMostDepth = 8;
+
+std::int64_t SecondsOf(const fs::path& path) {
+  std::error_code error;
+  const fs::file_time_type when = fs::last_write_time(path, error);
+  if (error) return 0;
+  const auto system = std::chrono::file_clock::to_sys(when);
+  return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
+}
+
+bool IsName(std::string_view name) {
+  return !name.empty() && name.front() != '.' && std::ranges::none_of(name, [](char c) {
+    return static_cast<unsigned char>(c) < ' ' || c == '\\' || c == '/' || c == '\x7f';
+  });
+}
+
+/// Whether one of the folders on the way from `from` to the file is a link.
+bool GoesThroughLink(const fs::path& from, const fs::path& file) {
+  std::error_code error;
+  fs::path at = from;
+  for (const fs::path& part : file.lexically_relative(from)) {
+    at /= part;
+    if (fs::is_symlink(fs::symlink_status(at, error))) return true;
+  }
+  return false;
+}
+
+Result<void> WriteWhole(const fs::path& file, std::string_view bytes) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  fs::path making = file;
+  making += ".part";
+  const int out = open(making.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+  std::size_t written = 0;
+  while (out >= 0 && written < bytes.size()) {
+    const ssize_t put = write(out, bytes.data() + written, bytes.size() - written);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) break;
+    written += static_cast<std::size_t>(put);
+  }
+  const bool is_whole = out >= 0 && written == bytes.size() && fsync(out) == 0;
+  const int cause = errno;
+  if (out >= 0) close(out);
+  if (is_whole) fs::rename(making, file, error);
+  if (is_whole && !error) return {};
+  fs::remove(making, error);
+  return NewProblem("the server cannot write " + file.filename().string() + ": " + std::strerror(cause),
+                    "what was there before is still there; try again later");
+}
+
+}  // namespace
+
+Place::Place(std::string id, fs::path root, PlaceLimits limits)
+    : id_(std::move(id)), root_(std::move(root)), limits_(limits) {}
+
+Result<fs::path> Place::Find(std::string_view path) const {
+  const auto refuse = [&](const char* why) {
+    return NewProblem(std::string("this is no name for a file here: ") + why,
+                      "names have no dot at the beginning; / stands between folders");
+  };
+  if (path.empty() || path.size() > kMostPathBytes) return refuse("it is empty or too long");
+  fs::path file = home();
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at <= path.size();) {
+    const std::size_t end = std::min(path.find('/', at), path.size());
+    const std::string_view name = path.substr(at, end - at);
+    if (!IsName(name) || ++depth > kMostDepth) return refuse("a part of it cannot be used");
+    file /= name;
+    at = end + 1;
+  }
+  if (GoesThroughLink(home(), file)) return refuse("it leads out of the place");
+  return file;
+}
+
+std::vector<PlaceFile> Place::Files() const {
+  std::vector<PlaceFile> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(home(), error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with('.')) {
+      it.disable_recursion_pending();
+      continue;
+    }
+    std::error_code ignored;
+    if (!it->is_symlink(ignored) && it->is_regular_file(ignored))
+      files.push_back({it->path().lexically_relative(home()).generic_string(), it->file_size(ignored)});
+    // Many more than a place may hold: something else has made them.
+    if (files.size() > 4 * limits_.files) break;
+  }
+  std::ranges::sort(files, {}, &PlaceFile::path);
+  return files;
+}
+
+std::vector<PlaceRecording> Place::Recordings() const {
+  std::vector<PlaceRecording> recordings;
+  std::error_code error;
+  for (fs::directory_iterator it(state() / "soarbox" / "recordings", error), end; !error && it != end;
+       it.increment(error)) {
+    std::error_code ignored;
+    if (it->path().extension() == ".soarrec" && it->is_regular_file(ignored))
+      recordings.push_back({it->path().filename().string(), it->file_size(ignored), SecondsOf(it->path())});
+  }
+  std::ranges::sort(recordings, {}, &PlaceRecording::name);
+  return recordings;
+}
+
+Result<fs::path> Place::FindRecording(std::string_view name) const {
+  for (const PlaceRecording& recording : Recordings())
+    if (recording.name == name) return state() / "soarbox" / "recordings" / recording.name;
+  return NewProblem("there is no recording '" + std::string(name) + "' here");
+}
+
+Result<std::string> Place::Read(std::string_view path) const {
+  const Result<fs::path> file = Find(path);
+  if (!file) return file.error();
+  std::optional<std::string> text = ReadText(*file);
+  if (!text) return NewProblem("there is no file '" + std::string(path) + "' here");
+  return *std::move(text);
+}
+
+Result<void> Place::Write(std::string_view path, std::string_view bytes) {
+  const Result<fs::path> file = Find(path);
+  if (!file) return file.error();
+  std::uintmax_t sum = bytes.size();
+  std::size_t others = 0;
+  for (const PlaceFile& there : Files()) {
+    if (there.path == path) continue;
+    sum += there.bytes;
+    ++others;
+  }
+  if (sum > limits_.bytes || others >= limits_.files)
+    return NewProblem("there is no room for this file: a place holds " + std::to_string(limits_.files) + " files and " +
+                          std::to_string(limits_.bytes >> 20) + " MB",
+                      "remove what you do not need");
+  std::error_code error;
+  if (fs::is_directory(*file, error)) return NewProblem("there is a folder of this name");
+  return WriteWhole(*file, bytes);
+}
+
+Result<void> Place::Remove(std::string_view path) {
+  const Result<fs::path> file = Find(path);
+  if (!file) return file.error();
+  std::error_code error;
+  if (!fs::is_regular_file(*file, error) || !fs::remove(*file, error))
+    return NewProblem("there is no file '" + std::string(path) + "' here");
+  return {};
+}
+
+Result<std::string> Place::Zip() const {
+  std::vector<ZipEntry> entries;
+  for (const PlaceFile& file : Files()) {
+    Result<std::string> bytes = Read(file.path);
+    if (!bytes) return bytes.error();
+    entries.push_back({file.path, *std::move(bytes)});
+  }
+  return Result<std::string>(WriteZip(entries));
+}
+
+Result<std::size_t> Place::Unzip(std::string_view archive) {
+  Result<std::vector<ZipEntry>> entries = ReadZip(archive, limits_.files, limits_.bytes);
+  if (!entries) return entries.error();
+  // All names are looked at before anything is written.
+  for (const ZipEntry& entry : *entries)
+    if (const Result<fs::path> file = Find(entry.path); !file)
+      return ProblemIn(entry.path, file.error().message, file.error().hint);
+  for (const ZipEntry& entry : *entries)
+    if (const Result<void> written = Write(entry.path, entry.bytes); !written)
+      return ProblemIn(entry.path, written.error().message, written.error().hint);
+  return entries->size();
+}
+
+Result<Place> Places::New() {
+  const std::string id = NewId();
+  std::error_code error;
+  fs::create_directories(folder_ / id / "home", error);
+  if (!error) fs::create_directories(folder_ / id / "state", error);
+  if (error)
+    return NewProblem("the server cannot make a place for you: " + error.message(), "tell whoever runs this server");
+  fs::permissions(folder_ / id, fs::perms::owner_all, error);
+  return Place(id, folder_ / id, limits_);
+}
+
+Result<Place> Places::Find(std::string_view id) const {
+  std::error_code error;
+  // The id itself is the secret; what a lookup in the file system's index tells of it is nothing to go by.
+  if (!IsId(id) || !fs::is_directory(folder_ / id / "home", error))
+    return NewProblem("there is no such place: it was never made, or nobody came for too long",
+                      "open this server's first page to get a new one");
+  fs::last_write_time(folder_ / id, fs::file_time_type::clock::now(), error);
+  return Place(std::string(id), folder_ / id, limits_);
+}
+
+void Places::RemoveOlderThan(int days, const std::vector<std::string>& kept) const {
+  std::error_code error;
+  const fs::file_time_type oldest = fs::file_time_type::clock::now() - std::chrono::hours(24) * days;
+  std::vector<fs::path> old;
+  for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    const std::string id = it->path().filename().string();
+    if (IsId(id) && std::ranges::find(kept, id) == kept.end() && fs::last_write_time(it->path(), ignored) < oldest &&
+        !ignored)
+      old.push_back(it->path());
+  }
+  for (const fs::path& place : old) fs::remove_all(place, error);
+}
+
+}  // namespace soarbox::serve

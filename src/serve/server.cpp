@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "serve/server.h"
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "diagnostics/problem.h"
+#include "serve/page_connection.h"
+#include "serve/site.h"
+
+namespace soarbox::serve {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using Tcp = asio::ip::tcp;
+
+constexpr auto kHeaderTime = std::chrono::seconds(15), kIdleTime = std::chrono::seconds(60);
+constexpr std::uint32_t kMostHeaderBytes = 16u << 10;
+
+/// How many connections there are, in all and from each address.
+class Counts {
+ public:
+  explicit Counts(Limits limits) : limits_(limits) {}
+
+  bool IsFull(const std::string& address) const {
+    const auto found = of_.find(address);
+    return all_ >= limits_.connections || (found != of_.end() && found->second >= limits_.connections_per_address);
+  }
+  void Add(const std::string& address) {
+    ++all_;
+    ++of_[address];
+  }
+  void Remove(const std::string& address) {
+    --all_;
+    if (--of_[address] == 0) of_.erase(address);
+  }
+
+ private:
+  Limits limits_;
+  std::size_t all_ = 0;
+  std::map<std::string, std::size_t> of_;
+};
+
+std::string Text(beast::string_view view) {
+  return {view.data(), view.size()};
+}
+
+/// One connection: request after request, until it becomes a WebSocket or goes.
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
+ public:
+  HttpConnection(Tcp::socket socket, Site& site, std::shared_ptr<Counts> counts, std::string address)
+      : stream_(std::move(socket)), site_(site), counts_(std::move(counts)), address_(std::move(address)) {
+    counts_->Add(address_);
+  }
+  ~HttpConnection() {
+    if (!is_handed_on_) counts_->Remove(address_);
+  }
+  HttpConnection(const HttpConnection&) = delete;
+  HttpConnection& operator=(const HttpConnection&) = delete;
+
+  void Read() {
+    parser_.emplace();
+    parser_->header_limit(kMostHeaderBytes);
+    parser_->body_limit(site_.settings().limits.upload_bytes);
+    stream_.expires_after(is_first_ ? kHeaderTime : kIdleTime);
+    is_first_ = false;
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) return self->TellBroken(error);
+      self->Take(self->parser_->release());
+    });
+  }
+  /// Says why this connection is not served, and ends it.
+  void Refuse(int status, const std::string& text) {
+    WebResponse response;
+    response.status = status;
+    response.body = "{\"error\":\"" + text + "\",\"hint\":\"\"}";
+    Write(std::move(response), 11, false, false);
+  }
+
+ private:
+  using Request = http::request<http::string_body>;
+
+  void TellBroken(beast::error_code error) {
+    if (error == http::error::body_limit) return Refuse(413, "this is larger than the server takes");
+    if (error == http::error::header_limit) return Refuse(431, "this request has too many headers");
+    // Whoever has closed or is silent hears nothing any more; whatever else it was is no request.
+    if (error == http::error::end_of_stream || error == beast::error::timeout ||
+        error.category() == asio::error::get_system_category() || error == http::error::partial_message)
+      return;
+    Refuse(400, "this is no request that the server can read");
+  }
+
+  WebRequest Read(const Request& request) const {
+    WebRequest web;
+    web.method = Text(request.method_string());
+    web.target = Text(request.target());
+    web.host = Text(request[http::field::host]);
+    web.origin = Text(request[http::field::origin]);
+    web.authorization = Text(request[http::field::authorization]);
+    web.protocols = Text(request[http::field::sec_websocket_protocol]);
+    web.tag = Text(request[http::field::if_none_match]);
+    web.takes_gzip = request[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
+    web.body = request.body();
+    web.address = address_;
+    const std::vector<std::string>& proxies = site_.settings().proxies;
+    if (std::ranges::find(proxies, address_) != proxies.end()) {
+      // The last is what our own proxy has seen.
+      const std::string forwarded = Text(request["X-Forwarded-For"]);
+      const std::size_t last = forwarded.find_last_of(", ");
+      if (!forwarded.empty()) web.address = last == std::string::npos ? forwarded : forwarded.substr(last + 1);
+    }
+    return web;
+  }
+
+  void Take(Request request) {
+    const WebRequest web = Read(request);
+    if (beast::websocket::is_upgrade(request)) {
+      Site::Admission admission = site_.Admit(web);
+      if (admission.session == nullptr) return Write(std::move(admission.refusal), request.version(), false, false);
+      is_handed_on_ = true;
+      stream_.expires_never();
+      return ServePage(stream_.release_socket(), std::move(request), site_, admission,
+                       [counts = counts_, address = address_] { counts->Remove(address); });
+    }
+    Write(site_.Answer(web), request.version(), request.keep_alive(), request.method() == http::verb::head);
+  }
+
+  void Write(WebResponse given, unsigned version, bool keeps_on, bool is_head) {
+    const auto response = std::make_shared<http::response<http::string_body>>();
+    response->version(version);
+    response->result(static_cast<unsigned>(given.status));
+    response->set(http::field::content_type, given.type);
+    for (const auto& [name, value] : given.headers) response->set(name, value);
+    // No script but the page's own, in no frame, and no place's link in anybody's log.
+    response->set(
+        "Content-Security-Policy",
+        "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+        "connect-src 'self' ws: wss:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'; object-src 'none'");
+    response->set("X-Content-Type-Options", "nosniff");
+    response->set("Referrer-Policy", "no-referrer");
+    response->set("Cross-Origin-Opener-Policy", "same-origin");
+    response->set("Cross-Origin-Resource-Policy", "same-origin");
+    response->body() = std::move(given.body);
+    response->prepare_payload();
+    if (is_head) response->body().clear();
+    response->keep_alive(keeps_on);
+    stream_.expires_after(kIdleTime);
+    http::async_write(stream_, *response,
+                      [self = shared_from_this(), response, keeps_on](beast::error_code error, std::size_t) {
+                        if (!error && keeps_on) return self->Read();
+                        beast::error_code ignored;
+                        self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+                      });
+  }
+
+  beast::tcp_stream stream_;
+  Site& site_;
+  std::shared_ptr<Counts> counts_;
+  std::string address_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  bool is_first_ = true, is_handed_on_ = false;
+};
+
+class Server {
+ public:
+  Server(asio::io_context& io, Tcp::acceptor acceptor, Site& site)
+      : io_(io),
+        acceptor_(std::move(acceptor)),
+        site_(site),
+        counts_(std::make_shared<Counts>(site.settings().limits)),
+        timer_(io) {}
+
+  void Accept() {
+    acceptor_.async_accept([this](beast::error_code error, Tcp::socket socket) {
+      if (error == asio::error::operation_aborted) return;
+      if (!error) Take(std::move(socket));
+      // Without descriptors there is nothing to accept; some will come free.
+      if (error) return AcceptLater();
+      Accept();
+    });
+  }
+
+  void CleanUpAgain() {
+    timer_.expires_after(std::chrono::seconds(5));
+    timer_.async_wait([this](beast::error_code error) {
+      if (error) return;
+      site_.CleanUp();
+      CleanUpAgain();
+    });
+  }
+
+  void Close() {
+    beast::error_code ignored;
+    acceptor_.close(ignored);
+    timer_.cancel();
+  }
+
+ private:
+  void Take(Tcp::socket socket) {
+    beast::error_code error;
+    const Tcp::endpoint from = socket.remote_endpoint(error);
+    if (error) return;
+    socket.set_option(Tcp::no_delay(true), error);
+    const std::string address = from.address().to_string();
+    const bool is_full = counts_->IsFull(address);
+    const auto connection = std::make_shared<HttpConnection>(std::move(socket), site_, counts_, address);
+    is_full ? connection->Refuse(503, "this server has as many connections as it may; try again in a minute")
+            : connection->Read();
+  }
+
+  void AcceptLater() {
+    const auto later = std::make_shared<asio::steady_timer>(io_, std::chrono::milliseconds(100));
+    later->async_wait([this, later](beast::error_code error) {
+      if (!error && acceptor_.is_open()) Accept();
+    });
+  }
+
+  asio::io_context& io_;
+  Tcp::acceptor acceptor_;
+  Site& site_;
+  std::shared_ptr<Counts> counts_;
+  asio::steady_timer timer_;
+};
+
+Diagnostic CannotListen(const Settings& settings, const std::string& why) {
+  return NewProblem(
+      "the server cannot listen at " + settings.address + ":" + std::to_string(settings.port) + ": " + why,
+      "choose another address or port with --listen ADDRESS:PORT");
+}
+
+}  // namespace
+
+Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
+                   const std::function<void(const std::vector<Address>&)>& on_listening) {
+  asio::io_context io(1);
+  beast::error_code error;
+  const asio::ip::address address = asio::ip::make_address(settings.address, error);
+  if (error) return CannotListen(settings, "this is no address; 127.0.0.1 is this machine, 0.0.0.0 all its networks");
+  Tcp::acceptor acceptor(io);
+  const Tcp::endpoint endpoint(address, settings.port);
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error) return CannotListen(settings, error.message());
+  settings.port = acceptor.local_endpoint().port();
+  Result<std::unique_ptr<Site>> site = Site::Make(io, std::move(settings), std::move(catalog));
+  if (!site) return site.error();
+  const Settings& used = (*site)->settings();
+  Server server(io, std::move(acceptor), **site);
+  server.Accept();
+  server.CleanUpAgain();
+
+  const std::string host = address.is_v6() ? "[" + used.address + "]" : used.address;
+  const std::string base = "http://" + host + ":" + std::to_string(used.port);
+  const std::string token = used.token.empty() ? "" : "#token=" + used.token;
+  std::vector<Address> links = {{"", base + "/" + token}};
+  if (!(*site)->learners().key().empty()) {
+    links.push_back({"the teacher", base + "/class/" + (*site)->learners().key() + "/" + token});
+    for (const ClassList::Learner& learner : (*site)->learners().learners())
+      links.push_back({learner.name, base + "/p/" + learner.place + "/" + token});
+  }
+  on_listening(links);
+
+  asio::signal_set signals(io, SIGINT, SIGTERM);
+  asio::steady_timer grace(io);
+  signals.async_wait([&](beast::error_code failed, int) {
+    if (failed) return;
+    server.Close();
+    (*site)->EndAll("The server is being stopped. What you typed and the recording are kept.");
+    // Engines write the ends of their recordings meanwhile.
+    grace.expires_after(std::chrono::seconds(2));
+    grace.async_wait([&io](beast::error_code) { io.stop(); });
+  });
+  io.run();
+  return {};
+}
+
+}  // namespace soarbox::serve

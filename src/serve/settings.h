@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "serve/place.h"
+
+namespace soarbox::serve {
+
+/// What a server lets people do. What is over a limit is told in a sentence.
+struct Limits {
+  std::size_t sessions = 128;      ///< Runs at a time.
+  std::size_t connections = 2000;  ///< Open at a time.
+  std::size_t connections_per_address = 400;
+  std::size_t places_per_hour = 300;  ///< New ones of one address.
+  std::size_t message_bytes = 1u << 20;
+  std::size_t upload_bytes = 4u << 20;
+  double requests_per_s = 60;        ///< Of one page, in the mean.
+  int wrong_tokens_per_minute = 10;  ///< Of one address.
+  int idle_min = 30;                 ///< A run at which nobody looks ends after so long.
+  int run_hours = 12;                ///< No run is longer.
+  int kept_days = 30;                ///< A place that nobody visits is removed after so long.
+  int engine_mb = 256;               ///< That one world may use.
+  int engine_data_mb = 1024;         ///< That its process may have in all.
+  PlaceLimits place;
+};
+
+struct Lesson {
+  std::string name, title;
+  std::size_t checks = 0;
+};
+/// How far somebody is with a lesson.
+struct Progress {
+  bool is_passed = false;
+  int attempts = 0, hints = 0;
+};
+
+/// What the program around the server knows of lessons and worlds.
+class Catalog {
+ public:
+  virtual ~Catalog() = default;
+  virtual std::vector<Lesson> Lessons() const = 0;
+  struct Scenario {
+    std::string name, about;
+  };
+  virtual std::vector<Scenario> Scenarios() const = 0;
+  /// As noted below this folder, a place's `state`.
+  virtual Progress ProgressOf(const std::filesystem::path& state, const std::string& lesson) const = 0;
+};
+
+struct Settings {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;         ///< 0: any free one.
+  std::vector<std::string> hosts;    ///< Names by which browsers may call the server, besides numbers and localhost.
+  std::vector<std::string> proxies;  ///< Addresses whose X-Forwarded-For is believed.
+  std::string token;                 ///< Empty: none is needed.
+  std::filesystem::path state;       ///< Where places are kept.
+  std::filesystem::path page;        ///< The folder of the built page.
+  std::filesystem::path class_list;  ///< Names of learners, one a line; empty: no class.
+  std::string opens;                 ///< What a new place opens at once: "scenario:scout"; empty: nothing.
+  /// The program of an engine with its arguments, for what a page wants to see: "lesson:...", "scenario:...", or
+  /// "recording:..." with the path of the file. Empty: there is no such thing.
+  std::function<std::vector<std::string>(const std::string& what, const Place& place)> engine;
+  std::string version;
+  Limits limits;
+};
+
+}  // namespace soarbox::serve

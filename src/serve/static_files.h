@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "diagnostics/result.h"
+
+namespace soarbox::serve {
+
+/// The files of the built page, read once, compressed once.
+class StaticFiles {
+ public:
+  struct File {
+    std::string type;  ///< "text/css; charset=utf-8"
+    std::string bytes;
+    std::string gzipped;  ///< Empty: that would be no smaller.
+    std::string tag;      ///< Changes with the bytes.
+  };
+  /// The error says that the page was not built.
+  static Result<StaticFiles> Read(const std::filesystem::path& folder);
+  /// By its path from the folder, "assets/page.js"; null: there is none.
+  const File* Find(std::string_view path) const;
+
+ private:
+  std::map<std::string, File, std::less<>> files_;
+};
+
+}  // namespace soarbox::serve

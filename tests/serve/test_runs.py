@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Runs that pages look at: lessons, worlds, recordings, and what is left of them when something is killed."""
+import os
+import signal
+import unittest
+
+from web_client import LESSONS, Gone, ServeCase
+
+
+def first_file(edit):
+    return edit["files"][0]["file"]
+
+
+class Runs(ServeCase):
+    def test_a_world_is_shown_and_its_time_goes_on(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "agents", "mind")
+        hello = page.messages[-1]
+        self.assertEqual((hello["what"], hello["is_recording"], hello["seed"]), ("scenario:soar_hallway", False, 1))
+        self.assertTrue(hello["minds"])
+        page.until_contents("mind", lambda mind: mind["stack"])
+        page.until(lambda message: message["message"] == "flow" and message["time_s"] > 1)
+        self.assertGreater(len(page.blocks), 10)
+        self.assertEqual(page.blocks[0][:2], b"\x53\x01")
+        self.assertTrue(page.blocks[0][2] & 1, "the first block is full")
+        self.assertFalse(all(block[2] & 1 for block in page.blocks), "others are differences")
+
+    def test_time_stops_steps_and_goes_back(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "agents")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 5)
+        page.ask(request="flow", what="pause")
+        tick = page.until(lambda message: message["message"] == "flow" and message["paused"])["tick"]
+        page.ask(request="flow", what="step-tick")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] == tick + 1)
+        page.ask(request="flow", what="step-decision")
+        page.until(lambda message: message["message"] == "told" and "one decision" in message["text"])
+        page.ask(request="seek", tick=2)
+        page.until_contents("moment", lambda moment: moment["time"]["shown_tick"] == 2 and not moment["time"]["is_live"])
+        page.ask(request="live")
+        page.until_contents("moment", lambda moment: moment["time"]["is_live"])
+        page.ask(request="flow", what="next-seed")
+        self.assertEqual(page.until_message("hello")["seed"], 2)
+
+    def test_a_lesson_is_solved_by_typing(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "lesson:01-a-rule", "mission", "edit", "problems")
+        lesson = page.until_contents("mission", lambda mission: mission["lesson"])["lesson"]
+        self.assertFalse(lesson["is_passed"])
+        files = page.until_contents("edit", lambda edit: edit["files"])
+        page.ask(request="edit", file=first_file(files))
+        page.until_contents("edit", lambda edit: edit["edit"]["text"])
+        page.ask(request="lesson", what="hint")
+        page.until_contents("mission", lambda mission: len(mission["lesson"]["hints"]) == 1)
+        # What does not parse changes nothing and is told at its place.
+        page.ask(request="edit-text", what="apply", text="sp {broken (state <s> --> }")
+        broken = page.until_contents("edit", lambda edit: edit["edit"]["problems"])["edit"]
+        self.assertEqual(broken["problems"][0]["line"], 1)
+        self.assertIn("previous version keeps running", broken["notice"])
+        solution = next((LESSONS / "01-a-rule" / "solution").glob("*.soar")).read_text(encoding="utf-8")
+        page.ask(request="edit-text", what="apply", text=solution)
+        page.until_contents("edit", lambda edit: "Reloaded" in edit["edit"]["notice"])
+        page.ask(request="edit-text", what="save", text=solution)
+        page.until_contents("edit", lambda edit: edit["edit"]["notice"] == "Saved.")
+        page.ask(request="lesson", what="grade")
+        done = page.until_contents("mission", lambda mission: mission["lesson"]["is_passed"])["lesson"]
+        self.assertIn("Passed", " ".join(done["grade"]))
+        about = server.json("GET", f"/api/p/{place}")[1]
+        self.assertEqual([lesson["is_passed"] for lesson in about["lessons"]][:2], [True, False])
+
+    def test_a_run_goes_on_where_it_was_when_its_page_comes_again(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "scenario:soar_hallway", "agents")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 10)
+        page.ask(request="flow", what="pause")
+        tick = page.until(lambda message: message["message"] == "flow" and message["paused"])["tick"]
+        page.close()
+        again = self.page(server, place)
+        hello = again.until_message("hello")
+        self.assertEqual(hello["what"], "scenario:soar_hallway")
+        self.assertGreaterEqual(again.until_message("flow")["tick"], tick)
+        again.until_contents("agents")
+        again.ask(request="scene")
+        again.ask(request="flow", what="go-on")
+        again.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 5)
+        self.assertTrue(again.blocks[0][2] & 1)
+
+    def test_two_pages_of_a_place_see_the_same_run(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "scenario:soar_hallway", "agents")
+        other = self.page(server, place)
+        other.until_message("hello")
+        page.ask(request="flow", what="pause")
+        other.until(lambda message: message["message"] == "flow" and message["paused"])
+
+    def test_an_engine_that_is_killed_takes_nothing_with_it(self):
+        server = self.serve()
+        place, neighbour = server.new_place(), server.new_place()
+        beside = self.opened(server, neighbour, "scenario:soar_hallway", "agents")
+        before = server.engines()
+        page = self.opened(server, place, "lesson:01-a-rule", "edit")
+        page.ask(request="edit", file=first_file(page.until_contents("edit", lambda edit: edit["files"])))
+        page.until_contents("edit", lambda edit: edit["edit"]["text"])
+        page.ask(request="edit-text", what="type", text="# half a thought\n")
+        drafts = self.folder / "state" / "places" / place / "state"
+        self.wait_for(lambda: any("half a thought" in file.read_text(encoding="utf-8", errors="replace")
+                                  for file in drafts.rglob("*") if file.is_file() and "recordings" not in file.parts),
+                      "what is typed is kept on the disk")
+        victim = (set(server.engines()) - set(before)).pop()
+        os.kill(victim, signal.SIGKILL)
+        ended = page.until_message("ended")
+        self.assertIn("crashed", ended["text"])
+        beside.until(lambda message: message["message"] == "flow" and message["tick"] > 0)
+        page.ask(request="open", what="lesson:01-a-rule")
+        page.until_message("hello")
+        page.ask(request="look", panels=["edit"])
+        page.ask(request="edit", file=first_file(page.until_contents("edit", lambda edit: edit["files"])))
+        page.until_contents("edit", lambda edit: "half a thought" in edit["edit"]["text"])
+        self.assertTrue(server.json("GET", f"/api/p/{place}")[1]["recordings"])
+
+    def test_a_server_that_is_killed_finds_all_places_again(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "scenario:soar_hallway", "agents")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 30)
+        engines = server.engines()
+        server.kill()
+        self.wait_for(lambda: not any(os.path.exists(f"/proc/{number}/root") and is_running(number) for number in engines),
+                      "engines end with their server")
+        again = self.serve()
+        recordings = again.json("GET", f"/api/p/{place}")[1]["recordings"]
+        self.assertEqual(len(recordings), 1)
+        shown = self.opened(again, place, "recording:" + recordings[0]["name"], "agents", "timeline")
+        self.assertTrue(shown.messages[-1]["is_recording"])
+        shown.until_contents("moment", lambda moment: moment["time"]["last_tick"] > 20)
+        shown.ask(request="seek", tick=3)
+        shown.until_contents("moment", lambda moment: moment["time"]["shown_tick"] == 3)
+
+    def test_a_server_that_is_stopped_says_so(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "agents")
+        code = server.stop()
+        self.assertIn("being stopped", page.until_message("ended")["text"])
+        self.assertEqual(code, 0)
+
+    def test_there_is_a_limit_to_runs_and_it_is_told(self):
+        server = self.serve("--sessions", "1")
+        self.opened(server, server.new_place(), "scenario:soar_hallway", "agents")
+        late = self.page(server, server.new_place())
+        self.assertEqual(late.status, 503)
+
+    def test_what_cannot_be_opened_is_told_and_the_run_goes_on(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "agents")
+        for what in ("lesson:../01-a-rule", "scenario:/etc", "scenario:..", "recording:../../x", "nothing", "", "lesson:"):
+            page.ask(request="open", what=what, id=what)
+            self.assertEqual(page.until_message("error")["id"], what)
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+
+    def test_a_world_that_cannot_begin_says_why(self):
+        server = self.serve()
+        place = server.new_place()
+        for path, text in (("worlds/mine/scenario.toml", b'[world]\nfloor = "none'), ):
+            self.assertEqual(server.json("PUT", f"/api/p/{place}/files/{path}", text)[0], 200)
+        page = self.page(server, place)
+        page.ask(request="open", what="scenario:mine")
+        ended = page.until_message("ended")
+        self.assertNotIn("crashed", ended["text"])
+
+    def test_a_console_reads_no_files_and_starts_nothing(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "console")
+        agent = page.messages[-1] and next(message for message in page.messages if message["message"] == "hello")["minds"][0]
+        page.ask(request="console", agent=agent, line="print s1")
+        page.until_contents("console", lambda console: any("^io" in str(line) for line in console["lines"]))
+        written = self.folder / "stolen.txt"
+        for line in (f"output log {written}", "source /etc/passwd", f"rete-net --save {written}", "visualize",
+                     f"save percepts --open {written}"):
+            page.ask(request="console", agent=agent, line=line)
+        page.ask(request="console", agent=agent, line="echo the end")
+        page.until_contents("console", lambda console: any("the end" in str(line) for line in console["lines"]))
+        self.assertFalse(written.exists())
+
+    def test_a_program_of_its_own_is_no_editor(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "edit", "problems")
+        page.ask(request="edit", file="/etc/passwd")
+        page.until_contents("problems", lambda problems: "not made from this file" in str(problems))
+        page.ask(request="open-run", what="/etc", id=1)
+        page.ask(request="no-such-request", id=2)
+        self.assertEqual(page.until(lambda message: message.get("id") == 2)["message"], "error")
+
+
+def is_running(number):
+    try:
+        with open(f"/proc/{number}/stat", encoding="utf-8") as stat:
+            return stat.read().rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A server started by the real command, and what a browser would say to it."""
+import base64
+import http.client
+import json
+import os
+import pathlib
+import re
+import signal
+import socket
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+COMMAND = os.environ["SOARBOX"]
+LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
+# However slow the machine: a test that waits so long has failed.
+PATIENCE_S = 120
+
+
+class Gone(Exception):
+    """The other side has closed the connection."""
+
+
+class WebSocket:
+    """One page's connection. Text comes as messages, blocks of the scene are kept beside them."""
+
+    def __init__(self, server, path, protocol=None, origin=None, host=None):
+        self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S)
+        key = base64.b64encode(os.urandom(16)).decode()
+        lines = [f"GET {path} HTTP/1.1", f"Host: {host or server.host}", "Upgrade: websocket", "Connection: Upgrade",
+                 f"Sec-WebSocket-Key: {key}", "Sec-WebSocket-Version: 13", f"Origin: {origin or server.origin}"]
+        if protocol:
+            lines.append(f"Sec-WebSocket-Protocol: {protocol}")
+        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
+        self.held, self.blocks, self.messages = b"", [], []
+        while b"\r\n\r\n" not in self.held:
+            self.fill()
+        head, self.held = self.held.split(b"\r\n\r\n", 1)
+        self.status = int(head.split(b" ")[1])
+        self.head = head.decode()
+
+    def fill(self):
+        got = self.socket.recv(65536)
+        if not got:
+            raise Gone()
+        self.held += got
+
+    def take(self, count):
+        while len(self.held) < count:
+            self.fill()
+        taken, self.held = self.held[:count], self.held[count:]
+        return taken
+
+    def send_frame(self, opcode, payload):
+        mask = os.urandom(4)
+        size = len(payload)
+        head = bytes([0x80 | opcode])
+        head += bytes([0x80 | size]) if size < 126 else bytes([0x80 | 126]) + struct.pack(">H", size) if size < 65536 \
+            else bytes([0x80 | 127]) + struct.pack(">Q", size)
+        self.socket.sendall(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload)))
+
+    def ask(self, **request):
+        self.send_frame(1, json.dumps(request).encode())
+
+    def receive(self):
+        """The next text message."""
+        while True:
+            first, second = self.take(2)
+            size = second & 127
+            if size == 126:
+                size = struct.unpack(">H", self.take(2))[0]
+            elif size == 127:
+                size = struct.unpack(">Q", self.take(8))[0]
+            payload = self.take(size)
+            opcode = first & 15
+            if opcode == 8:
+                raise Gone()
+            if opcode == 9:
+                self.send_frame(10, payload)
+            elif opcode == 2:
+                self.blocks.append(payload)
+            elif opcode == 1:
+                return json.loads(payload)
+
+    def until(self, accepts):
+        """Receives until a message is accepted; that one."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            message = self.receive()
+            self.messages.append(message)
+            if accepts(message):
+                return message
+        raise AssertionError(f"no such message came; the last were {self.messages[-5:]}")
+
+    def until_message(self, kind):
+        return self.until(lambda message: message["message"] == kind)
+
+    def until_contents(self, name, accepts=lambda content: True):
+        """Receives until these contents are accepted; they alone."""
+        return self.until(lambda message: message["message"] == "contents" and name in message["contents"]
+                          and accepts(message["contents"][name]))["contents"][name]
+
+    def close(self):
+        self.socket.close()
+
+
+class Server:
+    """`soarbox serve` on a port of its own."""
+
+    def __init__(self, folder, *options):
+        self.folder = pathlib.Path(folder)
+        self.page = self.folder / "page"
+        self.page.mkdir(exist_ok=True)
+        (self.page / "index.html").write_text("<!doctype html><title>Soarbox</title>" + "page " * 200, encoding="utf-8")
+        self.errors = open(self.folder / "server.err", "w+", encoding="utf-8")
+        self.process = subprocess.Popen(
+            [COMMAND, "serve", "--listen", "127.0.0.1:0", "--state", self.folder / "state", "--page", self.page, *options],
+            stdout=subprocess.PIPE, stderr=self.errors, text=True)
+        self.lines = [self.process.stdout.readline()]
+        found = re.search(r"http://([\d.:]+)/", self.lines[0])
+        if not found:
+            raise AssertionError((self.folder / "server.err").read_text(encoding="utf-8"))
+        self.host = found[1]
+        self.port = int(self.host.rsplit(":", 1)[1])
+        self.origin = "http://" + self.host
+
+    def http(self, method, path, body=None, **headers):
+        """Status, headers and body of one request."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE_S)
+        connection.putrequest(method, path, skip_host=True)
+        named = {"Host": self.host, **{name.replace("_", "-"): value for name, value in headers.items()}}
+        if body is not None:
+            named["Content-Length"] = str(len(body))
+        for name, value in named.items():
+            connection.putheader(name, value)
+        connection.endheaders(body)
+        answer = connection.getresponse()
+        got = answer.read()
+        connection.close()
+        return answer.status, answer.headers, got
+
+    def json(self, method, path, body=None, **headers):
+        status, _, got = self.http(method, path, body, **headers)
+        return status, json.loads(got)
+
+    def new_place(self, **headers):
+        status, made = self.json("POST", "/api/places", b"", **headers)
+        assert status == 200, made
+        return made["place"]
+
+    def stop(self):
+        self.process.send_signal(signal.SIGTERM)
+        code = self.process.wait(PATIENCE_S)
+        self.close()
+        return code
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+        self.close()
+
+    def close(self):
+        self.process.stdout.close()
+        self.errors.close()
+
+    def engines(self):
+        """Numbers of the processes that the server has started."""
+        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="utf-8")
+        return [int(number) for number in children.split()]
+
+
+class ServeCase(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def serve(self, *options):
+        server = Server(self.folder, *options)
+        self.addCleanup(lambda: server.process.poll() is None and server.kill())
+        return server
+
+    def page(self, server, place, **options):
+        page = WebSocket(server, f"/api/p/{place}/run", **options)
+        self.addCleanup(page.close)
+        return page
+
+    def opened(self, server, place, what, *panels):
+        """A page that looks at a run that it has opened."""
+        page = self.page(server, place)
+        page.until_message("none")
+        page.ask(request="open", what=what)
+        page.until_message("hello")
+        page.ask(request="look", panels=list(panels))
+        return page
+
+    def wait_for(self, condition, what):
+        end = time.monotonic() + PATIENCE_S
+        while not condition() and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertTrue(condition(), what)
