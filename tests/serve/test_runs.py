@@ -4,7 +4,7 @@ import os
 import signal
 import unittest
 
-from web_client import LESSONS, Gone, ServeCase
+from web_client import LESSONS, ServeCase
 
 
 def first_file(edit):

@@ -151,7 +151,7 @@ class Doors(ServeCase):
 
     def test_beyond_this_machine_a_token_is_needed(self):
         with self.assertRaisesRegex(AssertionError, "--token SECRET"):
-            self.serve("--listen", "0.0.0.0:0")
+            self.serve(listen="0.0.0.0:0")
 
     def test_noise_hurts_nobody(self):
         server = self.serve()
@@ -250,7 +250,9 @@ class Class(ServeCase):
         self.assertIn("only watch", watching.until_message("error")["error"])
         page.ask(request="flow", what="pause")
         watching.until(lambda message: message["message"] == "flow" and message["paused"])
-        self.assertEqual(WebSocket(server, f"/api/p/{ada}/watch?key=wrong").status, 403)
+        refused = WebSocket(server, f"/api/p/{ada}/watch?key=wrong")
+        self.addCleanup(refused.close)
+        self.assertEqual(refused.status, 403)
         self.assertEqual(server.json("GET", "/api/class/wrong")[0], 404)
         _, headers, csv = server.http("GET", f"/api/class/{key}.csv")
         self.assertIn("text/csv", headers["Content-Type"])

@@ -35,7 +35,7 @@ class WebSocket:
         if protocol:
             lines.append(f"Sec-WebSocket-Protocol: {protocol}")
         self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
-        self.held, self.blocks, self.messages = b"", [], []
+        self.held, self.blocks, self.messages, self.contents = b"", [], [], {}
         while b"\r\n\r\n" not in self.held:
             self.fill()
         head, self.held = self.held.split(b"\r\n\r\n", 1)
@@ -91,6 +91,7 @@ class WebSocket:
         while time.monotonic() < end:
             message = self.receive()
             self.messages.append(message)
+            self.contents.update(message.get("contents", {}))
             if accepts(message):
                 return message
         raise AssertionError(f"no such message came; the last were {self.messages[-5:]}")
@@ -99,9 +100,10 @@ class WebSocket:
         return self.until(lambda message: message["message"] == kind)
 
     def until_contents(self, name, accepts=lambda content: True):
-        """Receives until these contents are accepted; they alone."""
-        return self.until(lambda message: message["message"] == "contents" and name in message["contents"]
-                          and accepts(message["contents"][name]))["contents"][name]
+        """Receives until these contents, as they are now, are accepted; they alone."""
+        if name not in self.contents or not accepts(self.contents[name]):
+            self.until(lambda message: name in message.get("contents", {}) and accepts(message["contents"][name]))
+        return self.contents[name]
 
     def close(self):
         self.socket.close()
@@ -110,18 +112,20 @@ class WebSocket:
 class Server:
     """`soarbox serve` on a port of its own."""
 
-    def __init__(self, folder, *options):
+    def __init__(self, folder, *options, listen="127.0.0.1:0"):
         self.folder = pathlib.Path(folder)
         self.page = self.folder / "page"
         self.page.mkdir(exist_ok=True)
         (self.page / "index.html").write_text("<!doctype html><title>Soarbox</title>" + "page " * 200, encoding="utf-8")
         self.errors = open(self.folder / "server.err", "w+", encoding="utf-8")
         self.process = subprocess.Popen(
-            [COMMAND, "serve", "--listen", "127.0.0.1:0", "--state", self.folder / "state", "--page", self.page, *options],
+            [COMMAND, "serve", "--listen", listen, "--state", self.folder / "state", "--page", self.page, *options],
             stdout=subprocess.PIPE, stderr=self.errors, text=True)
         self.lines = [self.process.stdout.readline()]
         found = re.search(r"http://([\d.:]+)/", self.lines[0])
         if not found:
+            self.process.wait()
+            self.close()
             raise AssertionError((self.folder / "server.err").read_text(encoding="utf-8"))
         self.host = found[1]
         self.port = int(self.host.rsplit(":", 1)[1])
@@ -130,7 +134,7 @@ class Server:
     def http(self, method, path, body=None, **headers):
         """Status, headers and body of one request."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE_S)
-        connection.putrequest(method, path, skip_host=True)
+        connection.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
         named = {"Host": self.host, **{name.replace("_", "-"): value for name, value in headers.items()}}
         if body is not None:
             named["Content-Length"] = str(len(body))
@@ -178,8 +182,8 @@ class ServeCase(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def serve(self, *options):
-        server = Server(self.folder, *options)
+    def serve(self, *options, **named):
+        server = Server(self.folder, *options, **named)
         self.addCleanup(lambda: server.process.poll() is None and server.kill())
         return server
 
