@@ -2,7 +2,6 @@
 #include "diagnostics/diagnostic.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "diagnostics/plain_text.h"
 
@@ -21,19 +20,27 @@ const char* Word(Severity severity) {
   return "error";
 }
 
-// Optimal string alignment: insertions, deletions, replacements and swapped neighbours each cost 1.
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+/// Optimal string alignment: insertions, deletions, replacements and swapped neighbours each cost 1. `most` + 1 if there
+/// are more. Only the band of the table that can lead to so few is filled in.
+std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
+  const std::size_t beyond = most + 1;
+  std::vector<std::size_t> before_last(b.size() + 1, beyond), last(b.size() + 1, beyond), row(b.size() + 1, beyond);
+  for (std::size_t j = 0; j <= std::min(most, b.size()); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     before_last.swap(last);
     last.swap(row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+    std::fill(row.begin(), row.end(), beyond);
+    if (i <= most) row[0] = i;
+    const std::size_t from = i > most ? i - most : 1, to = std::min(b.size(), i + most);
+    std::size_t least = row[0];
+    for (std::size_t j = from; j <= to; ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), beyond});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+      least = std::min(least, row[j]);
     }
+    // A swap reaches over one row.
+    if (least > most && *std::min_element(last.begin(), last.end()) > most) return beyond;
   }
   return row[b.size()];
 }
@@ -99,16 +106,18 @@ std::string Format(const Diagnostic& diagnostic) {
 
 std::string_view Suggest(std::string_view word, const std::vector<std::string_view>& candidates) {
   std::string_view best;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (std::string_view candidate : candidates) {
-    // So many letters differ at least; a long text is no slip of a name, and is not compared letter by letter.
+  // Words come from strangers, and may be of any length: a name is not longer than this, nor a slip larger.
+  constexpr std::size_t kLongestName = 100, kMostChanges = 6;
+  if (word.size() > kLongestName) return best;
+  std::size_t most = std::clamp<std::size_t>(word.size() / 3, 1, kMostChanges);
+  for (const std::string_view candidate : candidates) {
     const std::size_t longer = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
-    if (longer >= best_distance) continue;
-    const std::size_t distance = EditDistance(word, candidate);
-    if (distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
+    if (longer > most) continue;
+    const std::size_t distance = EditDistance(word, candidate, most);
+    if (distance > most) continue;
+    best = candidate;
+    if (distance == 0) return best;
+    most = distance - 1;
   }
   return best;
 }

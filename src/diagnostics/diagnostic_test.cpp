@@ -40,6 +40,23 @@ TEST(Diagnostic, TellsInHowManyMorePlacesTheSameIsWrong) {
   EXPECT_EQ(Format(diagnostic), "warning: s1 looks like an identifier\n   note: the same in 12 more places\n");
 }
 
+TEST(Suggest, CountsInsertionsDeletionsReplacementsAndSwaps) {
+  EXPECT_EQ(Suggest("abcdef", {"abdcef", "zzzzzz"}), "abdcef");
+  EXPECT_EQ(Suggest("abcdef", {"abcde", "abcdfe"}), "abcde");
+  EXPECT_EQ(Suggest("move-forwrad", {"move", "move-forward", "move-backward"}), "move-forward");
+  EXPECT_EQ(Suggest("ab", {"ba"}), "ba");
+  EXPECT_EQ(Suggest("a", {"b"}), "b");
+  EXPECT_EQ(Suggest("abcdefghi", {"xbcxefgxi"}), "xbcxefgxi") << "three changes in nine letters";
+  EXPECT_EQ(Suggest("abcdefghi", {"xbcxxfgxi"}), "") << "four are too many";
+}
+
+TEST(Suggest, AWordOfAnyLengthIsNoNearMissOfAName) {
+  const std::string endless(1'000'000, 'a'), letters(20'000, 'b');
+  EXPECT_EQ(Suggest(endless, {"print", endless.substr(1), letters}), "");
+  EXPECT_EQ(Suggest("input-link", {endless, letters, "input-lnik"}), "input-lnik");
+  EXPECT_EQ(Suggest(std::string(100, 'c'), {std::string(99, 'c')}), std::string(99, 'c'));
+}
+
 TEST(Suggest, FindsTheNearMissAndStaysSilentOnStrangers) {
   EXPECT_EQ(Suggest("pirnt", {"print", "preferences", "run"}), "print");
   EXPECT_EQ(Suggest("xyzzy", {"print", "preferences", "run"}), "");

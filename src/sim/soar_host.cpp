@@ -69,6 +69,13 @@ const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent)
   return nullptr;
 }
 
+/// What our own kernel warns of in rules that it has loaded; an official Soar says nothing.
+template <typename Agent>
+const char* LoadWarnings(const Agent& agent) {
+  if constexpr (requires { agent.GetLoadWarnings(); }) return agent.GetLoadWarnings();
+  return "";
+}
+
 /// Never null; asks for HadError().
 std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
   std::unique_ptr<::sml::Kernel> kernel(
@@ -209,7 +216,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
     std::vector<Diagnostic> more = ParseDiagnostics(reason, file);
     if (loaded.problems.empty()) loaded.problems = std::move(more);
   } else {
-    for (Diagnostic& trap : ParseDiagnostics(loaded.agent->GetLoadWarnings(), file))
+    for (Diagnostic& trap : ParseDiagnostics(LoadWarnings(*loaded.agent), file))
       loaded.problems.push_back(std::move(trap));
   }
   explain::ClarifyErrors(loaded.problems);

@@ -40,10 +40,12 @@ class EXPORT Agent : public ClientErrors {
   /// Sources a file of rules and commands. False if there was an error in it; GetLastErrorDescription() lists every one
   /// with file, line and column, and rules without errors are loaded all the same.
   bool LoadProductions(char const* pFilename, bool echoResults = true);
+#ifndef SOARBOX_PUBLIC_API_ONLY
   /// What the last LoadProductions warns of if it succeeded, with file, line and column: rules whose conditions
   /// multiply, numbers that fall between two proposals. Empty if the kernel is in another process. Not part of the
   /// interface of Soar 9.6.3.
   char const* GetLoadWarnings() const;
+#endif
 
   /// The root of the input structure; one object for the agent's life.
   Identifier* GetInputLink();

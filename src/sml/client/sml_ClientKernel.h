@@ -67,6 +67,7 @@ class EXPORT Kernel : public ClientErrors {
   /// True for a kernel in this process that was made with optimized.
   bool IsDirectConnection();
 
+#ifndef SOARBOX_PUBLIC_API_ONLY
   /// How long a remote kernel may be silent while it is asked something: a run, say. After that the connection counts
   /// as closed (IsConnectionClosed) and calls fail at once. Command lines that are no runs may take five times as long.
   /// 0, the default: calls fail after a minute, and runs and command lines may take as long as they like. Not part of
@@ -87,6 +88,7 @@ class EXPORT Kernel : public ClientErrors {
   /// While on, what remote clients ask a kernel in this process for waits until CheckForIncomingCommands, during runs
   /// too. Not part of the interface of Soar 9.6.3.
   void HoldIncomingCommands(bool state);
+#endif
 
   /// Ends the kernel and its agents (a remote one: leaves it). Afterwards only delete is of use.
   void Shutdown();
