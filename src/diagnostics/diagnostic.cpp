@@ -20,8 +20,8 @@ const char* Word(Severity severity) {
   return "error";
 }
 
-/// Optimal string alignment: insertions, deletions, replacements and swapped neighbours each cost 1. `most` + 1 if there
-/// are more. Only the band of the table that can lead to so few is filled in.
+/// Optimal string alignment: insertions, deletions, replacements and swapped neighbours each cost 1. `most` + 1 if
+/// there are more. Only the band of the table that can lead to so few is filled in.
 std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
   const std::size_t beyond = most + 1;
   std::vector<std::size_t> before_last(b.size() + 1, beyond), last(b.size() + 1, beyond), row(b.size() + 1, beyond);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // A client that speaks the wire protocol by hand, against a kernel that listens.
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -305,6 +306,55 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
     if (answer.find("<error>") == std::string::npos) ++with_tags;
   }
   EXPECT_EQ(with_tags, 7);
+}
+
+/// A connection that has sent the beginning of a message and no more.
+class HalfOpen {
+ public:
+  explicit HalfOpen(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(send(socket_, "\0\0\1", 3, MSG_NOSIGNAL), 3);
+  }
+  ~HalfOpen() { close(socket_); }
+  HalfOpen(const HalfOpen&) = delete;
+  HalfOpen& operator=(const HalfOpen&) = delete;
+
+ private:
+  int socket_;
+};
+
+TEST(Protocol, WhoHasSaidNothingYetMakesRoomForOthers) {
+  Server server;
+  Client first(server.port());
+  EXPECT_EQ(first.Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
+  std::vector<std::unique_ptr<HalfOpen>> silent;
+  for (int i = 0; i < 300; ++i) silent.push_back(std::make_unique<HalfOpen>(server.port()));
+  std::unique_ptr<sml::Kernel> other(sml::Kernel::CreateRemoteConnection(true, "127.0.0.1", server.port()));
+  EXPECT_FALSE(other->HadError()) << other->GetLastErrorDescription();
+  EXPECT_EQ(first.Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
+  other->Shutdown();
+}
+
+TEST(Protocol, WhoComesWhenThereIsNoRoomIsToldSo) {
+  Server server;
+  std::vector<std::unique_ptr<Client>> clients;
+  for (int i = 0; i < 128; ++i) {
+    clients.push_back(std::make_unique<Client>(server.port()));
+    EXPECT_EQ(clients.back()->Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
+  }
+  {
+    std::unique_ptr<sml::Kernel> late(sml::Kernel::CreateRemoteConnection(true, "127.0.0.1", server.port()));
+    EXPECT_TRUE(late->HadError());
+    EXPECT_EQ(std::string(late->GetLastErrorDescription()).find("This kernel serves 128 clients already") ==
+                  std::string::npos,
+              false)
+        << late->GetLastErrorDescription();
+  }
+  EXPECT_EQ(clients.front()->Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
 }
 
 TEST(Protocol, AKernelIsFoundAtTheFileForItsPortAndLeavesNoneBehind) {

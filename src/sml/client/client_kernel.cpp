@@ -69,7 +69,9 @@ Kernel* Kernel::CreateRemoteConnection(bool, char const* pIPaddress, int port, b
   kernel->data_->next_tag = kernel->data_->link->InitialTimeTag();
   kernel->data_->next_name = -kernel->data_->next_tag;
   if (kernel->data_->link->closed()) {
-    kernel->SetDetailedError(kConnectionFailed, "The kernel took the connection, but does not answer");
+    const std::string refusal = kernel->data_->link->Refusal();
+    kernel->SetDetailedError(kConnectionFailed,
+                             refusal.empty() ? "The kernel took the connection, but does not answer" : refusal.c_str());
     return kernel;
   }
   kernel->data_->link->SetAnswerLimit(0);

@@ -131,6 +131,8 @@ class KernelLink {
   virtual soarbox::server::CallMutex& mutex() = 0;
   virtual bool remote() const = 0;
   virtual bool closed() const = 0;
+  /// What a kernel elsewhere said when it sent this client away; empty: nothing.
+  virtual std::string Refusal() { return {}; }
   /// Ends the kernel, or leaves it.
   virtual void Shutdown() = 0;
   /// How long a kernel elsewhere may be silent while it is asked something; 0: the default.

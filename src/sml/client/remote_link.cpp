@@ -66,6 +66,13 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   bool remote() const override { return true; }
   bool closed() const override { return lost_ || channel_->closed(); }
 
+  std::string Refusal() override {
+    const std::lock_guard lock(mutex_);
+    std::string document;
+    while (refusal_.empty() && channel_->Pop(document)) Read(document);
+    return refusal_;
+  }
+
   void Shutdown() override {
     StopEventThread();
     if (channel_) {
@@ -376,6 +383,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     if (trace_) std::printf("received: %s\n", document.c_str());
     soarbox::Result<Message> message = soarbox::wire::ReadMessage(document);
     if (!message) return std::nullopt;
+    if (message->type == DocType::kNotify && message->ErrorTag() != nullptr) refusal_ = message->ErrorTag()->text;
     return std::move(message.value());
   }
 
@@ -469,6 +477,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
   std::atomic<int> limit_ms_{0};   ///< For answers; 0: kPatience.
+  std::string refusal_;
   std::atomic<bool> lost_{false};  ///< The kernel did not answer within the limit.
   soarbox::server::CallMutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};

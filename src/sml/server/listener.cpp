@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <vector>
@@ -24,11 +23,32 @@ struct Listener::State {
     std::function<void()> call;
     {
       const std::lock_guard lock(mutex);
-      if (static_cast<int>(arrived.size()) + clients >= options.max_clients) return;
+      // Whether there is room is seen in Serve; nobody can fill the memory meanwhile.
+      if (static_cast<int>(arrived.size()) >= options.max_clients) return;
       channel->SetWake([this] { Wake(); });
       arrived.push_back(std::move(channel));
     }
     Wake();
+  }
+
+  /// False: there is none, and whoever came has been told.
+  bool MakeRoom(wire::Channel& channel) {
+    const auto is_there = [](const std::unique_ptr<RemoteConnection>& each) { return !each->closed(); };
+    const auto count = std::count_if(connections.begin(), connections.end(), is_there);
+    if (count < options.max_clients) return true;
+    // They stand in the order in which they came.
+    const auto silent = std::find_if(connections.begin(), connections.end(),
+                                     [&](const auto& each) { return is_there(each) && each->silent(); });
+    if (silent != connections.end()) {
+      (*silent)->Close();
+      return true;
+    }
+    wire::Message notice;
+    notice.type = wire::DocType::kNotify;
+    wire::AddError(notice, "This kernel serves " + std::to_string(options.max_clients) +
+                               " clients already: close one of them, then connect again");
+    channel.Send(wire::ToDocument(notice));
+    return false;
   }
 
   void Wake() {
@@ -45,7 +65,6 @@ struct Listener::State {
   std::mutex mutex;
   std::function<void()> wake;
   std::vector<std::unique_ptr<wire::Channel>> arrived;  ///< Not yet clients of the kernel.
-  std::atomic<int> clients{0};
 
   // Of the thread that holds the kernel.
   std::vector<std::unique_ptr<RemoteConnection>> connections;
@@ -67,6 +86,7 @@ Result<std::unique_ptr<Listener>> Listener::Open(KernelHost& host, const Listene
   auto state = std::make_unique<State>(host, options);
   wire::ChannelLimits limits;
   limits.max_waiting_out = options.max_waiting_bytes;
+  limits.patience = std::chrono::milliseconds(options.patience_ms);
   auto opened = wire::Acceptor::Open(
       state->thread, options.address, options.port, limits,
       [raw = state.get()](std::unique_ptr<wire::Channel> channel) { raw->Accepted(std::move(channel)); });
@@ -101,12 +121,12 @@ bool Listener::Serve() {
     arrived.swap(state.arrived);
   }
   for (std::unique_ptr<wire::Channel>& channel : arrived) {
+    if (!state.MakeRoom(*channel)) continue;
     auto connection = std::make_unique<RemoteConnection>(state.host, std::move(channel),
                                                          std::chrono::milliseconds(state.options.answer_timeout_ms));
     connection->info.id = "id_" + std::to_string(state.next_id++);
     state.host.AddConnection(*connection);
     state.connections.push_back(std::move(connection));
-    ++state.clients;
     state.host.FireSystem(::sml::smlEVENT_AFTER_CONNECTION);
   }
   const bool outermost = !state.serving;
@@ -122,7 +142,6 @@ bool Listener::Serve() {
     if (!connection->gone()) return false;
     state.dropped_before += connection->dropped();
     state.host.RemoveConnection(*connection);
-    --state.clients;
     return true;
   });
   return any;

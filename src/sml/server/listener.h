@@ -15,7 +15,10 @@ struct ListenerOptions {
   int port = 12121;                   ///< -1: any free port.
   std::string address = "127.0.0.1";  ///< Only this machine, unless told otherwise: there is a command shell behind it.
   bool local = true;                  ///< Listen at a file of this user's too (wire/local_socket.h).
+  /// Whoever comes when there are so many is told so and sent away, unless one has said nothing yet: the oldest of
+  /// those makes room.
   int max_clients = 128;
+  int patience_ms = 30'000;  ///< wire::ChannelLimits::patience
   /// Bytes that may wait for a client that does not read. Trace above half of it is dropped and counted; a client that
   /// exceeds it is disconnected.
   std::size_t max_waiting_bytes = 16u << 20;

@@ -40,6 +40,9 @@ class RemoteConnection : public Connection {
   bool gone() const { return gone_; }
   unsigned long long dropped() const { return channel_->dropped(); }
   bool slow() const { return slow_; }
+  bool silent() const { return channel_->silent(); }
+  bool closed() const { return channel_->closed(); }
+  void Close() { channel_->Close(); }
 
   bool embedded() const override { return false; }
   void OnSystemEvent(int event) override;

@@ -77,7 +77,19 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     // (Fails on local sockets, which delay nothing.)
     socket.set_option(tcp::no_delay(true), ignored);
     socket.non_blocking(true, ignored);
-    asio::post(socket.get_executor(), [self = shared_from_this()] { self->Read(); });
+    asio::post(socket.get_executor(), [self = shared_from_this()] {
+      self->AwaitMessage();
+      self->Read();
+    });
+  }
+
+  /// A message is due from now on: it comes in time, or nothing is heard any more.
+  void AwaitMessage() {
+    if (limits.patience.count() == 0 || shut) return;
+    doubt.expires_after(limits.patience);
+    doubt.async_wait([self = shared_from_this()](const asio::error_code& error) {
+      if (!error) self->Shut();
+    });
   }
 
   // On the thread that moves bytes.
@@ -104,7 +116,14 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       Shut();
       return;
     }
-    if (reader.pending() != 0) AcknowledgeNow(socket);
+    const bool has_begun = reader.pending() != 0;
+    if (has_begun) AcknowledgeNow(socket);
+    if (!messages.empty()) {
+      silent = false;
+      doubt.cancel();
+    }
+    if (has_begun && (!messages.empty() || !had_begun) && !silent) AwaitMessage();
+    had_begun = has_begun;
     if (!messages.empty()) Notify();
     if (!full) Read();
   }
@@ -160,6 +179,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
       if (!writing && !outbox.empty()) SendNow();
     }
     alarm.cancel();
+    doubt.cancel();
     asio::error_code ignored;
     socket.shutdown(AnySocket::shutdown_both, ignored);
     socket.close(ignored);
@@ -285,10 +305,12 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   }
 
   AnySocket socket;
-  asio::steady_timer timer{socket.get_executor()}, alarm{socket.get_executor()};
+  asio::steady_timer timer{socket.get_executor()}, alarm{socket.get_executor()}, doubt{socket.get_executor()};
   const ChannelLimits limits;
   FrameReader reader;
   std::array<char, 64 * 1024> piece{};
+  bool had_begun = false;  ///< A part of a message had come before.
+  std::atomic<bool> silent{true};
 
   mutable std::mutex mutex;
   std::condition_variable arrived;
@@ -358,6 +380,10 @@ void Channel::WakeAfter(std::chrono::milliseconds delay) {
       if (!error) socket->Notify();
     });
   });
+}
+
+bool Channel::silent() const {
+  return socket_->silent;
 }
 
 void Channel::SetWake(std::function<void()> wake) {

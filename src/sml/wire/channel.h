@@ -19,6 +19,9 @@ struct ChannelLimits {
   std::size_t max_waiting_out = 16u << 20;
   /// Bytes that may wait to be taken here; above it nothing more is read from the other side.
   std::size_t max_waiting_in = 128u << 20;
+  /// How long the other side may take for its first whole message, and for each that it has begun; then the channel is
+  /// closed. 0: as long as it likes.
+  std::chrono::milliseconds patience{0};
 };
 
 /// A thread that moves the bytes of sockets. Channels and acceptors live on it; destroy them first.
@@ -62,6 +65,8 @@ class Channel {
   bool closed() const;
   void Close();
   std::uint64_t dropped() const;
+  /// No whole message has come yet.
+  bool silent() const;
   /// Calls what SetWake was given after this time, even if no message has come.
   void WakeAfter(std::chrono::milliseconds delay);
   /// Called (from the thread that moves bytes) when a message has come or the channel was closed.
