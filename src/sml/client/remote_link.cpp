@@ -476,7 +476,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   bool stopping_ = false;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
-  std::atomic<int> limit_ms_{0};   ///< For answers; 0: kPatience.
+  std::atomic<int> limit_ms_{0};  ///< For answers; 0: kPatience.
   std::string refusal_;
   std::atomic<bool> lost_{false};  ///< The kernel did not answer within the limit.
   soarbox::server::CallMutex mutex_;

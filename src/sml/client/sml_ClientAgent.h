@@ -49,7 +49,9 @@ class EXPORT Agent : public ClientErrors {
 
   /// The root of the input structure; one object for the agent's life.
   Identifier* GetInputLink();
-  Identifier* GetILink() { return GetInputLink(); }
+  Identifier* GetILink() {
+    return GetInputLink();
+  }
   /// The root of the output structure; NULL until the agent has put something there. Turns change tracking on, unless
   /// SetOutputLinkChangeTracking(false) was called.
   Identifier* GetOutputLink();
