@@ -45,6 +45,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "a field), "
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
+  run->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
   run->add_flag("--headless", options.headless,
                 "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
   run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
@@ -83,6 +84,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--text", options.text_percent, "Text size of these panels, in percent")
       ->capture_default_str()
       ->check(CLI::Range(75, 200));
+  run->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
   run->add_option("--ui-script", options.ui_script,
                   "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
   run->add_option("--width", options.width_px,
@@ -293,6 +295,9 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   // Started by the server, on a connection to it: not for people.
   CLI::App* runs = program.add_subcommand("engine", "Run one world for a server")->group("");
   runs->add_option("--world", engine.world);
+  runs->add_option("--from", engine.from);
+  runs->add_option("--run", engine.run);
+  runs->add_option("--seed", engine.seed);
   runs->add_option("--lesson", engine.lesson);
   runs->add_option("--recording", engine.recording);
   runs->add_option("--home", engine.home)->required();
@@ -328,6 +333,8 @@ void AddThreads(CLI::App& command, RecordingOptions& options) {
 
 void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
+  replay->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
+  replay->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
   AddRecordingFile(*replay, options);
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
@@ -463,6 +470,9 @@ int Main(int argc, char** argv) {
     }
     return kUsage;
   }
+  if (program.got_subcommand("run") && run.browser) return ShowInBrowser({run.scenario, {}, run.seed, run.page});
+  if (program.got_subcommand("replay") && recording.browser)
+    return ShowInBrowser({{}, recording.file, {}, recording.page});
   // Before anything is done that would be done twice.
   if ((program.got_subcommand("run") && !run.headless) || (program.got_subcommand("learn") && !learn.headless) ||
       (program.got_subcommand("replay") && !recording.headless && !recording.json)) {

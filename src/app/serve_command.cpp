@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/serve_command.h"
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <thread>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
@@ -12,6 +18,7 @@
 #include "app/refuse.h"
 #include "diagnostics/problem.h"
 #include "mission/test_missions.h"
+#include "serve/random_id.h"
 #include "serve/server.h"
 #include "sim/scenario.h"
 
@@ -51,6 +58,14 @@ bool IsPlainName(std::string_view name) {
   });
 }
 
+/// The folder of a scenario that is none of the program's; empty: it has none.
+fs::path FolderOf(const std::string& scenario) {
+  std::error_code error;
+  const fs::path path = fs::absolute(scenario, error).lexically_normal();
+  const fs::path folder = path.filename().empty() ? path.parent_path() : path;
+  return !scenario.empty() && fs::is_directory(folder, error) ? folder : fs::path();
+}
+
 /// The program of an engine and its arguments.
 std::vector<std::string> EngineFor(const std::string& what, const serve::Place& place, const ServeOptions& options,
                                    const std::string& program, const ShippedCatalog& catalog) {
@@ -72,10 +87,14 @@ std::vector<std::string> EngineFor(const std::string& what, const serve::Place& 
     return words;
   }
   if (kind != "scenario") return {};
-  const bool is_own = fs::is_directory(place.home() / "worlds" / name);
-  if (!is_own && std::ranges::none_of(catalog.Scenarios(), is_it)) return {};
   words.insert(words.end(), {"--world", name});
-  return words;
+  std::error_code error;
+  if (fs::is_directory(place.home() / "worlds" / name, error)) return words;
+  if (const fs::path folder = FolderOf(options.scenario); !folder.empty() && folder.filename() == name) {
+    words.insert(words.end(), {"--from", folder.string()});
+    return words;
+  }
+  return std::ranges::any_of(catalog.Scenarios(), is_it) ? words : std::vector<std::string>();
 }
 
 Result<void> ReadListen(const std::string& listen, serve::Settings& settings) {
@@ -96,51 +115,120 @@ bool IsThisMachine(const std::string& address) {
   return address.starts_with("127.") || address == "::1";
 }
 
+/// What both commands have in common; the error says why nothing can be served.
+Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::DataFolders& data) {
+  serve::Settings settings;
+  if (const Result<void> read = ReadListen(options.listen, settings); !read) return read.error();
+  std::error_code error;
+  settings.token = options.token;
+  settings.hosts = options.hosts;
+  settings.proxies = options.proxies;
+  settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
+  settings.page = options.page.empty() ? PageFolder(data) : options.page;
+  settings.class_list = options.class_list;
+  settings.limits.sessions = options.sessions;
+  settings.limits.idle_min = options.idle_min;
+  return settings;
+}
+
+Result<std::string> ThisProgram() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return NewProblem("the program does not find itself: " + error.message());
+  return program.string();
+}
+
+/// Opens a link in the user's browser, if there is a program that does it.
+void OpenInBrowser(const std::string& link) {
+  std::string program = "xdg-open", address = link;
+  char* const words[] = {program.data(), address.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t pid = 0;
+  if (posix_spawnp(&pid, program.c_str(), &actions, nullptr, words, environ) == 0)
+    std::thread([pid] { waitpid(pid, nullptr, 0); }).detach();
+  posix_spawn_file_actions_destroy(&actions);
+}
+
 }  // namespace
 
 int ServePages(const ServeOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  serve::Settings settings;
-  if (const Result<void> read = ReadListen(options.listen, settings); !read) {
-    std::cerr << Format(read.error());
+  Result<serve::Settings> settings = SettingsFor(options, *data);
+  if (!settings) {
+    std::cerr << Format(settings.error());
     return kUsage;
   }
-  if (!IsThisMachine(settings.address) && options.token.empty() && !options.open) {
+  if (!IsThisMachine(settings->address) && options.token.empty() && !options.open) {
     std::cerr << Format(
         NewProblem("others than you could reach this address: the server needs a token",
                    "add --token SECRET, or --open if anybody who reaches it may run worlds on this machine"));
     return kUsage;
   }
-  if (options.open && !IsThisMachine(settings.address))
-    std::cerr << "soarbox: warning: ANYBODY WHO REACHES " << settings.address
+  if (options.open && !IsThisMachine(settings->address))
+    std::cerr << "soarbox: warning: ANYBODY WHO REACHES " << settings->address
               << " CAN RUN WORLDS ON THIS MACHINE (--open)\n";
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return Refuse("the program does not find itself: " + error.message());
+  const Result<std::string> program = ThisProgram();
+  if (!program) return Refuse(program.error());
   auto catalog = std::make_unique<const ShippedCatalog>(*data);
-  settings.token = options.token;
-  settings.hosts = options.hosts;
-  settings.proxies = options.proxies;
-  settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
-  settings.page = options.page.empty() ? PageFolder(*data) : options.page;
-  settings.class_list = options.class_list;
-  settings.version = "1";
-  settings.limits.sessions = options.sessions;
-  settings.limits.engine_mb = options.memory_mb;
-  settings.limits.idle_min = options.idle_min;
-  if (!options.scenario.empty()) settings.opens = "scenario:" + options.scenario;
-  settings.engine = [&options, program = program.string(), shipped = catalog.get()](const std::string& what,
-                                                                                    const serve::Place& place) {
-    return EngineFor(what, place, options, program, *shipped);
+  if (!options.scenario.empty()) {
+    const fs::path folder = FolderOf(options.scenario);
+    const std::string name = folder.empty() ? options.scenario : folder.filename().string();
+    const auto is_it = [&](const auto& each) { return each.name == name; };
+    if (!IsPlainName(name) || (folder.empty() && std::ranges::none_of(catalog->Scenarios(), is_it)))
+      return Refuse("there is no scenario '" + options.scenario + "' to serve",
+                    "name a folder with scenario.toml, or one that soarbox list shows");
+    settings->opens = "scenario:" + name;
+  }
+  settings->engine = [&options, &program, shipped = catalog.get()](const std::string& what, const serve::Place& place) {
+    return EngineFor(what, place, options, *program, *shipped);
   };
-  const Result<void> served =
-      serve::Serve(std::move(settings), std::move(catalog), [](const std::vector<serve::Address>& links) {
-        std::cout << "Open " << links.front().link << " in a browser. Ctrl-C ends the server.\n";
-        for (std::size_t i = 1; i < links.size(); ++i)
-          std::cout << "  " << links[i].name << ": " << links[i].link << '\n';
-        std::cout.flush();
-      });
+  const auto tell = [](const std::vector<serve::Address>& links) {
+    std::cout << "Open " << links.front().link << " in a browser. Ctrl-C ends the server.\n";
+    for (std::size_t i = 1; i < links.size(); ++i) std::cout << "  " << links[i].name << ": " << links[i].link << '\n';
+    std::cout.flush();
+  };
+  const Result<void> served = serve::Serve(std::move(*settings), std::move(catalog), tell);
+  return served ? static_cast<int>(kOk) : Refuse(served.error());
+}
+
+int ShowInBrowser(const BrowserOptions& shown) {
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return Refuse(data.error());
+  const Result<std::string> program = ThisProgram();
+  if (!program) return Refuse(program.error());
+  ServeOptions options;
+  options.listen = "127.0.0.1:0";
+  options.page = shown.page;
+  // Other users of this machine cannot look.
+  options.token = serve::NewId();
+  Result<serve::Settings> settings = SettingsFor(options, *data);
+  if (!settings) return Refuse(settings.error());
+  settings->ends_when_alone = true;
+  settings->opens = shown.run.empty() ? "recording:" + shown.recording.filename().string() : "run:" + shown.run;
+  std::error_code error;
+  const fs::path folder = FolderOf(shown.run);
+  std::vector<std::string> words = {*program, "engine", "--home", folder.empty() ? "/nowhere" : folder.string()};
+  if (shown.run.empty()) {
+    if (!fs::is_regular_file(shown.recording, error))
+      return Refuse("there is no such recording", {}, shown.recording.string());
+    words.insert(words.end(), {"--recording", fs::absolute(shown.recording, error).string()});
+  } else {
+    words.insert(words.end(), {"--run", folder.empty() ? shown.run : folder.string()});
+  }
+  if (shown.seed) words.insert(words.end(), {"--seed", std::to_string(*shown.seed)});
+  settings->engine = [opens = settings->opens, words](const std::string& what, const serve::Place&) {
+    return what == opens ? words : std::vector<std::string>();
+  };
+  const auto tell = [](const std::vector<serve::Address>& links) {
+    std::cout << "Open " << links.front().link << " in a browser. Closing its page ends the server.\n";
+    std::cout.flush();
+    OpenInBrowser(links.front().link);
+  };
+  const Result<void> served = serve::Serve(std::move(*settings), std::make_unique<const ShippedCatalog>(*data), tell);
   return served ? static_cast<int>(kOk) : Refuse(served.error());
 }
 

@@ -10,7 +10,7 @@ namespace soarbox::app {
 
 /// What `soarbox serve` was asked for (docs/serve.md).
 struct ServeOptions {
-  std::string scenario;  ///< What a new place opens; empty: the list of lessons and worlds.
+  std::string scenario;  ///< What a new place opens: a name or a folder; empty: a list to choose from.
   std::string listen = "127.0.0.1:8080";
   std::string token;
   bool open = false;  ///< Anybody who reaches the address may use it.
@@ -25,5 +25,14 @@ struct ServeOptions {
 
 /// Serves until Ctrl-C. Returns an ExitCode.
 int ServePages(const ServeOptions& options);
+
+/// Shows one run or one recording of the user's own in the browser of this machine, until its page is closed.
+struct BrowserOptions {
+  std::string run;                  ///< As for `soarbox run`.
+  std::filesystem::path recording;  ///< Or a recording.
+  std::optional<std::uint64_t> seed;
+  std::filesystem::path page;  ///< As for `soarbox serve`.
+};
+int ShowInBrowser(const BrowserOptions& options);
 
 }  // namespace soarbox::app

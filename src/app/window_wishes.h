@@ -16,6 +16,8 @@ struct WindowWishes {
                                 ///< or none in a picture.
   int text_percent = 100;       ///< Of the panels named above.
   std::optional<int> width_px, height_px;  ///< None: what suits the display, or as large as the recorded window was.
+  bool browser = false;                    ///< A page in a browser instead.
+  std::filesystem::path page;              ///< Then: the folder of that page; empty: the program's own.
   std::filesystem::path ui_script;         ///< Plays the user of the window; empty: none.
   std::size_t ui_script_from = 0;          ///< So many of its steps another window has done.
 };

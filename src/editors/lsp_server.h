@@ -21,8 +21,10 @@ namespace soarbox::editors {
 /// whole or as changes of ranges, positions in units of UTF-16.
 class LspServer {
  public:
-  /// `data`: to simulate recordings again for *why*; null: that is refused.
-  explicit LspServer(const sim::DataFolders* data = nullptr) : data_(data) {}
+  /// `data`: to simulate recordings again for *why*; null: that is refused. Nothing but files below the folders is read;
+  /// none: any.
+  explicit LspServer(const sim::DataFolders* data = nullptr, std::vector<std::filesystem::path> folders = {})
+      : data_(data), workspace_(std::move(folders)) {}
 
   /// Takes one message, as text; what is no JSON is answered too.
   std::vector<Json> Handle(const std::string& message);

@@ -199,9 +199,15 @@ class Server {
     timer_.async_wait([this](beast::error_code error) {
       if (error) return;
       site_.CleanUp();
+      // A page that is loaded again is away for a moment.
+      constexpr int kMostAway = 3;
+      times_left_ = site_.WasLeft() ? times_left_ + 1 : 0;
+      if (site_.settings().ends_when_alone && times_left_ == kMostAway && on_left_) on_left_();
       CleanUpAgain();
     });
   }
+
+  void SetOnLeft(std::function<void()> on_left) { on_left_ = std::move(on_left); }
 
   void Close() {
     beast::error_code ignored;
@@ -234,6 +240,8 @@ class Server {
   Site& site_;
   std::shared_ptr<Counts> counts_;
   asio::steady_timer timer_;
+  std::function<void()> on_left_;
+  int times_left_ = 0;  ///< How often in a row nobody was there.
 };
 
 Diagnostic CannotListen(const Settings& settings, const std::string& why) {
@@ -278,14 +286,17 @@ Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
 
   asio::signal_set signals(io, SIGINT, SIGTERM);
   asio::steady_timer grace(io);
-  signals.async_wait([&](beast::error_code failed, int) {
-    if (failed) return;
+  const auto end = [&] {
     server.Close();
     (*site)->EndAll("The server is being stopped. What you typed and the recording are kept.");
     // Engines write the ends of their recordings meanwhile.
     grace.expires_after(std::chrono::seconds(2));
     grace.async_wait([&io](beast::error_code) { io.stop(); });
+  };
+  signals.async_wait([&](beast::error_code failed, int) {
+    if (!failed) end();
   });
+  server.SetOnLeft(end);
   io.run();
   return {};
 }

@@ -152,7 +152,6 @@ void Session::OnFrame(Frame frame) {
       Json hello = Json::parse(frame.bytes, nullptr, false);
       if (!hello.is_object()) return;
       hello["what"] = what_;
-      hello["version"] = settings_.version;
       hello_ = Shared(TextOf(hello));
       flow_ = nullptr;
       contents_.clear();

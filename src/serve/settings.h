@@ -66,7 +66,7 @@ struct Settings {
   /// The program of an engine with its arguments, for what a page wants to see: "lesson:...", "scenario:...", or
   /// "recording:..." with the path of the file. Empty: there is no such thing.
   std::function<std::vector<std::string>(const std::string& what, const Place& place)> engine;
-  std::string version;
+  bool ends_when_alone = false;  ///< Once its last page has been gone for some seconds.
   Limits limits;
 };
 

@@ -382,6 +382,7 @@ Site::Admission Site::Admit(const WebRequest& request) {
         Refusal(503, "this server runs as many worlds as it may (" + std::to_string(settings_.limits.sessions) + ")",
                 "try again in some minutes");
   admission.may_ask = may_ask;
+  was_visited_ |= admission.session != nullptr;
   if (!request.protocols.empty()) admission.protocol = request.protocols.substr(0, request.protocols.find(','));
   return admission;
 }
@@ -393,6 +394,10 @@ void Site::CleanUp() {
   for (const auto& [id, session] : sessions_) kept.push_back(id);
   for (const ClassList::Learner& learner : class_.learners()) kept.push_back(learner.place);
   places_.RemoveOlderThan(settings_.limits.kept_days, kept);
+}
+
+bool Site::WasLeft() const {
+  return was_visited_ && std::ranges::all_of(sessions_, [](const auto& each) { return each.second->viewers() == 0; });
 }
 
 void Site::EndAll(const std::string& why) {

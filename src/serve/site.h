@@ -51,6 +51,8 @@ class Site {
 
   /// Once in a while: what nobody needs any more goes.
   void CleanUp();
+  /// Whether a page was there and none is any more.
+  bool WasLeft() const;
   void EndAll(const std::string& why);
   const Settings& settings() const { return settings_; }
   const ClassList& learners() const { return class_; }
@@ -82,6 +84,7 @@ class Site {
   StaticFiles files_;
   Places places_;
   ClassList class_;
+  bool was_visited_ = false;
   std::map<std::string, std::shared_ptr<Session>, std::less<>> sessions_;  ///< By place.
   /// How often an address did something in the window that began then.
   struct Count {

@@ -4,7 +4,7 @@ import os
 import signal
 import unittest
 
-from web_client import LESSONS, ServeCase
+from web_client import LESSONS, BrowserRun, ServeCase
 
 
 def first_file(edit):
@@ -86,6 +86,36 @@ class Runs(ServeCase):
         again.ask(request="flow", what="go-on")
         again.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 5)
         self.assertTrue(again.blocks[0][2] & 1)
+
+    def test_a_world_of_ones_own_is_served_and_every_place_gets_a_copy(self):
+        world = self.folder / "my_world"
+        world.mkdir()
+        (world / "scenario.toml").write_text("[[agent]]\nname = \"scout\"\nrules = \"scout.soar\"\n", encoding="utf-8")
+        (world / "scout.soar").write_text("sp {go (state <s> ^superstate nil) --> (<s> ^a b)}\n", encoding="utf-8")
+        server = self.serve(world)
+        place = server.new_place()
+        self.assertEqual(server.json("GET", f"/api/p/{place}")[1]["opens"], "scenario:my_world")
+        page = self.opened(server, place, "scenario:my_world", "agents")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        files = [file["path"] for file in server.json("GET", f"/api/p/{place}")[1]["files"]]
+        self.assertEqual(files, ["worlds/my_world/scenario.toml", "worlds/my_world/scout.soar"])
+        with self.assertRaisesRegex(AssertionError, "there is no scenario 'nowhere' to serve"):
+            self.serve("nowhere")
+
+    def test_a_run_in_the_browser_ends_with_its_page(self):
+        server = BrowserRun(self.folder, "run", "soar_hallway", "--seed", "7")
+        self.addCleanup(lambda: server.process.poll() is None and server.kill())
+        self.assertEqual(server.json("POST", "/api/places", b"")[0], 401, "it is the user's own")
+        place = server.new_place(Authorization="Bearer " + server.token)
+        page = self.page(server, place, protocol="soarbox." + server.token)
+        page.until_message("none")
+        page.ask(request="open", what="scenario:thesis")
+        page.until_message("error")
+        page.ask(request="open", what="run:soar_hallway")
+        self.assertEqual(page.until_message("hello")["seed"], 7)
+        page.close()
+        self.assertEqual(server.process.wait(120), 0)
+        server.close()
 
     def test_two_pages_of_a_place_see_the_same_run(self):
         server = self.serve()
@@ -183,6 +213,35 @@ class Runs(ServeCase):
         page.ask(request="console", agent=agent, line="echo the end")
         page.until_contents("console", lambda console: any("the end" in str(line) for line in console["lines"]))
         self.assertFalse(written.exists())
+
+    def test_rules_are_completed_as_in_an_editor(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "lesson:01-a-rule", "edit")
+        file = first_file(page.until_contents("edit", lambda edit: edit["files"]))
+
+        def language(method, params, number=None):
+            message = {"jsonrpc": "2.0", "method": method, "params": params}
+            if number is None:
+                return page.ask(request="language", message=message)
+            page.ask(request="language", message={**message, "id": number})
+            return page.until(lambda message: message["message"] == "language"
+                              and message["content"].get("id") == number)["content"]
+        self.assertTrue(language("initialize", {"capabilities": {}}, 1)["result"]["capabilities"])
+        language("initialized", {})
+        text = "sp {go (state <s> ^io.input-link.)\n-->\n(<s> ^a b)}\n"
+        language("textDocument/didOpen", {"textDocument": {"uri": "file://" + file, "languageId": "soar", "version": 1, "text": text}})
+        items = language("textDocument/completion", {"textDocument": {"uri": "file://" + file},
+                                                     "position": {"line": 0, "character": text.index(".)") + 1}}, 2)["result"]
+        labels = [item["label"] for item in (items["items"] if isinstance(items, dict) else items)]
+        self.assertIn("self", labels)
+        # Files outside the place are not read.
+        secret = self.folder / "secret.soar"
+        secret.write_text("sp {secret*rule (state <s> ^secret-word) --> (<s> ^a b)}\n", encoding="utf-8")
+        language("textDocument/didChange", {"textDocument": {"uri": "file://" + file, "version": 2},
+                                            "contentChanges": [{"text": f"source {secret}\n" + text}]})
+        symbols = language("workspace/symbol", {"query": "secret"}, 3)
+        self.assertNotIn("secret*rule", str(symbols))
 
     def test_a_program_of_its_own_is_no_editor(self):
         server = self.serve()

@@ -118,9 +118,11 @@ class Server:
         self.page.mkdir(exist_ok=True)
         (self.page / "index.html").write_text("<!doctype html><title>Soarbox</title>" + "page " * 200, encoding="utf-8")
         self.errors = open(self.folder / "server.err", "w+", encoding="utf-8")
-        self.process = subprocess.Popen(
-            [COMMAND, "serve", "--listen", listen, "--state", self.folder / "state", "--page", self.page, *options],
-            stdout=subprocess.PIPE, stderr=self.errors, text=True)
+        self.start([COMMAND, "serve", "--listen", listen, "--state", self.folder / "state", "--page", self.page, *options])
+
+    def start(self, words):
+        self.process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=self.errors, text=True,
+                                        env={**os.environ, "XDG_STATE_HOME": str(self.folder / "state"), "BROWSER": "/bin/true"})
         self.lines = [self.process.stdout.readline()]
         found = re.search(r"http://([\d.:]+)/", self.lines[0])
         if not found:
@@ -174,6 +176,15 @@ class Server:
         """Numbers of the processes that the server has started."""
         children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="utf-8")
         return [int(number) for number in children.split()]
+
+
+class BrowserRun(Server):
+    """`soarbox run X --browser`, or a replay."""
+
+    def start(self, words):
+        options = words[words.index("--page"):]
+        super().start([COMMAND, *options[2:], "--browser", *options[:2]])
+        self.token = re.search(r"#token=(\w+)", self.lines[0])[1]
 
 
 class ServeCase(unittest.TestCase):

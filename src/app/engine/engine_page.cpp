@@ -85,6 +85,7 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
     const Result<void> taken = Take(json, asked);
     if (!taken) Refuse(taken.error(), json.value("id", Json()));
   }
+  if (asked.empty() && language_ != nullptr) SayOfLanguage(language_->Idle());
   return asked;
 }
 
@@ -123,6 +124,14 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
     overlay_wants_ = {has("navigation"), has("influence"), has("physics"), has("forces")};
     return {};
   }
+  if (request == "language") {
+    const auto message = json.find("message");
+    if (message == json.end() || !message->is_object())
+      return NewProblem("language needs a message", "one of the Language Server Protocol, as an object");
+    if (language_ == nullptr) return NewProblem("this server has no help with rules");
+    SayOfLanguage(language_->Handle(*message));
+    return {};
+  }
   if (request == "input") {
     const std::optional<sim::InputValue> input = InputOf(json);
     if (!input) return NewProblem("input knows no such kind", "it is one of key, button, pointer, wheel, screen");
@@ -133,6 +142,11 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   if (!read) return read.error();
   asked.requests.push_back(std::move(*read));
   return {};
+}
+
+void EnginePage::SayOfLanguage(const std::vector<std::string>& messages) {
+  for (const std::string& message : messages)
+    channel_.Send(serve::FrameKind::kText, R"({"message":"language","content":)" + message + "}");
 }
 
 void EnginePage::Say(const Json& message, serve::FrameKind kind) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/engine/engine_channel.h"
+#include "app/engine/engine_language.h"
 #include "debugger/json.h"
 #include "diagnostics/result.h"
 #include "sim/input.h"
@@ -27,7 +28,9 @@ class EnginePage {
  public:
   using Json = debugger::Json;
 
-  explicit EnginePage(EngineChannel& channel) : channel_(channel) {}
+  /// Whoever types rules is helped with files below the folder.
+  EnginePage(EngineChannel& channel, const std::filesystem::path& folder)
+      : channel_(channel), language_(EngineLanguage::Make(folder)) {}
 
   /// What pages have asked for since.
   struct Asked {
@@ -61,10 +64,12 @@ class EnginePage {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void SayOfLanguage(const std::vector<std::string>& messages);
   void Say(const Json& message, serve::FrameKind kind = serve::FrameKind::kText);
   Result<void> Take(const Json& json, Asked& asked);
 
   EngineChannel& channel_;
+  std::unique_ptr<EngineLanguage> language_;  ///< Null: there is none.
   int pages_ = 1;
   stream::SceneEncoder encoder_;
   bool wants_full_ = true;

@@ -306,7 +306,8 @@ class ReplayEngine {
 /// What the commands take for a window.
 class EngineWindow final : public Window {
  public:
-  explicit EngineWindow(const EngineOptions& options) : options_(options), channel_(options.socket), page_(channel_) {}
+  explicit EngineWindow(const EngineOptions& options)
+      : options_(options), channel_(options.socket), page_(channel_, options.home) {}
 
   [[nodiscard]] bool CanOpen() const override { return true; }
   [[nodiscard]] std::optional<std::pair<int, int>> RoomOnDisplay() const override { return std::nullopt; }
@@ -346,11 +347,15 @@ int Engine(const EngineOptions& given) {
   run.record_limit_mb = kRecording_mb;
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  if (options.lesson.empty()) {
+  run.seed = options.seed;
+  if (!options.run.empty()) {
+    run.scenario = options.run;
+  } else if (options.lesson.empty()) {
     const fs::path folder = options.home / "worlds" / options.world;
     if (!fs::exists(folder, error)) {
       fs::create_directories(folder.parent_path(), error);
-      fs::copy(data->scenarios / options.world, folder, fs::copy_options::recursive, error);
+      fs::copy(options.from.empty() ? data->scenarios / options.world : options.from, folder,
+               fs::copy_options::recursive, error);
       if (error) return Refuse("there is no world '" + options.world + "' to copy: " + error.message());
     }
     run.scenario = folder.string();

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// A build with an official Soar has no reader of rules of its own.
+#include "app/engine/engine_language.h"
+
+namespace soarbox::app {
+
+std::unique_ptr<EngineLanguage> EngineLanguage::Make(const std::filesystem::path&) {
+  return nullptr;
+}
+
+}  // namespace soarbox::app
