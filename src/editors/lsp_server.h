@@ -21,8 +21,8 @@ namespace soarbox::editors {
 /// whole or as changes of ranges, positions in units of UTF-16.
 class LspServer {
  public:
-  /// `data`: to simulate recordings again for *why*; null: that is refused. Nothing but files below the folders is read;
-  /// none: any.
+  /// `data`: to simulate recordings again for *why*; null: that is refused. Nothing but files below the folders is
+  /// read; none: any.
   explicit LspServer(const sim::DataFolders* data = nullptr, std::vector<std::filesystem::path> folders = {})
       : data_(data), workspace_(std::move(folders)) {}
 

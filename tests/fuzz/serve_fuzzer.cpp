@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to what the server reads besides HTTP: archives that are uploaded, and frames. What is read of an
-// archive is within its limits, and packs and unpacks to the same.
+// Feeds arbitrary bytes to what the server reads besides HTTP: archives that are uploaded, and frames. What is read of
+// an archive is within its limits, and packs and unpacks to the same.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
