@@ -77,6 +77,32 @@ export interface Mind {
 }
 export interface Shot { from: Vec3; to: Vec3; shooter: number; hit: number; time: number }
 export interface Speech { from: number; to: number; text: string; time: number }
+export interface Particle { id: number; effect: string; visible: boolean; directed: boolean; restarts: number; place: Vec3; direction: Vec3 }
+export enum Font { Small, SmallMono, Medium, MediumMono, Large, LargeMono }
+
+/** A box of text that a script shows: on the screen in pixels, or in the world. */
+export interface Component {
+  id: number;
+  /** 0: placed on the screen, else relative to the parent. */
+  parent: number;
+  layer: number;
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  marginLeft: number;
+  marginTop: number;
+  visible: boolean;
+  gradient: null | { from: Color; to: Color; direction: "vertical" | "horizontal" | "diagonal" };
+  isMarkup: boolean;
+  textColor: Color;
+  font: Font;
+  text: string;
+  material: string;
+  caption: string;
+  /** Its top left corner; 1 px is 5 mm. */
+  world: null | { place: Vec3; turn: Quat };
+}
 export interface NamedPlace { kind: "waypoint" | "region" | "item" | "thing"; name: string; place: Vec3 }
 
 export interface Scene {
@@ -92,4 +118,6 @@ export interface Scene {
   shots: readonly Shot[];
   speech: readonly Speech[];
   places: readonly NamedPlace[];
+  components: readonly Component[];
+  particles: readonly Particle[];
 }

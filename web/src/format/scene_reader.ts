@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, ByteReader } from "./byte_reader";
-import type { Agent, Bone, Camera, Circle, Color, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Quat, Scene, Shot, Speech, Surroundings, Triangle, Vec3 } from "./scene";
+import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Quat, Scene, Shot, Speech, Surroundings, Triangle, Vec3 } from "./scene";
 
 const MARK = 0x53, VERSION = 1, FULL = 1, DEFLATED = 2;
 const HEAD_BYTES = 3;
@@ -106,6 +106,8 @@ export class SceneReader {
       shots: before?.shots ?? [],
       speech: before?.speech ?? [],
       places: before?.places ?? [],
+      components: before?.components ?? [],
+      particles: before?.particles ?? [],
     };
     this.texts.push(...list(input, 1, () => input.text()));
     for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene);
@@ -118,7 +120,9 @@ export class SceneReader {
       case 2: scene.camera = this.camera(input); break;
       case 3: scene.drawables = this.drawables(input); break;
       case 4: scene.agents = this.agents(input); break;
+      case 5: scene.components = this.components(input); break;
       case 6: scene.lines = this.lines(input); break;
+      case 7: scene.particles = this.particles(input); break;
       case 8: scene.minds = this.readMinds(input); break;
       case 9: [scene.shots, scene.speech] = this.shotsAndSpeech(input); break;
       case 10: scene.places = this.places(input); break;
@@ -217,6 +221,28 @@ export class SceneReader {
       this.people.set(id, { made, place, forward });
     });
     return new Map([...this.people].map(([id, raw]) => [id, raw.made]));
+  }
+
+  private components(input: ByteReader): Component[] {
+    return list(input, 43, (): Component => {
+      const id = input.number(), parent = input.number(), layer = input.signed();
+      const x = input.float(), y = input.float(), width = input.float(), height = input.float(), marginLeft = input.float(), marginTop = input.float();
+      const flags = input.byte(), from = color(input), to = color(input), textColor = color(input), font = input.byte();
+      const text = this.word(input), material = this.word(input), caption = this.word(input);
+      const direction = (flags & 8) !== 0 ? "diagonal" : (flags & 4) !== 0 ? "vertical" : "horizontal";
+      return {
+        id, parent, layer, x, y, width, height, marginLeft, marginTop, visible: (flags & 1) !== 0, gradient: (flags & 2) !== 0 ? { from, to, direction } : null,
+        isMarkup: (flags & 16) !== 0, textColor, font, text, material, caption,
+        world: (flags & 32) !== 0 ? { place: whole(input, PER_METRE), turn: quaternion(add(input, [0, 0, 0]), PER_RADIAN) } : null,
+      };
+    });
+  }
+
+  private particles(input: ByteReader): Particle[] {
+    return list(input, 10, (): Particle => {
+      const id = input.number(), effect = this.word(input), flags = input.byte(), restarts = input.number();
+      return { id, effect, visible: (flags & 1) !== 0, directed: (flags & 2) !== 0, restarts, place: whole(input, PER_METRE), direction: whole(input, PER_DIRECTION) };
+    });
   }
 
   private lines(input: ByteReader): Lines {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Bundles the page into dist/page: index.html and assets/, nothing else; says how much a browser loads.
+import { build } from "esbuild";
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
+const MOST_COMPRESSED_BYTES = 1_500_000;
+
+rmSync("dist/page", { recursive: true, force: true });
+mkdirSync("dist/page/assets", { recursive: true });
+await build({
+  entryPoints: { page: "src/main.ts", style: "src/styles/page.css" },
+  outdir: "dist/page/assets",
+  bundle: true,
+  splitting: true,
+  format: "esm",
+  target: "es2022",
+  minify: true,
+  chunkNames: "[name]-[hash]",
+  legalComments: "linked",
+  logLevel: "warning",
+});
+cpSync("src/index.html", "dist/page/index.html");
+cpSync("src/icon.svg", "dist/page/assets/icon.svg");
+const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];
+const bytes = files.filter((name) => !name.endsWith(".txt")).reduce((sum, name) => sum + gzipSync(readFileSync(name)).length, 0);
+if (bytes > MOST_COMPRESSED_BYTES) {
+  console.error(`the page has ${bytes} bytes compressed: more than the ${MOST_COMPRESSED_BYTES} that it may have`);
+  process.exit(1);
+}
+console.log(`dist/page: ${Math.round(bytes / 1000)} kB compressed`);

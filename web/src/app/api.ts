@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** What the server says about a place to work in (docs/serve.md). */
+export interface PlaceInfo {
+  place: string;
+  learner: string;
+  opens: string;
+  lessons: readonly { name: string; title: string; is_passed: boolean }[];
+  scenarios: readonly { name: string; about: string }[];
+  files: readonly { path: string; bytes: number }[];
+  recordings: readonly { name: string; bytes: number; when: string | number }[];
+  kept_days: number;
+  has_run: boolean;
+}
+export interface ClassInfo {
+  lessons: readonly { name: string; title: string }[];
+  learners: readonly Learner[];
+}
+export interface Learner {
+  name: string;
+  place_link: string;
+  watch_link: string;
+  is_here: boolean;
+  doing?: string;
+  last_hint?: string;
+  done: Readonly<Record<string, { is_done: boolean; tries?: number; hints?: number; passed?: number; of?: number }>>;
+}
+
+/** What the server said to a request that it refused. */
+export class Refused extends Error {
+  constructor(message: string, readonly hint: string, readonly status: number) {
+    super(message);
+  }
+}
+
+const TOKEN_KEY = "soarbox.token";
+
+/** Takes the token out of the address, so that it is not seen or copied, and keeps it while the page is open. */
+export function takeToken(location: Location, history: History, storage: Storage): string {
+  const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
+  if (given !== null) {
+    storage.setItem(TOKEN_KEY, given);
+    fragment.delete("token");
+    const rest = fragment.toString();
+    history.replaceState(null, "", location.pathname + location.search + (rest === "" ? "" : `#${rest}`));
+  }
+  return storage.getItem(TOKEN_KEY) ?? "";
+}
+
+export class Api {
+  constructor(private readonly token: string) {}
+
+  async json<T>(path: string, options: RequestInit = {}): Promise<T> {
+    return (await (await this.fetch(path, options)).json()) as T;
+  }
+
+  async fetch(path: string, options: RequestInit = {}): Promise<Response> {
+    const headers = new Headers(options.headers);
+    if (this.token !== "") headers.set("Authorization", `Bearer ${this.token}`);
+    let response: Response;
+    try {
+      response = await fetch(path, { ...options, headers, cache: "no-store" });
+    } catch {
+      throw new Refused("The server cannot be reached.", "Look whether it still runs, and load the page again.", 0);
+    }
+    if (response.ok) return response;
+    let told: { error?: string; hint?: string } = {};
+    try {
+      told = (await response.json()) as typeof told;
+    } catch {
+      // What stands in the way may answer with something else than JSON.
+    }
+    throw new Refused(told.error ?? `The server answered with ${response.status}.`, told.hint ?? "", response.status);
+  }
+
+  /** Saves what a path has as a file of the user's. */
+  async download(path: string, name: string): Promise<void> {
+    const blob = await (await this.fetch(path)).blob(), url = URL.createObjectURL(blob), link = document.createElement("a");
+    link.href = url;
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  }
+
+  socketAddress(path: string): string {
+    return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${path}`;
+  }
+
+  get hasToken(): boolean {
+    return this.token !== "";
+  }
+
+  get secret(): string {
+    return this.token;
+  }
+}

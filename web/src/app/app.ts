@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, patch, type Child } from "../dom/view";
+import { startPage } from "../lesson/start_page";
+import { Run, type Remark } from "../run/run";
+import { SocketSource } from "../run/socket_source";
+import type { Api, PlaceInfo } from "./api";
+import { keysDialog, linkDialog } from "./dialogs";
+import { icon } from "./icons";
+import { isTyping } from "./keys";
+import { RunPage } from "./run_page";
+import { isDark, switchTheme } from "./theme";
+
+const REMARK_MS = 7000, MOST_REMARKS = 4;
+
+/** The page of a place: where one begins, and the run that is open. */
+export class App {
+  private readonly head = document.createElement("header");
+  private readonly body = document.createElement("div");
+  private readonly over = document.createElement("div");
+  private readonly remarks = document.createElement("div");
+  private readonly run: Run;
+  private runPage: RunPage | null = null;
+  private isHome = true;
+  private dialog: "" | "keys" | "link" = "";
+  private copied = "";
+  private filter = "";
+  private shown: { remark: Remark; id: number }[] = [];
+  private nextRemark = 1;
+  private openedGiven = false;
+  private ticker: ReturnType<typeof setInterval> | null = null;
+
+  constructor(root: HTMLElement, private readonly api: Api, private info: PlaceInfo, private readonly watchKey: string) {
+    this.head.className = "head";
+    this.body.className = "body";
+    this.remarks.className = "remarks";
+    this.remarks.setAttribute("role", "status");
+    root.replaceChildren(this.head, this.body, this.remarks, this.over);
+    const path = watchKey === "" ? `/api/p/${info.place}/run` : `/api/p/${info.place}/watch?key=${encodeURIComponent(watchKey)}`;
+    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret));
+    this.run.on("hello", () => {
+      this.isHome = false;
+      this.draw();
+    });
+    this.run.on("state", (state) => {
+      if (state === "none") this.isHome = true;
+      if (state === "none" && info.opens !== "" && !this.openedGiven && watchKey === "") {
+        this.openedGiven = true;
+        this.open(`scenario:${info.opens}`);
+      }
+      this.draw();
+    });
+    this.run.on("remark", (remark) => this.say(remark));
+    this.run.on("connection", () => this.draw());
+    this.run.on("contents", (names) => {
+      if (names.includes("mission")) this.noteLessons();
+    });
+    document.addEventListener("keydown", (event) => this.key(event));
+    addEventListener("soarbox-theme", () => this.draw());
+    this.draw();
+    this.run.start();
+  }
+
+  private open(what: string): void {
+    this.isHome = false;
+    this.run.open(what);
+    this.draw();
+  }
+
+  private noteLessons(): void {
+    const told = this.run.contents.mission?.lessons ?? [];
+    if (told.length > 0) this.info = { ...this.info, lessons: told };
+  }
+
+  private goHome(): void {
+    this.isHome = true;
+    this.draw();
+    void this.api.json<PlaceInfo>(`/api/p/${this.info.place}`).then((info) => {
+      this.info = info;
+      this.draw();
+    }, (error: unknown) => this.fail(error));
+  }
+
+  private say(remark: Remark): void {
+    const id = this.nextRemark++;
+    this.shown = [...this.shown.filter((one) => one.remark.text !== remark.text), { remark, id }].slice(-MOST_REMARKS);
+    setTimeout(() => this.unsay(id), REMARK_MS);
+    this.drawRemarks();
+  }
+
+  private unsay(id: number): void {
+    this.shown = this.shown.filter((one) => one.id !== id);
+    this.drawRemarks();
+  }
+
+  private fail(error: unknown): void {
+    const told = error as { message?: string; hint?: string };
+    this.say({ text: told.message ?? String(error), hint: told.hint ?? "", isError: true });
+  }
+
+  private drawRemarks(): void {
+    patch(this.remarks, this.shown.map(({ remark, id }) => h(`div.remark${remark.isError ? ".error" : ""}`, { key: String(id) }, h("div", null, h("p", null, remark.text), remark.hint !== "" && h("p.hint", null, remark.hint)),
+      button(icon("cross"), () => this.unsay(id), { attributes: { "aria-label": "Close this remark" } }, "button.tool"))));
+  }
+
+  private draw(): void {
+    const { hello } = this.run, title = hello === null ? "" : hello.title === "" ? hello.what.replace(/^\w+:/, "") : hello.title;
+    document.title = this.isHome || title === "" ? "Soarbox" : `${title} - Soarbox`;
+    patch(this.head, [
+      button([icon("home"), h("span.brand", null, "Soarbox")], () => this.goHome(), { attributes: { title: "Lessons and worlds", "aria-label": "Soarbox: lessons and worlds" } }, "button.home"),
+      h("h1.run-title", null, this.isHome ? "" : title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
+      this.watchKey !== "" && h("span.pill", null, "You watch; only the learner can change anything"), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
+      this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
+      h("span.space"), this.connectionView(),
+      button(icon("link"), () => this.showDialog("link"), { attributes: { title: "Link to your place", "aria-label": "Link to your place" } }, "button.tool"),
+      button(icon("sun"), switchTheme, { attributes: { title: isDark() ? "Light colours" : "Dark colours", "aria-label": isDark() ? "Light colours" : "Dark colours" } }, "button.tool"),
+      button(icon("keys"), () => this.showDialog("keys"), { attributes: { title: "Keys (?)", "aria-label": "Keys" } }, "button.tool"),
+    ]);
+    this.drawBody();
+    patch(this.over, [
+      this.dialog === "keys" && keysDialog(() => this.showDialog("")),
+      this.dialog === "link" && linkDialog(`${location.origin}/p/${this.info.place}/`, this.api.hasToken, this.copied, () => void this.copyLink(), () => this.showDialog("")),
+    ]);
+  }
+
+  private connectionView(): Child {
+    const { connection, retryAt } = this.run;
+    if (connection === "lost" && this.ticker === null) this.ticker = setInterval(() => this.draw(), 1000);
+    if (connection !== "lost" && this.ticker !== null) {
+      clearInterval(this.ticker);
+      this.ticker = null;
+    }
+    if (connection === "lost") {
+      const seconds = Math.max(0, Math.ceil((retryAt - Date.now()) / 1000));
+      return h("span.pill.lost", { attributes: { role: "status" } }, `Connection lost. Next try in ${seconds} s. `, button("Try now", () => this.run.retry(), {}, "button.link"));
+    }
+    return connection === "connecting" && h("span.pill", { attributes: { role: "status" } }, "Connecting …");
+  }
+
+  private drawBody(): void {
+    const { state, hello } = this.run;
+    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what));
+    const shows = this.isHome ? "start" : state === "joining" && hello === null ? "waiting" : "run";
+    this.body.dataset["shows"] = shows;
+    let start = this.body.querySelector<HTMLElement>(":scope > .start-place");
+    if (start === null) {
+      start = document.createElement("div");
+      start.className = "start-place";
+      this.body.append(start);
+    }
+    if (this.runPage !== null && this.runPage.element.parentElement === null) this.body.append(this.runPage.element);
+    if (this.runPage !== null) this.runPage.element.hidden = shows !== "run";
+    start.hidden = shows === "run" && state !== "ended";
+    start.classList.toggle("ended", shows === "run" && state === "ended");
+    if (shows === "start") patch(start, [this.start()]);
+    else if (shows === "waiting") patch(start, [h("div.waiting", { attributes: { role: "status" } }, h("p", null, "The world is made …"))]);
+    else if (state === "ended") patch(start, [this.ended()]);
+  }
+
+  private start(): Child {
+    if (this.watchKey !== "") return h("main.start", null, h("div.empty", null, h("p", null, "The learner has no world open now. It is shown here as soon as there is one.")));
+    const goesOn = this.run.hello !== null && this.run.state !== "ended" ? (this.run.hello.title || this.run.hello.what.replace(/^\w+:/, "")) : "";
+    const folder = `/api/p/${this.info.place}`;
+    return startPage(this.info, this.filter, goesOn, {
+      open: (what) => this.open(what),
+      goOn: () => {
+        this.isHome = false;
+        this.draw();
+      },
+      download: () => void this.api.download(`${folder}/zip`, "soarbox.zip").catch((error: unknown) => this.fail(error)),
+      upload: (file) => void this.api.fetch(`${folder}/zip`, { method: "POST", body: file, headers: { "Content-Type": "application/zip" } }).then(() => {
+        this.say({ text: `${file.name} is in your place now.`, hint: "", isError: false });
+        this.goHome();
+      }, (error: unknown) => this.fail(error)),
+      downloadRecording: (name) => void this.api.download(`${folder}/recordings/${encodeURIComponent(name)}`, name).catch((error: unknown) => this.fail(error)),
+    }, (text) => {
+      this.filter = text;
+      this.draw();
+    });
+  }
+
+  private ended(): Child {
+    const what = this.run.hello?.what ?? "";
+    return h("div.over-run", { attributes: { role: "alert" } }, h("h2", null, "This run has ended"), h("p", null, this.run.endedText),
+      h("div.row", null, this.run.canOpenAgain && what !== "" && this.watchKey === "" && button("Open it again", () => this.open(what), {}, "button.primary"), button("Lessons and worlds", () => this.goHome())));
+  }
+
+  private showDialog(which: "" | "keys" | "link"): void {
+    this.dialog = this.dialog === which ? "" : which;
+    this.copied = "";
+    this.draw();
+  }
+
+  private async copyLink(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(`${location.origin}/p/${this.info.place}/`);
+      this.copied = "Copied.";
+    } catch {
+      this.copied = "This browser does not let the page copy: mark the link and copy it.";
+    }
+    this.draw();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.defaultPrevented) return;
+    if (event.key === "Escape" && this.dialog !== "") this.showDialog("");
+    else if (event.key === "?" && !isTyping(event.target)) this.showDialog("keys");
+    else if (this.dialog !== "" || this.isHome || this.runPage?.key(event) !== true) return;
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child, type View } from "../dom/view";
+import { qrCode } from "../dom/qr";
+import { KEYS } from "./keys";
+
+function dialog(title: string, close: () => void, ...body: Child[]): View {
+  return h("div.veil", { key: title, on: { click: (event) => event.target === event.currentTarget && close() } },
+    h("div.dialog", { attributes: { role: "dialog", "aria-modal": "true", "aria-label": title, tabindex: -1 }, mounted: (element) => keepFocus(element) },
+      h("div.row", null, h("h2", null, title), button("Close", close)), body));
+}
+
+/** Tab goes round inside; when it is closed, the focus is where it was. */
+function keepFocus(element: HTMLElement): void {
+  const before = document.activeElement as HTMLElement | null;
+  element.focus();
+  element.addEventListener("keydown", (event) => {
+    if (event.key !== "Tab") return;
+    const all = [...element.querySelectorAll<HTMLElement>("button, input, a[href]")], first = all[0], last = all.at(-1);
+    if (first === undefined || last === undefined) return;
+    if (event.shiftKey && (document.activeElement === first || document.activeElement === element)) last.focus(), event.preventDefault();
+    else if (!event.shiftKey && document.activeElement === last) first.focus(), event.preventDefault();
+  });
+  new MutationObserver((_changes, observer) => {
+    if (element.isConnected) return;
+    observer.disconnect();
+    before?.focus();
+  }).observe(document.body, { childList: true, subtree: true });
+}
+
+export function keysDialog(close: () => void): View {
+  const groups = [...new Set(KEYS.map((one) => one.group))];
+  return dialog("Keys", close, h("div.keys", null, groups.map((group) => h("section", null, h("h3", null, group),
+    h("dl", null, KEYS.filter((one) => one.group === group).map((one) => [h("dt", null, h("kbd", null, one.keys)), h("dd", null, one.does)]))))));
+}
+
+/** A QR code as one path. */
+export function qrView(text: string): View | null {
+  const code = qrCode(text);
+  if (code === null) return null;
+  const path = code.dark.flatMap((row, y) => row.map((isDark, x) => (isDark ? `M${x + 4} ${y + 4}h1v1h-1z` : ""))).join(""), size = code.size + 8;
+  return h("svg.qr", { attributes: { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": "QR code of the link" } }, h("rect", { attributes: { width: size, height: size, fill: "#fff" } }), h("path", { attributes: { d: path, fill: "#000" } }));
+}
+
+export function linkDialog(address: string, isSecret: boolean, told: string, copy: () => void, close: () => void): View {
+  return dialog("Link to your place", close,
+    h("p", null, "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can work here too."),
+    isSecret && h("p.quiet", null, "This server asks for its token as well; the link does not hold it."),
+    h("div.row", null, h("input.address", { value: address, attributes: { type: "text", readonly: true, "aria-label": "Link" }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }), button("Copy", copy, {}, "button.primary")),
+    h("p.good", { attributes: { role: "status" } }, told), qrView(address));
+}

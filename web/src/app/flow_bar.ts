@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child } from "../dom/view";
+import { clock, short } from "../panels/parts";
+import type { Run } from "../run/run";
+import { icon } from "./icons";
+
+/** Run, pause, steps and speed. */
+export function flowControls(run: Run): Child {
+  const { flow, hello } = run, disabled = hello === null || run.state === "ended" || hello.may_edit === false;
+  const flowButton = (name: Child, what: string, title: string, key: string, more = ""): Child =>
+    button(name, () => run.ask("flow", { what }), { key: what, attributes: { title: `${title} (${key})`, "aria-label": title, disabled } }, `button.flow${more}`);
+  return h("div.flow-bar", { attributes: { role: "group", "aria-label": "Run" } },
+    flow.paused ? flowButton([icon("play"), h("span", null, "Run")], "go-on", "Run", "Space", ".primary") : flowButton([icon("pause"), h("span", null, "Pause")], "pause", "Pause", "Space"),
+    flowButton("Tick", "step-tick", "Go on by one tick", ".", ".step"), flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
+    flowButton("Phase", "step-phase", "Go on by one phase of the selected agent", "P", ".step"),
+    flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
+    flowButton([icon("restart"), h("span.wide", null, "Begin again")], "begin-again", "Begin again", "R"),
+    flowButton("Next seed", "next-seed", "Begin again with the next seed", "no key", ".step.rare"),
+    h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed <= 0 || flow.speed > 1000 ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
+}
+
+/** The past: a slider over it, and the way back to now. */
+export function scrubber(run: Run, wanted: { tick: number | null }, redraw: () => void): Child {
+  const time = run.contents.moment?.time, { flow, hello } = run, step = time?.step_s ?? hello?.step_s ?? 1 / 30;
+  const first = time?.first_tick ?? 0, last = Math.max(time?.last_tick ?? 0, time?.is_live === false ? 0 : flow.tick), isLive = time?.is_live ?? true;
+  const shown = wanted.tick ?? (isLive ? last : (time?.shown_tick ?? last)), mayAsk = hello !== null && hello.may_edit !== false;
+  const seek = (tick: number): void => {
+    wanted.tick = tick;
+    run.ask("seek", { tick });
+    redraw();
+  };
+  return h("div.scrubber", { attributes: { role: "group", "aria-label": "Time" } },
+    h("input.past", {
+      value: String(shown),
+      attributes: { type: "range", min: first, max: Math.max(last, first + 1), step: 1, "aria-label": "Moment that is shown", "aria-valuetext": `${clock(shown * step)} of ${clock(last * step)}`, disabled: !mayAsk || time?.can_go_back === false },
+      on: { input: (event) => seek(Number((event.target as HTMLInputElement).value)), change: () => (wanted.tick = null) },
+    }),
+    h("span.moment", null, clock(shown * step), h("span.quiet", null, ` / ${clock(last * step)}`)),
+    !isLive && mayAsk && button([icon("resume"), h("span", null, "Go on from here")], () => run.ask("resume"), {
+      attributes: { disabled: time?.can_resume !== true, title: time?.can_resume === true ? "Run on from the moment that is shown; what came after it becomes the old future" : (time?.resume_refusal ?? "") },
+    }),
+    !(time?.is_recording === true) && button([icon("live"), h("span", null, isLive ? "Live" : "To the newest")], () => {
+      wanted.tick = null;
+      run.ask("live");
+    }, { attributes: { disabled: isLive || !mayAsk, title: "Show the newest moment (L)" } }, `button${isLive ? ".is-live" : ".primary"}`));
+}

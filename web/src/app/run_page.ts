@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { patch, type Child } from "../dom/view";
+import { EditPanel } from "../editor/edit_panel";
+import { missionPanel } from "../lesson/mission_panel";
+import { agentsPanel } from "../panels/agents";
+import { breakpointsPanel } from "../panels/breakpoints";
+import { consolePanel } from "../panels/console";
+import { futuresPanel } from "../panels/futures";
+import { learningPanel } from "../panels/learning";
+import { linksPanel } from "../panels/links";
+import { longtermPanel } from "../panels/longterm";
+import { memoryPanel } from "../panels/memory";
+import { messagesPanel } from "../panels/messages";
+import { mindPanel } from "../panels/mind";
+import { mindsPanel } from "../panels/minds";
+import type { Panel, PanelContext } from "../panels/panel";
+import { plotsPanel } from "../panels/plots";
+import { problemsPanel } from "../panels/problems";
+import { rulesPanel } from "../panels/rules";
+import { timelinePanel } from "../panels/timeline";
+import { tracePanel } from "../panels/trace";
+import { watchPanel } from "../panels/watch";
+import { whyPanel } from "../panels/why";
+import type { ContentName, Mission } from "../run/contents";
+import type { Run } from "../run/run";
+import { Dock } from "./dock";
+import { flowControls, scrubber } from "./flow_bar";
+import { isTyping } from "./keys";
+import { splitter } from "./splitter";
+import { Stage } from "./stage";
+
+const NARROW = "(max-width: 900px)";
+
+/** Which panels stand where: for lessons, for worlds, and on narrow screens. */
+const ARRANGEMENTS = {
+  lesson: {
+    left: ["mission", "agents"], right: ["edit"],
+    bottom: ["why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "breakpoints", "minds", "futures"],
+  },
+  world: {
+    left: ["agents", "mission", "problems"], right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints"],
+    bottom: ["timeline", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "futures"],
+  },
+  narrow: {
+    left: [], right: [],
+    bottom: ["mission", "edit", "agents", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "breakpoints", "minds", "futures"],
+  },
+} as const;
+
+/** The agent whom the checks of a lesson are about: most of them. */
+export function agentOfLesson(mission: Mission, minds: readonly string[]): string {
+  const counts = new Map<string, number>();
+  for (const { agent } of mission.checks) if (minds.includes(agent)) counts.set(agent, (counts.get(agent) ?? 0) + 1);
+  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0] ?? minds[0] ?? "";
+}
+
+/** A run with its picture, panels and flow: the lesson's or the world's page. */
+export class RunPage {
+  readonly element = document.createElement("div");
+  private readonly work = document.createElement("div");
+  private readonly foot = document.createElement("footer");
+  private readonly stage: Stage;
+  private readonly panels: Panel[];
+  private readonly edit: EditPanel;
+  private docks: Dock[] = [];
+  private readonly narrow = matchMedia(NARROW);
+  private shape = "";
+  private readonly wanted: { tick: number | null } = { tick: null };
+  private isChosen = false;
+  private isFronted = false;
+
+  constructor(private readonly run: Run, openWhat: (what: string) => void) {
+    this.element.className = "run-page";
+    this.work.className = "work";
+    this.foot.className = "foot";
+    const context: PanelContext = {
+      run, openWhat,
+      redraw: (word) => this.docks.forEach((dock) => dock.has(word) && dock.redraw(word)),
+      reveal: (word) => this.reveal(word),
+      why: (about, what) => {
+        run.ask("ask", { about, ...(what === undefined ? {} : { what }) });
+        this.reveal("why");
+      },
+      edit: (file, line) => {
+        this.edit.flush();
+        run.ask("edit", { file, ...(line === undefined ? {} : { line }) });
+        this.reveal("edit");
+      },
+    };
+    this.edit = new EditPanel(context);
+    this.panels = [
+      missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
+      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel,
+    ].map((make) => make(context));
+    this.panels.push(this.edit);
+    this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
+    this.element.append(this.work, this.foot);
+    run.on("hello", () => {
+      this.isChosen = this.isFronted = false;
+      this.arrange();
+      this.drawFlow();
+    });
+    run.on("contents", (names) => this.take(names));
+    run.on("flow", () => this.drawFlow());
+    run.on("state", () => this.drawFlow());
+    this.narrow.addEventListener("change", () => this.arrange());
+    this.arrange();
+    this.drawFlow();
+  }
+
+  private arrange(): void {
+    const hello = this.run.hello, shape = this.narrow.matches ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
+    if (shape === this.shape) return;
+    this.shape = shape;
+    this.element.dataset["shape"] = shape;
+    const arranged = ARRANGEMENTS[shape], contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
+    const dock = (name: string, words: readonly string[]): Dock => new Dock(name, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
+    const middle = document.createElement("div");
+    middle.className = "middle";
+    this.docks = [];
+    if (shape === "narrow") {
+      const all = dock("bottom", arranged.bottom);
+      this.docks = [all];
+      middle.append(this.stage.element, this.foot, all.element);
+      this.work.replaceChildren(middle);
+    } else {
+      const left = dock("left", arranged.left), right = dock("right", arranged.right), bottom = dock("bottom", arranged.bottom);
+      this.docks = [left, bottom, right];
+      const most = (share: number) => (): number => innerWidth * share;
+      middle.append(this.stage.element, splitter("Height of the panels below the picture", "--bottom", "horizontal", -1, this.element, 90, () => innerHeight * 0.7, 270), bottom.element);
+      this.work.replaceChildren(left.element, splitter("Width of the task", "--left", "vertical", 1, this.element, 180, most(0.4), 300), middle,
+        splitter("Width of the rules", "--right", "vertical", -1, this.element, 220, most(0.55), Math.min(460, Math.round(innerWidth * 0.34))), right.element);
+      this.element.append(this.foot);
+    }
+    this.look();
+  }
+
+  private reveal(word: string): void {
+    for (const dock of this.docks) if (dock.has(word)) dock.show(word);
+  }
+
+  /** Only what is seen is asked for; checks and problems are counted on tabs, too. */
+  private look(): void {
+    this.run.look([...this.docks.map((dock) => dock.shownWord).filter((word) => word !== ""), "mission", "problems", "edit"]);
+  }
+
+  private take(names: readonly ContentName[]): void {
+    if (names.includes("edit")) this.edit.take(this.run.contents);
+    this.choose();
+    for (const dock of this.docks) dock.note(names);
+    if (names.includes("moment")) this.drawFlow();
+    const front = this.run.contents.mission?.lesson?.panel;
+    if (!this.isFronted && front !== undefined) {
+      this.isFronted = true;
+      const panel = this.panels.find((one) => one.title === front);
+      if (panel !== undefined && this.shape === "lesson") this.reveal(panel.word);
+    }
+  }
+
+  /** Somebody is selected from the beginning, so that panels show something. */
+  private choose(): void {
+    const { moment, mission } = this.run.contents, minds = this.run.hello?.minds ?? [];
+    if (this.isChosen || moment === undefined || (this.run.hello?.what.startsWith("lesson:") === true && mission === undefined)) return;
+    this.isChosen = true;
+    const agent = mission === undefined ? (minds[0] ?? "") : agentOfLesson(mission, minds);
+    if (moment.agent === "" && agent !== "" && this.run.hello?.may_edit !== false) this.run.ask("select", { agent });
+  }
+
+  private drawFlow(): void {
+    patch(this.foot, [flowControls(this.run), scrubber(this.run, this.wanted, () => this.drawFlow())] satisfies Child[]);
+  }
+
+  /** Keys of the page; true if it was one. */
+  key(event: KeyboardEvent): boolean {
+    if (event.altKey && /^[1-9]$/.test(event.key)) {
+      const dock = this.docks.find((one) => one.name === "bottom"), panel = dock?.panels[Number(event.key) - 1];
+      if (dock !== undefined && panel !== undefined) dock.show(panel.word, true);
+      return panel !== undefined;
+    }
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (event.key === "Escape") return this.stage.closeMenu();
+    if (isTyping(event.target)) return false;
+    const isButton = event.target instanceof HTMLElement && event.target.closest("button, summary, [role=tab], a") !== null;
+    const flow = (what: string): boolean => this.run.ask("flow", { what });
+    switch (event.key) {
+      case " ": return !isButton && flow(this.run.flow.paused ? "go-on" : "pause");
+      case ".": return flow("step-tick");
+      case "d": case "D": return flow("step-decision");
+      case "p": case "P": return flow("step-phase");
+      case "c": case "C": return flow("step-change");
+      case "r": case "R": return flow("begin-again");
+      case "<": return flow("slower");
+      case ">": return flow("faster");
+      case "l": case "L": return this.run.ask("live");
+      case "o": case "O": this.stage.setCamera("orbit"); return true;
+      case "f": case "F": this.stage.setCamera("follow"); return true;
+      case "m": case "M": this.stage.setCamera("map"); return true;
+      case "a": case "A": this.stage.view?.frameAll(); return true;
+      case "n": case "N": return this.selectNext();
+      default: return false;
+    }
+  }
+
+  private selectNext(): boolean {
+    const all = this.run.hello?.agents ?? [], at = all.indexOf(this.run.contents.moment?.agent ?? "");
+    const next = all[(at + 1) % Math.max(all.length, 1)];
+    return next !== undefined && this.run.ask("select", { agent: next });
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, patch, type Child } from "../dom/view";
+import type { SceneView } from "../scene/scene_view";
+import { OVERLAYS, type OverlayWord } from "../scene/overlays";
+import type { CameraMode } from "../scene/camera_rig";
+import type { Run } from "../run/run";
+import { icon } from "./icons";
+
+const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
+  { mode: "orbit", title: "Orbit", key: "O" }, { mode: "follow", title: "Follow the selected agent", key: "F" }, { mode: "map", title: "Map, from above", key: "M" },
+];
+const OVERLAYS_KEY = "soarbox.overlays";
+
+/** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
+export class Stage {
+  readonly element: HTMLElement;
+  view: SceneView | null = null;
+  private readonly tools: HTMLElement;
+  private readonly canvas: HTMLCanvasElement;
+  private isOpen = false;
+
+  constructor(private readonly run: Run, private readonly select: (name: string) => void) {
+    this.element = document.createElement("section");
+    this.element.className = "stage";
+    this.element.setAttribute("aria-label", "World");
+    this.canvas = document.createElement("canvas");
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-label", "Picture of the world. Arrow keys turn the camera, plus and minus go nearer and further, N selects the next agent. The panel Agents lists everybody.");
+    const scripts = document.createElement("div"), labels = document.createElement("div");
+    scripts.className = "script-ui";
+    labels.className = "labels";
+    labels.setAttribute("aria-hidden", "true");
+    this.tools = document.createElement("div");
+    this.tools.className = "stage-tools";
+    this.element.append(this.canvas, scripts, labels, this.tools);
+    void this.load(labels, scripts);
+    this.draw();
+  }
+
+  setCamera(mode: CameraMode): void {
+    this.view?.rig.setMode(mode);
+    if (mode === "follow") this.view?.frameSelected();
+    this.view?.wake();
+    this.draw();
+  }
+
+  draw(): void {
+    const view = this.view, mode = view?.rig.mode ?? "orbit";
+    patch(this.tools, [
+      h("div.group", { attributes: { role: "group", "aria-label": "Camera" } }, CAMERAS.map((one): Child => button(icon(one.mode), () => this.setCamera(one.mode),
+        { attributes: { title: `${one.title} (${one.key})`, "aria-label": one.title, "aria-pressed": String(mode === one.mode) } }, "button.tool")),
+      button(icon("all"), () => view?.frameAll(), { attributes: { title: "Show everybody (A)", "aria-label": "Show everybody" } }, "button.tool"),
+      button(icon("more"), () => {
+        this.isOpen = !this.isOpen;
+        this.draw();
+      }, { attributes: { title: "What is drawn over the picture", "aria-label": "What is drawn over the picture", "aria-expanded": String(this.isOpen) } }, "button.tool")),
+      this.isOpen && h("div.menu", null, OVERLAYS.map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title))),
+    ]);
+  }
+
+  closeMenu(): boolean {
+    const was = this.isOpen;
+    this.isOpen = false;
+    this.draw();
+    return was;
+  }
+
+  private toggle(word: OverlayWord): void {
+    const on = this.view?.on;
+    if (on === undefined) return;
+    if (!on.delete(word)) on.add(word);
+    localStorage.setItem(OVERLAYS_KEY, [...on].join());
+    this.want();
+    this.view?.wake();
+    this.draw();
+  }
+
+  private want(): void {
+    const on = this.view?.on ?? new Set<OverlayWord>();
+    this.run.wantOverlays(["lines", "shots", ...(on.has("senses") ? ["senses"] : []), ...(on.has("belief") ? ["belief"] : []), ...(on.has("goals") ? ["goals"] : [])]);
+  }
+
+  private async load(labels: HTMLElement, scripts: HTMLElement): Promise<void> {
+    const [{ SceneView }, { listenToPointer }] = await Promise.all([import("../scene/scene_view"), import("../scene/pointer")]);
+    let view: SceneView;
+    try {
+      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? "") });
+    } catch {
+      patch(labels, [h("p.no-picture", null, "This browser cannot draw the world: WebGL is switched off. All panels work without it.")]);
+      return;
+    }
+    this.view = view;
+    const kept = localStorage.getItem(OVERLAYS_KEY);
+    if (kept !== null) {
+      view.on.clear();
+      for (const one of OVERLAYS) if (kept.split(",").includes(one.word)) view.on.add(one.word);
+    }
+    this.want();
+    listenToPointer(this.canvas, view, this.select);
+    this.run.on("scene", (scene) => view.take(scene));
+    this.run.on("hello", () => view.forget());
+    this.run.on("flow", (flow) => {
+      view.isPaused = flow.paused || this.run.contents.moment?.time.is_live === false;
+      view.wake();
+    });
+    this.run.on("contents", (names) => {
+      if (!names.includes("moment")) return;
+      view.select(this.run.contents.moment?.agent ?? "");
+      view.isPaused = this.run.flow.paused || this.run.contents.moment?.time.is_live === false;
+    });
+    if (this.run.scene !== null) view.take(this.run.scene);
+    view.select(this.run.contents.moment?.agent ?? "");
+    this.draw();
+  }
+}

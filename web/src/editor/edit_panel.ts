@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child } from "../dom/view";
+import type { Contents } from "../run/contents";
+import type { Panel, PanelContext } from "../panels/panel";
+import { problemView } from "../panels/problems";
+import type { Editor } from "./editor";
+import { LanguageClient } from "./language_client";
+
+const nameOf = (file: string): string => file.split("/").at(-1) ?? file;
+
+/** The panel with the editor: files, the text, what is wrong with it, and Apply. The editor itself is loaded when it is needed. */
+export class EditPanel implements Panel {
+  readonly word = "edit";
+  readonly title = "Rules' text";
+  readonly about = "Change rules and reload them while the world runs.";
+  readonly uses = ["edit", "moment"] as const;
+  private editor: Editor | null = null;
+  private readonly client: LanguageClient;
+  private file = "";
+  private version = -1;
+  private goCount = -1;
+  private problems = "";
+  private asked = "";
+  private loading = false;
+
+  constructor(private readonly context: PanelContext) {
+    this.client = new LanguageClient(context.run);
+    context.run.on("hello", () => {
+      this.file = "";
+      this.version = -1;
+      this.asked = "";
+      this.editor?.setReadOnly(context.run.hello?.may_edit === false);
+    });
+  }
+
+  badge(contents: Contents): string {
+    const errors = contents.edit?.edit.problems.filter((one) => one.severity === "error").length ?? 0;
+    return errors === 0 ? "" : String(errors);
+  }
+
+  view(contents: Contents): Child {
+    const edit = contents.edit?.edit, files = contents.edit?.files ?? [], isOpen = edit !== undefined && edit.file !== "";
+    this.openFirst(contents);
+    const mayEdit = this.context.run.hello?.may_edit !== false, choices = new Set([...files.map((one) => one.file), ...(contents.edit?.open_files.map((one) => one.file) ?? [])]);
+    if (isOpen) choices.add(edit.file);
+    return [
+      h("div.row.bar", null,
+        h("select", { value: isOpen ? edit.file : "", attributes: { "aria-label": "File", disabled: choices.size === 0 }, on: { change: (event) => this.context.edit((event.target as HTMLSelectElement).value) } },
+          choices.size === 0 && h("option", { attributes: { value: "" } }, "no file"),
+          [...choices].map((file) => h("option", { key: file, attributes: { value: file } }, nameOf(file) + (contents.edit?.open_files.some((one) => one.file === file && one.is_unsaved) === true ? " •" : "")))),
+        mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+S)" } }, "button.primary"),
+        mayEdit && button("Revert", () => this.context.run.ask("edit-text", { what: "revert", text: this.editor?.text ?? "" }), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
+      h("div.editor", { foreign: true, mounted: (element) => void this.load(element) }),
+      h("div.under", { attributes: { "aria-live": "polite" } },
+        isOpen && edit.notice !== "" && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
+        isOpen && edit.problems.length > 0 && h("ul.plain.problems", null, edit.problems.map((one) => problemView(this.context, one))),
+        !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
+    ];
+  }
+
+  /** The rules of the selected agent, until the user chooses something else. */
+  private openFirst(contents: Contents): void {
+    const agent = contents.moment?.agent ?? "", first = contents.edit?.files.find((one) => one.is_rules) ?? contents.edit?.files[0];
+    if (agent === "" || first === undefined || this.asked === agent || (contents.edit?.edit.file ?? "") !== "") return;
+    this.asked = agent;
+    this.context.run.ask("edit", { file: first.file });
+  }
+
+  private async load(element: HTMLElement): Promise<void> {
+    if (this.editor !== null) {
+      element.append(this.editor.view.dom);
+      return;
+    }
+    if (this.loading) return;
+    this.loading = true;
+    const { Editor } = await import("./editor");
+    this.editor = new Editor(element, {
+      typed: (text) => this.context.run.ask("edit-text", { what: "check", text }),
+      apply: (text) => this.context.run.ask("edit-text", { what: "save", text }) && this.context.run.ask("edit-text", { what: "apply", text }),
+    }, this.client);
+    this.editor.setReadOnly(this.context.run.hello?.may_edit === false);
+    this.file = "";
+    this.take(this.context.run.contents);
+  }
+
+  /** New contents came. */
+  take(contents: Contents): void {
+    const edit = contents.edit?.edit, editor = this.editor;
+    if (editor === null || edit === undefined || edit.file === "") return;
+    if (edit.file !== this.file || edit.version !== this.version) {
+      this.file = edit.file;
+      this.version = edit.version;
+      this.client.look(edit.file);
+      editor.show(edit.text, edit.is_rules);
+      this.problems = "";
+    }
+    const problems = JSON.stringify(edit.problems);
+    if (problems !== this.problems) {
+      this.problems = problems;
+      editor.showProblems(edit.problems);
+    }
+    if (edit.go_to_count !== this.goCount) {
+      this.goCount = edit.go_to_count;
+      if (edit.go_to_line > 0) editor.goTo(edit.go_to_line);
+    }
+  }
+
+  flush(): void {
+    this.editor?.flush();
+  }
+
+  focus(): void {
+    this.editor?.focus();
+  }
+}

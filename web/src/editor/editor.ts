@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching, foldGutter, indentOnInput, indentUnit } from "@codemirror/language";
+import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState, Transaction } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
+import type { Problem } from "../run/contents";
+import { completeWith, type LanguageClient } from "./language_client";
+import { placeOf, remedyOf } from "./problem_place";
+import { soarColors, soarLanguage } from "./soar_language";
+
+const TYPED_AFTER_MS = 350;
+
+export interface EditorEvents {
+  /** The text changed by typing; called when typing pauses. */
+  typed(text: string): void;
+  apply(text: string): void;
+}
+
+/** The editor of rules: colours, problems at their place, remedies as fixes. */
+export class Editor {
+  readonly view: EditorView;
+  private readonly language = new Compartment();
+  private readonly readOnly = new Compartment();
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  private fromElsewhere = false;
+
+  constructor(place: HTMLElement, private readonly events: EditorEvents, client: LanguageClient) {
+    this.view = new EditorView({
+      parent: place,
+      state: EditorState.create({
+        extensions: [
+          lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history(), drawSelection(), indentOnInput(), indentUnit.of("   "), bracketMatching(), closeBrackets(),
+          highlightActiveLine(), highlightSelectionMatches(), EditorView.lineWrapping, EditorState.tabSize.of(3),
+          autocompletion({ override: [completeWith(client)], activateOnTyping: true }),
+          this.language.of([soarLanguage, soarColors]), this.readOnly.of([]),
+          EditorView.contentAttributes.of({ "aria-label": "Rules", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
+          keymap.of([
+            { key: "Mod-s", preventDefault: true, run: () => this.apply() }, { key: "Mod-Enter", run: () => this.apply() },
+            ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab,
+          ]),
+          EditorView.updateListener.of((update) => this.changed(update)),
+        ],
+      }),
+    });
+  }
+
+  get text(): string {
+    return this.view.state.doc.toString();
+  }
+
+  /** Shows a text that comes from elsewhere: the caret stays where it was, if it can. */
+  show(text: string, isRules: boolean): void {
+    this.stopTimer();
+    this.fromElsewhere = true;
+    const caret = Math.min(this.view.state.selection.main.head, text.length);
+    this.view.dispatch({
+      changes: { from: 0, to: this.view.state.doc.length, insert: text }, selection: { anchor: caret }, annotations: Transaction.addToHistory.of(false),
+      effects: this.language.reconfigure(isRules ? [soarLanguage, soarColors] : []),
+    });
+    this.fromElsewhere = false;
+  }
+
+  setReadOnly(isReadOnly: boolean): void {
+    this.view.dispatch({ effects: this.readOnly.reconfigure(isReadOnly ? [EditorState.readOnly.of(true), EditorView.editable.of(false)] : []) });
+  }
+
+  showProblems(problems: readonly Problem[]): void {
+    const text = this.text;
+    const shown = problems.map((problem): Diagnostic => {
+      const place = placeOf(problem, text), remedy = remedyOf(problem, text), hint = problem.hint ?? "";
+      return {
+        ...place, severity: problem.severity === "error" ? "error" : problem.severity === "warning" ? "warning" : "info", message: hint === "" ? problem.message : `${problem.message}\n${hint}`,
+        actions: remedy === null ? [] : [{ name: `Change to ${remedy.insert}`, apply: (view: EditorView, from: number, to: number) => {
+          // The text may have moved since: the remedy is found again where the mark is now.
+          const moved = remedyOf({ ...problem, ...lineAndColumn(view.state.doc.toString(), from) }, view.state.doc.toString());
+          const change = moved ?? { from, to, insert: remedy.insert };
+          view.dispatch({ changes: change, userEvent: "input.fix" });
+          view.focus();
+        } }],
+      };
+    }).filter((one) => one.to >= one.from && one.to <= text.length);
+    this.view.dispatch(setDiagnostics(this.view.state, shown));
+  }
+
+  goTo(line: number): void {
+    const doc = this.view.state.doc, at = doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
+    this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
+  }
+
+  /** Sends what was typed last, now. */
+  flush(): void {
+    if (this.timer === null) return;
+    this.stopTimer();
+    this.events.typed(this.text);
+  }
+
+  apply(): boolean {
+    this.stopTimer();
+    this.events.apply(this.text);
+    return true;
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+
+  private changed(update: ViewUpdate): void {
+    if (!update.docChanged || this.fromElsewhere) return;
+    this.stopTimer();
+    this.timer = setTimeout(() => {
+      this.timer = null;
+      this.events.typed(this.text);
+    }, TYPED_AFTER_MS);
+  }
+
+  private stopTimer(): void {
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+  }
+}
+
+function lineAndColumn(text: string, at: number): { line: number; column: number } {
+  const before = text.slice(0, at).split("\n"), last = before.at(-1) ?? "";
+  return { line: before.length, column: new TextEncoder().encode(last).length + 1 };
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Problem } from "../run/contents";
+
+export interface Place { from: number; to: number }
+
+/** What a hint says was meant: "did you mean ^range?" is "range". Empty: it names nothing that could stand there. */
+export function meantBy(hint: string): string {
+  const begin = "did you mean ", at = hint.indexOf(begin);
+  if (at < 0) return "";
+  const rest = hint.slice(at + begin.length), end = rest.indexOf("?");
+  if (end < 0) return "";
+  let meant = rest.slice(0, end);
+  if (meant.length > 1 && meant.startsWith("'") && meant.endsWith("'")) meant = meant.slice(1, -1);
+  if (meant.startsWith("^")) meant = meant.slice(1);
+  return /[\s,]/.test(meant) ? "" : meant;
+}
+
+/** How many characters an excerpt underlines; 0: it has no such line. */
+function underlined(excerpt: string | undefined): number {
+  return /\^~*\s*$/.exec(excerpt ?? "")?.[0].trim().length ?? 0;
+}
+
+/** Where in the text a problem is. Lines and columns (of bytes, from 1) may be from an older text: what is not there is cut. */
+export function placeOf(problem: Problem, text: string): Place {
+  const lines = text.split("\n"), index = Math.min(Math.max((problem.line ?? 1) - 1, 0), lines.length - 1), line = lines[index] ?? "";
+  const begin = lines.slice(0, index).reduce((sum, one) => sum + one.length + 1, 0);
+  if (problem.column === undefined || problem.column < 1) {
+    const indent = line.length - line.trimStart().length;
+    return { from: begin + indent, to: begin + line.length };
+  }
+  const column = Math.min(fromBytes(line, problem.column - 1), line.length);
+  const word = /^[^\s(){}]+/.exec(line.slice(column))?.[0].length ?? 0;
+  const length = underlined(problem.excerpt) > 1 ? underlined(problem.excerpt) : word;
+  return { from: begin + column, to: Math.min(begin + column + Math.max(length, 1), begin + line.length) };
+}
+
+function fromBytes(line: string, bytes: number): number {
+  let at = 0;
+  for (const c of line) {
+    if (bytes <= 0) break;
+    const code = c.codePointAt(0) ?? 0;
+    bytes -= code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+    at += c.length;
+  }
+  return at;
+}
+
+export interface Remedy { from: number; to: number; insert: string }
+
+/** The edit that a hint offers; null: it offers none. */
+export function remedyOf(problem: Problem, text: string): Remedy | null {
+  const meant = meantBy(`${problem.message} ${problem.hint ?? ""}`);
+  if (meant === "") return null;
+  let { from, to } = placeOf(problem, text);
+  const there = text.slice(from, to);
+  if (there.startsWith("-^")) from += 2;
+  else if (there.startsWith("^")) from += 1;
+  else if (there.startsWith("<") && !meant.startsWith("<")) return null;
+  const rest = text.slice(from, to);
+  // Of a path only the part that is wrong; without a sign which, the last one.
+  const dot = rest.lastIndexOf(".");
+  if (dot >= 0 && !meant.includes(".")) from += dot + 1;
+  return text.slice(from, to) === meant || from === to ? null : { from, to, insert: meant };
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child, type View } from "../dom/view";
+import { icon } from "../app/icons";
+import type { PlaceInfo } from "../app/api";
+
+export interface StartEvents {
+  open(what: string): void;
+  goOn(): void;
+  download(): void;
+  upload(file: File): void;
+  downloadRecording(name: string): void;
+}
+
+const numberOf = (name: string): string => /^0*(\d+)/.exec(name)?.[1] ?? "";
+
+/** Which lesson comes next: the first that is not passed. */
+export function nextLesson(info: Pick<PlaceInfo, "lessons">): string {
+  return info.lessons.find((one) => !one.is_passed)?.name ?? "";
+}
+
+export function sizeText(bytes: number): string {
+  return bytes < 1000 ? `${bytes} bytes` : bytes < 1_000_000 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1_000_000).toFixed(1)} MB`;
+}
+
+function lessonCard(one: PlaceInfo["lessons"][number], isNext: boolean, events: StartEvents): View {
+  return h("li", { key: one.name }, button([
+    h("span.number", { attributes: { "aria-hidden": "true" } }, one.is_passed ? icon("check") : numberOf(one.name)),
+    h("span.words", null, h("b", null, one.title), h("span.quiet", null, one.is_passed ? "passed" : isNext ? "next" : "not passed yet")),
+  ], () => events.open(`lesson:${one.name}`), {}, `button.card.lesson${one.is_passed ? ".passed" : ""}${isNext ? ".next" : ""}`));
+}
+
+/** Where one begins: lessons with what is done, worlds, recordings, and one's files. */
+export function startPage(info: PlaceInfo, filter: string, goesOnWith: string, events: StartEvents, setFilter: (text: string) => void): Child {
+  const passed = info.lessons.filter((one) => one.is_passed).length, next = nextLesson(info);
+  const worlds = info.scenarios.filter((one) => `${one.name} ${one.about}`.toLowerCase().includes(filter.toLowerCase()));
+  return h("main.start", null,
+    h("section.welcome", null, h("div", null, h("h1", null, info.learner === "" ? "Learn Soar in a world that you can see" : `Welcome, ${info.learner}`),
+      h("p", null, "Soar agents decide by rules. Change a rule, and watch what they do, why they do it, and why not."),
+      h("div.row", null,
+        goesOnWith !== "" && button(`Go on with ${goesOnWith}`, events.goOn, {}, "button.primary.large"),
+        next !== "" && button(passed === 0 ? "Begin with lesson 1" : `Lesson ${numberOf(next)}`, () => events.open(`lesson:${next}`), {}, goesOnWith === "" ? "button.primary.large" : "button.large")))),
+    info.lessons.length > 0 && h("section", { attributes: { "aria-label": "Lessons" } }, h("div.row", null, h("h2", null, "Lessons"), h("progress", { attributes: { max: info.lessons.length, value: passed, "aria-label": `${passed} of ${info.lessons.length} lessons passed` } }),
+      h("span.quiet", null, `${passed} of ${info.lessons.length} passed`)), h("ol.cards", null, info.lessons.map((one) => lessonCard(one, one.name === next, events)))),
+    info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
+      value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
+    })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button(h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about)), () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
+    h("section.kept", { attributes: { "aria-label": "Your place" } }, h("h2", null, "Your place"),
+      h("p.quiet", null, `Your files, lessons and recordings are kept under this page's link. Keep the link: whoever has it works here. ${info.kept_days > 0 ? `Nobody needs to log in; what is not used for ${info.kept_days} days is deleted.` : ""}`),
+      info.recordings.length > 0 && h("ul.plain", null, info.recordings.map((one) => h("li.row", { key: one.name }, button(one.name, () => events.open(`recording:${one.name}`), { attributes: { title: "Watch this recording" } }, "button.link"), h("span.quiet", null, sizeText(one.bytes)),
+        button("Download", () => events.downloadRecording(one.name), { attributes: { "aria-label": `Download ${one.name}` } }, "button.small")))),
+      h("div.row", null, button("Download my folder", events.download, { attributes: { title: "All your files as a zip" } }),
+        h("label.button", null, "Upload a folder (zip)", h("input.hidden", { attributes: { type: "file", accept: ".zip,application/zip" }, on: { change: (event) => {
+          const field = event.target as HTMLInputElement, file = field.files?.[0];
+          if (file !== undefined) events.upload(file);
+          field.value = "";
+        } } })))));
+}

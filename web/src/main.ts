@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { Api, Refused, takeToken, type PlaceInfo } from "./app/api";
+import { App } from "./app/app";
+import { applyTheme, themeNow } from "./app/theme";
+import { ClassTable } from "./class/class_table";
+import { button, h, patch } from "./dom/view";
+
+const PLACE_KEY = "soarbox.place";
+
+/** The place of the address; at "/", the last one of this browser, or a new one. */
+async function findPlace(api: Api): Promise<PlaceInfo> {
+  const named = /^\/p\/([^/]+)\/?$/.exec(location.pathname)?.[1];
+  if (named !== undefined) return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(named)}`);
+  const kept = localStorage.getItem(PLACE_KEY);
+  if (kept !== null) {
+    try {
+      return await api.json<PlaceInfo>(`/api/p/${encodeURIComponent(kept)}`);
+    } catch (error) {
+      if (!(error instanceof Refused) || error.status !== 404) throw error;
+    }
+  }
+  const made = await api.json<{ place: string }>("/api/places", { method: "POST" });
+  return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(made.place)}`);
+}
+
+function tell(root: HTMLElement, error: unknown): void {
+  const told = error as { message?: string; hint?: string };
+  patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
+    h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), location.pathname !== "/" && button("A new place", () => location.assign("/"))))))]);
+}
+
+async function begin(): Promise<void> {
+  applyTheme(themeNow());
+  const root = document.getElementById("page");
+  if (root === null) return;
+  const api = new Api(takeToken(location, history, sessionStorage));
+  const classKey = /^\/class\/([^/]+)\/?$/.exec(location.pathname)?.[1];
+  if (classKey !== undefined) {
+    new ClassTable(root, api, decodeURIComponent(classKey));
+    return;
+  }
+  const watchKey = new URLSearchParams(location.hash.slice(1)).get("watch") ?? "";
+  try {
+    const info = await findPlace(api);
+    if (watchKey === "") localStorage.setItem(PLACE_KEY, info.place);
+    const path = `/p/${info.place}/`;
+    if (location.pathname !== path) history.replaceState(null, "", path + location.search + location.hash);
+    root.replaceChildren();
+    new App(root, api, info, watchKey);
+  } catch (error) {
+    tell(root, error);
+  }
+}
+
+void begin();

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h } from "../dom/view";
+import { cssColor, kindColor, teamColor } from "../scene/looks";
+import type { MakePanel } from "./panel";
+import { empty, filterField, passes } from "./parts";
+
+export const agentsPanel: MakePanel = (context) => {
+  let filter = "";
+  return {
+    word: "agents", title: "Agents", about: "Everybody in the world: team, state, operator, command. Click to select.", uses: ["agents", "moment"],
+    view: (contents) => {
+      const all = contents.agents?.agents ?? [], selected = contents.moment?.agent ?? "";
+      if (all.length === 0) return empty("This world has no agents yet.");
+      const shown = all.filter((one) => passes(filter, `${one.name} ${one.team} ${one.kind} ${one.operator} ${one.command}`));
+      return [
+        all.length > 8 && filterField("Filter by text", filter, (text) => {
+          filter = text;
+          context.redraw("agents");
+        }),
+        h("table.agents", null, h("thead", null, h("tr", null, h("th", null, "Name"), h("th", null, "Doing"), h("th.number", null, "Health"))),
+          h("tbody", null, shown.map((one) => h(`tr${one.name === selected ? ".chosen" : ""}`, { key: one.name, attributes: { "aria-selected": String(one.name === selected) } },
+            h("td", null, button([h("i.team", { style: { background: cssColor(one.team === "" ? kindColor(one.kind) : teamColor(one.team)) } }), one.name],
+              () => context.run.ask("select", { agent: one.name }), { attributes: { "aria-pressed": String(one.name === selected), title: one.team === "" ? one.kind : `${one.team}, ${one.kind}` } }, "button.link")),
+            h("td", null, one.failed ? h("span.warn", null, "stopped by an error") : !one.alive ? "dead" : one.operator !== "" ? one.operator : one.command, one.errors > 0 && h("span.warn", { attributes: { title: one.error ?? "" } }, ` ${one.errors} errors`)),
+            h("td.number", null, Math.round(one.health)))))),
+      ];
+    },
+  };
+};

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h } from "../dom/view";
+import type { MakePanel } from "./panel";
+import { clock, empty } from "./parts";
+
+const KINDS: readonly (readonly [string, string, string])[] = [
+  ["fire", "a rule fires", "my*rule"], ["match", "a rule matches", "my*rule"], ["element", "an element comes", "S1 ^name *"], ["impasse", "an impasse occurs", "tie"], ["command", "a command is given", "move-to"],
+];
+
+export const breakpointsPanel: MakePanel = (context) => {
+  let kind = "fire", what = "", isAny = false;
+  return {
+    word: "breakpoints", title: "Breakpoints", about: "Stop the world when a rule fires, an impasse occurs, and so on.", uses: ["breakpoints", "moment"],
+    badge: (contents) => (contents.breakpoints !== undefined && contents.breakpoints.hits.length > 0 ? String(contents.breakpoints.hits.length) : ""),
+    view: (contents) => {
+      const all = contents.breakpoints, agent = contents.moment?.agent ?? "", step = contents.moment?.time.step_s ?? 1 / 30;
+      return [
+        h("form.row", { on: { submit: (event) => {
+          event.preventDefault();
+          context.run.ask("break", { kind, agent: isAny ? "" : agent, what: what.trim() === "" ? "*" : what.trim() });
+        } } }, "Stop when ", h("select", { value: kind, attributes: { "aria-label": "What to wait for" }, on: { change: (event) => {
+          kind = (event.target as HTMLSelectElement).value;
+          context.redraw("breakpoints");
+        } } }, KINDS.map(([word, title]) => h("option", { attributes: { value: word } }, title))),
+        h("input", { value: what, attributes: { type: "text", "aria-label": "Which one", placeholder: KINDS.find(([word]) => word === kind)?.[2] ?? "", spellcheck: "false" }, on: { input: (event) => (what = (event.target as HTMLInputElement).value) } }),
+        h("label", null, h("input", { checked: isAny, attributes: { type: "checkbox" }, on: { change: (event) => (isAny = (event.target as HTMLInputElement).checked) } }), " in any mind"),
+        h("button", { attributes: { type: "submit" } }, "Add")),
+        (all?.hits ?? []).map((hit) => h("p.warn", null, `${clock(hit.tick * step)} ${hit.agent}: ${hit.why}`)),
+        (all?.breakpoints ?? []).length === 0 ? empty("There are no breakpoints. Add one: the world stops when it is hit, and you can look around.")
+          : h("table", null, h("tbody", null, all!.breakpoints.map((one) => h("tr", { key: String(one.number) },
+            h("td", null, h("label", null, h("input", { checked: one.enabled, attributes: { type: "checkbox", "aria-label": "On" }, on: { change: () => context.run.ask("change-break", { number: one.number, what: one.enabled ? "disable" : "enable" }) } }))),
+            h("td", null, `${one.kind} ${one.what}`), h("td", null, one.agent === "" ? "any mind" : one.agent), h("td.number", null, `${one.hits} hits`),
+            h("td", null, button("Remove", () => context.run.ask("change-break", { number: one.number, what: "clear" }), {}, "button.small")))))),
+      ];
+    },
+  };
+};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Child } from "../dom/view";
+import type { ContentName, Contents } from "../run/contents";
+import type { Run } from "../run/run";
+
+/** What a panel may use: the run, and the page around it. */
+export interface PanelContext {
+  readonly run: Run;
+  /** Shows the panel again, after something of its own changed. */
+  redraw(word: string): void;
+  /** Brings a panel to the front. */
+  reveal(word: string): void;
+  /** Asks why something is, and shows the answer. */
+  why(about: string, what?: string): void;
+  /** Opens a file in the editor. */
+  edit(file: string, line?: number): void;
+  openWhat(what: string): void;
+}
+
+/** One panel: contents in, views out, requests back. */
+export interface Panel {
+  /** As in docs/workbench.md. */
+  readonly word: string;
+  readonly title: string;
+  /** What one sees there; said while it is empty. */
+  readonly about: string;
+  readonly uses: readonly ContentName[];
+  view(contents: Contents): Child;
+  /** A small number on its tab; nothing: "". */
+  badge?(contents: Contents): string;
+  /** The panel is in front now, or no longer. */
+  shown?(isShown: boolean): void;
+}
+
+export type MakePanel = (context: PanelContext) => Panel;

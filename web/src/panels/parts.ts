@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child, type View } from "../dom/view";
+import type { Element, Maker } from "../run/contents";
+import type { PanelContext } from "./panel";
+
+/** What several panels show in the same way. */
+
+/** Says what would fill an empty panel. */
+export function empty(text: string, ...more: Child[]): View {
+  return h("div.empty", null, h("p", null, text), more);
+}
+
+/** 12.3 s as "0:12.30"; hours are minutes. */
+export function clock(seconds: number): string {
+  const hundredths = Math.round(Math.max(0, seconds) * 100), minutes = Math.floor(hundredths / 6000), rest = hundredths % 6000;
+  return `${minutes}:${String(Math.floor(rest / 100)).padStart(2, "0")}.${String(rest % 100).padStart(2, "0")}`;
+}
+
+/** A number with at most three digits behind the point. */
+export function short(value: number): string {
+  return Number.isFinite(value) ? String(Math.round(value * 1000) / 1000) : "?";
+}
+
+export function elementText(element: Element): string {
+  return `(${element.id} ^${element.attribute} ${element.value}${element.acceptable === true ? " +" : ""})`;
+}
+
+/** A time that goes to that moment when it is pressed. */
+export function moment(context: PanelContext, tick: number, seconds: number): View {
+  return button(clock(seconds), () => context.run.ask("seek", { tick }), { attributes: { title: `Go to tick ${tick}` } }, "button.link.time");
+}
+
+export function ruleLink(context: PanelContext, name: string): View {
+  return button(name, () => {
+    context.run.ask("rule", { rule: name });
+    context.reveal("rules");
+  }, { attributes: { title: "Look at this rule" } }, "button.link.rule");
+}
+
+export function elementLink(context: PanelContext, element: Element): View {
+  return button(elementText(element), () => {
+    context.run.ask("element", { timetag: element.timetag });
+    context.reveal("memory");
+  }, { attributes: { title: "Who made it, and who tests it" } }, "button.link.element");
+}
+
+export function agentLink(context: PanelContext, name: string): View {
+  return button(name === "" ? "world" : name, () => context.run.ask("select", { agent: name }), {}, "button.link");
+}
+
+export function makerView(context: PanelContext, maker: Maker): View {
+  if (maker.kind === "input") return h("div.quiet", null, "comes from the input link: the agent perceives it");
+  if (maker.kind !== "rule") return h("div.quiet", null, "made by Soar itself");
+  return h("div", null, "made by ", ruleLink(context, maker.rule ?? ""), h("span.quiet", null, maker.support === "o" ? ", stays until it is removed" : ", goes when its reasons go"),
+    (maker.elements ?? []).length > 0 && h("ul.plain", null, (maker.elements ?? []).map((one) => h("li", null, elementLink(context, one)))));
+}
+
+/** A field that filters as one types. */
+export function filterField(label: string, value: string, changed: (text: string) => void): View {
+  return h("input.filter", {
+    value, attributes: { type: "search", placeholder: label, "aria-label": label, spellcheck: "false", autocomplete: "off" },
+    on: { input: (event) => changed((event.target as HTMLInputElement).value) },
+  });
+}
+
+/** Texts that fit all words of a filter. */
+export function passes(filter: string, text: string): boolean {
+  const lower = text.toLowerCase();
+  return filter.toLowerCase().split(/\s+/).every((word) => lower.includes(word));
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child, type View } from "../dom/view";
+import type { Contents, RuleView, Rules } from "../run/contents";
+import type { MakePanel, PanelContext } from "./panel";
+import { elementLink, empty, filterField, passes } from "./parts";
+
+function ruleView(context: PanelContext, rules: Rules, rule: RuleView): View {
+  return h("section.story", null,
+    h("div.row", null, h("h3", null, rule.name),
+      rules.rule_file !== "" && button("Edit", () => context.run.ask("edit", { file: rules.rule_file, line: rules.rule_line, rule: rule.name }) && context.reveal("edit"), {}, "button.small"),
+      button("Close", () => context.run.ask("rule", { rule: "" }), { attributes: { "aria-label": "Close the rule" } }, "button.small")),
+    rule.documentation !== undefined && h("p.quiet", null, rule.documentation),
+    h(`p.${rule.complete ? "good" : "warn"}`, null, rule.match),
+    h("ol.conditions", null, rule.conditions.map((one, i) => {
+      const state = rule.failing === i + 1 ? ".stops" : rule.failing !== undefined && i + 1 > rule.failing ? ".untested" : ".holds";
+      return h(`li${state}`, null, h("code", null, one.text), h("span.quiet", null, state === ".stops" ? " it stops here" : ` ${one.partial_matches}`));
+    })),
+    rule.seen.length > 0 && h("div", null, h("p.quiet", null, "What it saw instead:"), h("ul.plain", null, rule.seen.map((one) => h("li", null, elementLink(context, one))))),
+    rule.matches_now.length > 0 && h("details", null, h("summary", null, `${rule.matches_now.length} matches now`), rule.matches_now.map((match) =>
+      h("ul.plain", null, match.map((one) => h("li", null, elementLink(context, one)))))),
+    h("pre.source", null, rules.rule_text !== "" ? rules.rule_text : rule.tokens.length > 0 ? rule.tokens.map((token) => h(`span.tok-${token.kind}`, null, token.text)) : rule.source));
+}
+
+export const rulesPanel: MakePanel = (context) => {
+  let filter = "";
+  const list = (contents: Contents, rules: Rules): Child => {
+    const shown = rules.rules.filter((one) => passes(filter, `${one.name} ${one.file ?? ""} ${one.documentation ?? ""}`));
+    if (rules.coverage.length > 0) {
+      return h("table", null, h("caption", null, "Which rules took part so far"), h("thead", null, h("tr", null, h("th", null, "Rule"), h("th.number", null, "Fired"), h("th", null, "Stops at"))),
+        h("tbody", null, rules.coverage.filter((one) => passes(filter, one.rule)).map((one) => h("tr", null, h("td", null, button(one.rule, () => context.run.ask("rule", { rule: one.rule }), {}, "button.link.rule")),
+          h("td.number", null, one.firings), h("td.quiet", null, one.matched ? "" : `${one.held ?? 0} of ${one.conditions ?? 0}: ${one.stops_at ?? ""}`)))));
+    }
+    if (shown.length === 0) return empty(rules.rules.length === 0 ? (contents.moment?.not_available || "The selected agent has no rules.") : "No rule has this text.");
+    return h("table", null, h("thead", null, h("tr", null, h("th", null, "Rule"), h("th.number", null, "Fired"), h("th.number", null, "Matches"))),
+      h("tbody", null, shown.map((one) => h(`tr${rules.rule?.name === one.name ? ".chosen" : ""}`, { key: one.name },
+        h("td", null, button(one.name, () => context.run.ask("rule", { rule: one.name }), { attributes: { title: one.documentation ?? one.type } }, "button.link.rule"), one.type === "chunk" && h("span.quiet", null, " learned")),
+        h("td.number", null, one.firings), h("td.number", null, one.matches)))));
+  };
+  return {
+    word: "rules", title: "Rules", about: "The rules with how often they fired, what they match now, or where they fail.", uses: ["rules", "moment"],
+    view: (contents) => {
+      const rules = contents.rules;
+      if (rules === undefined) return empty("Select an agent with a Soar mind: its rules are listed here, with how often they fired.");
+      return [
+        h("div.row", null, filterField("Filter by text", filter, (text) => {
+          filter = text;
+          context.redraw("rules");
+        }), button("Coverage", () => context.run.ask("coverage"), { attributes: { title: "Which rules took part so far, and where the others stop" } })),
+        rules.rule !== null && ruleView(context, rules, rules.rule),
+        list(contents, rules),
+      ];
+    },
+  };
+};

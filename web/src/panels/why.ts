@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, type Child, type View } from "../dom/view";
+import type { Contents, WhyNode } from "../run/contents";
+import type { MakePanel, PanelContext } from "./panel";
+import { empty } from "./parts";
+
+/** What a link of a reason leads to; null: it cannot be asked about. */
+function asks(node: WhyNode): { about: string; title: string } | null {
+  if (node.link === undefined || node.link === "") return null;
+  switch (node.kind) {
+    case "agent": return { about: "agent", title: "Why does it do what it does?" };
+    case "operator": return { about: "operator", title: "Why this operator?" };
+    case "command": return { about: "command", title: "Why this command?" };
+    case "element": case "percept": return { about: "element", title: "Why is this element there?" };
+    default: return null;
+  }
+}
+
+/** A tree of reasons; those near the top are unfolded. */
+export function reasonView(context: PanelContext, node: WhyNode, depth = 0): View {
+  const below = node.below ?? [], ask = asks(node);
+  const line: Child[] = [
+    h("span.text", null, node.text),
+    ask !== null && button("Why?", () => context.why(ask.about, node.link), { attributes: { title: ask.title, "aria-label": `Why? ${node.text}` } }, "button.small"),
+    (node.kind === "rule" || node.kind === "learned") && node.link !== undefined && node.link !== "" && button("Rule", () => {
+      context.run.ask("rule", { rule: node.link });
+      context.reveal("rules");
+    }, { attributes: { title: `Look at ${node.link}`, "aria-label": `Look at the rule ${node.link}` } }, "button.small"),
+  ];
+  if (below.length === 0) return h(`div.reason.${node.kind}`, null, line);
+  return h(`details.reason.${node.kind}`, { open: depth < 3 }, h("summary", null, line), below.map((one) => reasonView(context, one, depth + 1)));
+}
+
+export const whyPanel: MakePanel = (context) => {
+  let about = "";
+  const form = (contents: Contents): View => {
+    const agent = contents.moment?.agent ?? "";
+    const send = (kind: string): void => {
+      if (about.trim() !== "") context.run.ask("ask", { about: kind, what: about.trim() });
+    };
+    return h("form.row", { on: { submit: (event) => {
+      event.preventDefault();
+      send("not");
+    } } },
+      button("Why this?", () => context.why("agent"), { attributes: { disabled: agent === "", title: "Why does the selected agent do what it does?" } }),
+      h("input", {
+        value: about, attributes: { type: "text", placeholder: "a rule, operator or command", "aria-label": "What to ask about", spellcheck: "false", autocomplete: "off" },
+        on: { input: (event) => (about = (event.target as HTMLInputElement).value) },
+      }),
+      h("button", { attributes: { type: "submit", disabled: agent === "", title: "Why does it not happen?" } }, "Why not?"));
+  };
+  return {
+    word: "why", title: "Why", about: "Why the agent does what it does, and why it does not do something else.", uses: ["why", "moment"],
+    view: (contents) => {
+      const why = contents.why;
+      if (why === undefined || why.question === "")
+        return [form(contents), empty("Ask why the selected agent does what it does. Or type a rule, an operator or a command that you expected, and ask why it is not there.")];
+      return [form(contents), h("h3", null, why.question), why.answer === null ? empty("There is no answer: what you ask about is not there now.") : reasonView(context, why.answer)];
+    },
+  };
+};

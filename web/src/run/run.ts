@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { isFull, SceneReader, unpack } from "../format/scene_reader";
+import type { Scene } from "../format/scene";
+import type { ContentName, Contents } from "./contents";
+import type { Connection, Flow, Hello, Request, RunMessage, RunSource } from "./source";
+
+export interface Remark { text: string; hint: string; isError: boolean }
+
+/** What is told to whoever shows a run. Each may be left out. */
+export interface RunEvents {
+  hello: Hello;
+  flow: Flow;
+  contents: readonly ContentName[];
+  scene: Scene;
+  remark: Remark;
+  state: RunState;
+  connection: { state: Connection; retryAt: number };
+  language: unknown;
+}
+export type RunState = "joining" | "running" | "busy" | "ended" | "none";
+
+type Handlers = { [K in keyof RunEvents]: Set<(event: RunEvents[K]) => void> };
+
+/** The run that is shown: what is known of it now, and how to ask it for more. */
+export class Run {
+  hello: Hello | null = null;
+  flow: Flow = { paused: false, speed: 1, tick: 0, time_s: 0 };
+  contents: Contents = {};
+  scene: Scene | null = null;
+  state: RunState = "joining";
+  connection: Connection = "connecting";
+  retryAt = 0;
+  endedText = "";
+  canOpenAgain = true;
+
+  private readonly handlers: Handlers = {
+    hello: new Set(), flow: new Set(), contents: new Set(), scene: new Set(), remark: new Set(), state: new Set(),
+    connection: new Set(), language: new Set(),
+  };
+  private reader = new SceneReader();
+  /** Blocks are unpacked one after another, so that they stay in order. */
+  private queue: Promise<void> = Promise.resolve();
+  private waiting = 0;
+  private looked: string[] = [];
+  private overlays: string[] = [];
+  private opened: string | null = null;
+
+  constructor(private readonly source: RunSource) {}
+
+  start(): void {
+    this.source.start({
+      message: (message) => this.take(message),
+      block: (bytes) => this.takeBlock(bytes),
+      connection: (state, retryAt) => {
+        this.connection = state;
+        this.retryAt = retryAt ?? 0;
+        if (state === "open") this.greet();
+        this.tell("connection", { state, retryAt: this.retryAt });
+      },
+    });
+  }
+
+  close(): void {
+    this.source.close();
+  }
+
+  retry(): void {
+    this.source.retry();
+  }
+
+  on<K extends keyof RunEvents>(event: K, call: (event: RunEvents[K]) => void): () => void {
+    this.handlers[event].add(call);
+    return () => this.handlers[event].delete(call);
+  }
+
+  /** Sends a request; says so if nobody is there to take it. */
+  ask(request: string, fields: Readonly<Record<string, unknown>> = {}): boolean {
+    const sent = this.source.send({ request, ...fields } as Request);
+    if (!sent) this.tell("remark", { text: "The server cannot be reached now. Try again when the page is connected.", hint: "", isError: true });
+    return sent;
+  }
+
+  /** "lesson:NAME", "scenario:NAME" or "recording:NAME". */
+  open(what: string): void {
+    this.opened = what;
+    this.setState("joining");
+    if (this.connection === "open") this.ask("open", { what });
+  }
+
+  /** Which panels are looked at; sent again whenever a run begins. */
+  look(panels: readonly string[]): void {
+    const sorted = [...new Set(panels)].sort();
+    if (sorted.join() === this.looked.join()) return;
+    this.looked = sorted;
+    if (this.hello !== null && this.connection === "open") this.source.send({ request: "look", panels: this.looked });
+  }
+
+  wantOverlays(on: readonly string[]): void {
+    if (on.join() === this.overlays.join()) return;
+    this.overlays = [...on];
+    if (this.hello !== null && this.connection === "open") this.source.send({ request: "overlays", on: this.overlays });
+  }
+
+  private greet(): void {
+    if (this.opened !== null && this.hello === null) this.source.send({ request: "open", what: this.opened });
+  }
+
+  private take(message: RunMessage): void {
+    switch (message.message) {
+      case "hello":
+        this.forget();
+        this.hello = message;
+        this.opened = null;
+        this.setState("running");
+        this.tell("hello", message);
+        this.source.send({ request: "look", panels: this.looked });
+        this.source.send({ request: "overlays", on: this.overlays });
+        break;
+      case "flow":
+        this.flow = message;
+        this.tell("flow", message);
+        break;
+      case "contents": {
+        const names = Object.keys(message.contents) as ContentName[];
+        this.contents = { ...this.contents, ...message.contents };
+        this.tell("contents", names);
+        break;
+      }
+      case "told":
+        this.tell("remark", { text: message.text, hint: "", isError: false });
+        break;
+      case "error":
+        this.tell("remark", { text: message.error, hint: message.hint ?? "", isError: true });
+        break;
+      case "busy":
+        if (this.state === "running") this.setState("busy");
+        break;
+      case "ready":
+        if (this.state === "busy") this.setState("running");
+        break;
+      case "ended":
+        this.endedText = message.text;
+        this.canOpenAgain = message.can_open_again;
+        this.setState("ended");
+        break;
+      case "none":
+        if (this.opened !== null) break;
+        this.forget();
+        this.setState("none");
+        break;
+      case "language":
+        this.tell("language", message.content);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /** Whatever was known of another run is void. */
+  private forget(): void {
+    this.hello = null;
+    this.contents = {};
+    this.scene = null;
+    this.endedText = "";
+    this.reader = new SceneReader();
+    this.flow = { paused: false, speed: 1, tick: 0, time_s: 0 };
+  }
+
+  private setState(state: RunState): void {
+    if (this.state === state) return;
+    this.state = state;
+    this.tell("state", state);
+  }
+
+  private takeBlock(bytes: Uint8Array): void {
+    const reader = this.reader;
+    this.waiting += 1;
+    this.queue = this.queue.then(async () => {
+      this.waiting -= 1;
+      if (reader !== this.reader) return;
+      try {
+        const scene = reader.read(await unpack(bytes), isFull(bytes));
+        if (scene === null || reader !== this.reader) return;
+        this.scene = scene;
+        this.tell("scene", scene);
+      } catch (error) {
+        this.tell("remark", { text: error instanceof Error ? error.message : String(error), hint: "", isError: true });
+      }
+    });
+  }
+
+  private tell<K extends keyof RunEvents>(event: K, value: RunEvents[K]): void {
+    for (const call of [...this.handlers[event]]) call(value);
+  }
+}

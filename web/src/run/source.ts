@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Contents } from "./contents";
+
+/** What a run says to whoever shows it. */
+export type RunMessage =
+  | ({ message: "hello" } & Hello)
+  | ({ message: "flow" } & Flow)
+  | { message: "contents"; contents: Contents }
+  | { message: "told"; text: string }
+  | { message: "error"; id?: number; error: string; hint?: string }
+  | { message: "busy" }
+  | { message: "ready" }
+  | { message: "ended"; text: string; can_open_again: boolean }
+  | { message: "none" }
+  | { message: "language"; content: unknown };
+
+export interface Hello {
+  version: string;
+  what: string;
+  title: string;
+  scenario: string;
+  seed: number;
+  agents: readonly string[];
+  minds: readonly string[];
+  step_s: number;
+  may_edit: boolean;
+  is_recording: boolean;
+}
+export interface Flow { paused: boolean; speed: number; tick: number; time_s: number }
+
+/** What a page asks for: an object with its name and fields (docs/workbench.md), and what the server adds. */
+export type Request = { readonly request: string; readonly id?: number } & Readonly<Record<string, unknown>>;
+
+export type Connection = "connecting" | "open" | "lost" | "closed";
+
+export interface Listener {
+  message(message: RunMessage): void;
+  block(bytes: Uint8Array): void;
+  connection(state: Connection, retryAt?: number): void;
+}
+
+/** Where a run comes from: a server now; a file or an engine in the page could be others. */
+export interface RunSource {
+  start(listener: Listener): void;
+  /** False if it cannot be sent now: nothing is kept for later. */
+  send(request: Request): boolean;
+  /** Tries at once, if it waits to try again. */
+  retry(): void;
+  close(): void;
+}

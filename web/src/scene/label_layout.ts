@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** Boxes on the picture, in pixels. */
+export interface Box { left: number; top: number; width: number; height: number }
+
+const overlaps = (a: Box, b: Box): boolean => a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height && b.top < a.top + a.height;
+
+/** Finds places for labels, so that none covers another. */
+export class LabelLayout {
+  private readonly taken: Box[] = [];
+
+  constructor(private readonly width: number, private readonly height: number, private readonly gap = 3) {}
+
+  block(box: Box): void {
+    this.taken.push(box);
+  }
+
+  /** A place above (x, y), else beside or further up; null if there is none nearby. */
+  place(x: number, y: number, width: number, height: number): Box | null {
+    const { gap } = this, above = y - height - gap;
+    const tries: readonly (readonly [number, number])[] = [
+      [x - width / 2, above], [x + gap * 3, above + height * 0.4], [x - width - gap * 3, above + height * 0.4], [x - width / 2, above - height - gap],
+      [x + gap * 3, above - height * 0.8], [x - width - gap * 3, above - height * 0.8], [x - width / 2, above - 2 * (height + gap)],
+      [x + width * 0.4, above - height * 1.6], [x - width * 1.4, above - height * 1.6],
+    ];
+    for (const [left, top] of tries) {
+      const box: Box = { left: Math.min(Math.max(left, gap), this.width - width - gap), top: Math.max(top, gap), width, height };
+      if (box.top + height > this.height || this.taken.some((other) => overlaps(box, other))) continue;
+      this.taken.push({ left: box.left - gap, top: box.top - gap, width: width + 2 * gap, height: height + 2 * gap });
+      return box;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { Vector3, type PerspectiveCamera } from "three";
+import type { NamedPlace, Scene, Vec3 } from "../format/scene";
+import { h, patch, type Child } from "../dom/view";
+import { LabelLayout, type Box } from "./label_layout";
+import { agentColor, cssColor, type Rgb } from "./looks";
+import type { BelievedBody, OverlayWord, Placed } from "./overlays";
+
+const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, SPEECH_S = 3.5;
+const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
+
+export function healthColor(share: number): Rgb {
+  return share < 0.5 ? [0.92, 0.25 + 0.9 * share, 0.08] : [0.92 - 1.6 * (share - 0.5), 0.7, 0.08 + 0.8 * (share - 0.5)];
+}
+
+const shortened = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
+
+/** What an agent is about in a word or two. */
+export function doingOf(scene: Scene, id: number): string {
+  const agent = scene.agents.get(id), mind = scene.minds.get(id);
+  if (agent === undefined) return "";
+  if (agent.failed) return "stopped by an error";
+  if (!agent.alive) return "dead";
+  const operator = mind?.operator ?? "", body = mind !== undefined && mind.doing !== "" ? mind.doing : agent.lastCommand;
+  if (operator === "") return shortened(body, 30);
+  return body === "" || body === operator ? shortened(operator, 30) : `${shortened(operator, 24)} · ${shortened(body, 24)}`;
+}
+
+export interface LabelScene {
+  scene: Scene;
+  time: number;
+  placed: ReadonlyMap<number, Placed>;
+  selected: number;
+  on: ReadonlySet<OverlayWord>;
+  ghosts: readonly BelievedBody[];
+  width: number;
+  height: number;
+  camera: PerspectiveCamera;
+}
+
+interface Point { x: number; y: number; away: number }
+
+/** Names, health, what agents do and say: elements over the picture. */
+export class Labels {
+  private readonly at = new Vector3();
+
+  constructor(private readonly layer: HTMLElement, private readonly select: (id: number) => void) {}
+
+  draw(view: LabelScene): void {
+    patch(this.layer, this.labels(view));
+  }
+
+  /** Null: it is behind the camera or out of the picture. */
+  private project(place: Vec3, { camera, width, height }: LabelScene): Point | null {
+    this.at.set(...place);
+    const away = this.at.distanceTo(camera.position);
+    this.at.project(camera);
+    if (this.at.z > 1 || this.at.z < -1) return null;
+    const x = ((this.at.x + 1) / 2) * width, y = ((1 - this.at.y) / 2) * height;
+    return x < -20 || y < -20 || x > width + 20 || y > height + 20 ? null : { x, y, away };
+  }
+
+  private labels(view: LabelScene): Child[] {
+    const { scene, placed, selected, on } = view, layout = new LabelLayout(view.width, view.height), shown: Child[] = [];
+    const heads: { one: Placed; point: Point }[] = [];
+    for (const one of placed.values()) {
+      const point = this.project([one.place[0], one.place[1] + one.agent.height / 2 + 0.15, one.place[2]], view);
+      if (point !== null && point.away < GONE_M) heads.push({ one, point });
+    }
+    heads.sort((a, b) => (a.one.id === selected ? -1 : b.one.id === selected ? 1 : a.point.away - b.point.away));
+    for (const { point } of heads.slice(0, 24)) {
+      const size = Math.min(600 / point.away, 60);
+      layout.block({ left: point.x - size / 3, top: point.y, width: (2 * size) / 3, height: size * 1.4 });
+    }
+    shown.push(...this.speech(view, layout));
+    if (on.has("labels")) {
+      let names = 0;
+      for (const { one, point } of heads) {
+        const isSmall = heads.length > 24 && point.away > 45 && one.id !== selected;
+        const doing = doingOf(scene, one.id), name = shortened(one.agent.name, 28), wide = Math.max(name.length * 7.4, doing.length * 6.4, 44) + 22;
+        const box = names < MOST_NAMES && !isSmall ? layout.place(point.x, point.y, wide, doing === "" ? 29 : 44) : null;
+        if (box === null) {
+          shown.push(h("div.dot", { key: `d${one.id}`, style: { left: `${point.x - 4}px`, top: `${point.y - 4}px`, background: cssColor(agentColor(one.agent)) } }));
+          continue;
+        }
+        names += 1;
+        shown.push(this.name(one, name, doing, box, point, one.id === selected));
+      }
+    }
+    for (const [i, ghost] of view.ghosts.entries()) {
+      const point = this.project([ghost.place[0], ghost.place[1] + ghost.height / 2, ghost.place[2]], view);
+      const box = point === null ? null : layout.place(point.x, point.y, ghost.name.length * 6.6 + 12, 18);
+      if (box !== null) shown.push(h("div.ghost-name", { key: `g${i}`, style: { ...position(box), color: cssColor(ghost.color) } }, ghost.name));
+    }
+    if (on.has("places")) shown.push(...this.places(view, layout));
+    return shown;
+  }
+
+  private name(one: Placed, name: string, doing: string, box: Box, point: Point, isSelected: boolean): Child {
+    const health = Math.min(Math.max(one.agent.health / 100, 0), 1), color = cssColor(agentColor(one.agent));
+    const thread = Math.hypot(box.left + box.width / 2 - point.x, box.top + box.height - point.y);
+    return [
+      thread > 16 && h("div.thread", { key: `t${one.id}`, style: threadStyle(box.left + box.width / 2, box.top + box.height, point.x, point.y) }),
+      h(`div.name${isSelected ? ".selected" : ""}`, { key: `n${one.id}`, style: { ...position(box), "border-left-color": color }, on: { click: () => this.select(one.id) } },
+        h("b", null, name), doing !== "" && h("span", null, doing),
+        one.agent.alive && h("i.health", null, h("i", { style: { width: `${Math.round(health * 100)}%`, background: cssColor(healthColor(health)) } }))),
+    ];
+  }
+
+  private speech(view: LabelScene, layout: LabelLayout): Child[] {
+    if (!view.on.has("labels")) return [];
+    const shown: Child[] = [], said = view.scene.speech.filter((one) => view.time - one.time < SPEECH_S).slice(-MOST_SPEECH);
+    for (const one of said.reverse()) {
+      const speaker = view.placed.get(one.from), text = shortened(one.text, 90);
+      if (speaker === undefined || text === "") continue;
+      const point = this.project([speaker.place[0], speaker.place[1] + speaker.agent.height / 2 + 0.3, speaker.place[2]], view);
+      const lines = Math.ceil(text.length / 30), box = point === null ? null : layout.place(point.x + 30, point.y - 50, Math.min(text.length, 30) * 7 + 22, lines * 17 + 12);
+      if (box === null || point === null) continue;
+      const fade = Math.min(1, (SPEECH_S - (view.time - one.time)) / 0.6);
+      const key = `${one.from}/${one.time}/${one.text}`;
+      shown.push(
+        h("div.thread.speaking", { key: `u${key}`, style: threadStyle(box.left + box.width / 2, box.top + box.height, point.x, point.y) }),
+        h("div.speech", { key: `s${key}`, style: { ...position(box), opacity: String(Math.max(0, fade)) } }, text));
+    }
+    return shown;
+  }
+
+  private places(view: LabelScene, layout: LabelLayout): Child[] {
+    const near = view.scene.places.map((place) => ({ place, point: this.project(place.place, view) })).filter((one) => one.point !== null && one.point.away < 90)
+      .sort((a, b) => a.point!.away - b.point!.away).slice(0, MOST_PLACES);
+    return near.map(({ place, point }) => {
+      const box = layout.place(point!.x, point!.y - 4, place.name.length * 6.8 + 24, 19);
+      return box !== null && h(`div.place.${place.kind}`, { key: `p${place.kind}${place.name}`, style: position(box) }, h("i", null, PLACE_SIGNS[place.kind]), place.name);
+    });
+  }
+}
+
+function position(box: Box): Record<string, string> {
+  return { left: `${box.left.toFixed(1)}px`, top: `${box.top.toFixed(1)}px`, width: `${Math.ceil(box.width)}px` };
+}
+
+function threadStyle(x0: number, y0: number, x1: number, y1: number): Record<string, string> {
+  const away = Math.hypot(x1 - x0, y1 - y0), angle = Math.atan2(y1 - y0, x1 - x0);
+  return { left: `${x0.toFixed(1)}px`, top: `${y0.toFixed(1)}px`, width: `${away.toFixed(1)}px`, transform: `rotate(${angle.toFixed(3)}rad)` };
+}

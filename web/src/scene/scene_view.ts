@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import {
+  ACESFilmicToneMapping, AmbientLight, CapsuleGeometry, Color, DirectionalLight, FogExp2, HemisphereLight, Mesh, MeshBasicMaterial, PCFShadowMap, PointLight, Scene as World, Vector3,
+  WebGLRenderer,
+} from "three";
+import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
+import { Playout, type Between } from "../run/playout";
+import { Bodies } from "./bodies";
+import { CameraRig } from "./camera_rig";
+import { Labels } from "./labels";
+import { LineBatch } from "./line_batch";
+import { lookOf } from "./looks";
+import { geometryOf, Materials } from "./materials";
+import { hillsMesh, PLAIN_SIDE_M, woodsMesh } from "./meshes/scenery";
+import { paintOverlays, Trails, type BelievedBody, type OverlayWord, type Placed } from "./overlays";
+import { ScriptUi } from "./script_ui";
+import { Sky } from "./sky";
+import { Things } from "./things";
+
+const SLOW_FRAME_S = 0.055, FRAMES_TO_JUDGE = 20;
+const LIGHT_SCALE = Math.PI;
+const MOST_POINT_LIGHTS = 4;
+
+export interface SceneEvents {
+  selected(id: number): void;
+}
+
+/** Draws a run. Gives pictures only while something moves. */
+export class SceneView {
+  readonly rig = new CameraRig();
+  readonly on = new Set<OverlayWord>(["labels", "shots", "places"]);
+  readonly playout = new Playout();
+  isPaused = false;
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new World();
+  private readonly materials = new Materials();
+  private readonly things = new Things(this.materials);
+  private readonly bodies = new Bodies(this.materials);
+  private readonly sky = new Sky();
+  private readonly sun = new DirectionalLight();
+  private readonly ambient = new HemisphereLight();
+  private readonly fill = new AmbientLight(0xffffff, 0);
+  private readonly lines = new LineBatch(2);
+  private readonly trails = new Trails();
+  private readonly labels: Labels;
+  private readonly scriptUi: ScriptUi;
+  private readonly pointLights: PointLight[] = [];
+  private backdrop: Mesh[] = [];
+  private ghosts: Mesh[] = [];
+  private scene: Scene | null = null;
+  private placed = new Map<number, Placed>();
+  private selectedId = 0;
+  private lastFrame = 0;
+  private frameTimes: number[] = [];
+  private detail = 2;
+  private restless = 2;
+  private stopped = false;
+  private isFramed = false;
+  /** Of the last second; for those who measure. */
+  framesPerSecond = 0;
+  private frames = 0;
+  private framesSince = 0;
+
+  constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.toneMapping = ACESFilmicToneMapping;
+    this.renderer.toneMappingExposure = 0.98;
+    this.world.fog = new FogExp2(0xd0dde6, 0.0042);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.normalBias = 0.03;
+    this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines);
+    this.labels = new Labels(labelLayer, (id) => events.selected(id));
+    this.scriptUi = new ScriptUi(scriptLayer);
+    if (isDrawnByProcessor(this.renderer)) this.lower();
+    new ResizeObserver(() => this.wake()).observe(place);
+    canvas.addEventListener("webglcontextrestored", () => this.wake());
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  take(scene: Scene): void {
+    this.scene = scene;
+    this.playout.add(scene, performance.now() / 1000);
+    this.trails.note(scene);
+    this.wake();
+  }
+
+  /** Another run: nothing of the last one stays. */
+  forget(): void {
+    this.scene = null;
+    this.playout.clear();
+    this.trails.clear();
+    this.things.clear();
+    this.bodies.clear();
+    this.rig.forget();
+    this.isFramed = false;
+    this.selectedId = 0;
+    this.wake();
+  }
+
+  select(name: string): void {
+    this.selectedId = 0;
+    for (const [id, agent] of this.scene?.agents ?? []) if (agent.name === name) this.selectedId = id;
+    this.selectedName = name;
+    this.wake();
+  }
+  private selectedName = "";
+
+  nameOf(id: number): string {
+    return this.scene?.agents.get(id)?.name ?? "";
+  }
+
+  frameAll(): void {
+    this.rig.frame([...(this.scene?.agents.values() ?? [])].map((agent) => agent.place));
+    this.wake();
+  }
+
+  frameSelected(): void {
+    const chosen = this.placed.get(this.selectedId);
+    if (chosen === undefined) this.frameAll();
+    else this.rig.frame([chosen.place]);
+    this.wake();
+  }
+
+  wake(): void {
+    this.restless = Math.max(this.restless, 3);
+  }
+
+  stop(): void {
+    this.stopped = true;
+    this.renderer.dispose();
+  }
+
+  /** The agent at a place of the picture, in its pixels; 0: none. */
+  agentAt(x: number, y: number): number {
+    const { clientWidth: width, clientHeight: height } = this.canvas, point = new Vector3();
+    let best = 0, bestScore = Infinity;
+    for (const one of this.placed.values()) {
+      const ends = [-0.5, 0.5].map((share) => {
+        point.set(one.place[0], one.place[1] + share * one.agent.height, one.place[2]).project(this.rig.camera);
+        return { x: ((point.x + 1) / 2) * width, y: ((1 - point.y) / 2) * height, z: point.z };
+      });
+      const [low, high] = ends as [typeof ends[0], typeof ends[0]];
+      if (low.z > 1) continue;
+      const size = Math.hypot(high.x - low.x, high.y - low.y), t = Math.min(Math.max(((x - low.x) * (high.x - low.x) + (y - low.y) * (high.y - low.y)) / Math.max(size * size, 1), 0), 1);
+      const away = Math.hypot(x - low.x - t * (high.x - low.x), y - low.y - t * (high.y - low.y));
+      if (away < Math.max(14, size * 0.35) && away + low.z * 40 < bestScore) {
+        best = one.id;
+        bestScore = away + low.z * 40;
+      }
+    }
+    return best;
+  }
+
+  private frame(now: number): void {
+    if (this.stopped) return;
+    requestAnimationFrame((next) => this.frame(next));
+    const seconds = Math.min((now - this.lastFrame) / 1000, 0.25);
+    this.lastFrame = now;
+    if (this.canvas.clientWidth === 0) return;
+    const moving = this.playout.advance(seconds, this.isPaused);
+    const followed = this.placed.get(this.selectedId)?.place ?? null;
+    if (this.rig.update(seconds, followed) || (moving !== null && moving.share < 1)) this.wake();
+    if (this.restless <= 0) return;
+    this.restless -= 1;
+    this.fit();
+    if (moving !== null) this.show(moving);
+    this.draw();
+    this.judge(seconds, now);
+  }
+
+  private show(between: Between): void {
+    const { after } = between;
+    if (this.selectedId === 0 && this.selectedName !== "") this.select(this.selectedName);
+    this.place3d(between);
+    this.light(after);
+    this.things.show(between);
+    this.bodies.show(between, this.rig.camera.position, this.detail === 0);
+    if (after.camera !== null && this.rig.obey(after.camera)) this.isFramed = true;
+    if (!this.isFramed && after.agents.size > 0) {
+      this.isFramed = true;
+      this.rig.frame([...after.agents.values()].map((agent) => agent.place), false);
+    }
+    this.showBackdrop(after);
+  }
+
+  private place3d({ before, after, share }: Between): void {
+    this.placed = new Map();
+    for (const [id, agent] of after.agents) {
+      const old = before.agents.get(id) ?? agent;
+      const at = (a: Vec3, b: Vec3): Vec3 => [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
+      const jumps = Math.hypot(agent.place[0] - old.place[0], agent.place[2] - old.place[2]) > 3;
+      this.placed.set(id, { id, agent, place: jumps ? agent.place : at(old.place, agent.place), forward: agent.forward });
+    }
+  }
+
+  private light(scene: Scene): void {
+    const around = scene.surroundings;
+    if (around === null) return;
+    this.sky.show(around.sky);
+    (this.world.fog as FogExp2).color.copy(this.sky.haze);
+    const sun = around.lights.find((light) => light.directional);
+    const way = new Vector3(...(sun?.direction ?? [0.4, -0.8, 0.45])).normalize();
+    if (way.lengthSq() < 0.5) way.set(0, -1, 0);
+    const size = Math.min(Math.max(this.rig.away * 0.9, 14), 120), [x, y, z] = this.rig.target;
+    this.sun.target.position.set(x, y, z);
+    this.sun.position.set(x - way.x * size * 2, y - way.y * size * 2, z - way.z * size * 2);
+    const shadow = this.sun.shadow.camera;
+    if (Math.abs(shadow.right - size) > size * 0.15) {
+      shadow.left = shadow.bottom = -size;
+      shadow.right = shadow.top = size;
+      shadow.near = 1;
+      shadow.far = size * 4.5;
+      shadow.updateProjectionMatrix();
+      this.sun.shadow.normalBias = 0.0012 * size;
+    }
+    const [r, g, b] = sun?.diffuse ?? [0, 0, 0];
+    this.sun.color.setRGB(r, g, b);
+    this.sun.intensity = sun === undefined ? 0 : 0.95 * LIGHT_SCALE;
+    this.sun.castShadow = sun === undefined || sun.castsShadows;
+    const [ar, ag, ab] = around.ambient;
+    this.ambient.color.setRGB(ar * 0.78, ag * 0.83, ab * 0.9);
+    this.ambient.groundColor.setRGB(ar * 0.46, ag * 0.42, ab * 0.37);
+    this.ambient.intensity = 1.25 * LIGHT_SCALE;
+    this.fill.intensity = 0;
+    this.furtherLights(around.lights.filter((light) => !light.directional).slice(0, MOST_POINT_LIGHTS));
+  }
+
+  private furtherLights(lights: readonly Light[]): void {
+    while (this.pointLights.length < lights.length) {
+      const made = new PointLight();
+      this.pointLights.push(made);
+      this.world.add(made);
+    }
+    this.pointLights.forEach((shown, i) => {
+      const light = lights[i];
+      shown.visible = light !== undefined;
+      if (light === undefined) return;
+      shown.position.set(...light.place);
+      shown.color.setRGB(...light.diffuse);
+      shown.intensity = LIGHT_SCALE * (light.attenuation[2] > 0 ? Math.min(1 / light.attenuation[2], 60) : 20);
+      shown.distance = light.range;
+      shown.decay = light.attenuation[2] > 0 ? 2 : 1;
+    });
+  }
+
+  private showBackdrop(scene: Scene): void {
+    let hasPlain = false;
+    for (const d of scene.drawables.values())
+      hasPlain ||= d.visible && d.shape === Shape.Plane && d.size[0] === PLAIN_SIDE_M && d.size[2] === PLAIN_SIDE_M && Math.hypot(...d.place) < 0.5;
+    if (hasPlain && this.backdrop.length === 0) {
+      this.backdrop = [hillsMesh(), woodsMesh()].map((mesh) => new Mesh(geometryOf(mesh, lookOf(mesh.material)), this.materials.named(mesh.material)));
+      this.world.add(...this.backdrop);
+    }
+    for (const mesh of this.backdrop) mesh.visible = hasPlain;
+  }
+
+  private draw(): void {
+    const scene = this.scene, size = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    this.sky.mesh.position.copy(this.rig.camera.position);
+    this.lines.begin();
+    let ghosts: BelievedBody[] = [];
+    if (scene !== null) {
+      ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
+      this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera });
+      this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height);
+    }
+    this.showGhosts(ghosts);
+    this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());
+    this.renderer.render(this.world, this.rig.camera);
+  }
+
+  private showGhosts(ghosts: readonly BelievedBody[]): void {
+    while (this.ghosts.length < ghosts.length) {
+      const mesh = new Mesh(new CapsuleGeometry(1, 2, 6, 16), new MeshBasicMaterial({ transparent: true, depthWrite: false, fog: false }));
+      this.ghosts.push(mesh);
+      this.world.add(mesh);
+    }
+    this.ghosts.forEach((mesh, i) => {
+      const ghost = ghosts[i];
+      mesh.visible = ghost !== undefined;
+      if (ghost === undefined) return;
+      mesh.position.set(...ghost.place);
+      mesh.scale.set(ghost.radius * 0.7, ghost.height / 4, ghost.radius * 0.7);
+      const material = mesh.material as MeshBasicMaterial;
+      material.color = new Color().setRGB(...ghost.color);
+      material.opacity = 0.35 * ghost.opacity;
+    });
+  }
+
+  private fit(): void {
+    const width = this.place.clientWidth, height = this.place.clientHeight, ratio = this.detail === 0 ? Math.min(0.75, window.devicePixelRatio) : Math.min(window.devicePixelRatio, this.detail === 1 ? 1 : 2);
+    const wanted = Math.floor(width * ratio), high = Math.floor(height * ratio);
+    if (this.canvas.width === wanted && this.canvas.height === high) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.rig.setSize(width, height);
+  }
+
+  /** Where pictures take long, less is drawn. */
+  private judge(seconds: number, now: number): void {
+    this.frames += 1;
+    if (now - this.framesSince > 1000) {
+      this.framesPerSecond = (this.frames * 1000) / (now - this.framesSince);
+      this.frames = 0;
+      this.framesSince = now;
+    }
+    this.frameTimes.push(seconds);
+    if (this.frameTimes.length < FRAMES_TO_JUDGE) return;
+    const median = [...this.frameTimes].sort((a, b) => a - b)[FRAMES_TO_JUDGE / 2]!;
+    this.frameTimes = [];
+    if (median > SLOW_FRAME_S) this.lower();
+  }
+
+  private lower(): void {
+    if (this.detail === 0) return;
+    this.detail -= 1;
+    if (this.detail === 1) {
+      this.sun.shadow.mapSize.set(1024, 1024);
+      this.sun.shadow.map?.dispose();
+      this.sun.shadow.map = null;
+      return;
+    }
+    this.materials.isSlow = true;
+    this.materials.dispose();
+    this.things.clear();
+    this.bodies.clear();
+    this.world.remove(...this.backdrop);
+    this.backdrop = [];
+    this.wake();
+  }
+}
+
+function isDrawnByProcessor(renderer: WebGLRenderer): boolean {
+  const gl = renderer.getContext(), info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = info === null ? "" : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
