@@ -103,7 +103,7 @@ export class App {
   }
 
   private draw(): void {
-    const { hello } = this.run, title = hello === null ? "" : hello.title === "" ? hello.what.replace(/^\w+:/, "") : hello.title;
+    const { hello } = this.run, title = this.titleOfRun();
     document.title = this.isHome || title === "" ? "Soarbox" : `${title} - Soarbox`;
     patch(this.head, [
       button([icon("home"), h("span.brand", null, "Soarbox")], () => this.goHome(), { attributes: { title: "Lessons and worlds", "aria-label": "Soarbox: lessons and worlds" } }, "button.home"),
@@ -120,6 +120,13 @@ export class App {
       this.dialog === "keys" && keysDialog(() => this.showDialog("")),
       this.dialog === "link" && linkDialog(`${location.origin}/p/${this.info.place}/`, this.api.hasToken, this.copied, () => void this.copyLink(), () => this.showDialog("")),
     ]);
+  }
+
+  private titleOfRun(): string {
+    const { hello } = this.run;
+    if (hello === null) return "";
+    const name = hello.what.replace(/^\w+:/, "");
+    return hello.title || (this.info.lessons.find((one) => hello.what === `lesson:${one.name}`)?.title ?? name);
   }
 
   private connectionView(): Child {
@@ -158,7 +165,7 @@ export class App {
 
   private start(): Child {
     if (this.watchKey !== "") return h("main.start", null, h("div.empty", null, h("p", null, "The learner has no world open now. It is shown here as soon as there is one.")));
-    const goesOn = this.run.hello !== null && this.run.state !== "ended" ? (this.run.hello.title || this.run.hello.what.replace(/^\w+:/, "")) : "";
+    const goesOn = this.run.hello !== null && this.run.state !== "ended" ? this.titleOfRun() : "";
     const folder = `/api/p/${this.info.place}`;
     return startPage(this.info, this.filter, goesOn, {
       open: (what) => this.open(what),

@@ -16,7 +16,7 @@ export function flowControls(run: Run): Child {
     flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
     flowButton([icon("restart"), h("span.wide", null, "Begin again")], "begin-again", "Begin again", "R"),
     flowButton("Next seed", "next-seed", "Begin again with the next seed", "no key", ".step.rare"),
-    h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed <= 0 || flow.speed > 1000 ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
+    h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
 }
 
 /** The past: a slider over it, and the way back to now. */

@@ -71,14 +71,8 @@ export class Stage {
     if (on === undefined) return;
     if (!on.delete(word)) on.add(word);
     localStorage.setItem(OVERLAYS_KEY, [...on].join());
-    this.want();
     this.view?.wake();
     this.draw();
-  }
-
-  private want(): void {
-    const on = this.view?.on ?? new Set<OverlayWord>();
-    this.run.wantOverlays(["lines", "shots", ...(on.has("senses") ? ["senses"] : []), ...(on.has("belief") ? ["belief"] : []), ...(on.has("goals") ? ["goals"] : [])]);
   }
 
   private async load(labels: HTMLElement, scripts: HTMLElement): Promise<void> {
@@ -96,7 +90,6 @@ export class Stage {
       view.on.clear();
       for (const one of OVERLAYS) if (kept.split(",").includes(one.word)) view.on.add(one.word);
     }
-    this.want();
     listenToPointer(this.canvas, view, this.select);
     this.run.on("scene", (scene) => view.take(scene));
     this.run.on("hello", () => view.forget());

@@ -3,7 +3,7 @@ import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/
 import { Tag, tags } from "@lezer/highlight";
 import { soarToken, startState, type SoarState } from "./soar_tokens";
 
-const arrow = Tag.define(), attribute = Tag.define();
+const arrow = Tag.define();
 
 export const soarLanguage = StreamLanguage.define<SoarState>({
   name: "soar",
@@ -12,14 +12,14 @@ export const soarLanguage = StreamLanguage.define<SoarState>({
   token: (stream, state) => soarToken(stream as unknown as Parameters<typeof soarToken>[0], state),
   languageData: { commentTokens: { line: "#" }, closeBrackets: { brackets: ["(", "{", "|"] }, wordChars: "*-_" },
   tokenTable: {
-    arrow, attribute, brace: tags.brace, bracket: tags.paren, function: tags.function(tags.name), modifier: tags.modifier, variable: tags.variableName, def: tags.definition(tags.name),
+    arrow, brace: tags.brace, bracket: tags.paren, function: tags.function(tags.name),
   },
 });
 
 /** Colours by class names; the page's style says which, in light and in dark. */
 export const soarColors = syntaxHighlighting(HighlightStyle.define([
   { tag: tags.comment, class: "tok-comment" }, { tag: tags.string, class: "tok-string" }, { tag: tags.number, class: "tok-number" },
-  { tag: tags.keyword, class: "tok-keyword" }, { tag: tags.variableName, class: "tok-variable" }, { tag: attribute, class: "tok-attribute" },
-  { tag: tags.operator, class: "tok-operator" }, { tag: arrow, class: "tok-arrow" }, { tag: tags.definition(tags.name), class: "tok-name" },
+  { tag: tags.keyword, class: "tok-keyword" }, { tag: tags.variableName, class: "tok-variable" }, { tag: tags.attributeName, class: "tok-attribute" },
+  { tag: tags.operator, class: "tok-operator" }, { tag: arrow, class: "tok-arrow" }, { tag: tags.definition(tags.variableName), class: "tok-name" },
   { tag: tags.function(tags.name), class: "tok-function" }, { tag: tags.modifier, class: "tok-modifier" },
 ]));

@@ -114,7 +114,7 @@ export class Run {
         this.setState("running");
         this.tell("hello", message);
         this.source.send({ request: "look", panels: this.looked });
-        this.source.send({ request: "overlays", on: this.overlays });
+        if (this.overlays.length > 0) this.source.send({ request: "overlays", on: this.overlays });
         break;
       case "flow":
         this.flow = message;

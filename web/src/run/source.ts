@@ -17,7 +17,8 @@ export type RunMessage =
 export interface Hello {
   version: string;
   what: string;
-  title: string;
+  title?: string;
+  lesson?: string;
   scenario: string;
   seed: number;
   agents: readonly string[];
@@ -26,7 +27,7 @@ export interface Hello {
   may_edit: boolean;
   is_recording: boolean;
 }
-export interface Flow { paused: boolean; speed: number; tick: number; time_s: number }
+export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number }
 
 /** What a page asks for: an object with its name and fields (docs/workbench.md), and what the server adds. */
 export type Request = { readonly request: string; readonly id?: number } & Readonly<Record<string, unknown>>;

@@ -7,6 +7,7 @@ import { rotate } from "./meshes/skin";
 export type CameraMode = "orbit" | "follow" | "map";
 
 const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400;
+const MOST_CLOSE = 12;
 const TURN_PER_PX = 0.006, EASE_PER_S = 9;
 
 interface View { target: [number, number, number]; heading: number; tilt: number; away: number }
@@ -79,7 +80,7 @@ export class CameraRig {
   }
 
   /** Takes over where scripts want the camera, when they say so anew. True if it did. */
-  obey(order: Camera): boolean {
+  obey(order: Camera, actors: readonly Vec3[] = []): boolean {
     if (order.moves === this.moves) return false;
     const isFirst = this.moves < 0;
     this.moves = order.moves;
@@ -92,6 +93,12 @@ export class CameraRig {
     };
     if (order.fovDeg > 10 && order.fovDeg < 120) this.camera.fov = order.fovDeg;
     this.camera.updateProjectionMatrix();
+    // Scripts think of a whole window; few actors are shown larger in the page's smaller picture.
+    if (isFirst && actors.length > 0 && actors.length <= MOST_CLOSE) {
+      const { away: far } = this.wanted;
+      this.frame(actors, false);
+      if (this.wanted.away > far) this.wanted.away = far;
+    }
     this.shown = copy(this.wanted);
     return true;
   }

@@ -18,10 +18,10 @@ export class LabelLayout {
   /** A place above (x, y), else beside or further up; null if there is none nearby. */
   place(x: number, y: number, width: number, height: number): Box | null {
     const { gap } = this, above = y - height - gap;
+    const row = height + 2 * gap, beside = width / 2 + 4 * gap;
     const tries: readonly (readonly [number, number])[] = [
-      [x - width / 2, above], [x + gap * 3, above + height * 0.4], [x - width - gap * 3, above + height * 0.4], [x - width / 2, above - height - gap],
-      [x + gap * 3, above - height * 0.8], [x - width - gap * 3, above - height * 0.8], [x - width / 2, above - 2 * (height + gap)],
-      [x + width * 0.4, above - height * 1.6], [x - width * 1.4, above - height * 1.6],
+      [x - width / 2, above], [x - width / 2 + beside, above + row / 2], [x - width / 2 - beside, above + row / 2], [x - width / 2, above - row], [x - width / 2 + 2 * beside, above - row / 2],
+      [x - width / 2 - 2 * beside, above - row / 2], [x - width / 2, above - 2 * row], [x - width / 2 + 1.2 * beside, above - 1.5 * row], [x - width / 2 - 1.2 * beside, above - 1.5 * row],
     ];
     for (const [left, top] of tries) {
       const box: Box = { left: Math.min(Math.max(left, gap), this.width - width - gap), top: Math.max(top, gap), width, height };

@@ -59,10 +59,14 @@ export class SceneView {
   /** Of the last second; for those who measure. */
   framesPerSecond = 0;
   private frames = 0;
+  private pictures = 0;
   private framesSince = 0;
 
   constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    const isSlow = isDrawnByProcessor();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: "high-performance" });
+    // Errors of shaders are looked for while they are written; to ask costs time at each first look.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = ACESFilmicToneMapping;
@@ -75,7 +79,7 @@ export class SceneView {
     this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines);
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
     this.scriptUi = new ScriptUi(scriptLayer);
-    if (isDrawnByProcessor(this.renderer)) this.lower();
+    if (isSlow) this.lowerTo(0);
     new ResizeObserver(() => this.wake()).observe(place);
     canvas.addEventListener("webglcontextrestored", () => this.wake());
     requestAnimationFrame((now) => this.frame(now));
@@ -179,7 +183,7 @@ export class SceneView {
     this.light(after);
     this.things.show(between);
     this.bodies.show(between, this.rig.camera.position, this.detail === 0);
-    if (after.camera !== null && this.rig.obey(after.camera)) this.isFramed = true;
+    if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place))) this.isFramed = true;
     if (!this.isFramed && after.agents.size > 0) {
       this.isFramed = true;
       this.rig.frame([...after.agents.values()].map((agent) => agent.place), false);
@@ -270,6 +274,9 @@ export class SceneView {
     }
     this.showGhosts(ghosts);
     this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());
+    // Where the processor draws, shadows follow with every third picture.
+    if (!this.renderer.shadowMap.autoUpdate && this.pictures % 3 === 0) this.renderer.shadowMap.needsUpdate = true;
+    this.pictures += 1;
     this.renderer.render(this.world, this.rig.camera);
   }
 
@@ -309,21 +316,23 @@ export class SceneView {
       this.framesSince = now;
     }
     this.frameTimes.push(seconds);
-    if (this.frameTimes.length < FRAMES_TO_JUDGE) return;
-    const median = [...this.frameTimes].sort((a, b) => a - b)[FRAMES_TO_JUDGE / 2]!;
+    const isVerySlow = this.frameTimes.length >= 4 && this.frameTimes.every((one) => one > 2 * SLOW_FRAME_S);
+    if (this.frameTimes.length < FRAMES_TO_JUDGE && !isVerySlow) return;
+    const median = [...this.frameTimes].sort((a, b) => a - b)[Math.floor(this.frameTimes.length / 2)]!;
     this.frameTimes = [];
-    if (median > SLOW_FRAME_S) this.lower();
+    if (median > SLOW_FRAME_S && this.detail > 0) this.lowerTo(isVerySlow ? 0 : this.detail - 1);
   }
 
-  private lower(): void {
-    if (this.detail === 0) return;
-    this.detail -= 1;
-    if (this.detail === 1) {
-      this.sun.shadow.mapSize.set(1024, 1024);
+  private lowerTo(detail: number): void {
+    this.detail = detail;
+    const side = detail === 0 ? 1024 : 2048;
+    if (this.sun.shadow.mapSize.x !== side) {
+      this.sun.shadow.mapSize.set(side, side);
       this.sun.shadow.map?.dispose();
       this.sun.shadow.map = null;
-      return;
     }
+    if (detail > 0) return;
+    this.renderer.shadowMap.autoUpdate = false;
     this.materials.isSlow = true;
     this.materials.dispose();
     this.things.clear();
@@ -334,8 +343,10 @@ export class SceneView {
   }
 }
 
-function isDrawnByProcessor(renderer: WebGLRenderer): boolean {
-  const gl = renderer.getContext(), info = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = info === null ? "" : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+/** Whether no graphics card draws. */
+function isDrawnByProcessor(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2"), info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl === null || info === null || info === undefined ? "" : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software/i.test(name);
 }

@@ -14,7 +14,7 @@ const SKIES: Readonly<Record<string, SkyStyle>> = {
   DarkStormy: { zenith: [0.18, 0.21, 0.26], horizon: [0.44, 0.47, 0.5], cloudLight: [0.58, 0.6, 0.62], cloudDark: [0.2, 0.22, 0.26], below: [0.25, 0.28, 0.3], cover: 0.85, stars: 0 },
   FullMoon: { zenith: [0.02, 0.03, 0.09], horizon: [0.12, 0.16, 0.26], cloudLight: [0.3, 0.34, 0.44], cloudDark: [0.08, 0.1, 0.16], below: [0.06, 0.08, 0.12], cover: 0.34, stars: 1 },
 };
-const WIDTH = 768, HEIGHT = 384;
+const WIDTH = 640, HEIGHT = 320;
 
 const mix = (a: Rgb, b: Rgb, t: number): Rgb => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 function smooth(low: number, high: number, value: number): number {

@@ -12,8 +12,8 @@ function paste(mesh: MeshData, part: MeshData, at: Vec3, [tint, light, gloss]: C
 }
 
 /** A ball squeezed to these half axes, with lumps of that share of them. */
-function ball(half: Vec3, lumps = 0, seed = 1): MeshData {
-  const around = 16, up = 10, mesh = new MeshData();
+function ball(half: Vec3, lumps = 0, seed = 1, around = 16, up = 10): MeshData {
+  const mesh = new MeshData();
   for (let r = 0; r <= up; ++r) {
     const t = Math.PI * (r / up - 0.5);
     for (let s = 0; s <= around; ++s) {
@@ -186,7 +186,7 @@ function hedge(size: Vec3): MeshData {
       for (let k = 0; k < along; ++k, ++seed) {
         if (i > 0 && i + 1 < across && j > 0 && j + 1 < up && k > 0 && k + 1 < along) continue;
         const at = (n: number, count: number, side: number): number => side * ((n + 0.5) / count - 0.5);
-        paste(mesh, ball([leaf / 2, leaf / 2, leaf / 2], 0.5, seed), [at(i, across, size[0]), at(j, up, size[1]), at(k, along, size[2])],
+        paste(mesh, ball([leaf / 2, leaf / 2, leaf / 2], 0.5, seed, 9, 5), [at(i, across, size[0]), at(j, up, size[1]), at(k, along, size[2])],
           [1, 0.8 + 0.35 * latticeValue(i, j, k, 11), 0]);
       }
     }

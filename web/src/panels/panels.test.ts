@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { textOf, type Child, type View } from "../dom/view";
+import type { Check, Contents, Mission, Stack } from "../run/contents";
+import { agentsPanel } from "./agents";
+import { missionPanel, passedOf, taskText } from "../lesson/mission_panel";
+import { nextLesson, sizeText } from "../lesson/start_page";
+import { memoryPanel } from "./memory";
+import { messagesPanel } from "./messages";
+import { mindPanel } from "./mind";
+import type { MakePanel, PanelContext } from "./panel";
+import { clock, passes } from "./parts";
+import { lineOf, placeTracks } from "./timeline";
+import { problemsPanel } from "./problems";
+import { whyPanel } from "./why";
+
+const MARKUP = "<img onerror=alert(1)>";
+const STACK: Stack = { decisions: 7, phase: "decide", halted: false, elaborations: 0, firings: 3, elements: 40, rules: 5, states: [{ level: 1, state: "S1", impasse: "", operator: "O3", name: MARKUP }] };
+const MOMENT = { agent: MARKUP, has_mind: true, not_available: "", past_note: "", not_recorded: "", time: { first_tick: 0, shown_tick: 90, last_tick: 90, step_s: 1 / 30, is_recording: false, is_live: true, can_go_back: true, can_resume: true, resume_refusal: "", branch_tick: null, branches: 0 } };
+
+function made(make: MakePanel): { panel: ReturnType<MakePanel>; asked: [string, unknown][] } {
+  const asked: [string, unknown][] = [];
+  const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), true), hello: null };
+  const context = { run, redraw: () => {}, reveal: () => {}, why: (about: string, what?: string) => asked.push(["why", { about, what }]), edit: () => {}, openWhat: () => {} };
+  return { panel: make(context as unknown as PanelContext), asked };
+}
+
+function all(child: Child): View[] {
+  if (Array.isArray(child)) return (child as readonly Child[]).flatMap(all);
+  return typeof child === "object" && child !== null ? [child as View, ...all((child as View).children)] : [];
+}
+const press = (child: Child, text: string): void => {
+  const found = all(child).find((one) => one.tag === "button" && textOf(one) === text);
+  assert.ok(found, `there is no button ${text}`);
+  found.props.on!.click!({} as MouseEvent);
+};
+
+test("every panel says what would fill it", () => {
+  for (const make of [agentsPanel, whyPanel, mindPanel, memoryPanel, messagesPanel, problemsPanel, missionPanel]) {
+    const { panel } = made(make);
+    assert.ok(textOf(panel.view({})).length > 20, panel.word);
+  }
+});
+
+test("names with markup are text and nothing else", () => {
+  const contents: Contents = {
+    moment: MOMENT, agents: { agents: [{ name: MARKUP, kind: "soar", team: "", script: "", mind: true, alive: true, failed: false, health: 80, state: "S1", operator: "wait", last_operator: "", command: "", decisions: 1, errors: 0 }], activities: {} },
+    why: { question: MARKUP, answer: { text: MARKUP, kind: "agent" } }, messages: { messages: [{ tick: 3, time_s: 0.1, from: MARKUP, to: "all", about: "x", text: MARKUP }] },
+    mind: { stack: STACK, operators: { state: "S1", selected: "O3", impasse: "", why: MARKUP, operators: [] } },
+  };
+  for (const make of [agentsPanel, whyPanel, messagesPanel, mindPanel]) {
+    const { panel } = made(make), view = panel.view(contents);
+    assert.ok(textOf(view).includes(MARKUP), panel.word);
+    assert.ok(all(view).every((one) => !one.tag.includes("img")));
+  }
+});
+
+test("an agent's name selects it", () => {
+  const { panel, asked } = made(agentsPanel);
+  const row = { kind: "soar", team: "red", script: "", mind: true, alive: true, failed: false, health: 80, state: "S1", operator: "wait", last_operator: "", command: "", decisions: 1, errors: 0 };
+  press(panel.view({ moment: MOMENT, agents: { agents: [{ name: "anna", ...row }, { name: "bert", ...row }], activities: {} } }), "bert");
+  assert.deepEqual(asked, [["select", { agent: "bert" }]]);
+});
+
+test("an object of memory unfolds by a request, and what changed is marked", () => {
+  const { panel, asked } = made(memoryPanel);
+  const contents: Contents = { moment: MOMENT, memory: { stack: STACK, found: [], element: null, objects: { S1: { id: "S1", about: "", exists: true, elements: [{ timetag: 9, id: "S1", attribute: "io", value: "I1", object: true, change: "added" }] } } } };
+  const view = panel.view(contents), unfold = all(view).find((one) => one.props.attributes?.["aria-label"] === "Unfold I1")!;
+  unfold.props.on!.click!({} as MouseEvent);
+  assert.deepEqual(asked, [["object", { id: "I1", is_open: true }]]);
+  assert.ok(all(view).some((one) => one.classes === "added"));
+});
+
+test("a loop in memory ends", () => {
+  const { panel } = made(memoryPanel), row = { timetag: 9, id: "S1", attribute: "self", value: "S1", object: true };
+  assert.match(textOf(panel.view({ moment: MOMENT, memory: { stack: STACK, found: [], element: null, objects: { S1: { id: "S1", about: "", exists: true, elements: [row] } } } })), /\^self S1/);
+});
+
+const check = (name: string, state: string, isMarker = false): Check => ({ name, expected: "", was: "", agent: "porter", is_marker: isMarker, state, tick: 30, time_s: 1 });
+
+test("checks tick off; marks do not count", () => {
+  const mission: Mission = { checks: [check("a", "true"), check("b", "open"), check("m", "true", true)], lesson: null, lessons: [] };
+  assert.deepEqual(passedOf(mission), { passed: 1, of: 2 });
+  const { panel } = made(missionPanel);
+  assert.equal(panel.badge!({ mission }), "1/2");
+  assert.match(textOf(panel.view({ moment: MOMENT, mission })), /passed: a.*not decided yet: b/s);
+});
+
+test("hints, grade and the next lesson are asked for", () => {
+  const { panel, asked } = made(missionPanel);
+  const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", hints: ["first"], hint_count: 3, is_passed: true, is_graded: false, grade: ["all passed"], next: "02" };
+  const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [] } });
+  press(view, "Hint 2 of 3");
+  press(view, "Grade");
+  assert.deepEqual(asked, [["lesson", { what: "hint" }], ["lesson", { what: "grade" }]]);
+  assert.match(textOf(view), /all passed/);
+});
+
+test("a task leaves out the window's keys", () => {
+  assert.equal(taskText("Do it. New in the window: Memory (Alt+E), Edit (Alt+D)."), "Do it.");
+  assert.equal(taskText("Do it."), "Do it.");
+});
+
+test("spans lie on the lines of their level", () => {
+  assert.deepEqual([lineOf({ kind: "operator", level: 1 }), lineOf({ kind: "state", level: 2 }), lineOf({ kind: "operator", level: 2 })], [0, 1, 2]);
+  const placed = placeTracks([{ agent: "a", marks: [], spans: [{ kind: "state", level: 3, id: "S9", text: "tie", first_tick: 1, last_tick: 2, open: false }] }, { agent: "b", marks: [], spans: [] }], 1200, 500);
+  assert.equal(placed.first, 300);
+  assert.equal(placed.rows[0]!.lines, 5);
+  assert.ok(placed.rows[1]!.top > placed.rows[0]!.top + 5 * 16);
+});
+
+test("times, filters, sizes and what comes next", () => {
+  assert.deepEqual([clock(0), clock(61.239), clock(3599.999), clock(-1)], ["0:00.00", "1:01.24", "60:00.00", "0:00.00"]);
+  assert.ok(passes("AN be", "anna, bert") && !passes("cy", "anna") && passes("", "x"));
+  assert.deepEqual([sizeText(999), sizeText(5400), sizeText(2_340_000)], ["999 bytes", "5 kB", "2.3 MB"]);
+  assert.equal(nextLesson({ lessons: [{ name: "1", title: "", is_passed: true }, { name: "2", title: "", is_passed: false }] }), "2");
+});
