@@ -35,7 +35,7 @@ class WebSocket:
         if protocol:
             lines.append(f"Sec-WebSocket-Protocol: {protocol}")
         self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
-        self.held, self.blocks, self.messages, self.contents = b"", [], [], {}
+        self.held, self.blocks, self.messages, self.contents, self.text_bytes = b"", [], [], {}, 0
         while b"\r\n\r\n" not in self.held:
             self.fill()
         head, self.held = self.held.split(b"\r\n\r\n", 1)
@@ -67,6 +67,7 @@ class WebSocket:
 
     def receive(self):
         """The next text message."""
+        opcode, message = 0, b""
         while True:
             first, second = self.take(2)
             size = second & 127
@@ -75,15 +76,22 @@ class WebSocket:
             elif size == 127:
                 size = struct.unpack(">Q", self.take(8))[0]
             payload = self.take(size)
-            opcode = first & 15
-            if opcode == 8:
+            if first & 15 == 8:
                 raise Gone()
-            if opcode == 9:
+            if first & 15 == 9:
                 self.send_frame(10, payload)
-            elif opcode == 2:
-                self.blocks.append(payload)
-            elif opcode == 1:
-                return json.loads(payload)
+            if first & 15 > 8:
+                continue
+            # A message may come in several frames.
+            opcode = first & 15 or opcode
+            message += payload
+            if first & 128 == 0:
+                continue
+            if opcode == 1:
+                self.text_bytes += len(message)
+                return json.loads(message)
+            self.blocks.append(message)
+            message = b""
 
     def until(self, accepts):
         """Receives until a message is accepted; that one."""
