@@ -14,6 +14,7 @@
 #include "cli/setting_store.h"
 #include "cli/summary.h"
 #include "cli/version.h"
+#include "kernel/imagery/imagery.h"
 
 namespace soarbox::cli {
 namespace {
@@ -149,12 +150,13 @@ bool SoarOverview(CommandCall& call) {
   summary.Rule('=');
   summary.Text(fmt::format("-                   Soar {} Summary                -\n", kSoarVersion)).Rule('=');
   const SettingStore& store = call.session.settings();
-  // In Soar's order; two of these never are.
+  const kernel::Imagery* const imagery = std::as_const(call.agent()).find_imagery();
+  // In Soar's order; the last never is.
   const std::pair<const char*, bool> modules[] = {{"Core", true},
                                                   {"EBC", store.Get("chunk", "mode") != "never"},
                                                   {"SMem", store.IsOn("smem", "learning")},
                                                   {"EpMem", store.IsOn("epmem", "learning")},
-                                                  {"SVS", false},
+                                                  {"SVS", imagery != nullptr && imagery->enabled()},
                                                   {"RL", store.IsOn("rl", "learning")},
                                                   {"WMA", store.IsOn("wma", "activation")},
                                                   {"SSA", false}};

@@ -146,7 +146,16 @@ std::span<const CommandInfo> Commands() {
        {},
        "Whole runs are timed from the start; phases and decision cycles from `soar timers on`, as that makes runs "
        "slower; nothing after `soar timers off`. Agents that run together share the time of the run."},
-      {"svs", "", "the spatial visual system, which is not available in this build", CommandSvs},
+      {"svs",
+       "[--enable | --disable | --enable-in-substates | --disable-in-substates | PATH [ARGUMENTS]]",
+       "the spatial visual system: scenes that states imagine",
+       CommandSvs,
+       {},
+       {},
+       "Without a word: whether it is on. With it on, each state has a scene below ^svs. A path leads through it: "
+       "svs S1.scene.world.NODE shows a node, svs S1.scene.properties all of them, svs S1.scene.sgel LINE changes the "
+       "scene, svs S1.scene.clear empties it, svs filters and svs commands list what rules can ask, svs connect_viewer "
+       "PORT shows scenes to a viewer (svs S1.scene.draw on or off), and svs . dir shows all paths."},
       {"trace",
        "[LEVEL] [OPTIONS]",
        "what is shown of a run",

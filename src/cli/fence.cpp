@@ -2,6 +2,7 @@
 #include "cli/fence.h"
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 #include <utility>
 
@@ -13,10 +14,10 @@ namespace fs = std::filesystem;
 using Subcommand = std::pair<std::string_view, std::string_view>;
 
 /// Commands that open no file but by asking, start no program and change nothing outside of their agent.
-constexpr std::string_view kAllowed[] = {"cd",    "chunk",      "decide", "dirs", "echo",   "epmem", "explain",
-                                         "gp",    "help",       "learn",  "load", "output", "popd",  "preferences",
-                                         "print", "production", "pushd",  "pwd",  "rl",     "smem",  "soar",
-                                         "sp",    "stats",      "trace",  "wm"};
+constexpr std::string_view kAllowed[] = {"cd",    "chunk",      "decide", "dirs",  "echo",   "epmem", "explain",
+                                         "gp",    "help",       "learn",  "load",  "output", "popd",  "preferences",
+                                         "print", "production", "pushd",  "pwd",   "rl",     "smem",  "soar",
+                                         "sp",    "stats",      "svs",    "trace", "wm"};
 /// What was typed into a run that was recorded may do this, too: the run goes on as it did.
 constexpr std::string_view kAllowedInRecordings[] = {"alias", "debug", "run"};
 /// What counts in files that are looked over.
@@ -40,9 +41,15 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
+std::string ToLower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 /// `--set path FILE` and `--set database file` lead to a file; `--set path :memory:` and other settings do not.
 bool OpensFile(std::span<const Word> words) {
   const std::string& name = words.front().text;
+  if (name == "svs") return words.size() > 1 && ToLower(words[1].text).starts_with("connect_viewer");
   if (name == "rl") return std::ranges::any_of(words, [](const Word& word) { return word.text == "update-log-path"; });
   if ((name != "smem" && name != "epmem") || words.size() < 2) return false;
   const std::string& option = words[1].text;

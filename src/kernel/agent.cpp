@@ -590,6 +590,18 @@ const LongTerm& Agent::long_term() const {
   return engine_->long_term;
 }
 
+Imagery& Agent::imagery() {
+  if (engine_->imagery == nullptr) {
+    engine_->imagery =
+        std::make_unique<Imagery>(Imagery::Uses{engine_->symbols, engine_->memory, engine_->goals, engine_->changes,
+                                                engine_->preferences, engine_->elaboration, engine_->modules});
+  }
+  return *engine_->imagery;
+}
+const Imagery* Agent::find_imagery() const {
+  return engine_->imagery.get();
+}
+
 // Memory --------------------------------------------------------------------------------------------------------------
 
 std::size_t Agent::MemoryBytes() const {

@@ -46,6 +46,7 @@ struct ExplainedRule;
 struct LearnSettings;
 struct LearnedRules;
 struct LearnStatistics;
+class Imagery;
 class Singletons;
 
 enum class RunUnit : std::uint8_t { kElaboration, kPhase, kDecision, kOutput, kForever };
@@ -286,6 +287,11 @@ class Agent {
   /// Long-term memory: semantic and episodic memory, activation of working memory (longterm/long_term.h).
   LongTerm& long_term();
   const LongTerm& long_term() const;
+
+  /// The spatial visual system (imagery/imagery.h); made if there is none.
+  Imagery& imagery();
+  /// The same, or null if nobody has asked for it yet.
+  const Imagery* find_imagery() const;
 
   // Memory ----------------------------------------------------------------------------------------------------------
 

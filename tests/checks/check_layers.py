@@ -48,7 +48,7 @@ ALLOWED = {
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
-KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm"]
+KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm", "imagery"]
 # What stands in src/kernel itself, and the folders that may include it: the events, and the face of the library.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
 # Engine is what an agent consists of: it alone knows all parts.

@@ -20,6 +20,8 @@
 //   !init                                init-soar through the client API
 //   !autocommit on|off                   commit every input change at once, or only on request
 //   !commit                              commit the input changes made so far
+//   !svs LINE                            give the scene of the top state a line (SendSVSInput)
+//   !svs? QUERY                          ask about that scene (SVSQuery)
 // Empty lines and lines that begin with # are skipped.
 #include <cstdlib>
 #include <fstream>
@@ -154,7 +156,14 @@ int main(int argc, char** argv) {
       kernel->SetAutoCommit(mode == "on");
     } else if (verb == "commit")
       agent->Commit();
-    else if (verb == "til-output") {
+    else if (verb == "svs" || verb == "svs?") {
+      std::string lines;
+      std::getline(words >> std::ws, lines);
+      if (verb == "svs")
+        agent->SendSVSInput(lines);
+      else
+        std::cout << agent->SVSQuery(lines) << "\n";
+    } else if (verb == "til-output") {
       agent->RunSelfTilOutput();
       flush("");
     } else if (verb == "commands") {

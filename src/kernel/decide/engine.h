@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@
 #include "kernel/decide/rule_directory.h"
 #include "kernel/decide/run_control.h"
 #include "kernel/decide/slot_decision.h"
+#include "kernel/imagery/imagery.h"
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/learn/chunker.h"
@@ -97,6 +99,7 @@ struct Engine {
   Elaboration elaboration;
   RunControl run;
   LongTerm long_term;
+  std::unique_ptr<Imagery> imagery;  ///< Null until somebody asks for it.
 
   // Host.
   std::map<std::string, UserFunction, std::less<>> user_functions;

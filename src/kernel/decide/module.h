@@ -29,6 +29,7 @@ enum class ModuleHook : std::uint32_t {
   kIdentifiers = 1u << 10,      ///< Identifiers are freed, or linked to long-term ones.
   kAttributes = 1u << 11,       ///< Elements are made; ask WmeChanges::TellOfAttributes for them, too.
   kAsserted = 1u << 12,         ///< A rule's preference entered its slot.
+  kInput = 1u << 13,            ///< The input phase, before the input link.
 };
 using ModuleHooks = std::uint32_t;
 constexpr ModuleHooks operator|(ModuleHook a, ModuleHook b) {
@@ -42,13 +43,14 @@ constexpr ModuleHooks operator|(ModuleHooks a, ModuleHook b) {
 /// activation of working memory, reinforcement learning, and of chunking what is not the firing itself. Override what
 /// you need, and ask for the hooks with Modules::SetHooks (modules.h): none are called before.
 ///
-/// A module may change working memory in AfterElaboration, AfterDecision, Output and OutputEnd, through
+/// A module may change working memory in Input, AfterElaboration, AfterDecision, Output and OutputEnd, through
 /// PreferenceChanges or, in long-term memory, Installer; rules may go in OutputEnd. In the others it only takes notes.
 /// Nothing here may throw.
 class Module {
  public:
   virtual ~Module() = default;
 
+  virtual void Input() {}
   virtual void RulesFire() {}
   /// What came (in the match already) and went, in the order of the changes. An element that came and went within a
   /// phase is on both lists. The contents of removed elements are readable until the call returns.
@@ -70,6 +72,9 @@ class Module {
   virtual void Halted() {}
   /// The state has its links (Goal::smem, Goal::epmem), but its elements are not in the match yet.
   virtual void StateMade(GoalLevel /*level*/) {}
+  /// The state has all that the architecture gives a new substate. (The top state: see AfterInit.) A module may add to
+  /// it.
+  virtual void StateComplete(GoalLevel /*level*/) {}
   /// The impasse of a substate got its items: `firings` in number, each of which counts as one.
   virtual void ItemsMade(GoalLevel /*level*/, std::uint32_t /*firings*/) {}
   /// An item that was not there before; `index` of the firings that ItemsMade told of last.

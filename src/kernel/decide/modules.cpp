@@ -27,6 +27,10 @@ void Modules::ForEach(ModuleHook hook, Call call) {
 
 // Where there is a hook -----------------------------------------------------------------------------------------------
 
+void Modules::Input() {
+  ForEach(ModuleHook::kInput, [](Module& module) { module.Input(); });
+}
+
 void Modules::RulesFire() {
   ForEach(ModuleHook::kRulesFire, [](Module& module) { module.RulesFire(); });
 }
@@ -73,6 +77,10 @@ void Modules::Halted() {
 
 void Modules::StateMade(GoalLevel level) {
   ForEach(ModuleHook::kStates, [&](Module& module) { module.StateMade(level); });
+}
+
+void Modules::StateComplete(GoalLevel level) {
+  ForEach(ModuleHook::kStates, [&](Module& module) { module.StateComplete(level); });
 }
 
 void Modules::ItemsMade(GoalLevel level, std::uint32_t firings) {

@@ -29,6 +29,7 @@ class Modules {
   bool Wants(ModuleHook hook) const { return (hooks_ & static_cast<ModuleHooks>(hook)) != 0; }
 
   // What Module says, to those that want it.
+  [[gnu::noinline]] void Input();
   [[gnu::noinline]] void RulesFire();
   [[gnu::noinline]] void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
   void Asserted(PreferenceId preference);
@@ -41,6 +42,7 @@ class Modules {
   void OutputEnd();
   void Halted();
   void StateMade(GoalLevel level);
+  void StateComplete(GoalLevel level);
   void ItemsMade(GoalLevel level, std::uint32_t firings);
   void ItemMade(WmeId item, std::uint32_t index);
   void StateEnds(GoalLevel level);

@@ -45,6 +45,7 @@ void RunControl::InputPhase() {
   if (engine_.settings.max_decision_time_us > 0) cycle_began_ = std::chrono::steady_clock::now();
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
   BeginPhase();
+  if (engine_.modules.Wants(ModuleHook::kInput)) engine_.modules.Input();
   engine_.input.Apply();
   engine_.elaboration.ApplyBufferedChanges();
   EndPhase(Phase::kPropose);

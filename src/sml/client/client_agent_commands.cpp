@@ -101,16 +101,27 @@ bool Agent::GetLastCommandLineResult() {
   return data_->kernel.GetLastCommandLineResult();
 }
 
-void Agent::SendSVSInput(std::string const&) {
-  SetDetailedError(kDetailedError, "This kernel has no spatial visual system (SVS)");
+void Agent::SendSVSInput(std::string const& txt) {
+  const Lock lock = Hold(*data_);
+  AgentLink* const link = data_->Usable();
+  if (!link) return;
+  if (link->SendScene(txt)) {
+    ClearError();
+  } else {
+    SetDetailedError(kDetailedError, "The spatial visual system is off: enable it with the command svs --enable");
+  }
 }
 
 std::string Agent::GetSVSOutput() {
-  return {};
+  const Lock lock = Hold(*data_);
+  AgentLink* const link = data_->Usable();
+  return link ? link->TakeRefusedScene() : std::string();
 }
 
-std::string Agent::SVSQuery(std::string const&) {
-  return {};
+std::string Agent::SVSQuery(std::string const& q) {
+  const Lock lock = Hold(*data_);
+  AgentLink* const link = data_->Usable();
+  return link ? link->QueryScene(q) : std::string();
 }
 
 }  // namespace sml

@@ -111,6 +111,12 @@ class AgentLink {
   virtual int LastRunResult() = 0;
   virtual void StopSelf() = 0;
 
+  /// Lines for the top state's scene; false if the spatial visual system is off.
+  virtual bool SendScene(std::string_view lines) = 0;
+  /// Lines that were refused since somebody asked last, with reasons.
+  virtual std::string TakeRefusedScene() = 0;
+  virtual std::string QueryScene(std::string_view queries) = 0;
+
   virtual void Register(int event) = 0;
   virtual void Unregister(int event) = 0;
 

@@ -6,6 +6,7 @@
 #include "sml/client/agent_data.h"
 #include "sml/server/decision_facts.h"
 #include "sml/server/listing.h"
+#include "sml/server/scene_calls.h"
 
 namespace sml {
 
@@ -144,6 +145,18 @@ void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChan
     if (left == 0) break;
   }
   data.OnOutputReceived(deferred_.empty());
+}
+
+bool LocalAgentLink::SendScene(std::string_view lines) {
+  return soarbox::server::SendScene(hosted_, lines);
+}
+
+std::string LocalAgentLink::TakeRefusedScene() {
+  return soarbox::server::TakeRefusedScene(hosted_);
+}
+
+std::string LocalAgentLink::QueryScene(std::string_view queries) {
+  return soarbox::server::QueryScene(hosted_, queries);
 }
 
 void LocalAgentLink::ListInput(const std::function<void(const OutputWme&)>& visit) {

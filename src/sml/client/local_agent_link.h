@@ -43,6 +43,9 @@ class LocalAgentLink final : public AgentLink {
   bool OnRunList() override { return host_.OnRunList(hosted_); }
   int LastRunResult() override { return hosted_.last_result; }
   void StopSelf() override { hosted_.RequestStop(); }
+  bool SendScene(std::string_view lines) override;
+  std::string TakeRefusedScene() override;
+  std::string QueryScene(std::string_view queries) override;
   void Register(int event) override { host_.Register(connection_, &hosted_, event); }
   void Unregister(int event) override { host_.Unregister(connection_, &hosted_, event); }
   std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;

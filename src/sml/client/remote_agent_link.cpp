@@ -154,6 +154,24 @@ std::optional<soarbox::mind::Decision> RemoteAgentLink::Decision(std::string_vie
   return soarbox::wire::ReadDecision(*response->ResultTag());
 }
 
+bool RemoteAgentLink::SendScene(std::string_view lines) {
+  Message call = Call("svs_input");
+  call.root.children.front().AddArg("line", std::string(lines));
+  const std::optional<Message> response = caller_.Ask(call);
+  return response && !response->ErrorTag();
+}
+
+std::string RemoteAgentLink::TakeRefusedScene() {
+  Message call = Call("svs_output");
+  return Text(call);
+}
+
+std::string RemoteAgentLink::QueryScene(std::string_view queries) {
+  Message call = Call("svs_query");
+  call.root.children.front().AddArg("line", std::string(queries));
+  return Text(call);
+}
+
 void RemoteAgentLink::ListInput(const std::function<void(const OutputWme&)>& visit) {
   Message call = Call("get_all_input");
   const std::optional<Message> response = caller_.Ask(call);

@@ -48,6 +48,9 @@ class RemoteAgentLink final : public AgentLink {
   bool OnRunList() override;
   int LastRunResult() override;
   void StopSelf() override;
+  bool SendScene(std::string_view lines) override;
+  std::string TakeRefusedScene() override;
+  std::string QueryScene(std::string_view queries) override;
   void Register(int event) override;
   void Unregister(int event) override;
   std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;

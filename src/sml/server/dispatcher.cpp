@@ -14,6 +14,7 @@
 #include "sml/server/kernel_host.h"
 #include "sml/server/listing.h"
 #include "sml/server/output_documents.h"
+#include "sml/server/scene_calls.h"
 #include "sml/wire/decision_element.h"
 #include "sml/wire/message.h"
 
@@ -294,10 +295,19 @@ void Shutdown(Request& request) {
 }
 
 void SvsInput(Request& request) {
-  request.Fail("This kernel has no spatial visual system (SVS)");
+  const std::string* line = request.Arg("line");
+  if (!line) return request.Invalid("Command line missing");
+  if (!SendScene(*request.agent, *line)) {
+    request.Fail("The spatial visual system is off: enable it with the command svs --enable");
+  }
 }
 void SvsOutput(Request& request) {
-  request.Raw(std::string_view());
+  request.Raw(TakeRefusedScene(*request.agent));
+}
+void SvsQuery(Request& request) {
+  const std::string* line = request.Arg("line");
+  if (!line) return request.Invalid("Command line missing");
+  request.Raw(QueryScene(*request.agent, *line));
 }
 
 enum class NeedsAgent { kNo, kYes };
@@ -338,7 +348,7 @@ constexpr std::array kEntries = {
     Entry{"suppress_event", NeedsAgent::kNo, SuppressEvent},
     Entry{"svs_input", NeedsAgent::kYes, SvsInput},
     Entry{"svs_output", NeedsAgent::kYes, SvsOutput},
-    Entry{"svs_query", NeedsAgent::kYes, SvsOutput},
+    Entry{"svs_query", NeedsAgent::kYes, SvsQuery},
     Entry{"unregister_for_event", NeedsAgent::kNo, UnregisterForEvent},
     Entry{"version", NeedsAgent::kNo, Version},
 };
@@ -350,10 +360,10 @@ bool GoesPastTheDoor(const Request& request) {
     const int event = name ? Events().ConvertToEvent(name->c_str()) : smlEVENT_INVALID_EVENT;
     return event == smlEVENT_RHS_USER_FUNCTION || event == smlEVENT_FILTER;
   }
-  constexpr std::array kCalls = {std::string_view("create_agent"),  std::string_view("destroy_agent"),
-                                 std::string_view("input"),         std::string_view("shutdown"),
-                                 std::string_view("fire_event"),    std::string_view("suppress_event"),
-                                 std::string_view(wire::kFenceCall)};
+  constexpr std::array kCalls = {std::string_view("create_agent"), std::string_view("destroy_agent"),
+                                 std::string_view("input"),        std::string_view("shutdown"),
+                                 std::string_view("fire_event"),   std::string_view("suppress_event"),
+                                 std::string_view("svs_input"),    std::string_view(wire::kFenceCall)};
   return std::find(kCalls.begin(), kCalls.end(), request.name) != kCalls.end();
 }
 

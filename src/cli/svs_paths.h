@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "kernel/imagery/imagery.h"
+
+namespace soarbox::cli {
+
+/// `svs PATH [ARGUMENTS]`: what stands at a path of the spatial visual system, or what it does. Paths name the lists of
+/// filters and commands, the viewer's connection, and the scene of each state with its nodes, with dots between.
+class SvsPaths {
+ public:
+  explicit SvsPaths(kernel::Imagery& imagery) : imagery_(imagery) {}
+
+  /// The text, with a newline behind each line.
+  std::string Use(std::string_view path, std::span<const std::string> arguments);
+  /// What is at the path is refused, or failed: the text tells why.
+  bool failed() const { return failed_; }
+
+ private:
+  using Arguments = std::span<const std::string>;
+
+  std::string Fail(std::string text);
+  std::string UseRoot(Arguments arguments);
+  std::string UseState(kernel::imagery::StateScene& state, std::string_view rest, Arguments arguments);
+  std::string UseScene(kernel::imagery::StateScene& state, std::string_view rest, Arguments arguments);
+  std::string UseNode(const kernel::imagery::Node& node, Arguments arguments);
+  std::string Connect(Arguments arguments);
+
+  kernel::Imagery& imagery_;
+  bool failed_ = false;
+};
+
+}  // namespace soarbox::cli

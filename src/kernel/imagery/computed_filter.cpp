@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "kernel/imagery/computed_filter.h"
+
+namespace soarbox::kernel::imagery {
+
+bool ComputedFilter::Compute() {
+  TrackedList<Combination>& combinations = inputs().combinations();
+  const auto evaluate = [&](Combination& combination) {
+    Content content;
+    switch (Evaluate(combination, content)) {
+      case Verdict::kFail:
+        return false;
+      case Verdict::kNothing:
+        Drop(combination);
+        return true;
+      case Verdict::kValue:
+        break;
+    }
+    Give(&combination, std::move(content));
+    return true;
+  };
+  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
+    if (!evaluate(**at)) return false;
+  }
+  for (Combination* const changed : combinations.changed()) {
+    if (!evaluate(*changed)) return false;
+  }
+  for (const auto& removed : combinations.removed()) Drop(*removed);
+  return true;
+}
+
+bool RankFilter::Compute() {
+  TrackedList<Combination>& combinations = inputs().combinations();
+  if (!combinations.HasChanges()) return true;
+  const auto rank = [&](Combination& combination) {
+    const std::optional<double> rank = Rank(combination);
+    combination.rank = rank.value_or(0);
+    return rank.has_value();
+  };
+  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
+    if (!rank(**at)) return false;
+  }
+  for (Combination* const changed : combinations.changed()) {
+    if (!rank(*changed)) return false;
+  }
+  Combination* best = nullptr;
+  for (const auto& combination : combinations.entries()) {
+    if (best == nullptr || (highest_ ? combination->rank > best->rank : combination->rank < best->rank)) {
+      best = combination.get();
+    }
+  }
+  if (best_ != nullptr && best_ != best) Drop(*best_);
+  best_ = best;
+  if (best_ != nullptr) Give(best_, best_->rank);
+  return true;
+}
+
+void RankFilter::ClearOutput() {
+  best_ = nullptr;
+  Filter::ClearOutput();
+}
+
+}  // namespace soarbox::kernel::imagery

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+
+#include "kernel/imagery/filter.h"
+
+namespace soarbox::kernel::imagery {
+
+/// A filter that makes at most one value of each combination, from that combination alone.
+class ComputedFilter : public Filter {
+ public:
+  using Filter::Filter;
+
+ protected:
+  enum class Verdict { kFail, kNothing, kValue };
+  /// kFail: a status has been set.
+  virtual Verdict Evaluate(const Combination& combination, Content& content) = 0;
+
+ private:
+  bool Compute() final;
+};
+
+/// A filter that gives the highest or lowest number of all combinations. Of equals the first.
+class RankFilter : public Filter {
+ public:
+  RankFilter(FilterParts parts, bool highest) : Filter(std::move(parts)), highest_(highest) {}
+
+ protected:
+  /// None: it failed, and a status has been set.
+  virtual std::optional<double> Rank(const Combination& combination) = 0;
+  void ClearOutput() override;
+
+ private:
+  bool Compute() final;
+
+  bool highest_;
+  Combination* best_ = nullptr;
+};
+
+}  // namespace soarbox::kernel::imagery

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "kernel/imagery/filter.h"
+
+namespace soarbox::kernel::imagery {
+
+/// A parameter of a filter or of a command, for help and checks.
+struct ParameterInfo {
+  std::string_view name, meaning;
+  bool required = false;
+};
+
+/// A kind of filter.
+struct FilterKind {
+  std::string_view name, meaning;
+  std::span<const ParameterInfo> parameters;
+  std::unique_ptr<Filter> (*make)(FilterParts parts);
+};
+
+/// All kinds, sorted by name.
+std::span<const FilterKind> FilterKinds();
+/// Null if there is no such kind.
+const FilterKind* FindFilterKind(std::string_view name);
+
+/// What combines the values of filters about nodes.
+std::unique_ptr<Filter> MakeConstant(FilterParts parts, Content content);
+
+// The kinds, by file. Each function appends its own.
+void AppendNodeFilters(std::vector<FilterKind>& kinds);
+void AppendMeasureFilters(std::vector<FilterKind>& kinds);
+void AppendOtherFilters(std::vector<FilterKind>& kinds);
+
+}  // namespace soarbox::kernel::imagery

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/imagery/scene.h"
+
+namespace soarbox::kernel::imagery {
+
+/// The numbers that the C library of the reference gives as random ones if nobody gives it a seed: 31 bits each.
+class PlainRandom {
+ public:
+  PlainRandom();
+  /// From 0 to 1, both included.
+  double Next();
+
+ private:
+  std::vector<std::uint32_t> last_;  ///< The last 31 numbers before their lowest bit is dropped, in a ring.
+  std::size_t at_ = 3;
+};
+
+/// The least distance between the shapes of two nodes; 0 if one is in the tree of the other. A group without shapes is
+/// the point of its centroid.
+double HullDistance(const Node& a, const Node& b);
+/// The distance between the local positions of two nodes.
+double PositionDistance(const Node& a, const Node& b);
+/// How far b's box is beyond a's along an axis (0, 1, 2): negative if it is below; 0 if they share a part of the axis.
+double AxisDistance(const Node& a, const Node& b, int axis);
+/// The same along any direction, by projections.
+double AxisDistance(const Node& a, const Node& b, const Vec3& direction);
+double BoxVolume(const Node& node);
+/// The product of the node's own scale.
+double ScaleVolume(const Node& node);
+bool HullsTouch(const Node& a, const Node& b);
+/// The share of a that is in b, from 200 points.
+double Overlap(const Node& a, const Node& b, PlainRandom& random);
+/// Where a's centroid has to be for gaps of `separation` beside b, per axis: 0 asks for none. Axes: those of
+/// `reference`'s own rotation, or of the world.
+Vec3 Placement(const Node& a, const Node& b, const Node* reference, const Vec3& separation);
+
+/// A line of sight.
+struct SightLine {
+  Vec3 from, to;
+};
+/// Lines from the eye's centroid to the points of all hulls of a target.
+void AppendSightLines(const Node& target, const Node& eye, std::vector<SightLine>& lines);
+/// The share of the lines that some shape of an occluder crosses.
+double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> occluders);
+
+/// Shrinks a node until it touches none of the scene's nodes with the tag object-source belief.
+void ShrinkToFit(Scene& scene, Node& node);
+
+}  // namespace soarbox::kernel::imagery

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "kernel/base/symbol.h"
+#include "kernel/base/symbol_table.h"
+#include "kernel/decide/preference_changes.h"
+#include "kernel/imagery/space.h"
+#include "kernel/memory/wme_changes.h"
+#include "kernel/memory/working_memory.h"
+
+namespace soarbox::kernel::imagery {
+
+/// Reads commands from working memory and writes what imagery has to say. Its elements stand in slots without a
+/// preference. It holds none of them: an element is found by what it says, so that nothing dangles when rules or the
+/// architecture take away what it stood on. Nothing is written on identifiers that no state reaches.
+class MemoryWriter {
+ public:
+  MemoryWriter(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes, PreferenceChanges& preferences)
+      : symbols_(symbols), memory_(memory), changes_(changes), preferences_(preferences) {}
+
+  bool IsReached(Symbol id) const;
+  /// "X12"
+  std::string NameOf(Symbol id) const;
+  std::string_view TextOf(Symbol string) const { return symbols_.Text(string); }
+  /// Of an integer or float.
+  double NumberOf(Symbol number) const;
+  std::int64_t IntegerOf(Symbol number) const;
+
+  Symbol Text(std::string_view text) { return symbols_.String(text); }
+  /// What is not finite becomes the largest number of its sign, and 0 what is no number.
+  Symbol Float(double value);
+  Symbol Integer(std::int64_t value) { return symbols_.Integer(value); }
+
+  /// Calls visit(attribute, value) for each value of each slot, as `print` lists them.
+  template <typename Visit>
+  void ForEachValue(Symbol id, Visit&& visit) const {
+    for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
+      for (WmeId wme = memory_.slot(slot).wmes; wme != WmeId::kNone; wme = memory_.record(wme).next) {
+        visit(memory_.slot(slot).attribute, memory_.wme(wme).value);
+      }
+    }
+  }
+  /// The first value of an attribute, or none.
+  Symbol ValueOf(Symbol id, std::string_view attribute) const;
+  /// The same if it is a string.
+  std::optional<std::string> TextOf(Symbol id, std::string_view attribute) const;
+  /// The numbers ^x, ^y and ^z of the attribute's value; none unless all are there.
+  std::optional<Vec3> VectorOf(Symbol id, std::string_view attribute) const;
+
+  /// Adds an element, unless it is there.
+  void Add(Symbol id, std::string_view attribute, Symbol value);
+  /// Adds an element with a new identifier, which it returns: none if `id` is not reached.
+  Symbol AddObject(Symbol id, std::string_view attribute);
+  Symbol AddObject(Symbol id, std::string_view attribute, char letter);
+  void Remove(Symbol id, std::string_view attribute, Symbol value);
+  /// Removes all elements of an attribute that no rule supports.
+  void RemoveAll(Symbol id, std::string_view attribute);
+
+ private:
+  SlotId FindSlot(Symbol id, std::string_view attribute) const;
+  void Lose(SlotId slot, WmeId wme);
+
+  SymbolTable& symbols_;
+  WorkingMemory& memory_;
+  WmeChanges& changes_;
+  PreferenceChanges& preferences_;
+};
+
+}  // namespace soarbox::kernel::imagery

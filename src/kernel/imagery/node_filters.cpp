@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Filters that find nodes and tell of one node.
+#include <unordered_map>
+
+#include "kernel/imagery/computed_filter.h"
+#include "kernel/imagery/filter_kinds.h"
+
+namespace soarbox::kernel::imagery {
+namespace {
+
+/// The node of a name, if it is there when the filter is computed.
+class NodeFilter final : public ComputedFilter {
+ public:
+  explicit NodeFilter(FilterParts parts) : ComputedFilter(std::move(parts)) {}
+
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    const std::string* const id = TextOf(combination, id_, "id");
+    if (id == nullptr) {
+      Fail("expecting parameter id");
+      return Verdict::kFail;
+    }
+    Node* const node = scene().Find(*id);
+    content = node;
+    return node == nullptr ? Verdict::kNothing : Verdict::kValue;
+  }
+
+  Slots id_ = SlotsOf("id");
+};
+
+/// All nodes but the world, and those that come later.
+class AllNodesFilter final : public Filter {
+ public:
+  explicit AllNodesFilter(FilterParts parts) : Filter(std::move(parts)) {}
+
+ private:
+  bool Compute() override {
+    if (started_) return true;
+    started_ = true;
+    WatchScene();
+    scene().ForEach([&](Node& node) {
+      if (&node != &scene().root()) Give(nullptr, &node);
+    });
+    return true;
+  }
+  void OnNode(Node& node, NodeChange change, std::string_view tag) override {
+    Filter::OnNode(node, change, tag);
+    if (change == NodeChange::kAdded) Give(nullptr, &node);
+  }
+
+  bool started_ = false;
+};
+
+class RemoveNodeFilter final : public ComputedFilter {
+ public:
+  explicit RemoveNodeFilter(FilterParts parts) : ComputedFilter(std::move(parts)) {}
+
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    Node* const a = NodeOf(combination, a_, "a");
+    if (a == nullptr) {
+      Fail("expecting parameter a");
+      return Verdict::kFail;
+    }
+    const std::string* const id = TextOf(combination, id_, "id");
+    if (id == nullptr) {
+      Fail("expecting parameter id");
+      return Verdict::kFail;
+    }
+    const Node* const removed = scene().Find(*id);
+    if (removed == nullptr) {
+      Fail("The given node doesn't exist");
+      return Verdict::kFail;
+    }
+    content = a;
+    return a == removed ? Verdict::kNothing : Verdict::kValue;
+  }
+
+  Slots a_ = SlotsOf("a"), id_ = SlotsOf("id");
+};
+
+class CombineNodesFilter final : public ComputedFilter {
+ public:
+  explicit CombineNodesFilter(FilterParts parts) : ComputedFilter(std::move(parts)) {}
+
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    for (const Value* const argument : combination.arguments) {
+      if (argument == nullptr) continue;
+      Node* const* const node = std::get_if<Node*>(&argument->content);
+      if (node == nullptr) break;
+      content = *node;
+      return Verdict::kValue;
+    }
+    return Verdict::kFail;
+  }
+};
+
+class TagFilter final : public ComputedFilter {
+ public:
+  explicit TagFilter(FilterParts parts) : ComputedFilter(std::move(parts)) {}
+
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    Node* const a = NodeOf(combination, a_, "a");
+    if (a == nullptr) {
+      Fail("Needs node a as input");
+      return Verdict::kFail;
+    }
+    const std::string* const name = TextOf(combination, name_, "tag_name");
+    if (name == nullptr) {
+      Fail("Needs tag_name as input");
+      return Verdict::kFail;
+    }
+    const std::string* const wanted = TextOf(combination, value_, "tag_value");
+    if (wanted == nullptr) {
+      Fail("Needs tag_value as input");
+      return Verdict::kFail;
+    }
+    content = a;
+    const std::string* const value = a->Tag(*name);
+    return value != nullptr && *value == *wanted ? Verdict::kValue : Verdict::kNothing;
+  }
+
+  Slots a_ = SlotsOf("a"), name_ = SlotsOf("tag_name"), value_ = SlotsOf("tag_value");
+};
+
+/// Something that one node has.
+template <typename Read>
+class ReadFilter final : public ComputedFilter {
+ public:
+  ReadFilter(FilterParts parts, Read read) : ComputedFilter(std::move(parts)), read_(read) {}
+
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    const Node* const a = NodeOf(combination, a_, "a");
+    if (a == nullptr) return Verdict::kFail;
+    content = read_(*a);
+    return Verdict::kValue;
+  }
+
+  Read read_;
+  Slots a_ = SlotsOf("a");
+};
+
+template <typename Read>
+std::unique_ptr<Filter> MakeRead(FilterParts parts, Read read) {
+  return std::make_unique<ReadFilter<Read>>(std::move(parts), read);
+}
+
+/// How something of a node has changed since the filter saw the node first.
+template <typename Read, typename Compare>
+class MonitorFilter final : public ComputedFilter {
+ public:
+  MonitorFilter(FilterParts parts, Read read, Compare compare)
+      : ComputedFilter(std::move(parts)), read_(read), compare_(compare) {
+    WatchScene();
+  }
+
+ private:
+  using Known = std::invoke_result_t<Read, const Node&>;
+
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    Node* const a = NodeOf(combination, a_, "a");
+    if (a == nullptr) {
+      Fail("expecting parameter a");
+      return Verdict::kFail;
+    }
+    const Known now = read_(*a);
+    content = compare_(known_.try_emplace(a, now).first->second, now);
+    return Verdict::kValue;
+  }
+  void OnNode(Node& node, NodeChange change, std::string_view tag) override {
+    ComputedFilter::OnNode(node, change, tag);
+    if (change == NodeChange::kRemoved) known_.erase(&node);
+  }
+
+  Read read_;
+  Compare compare_;
+  Slots a_ = SlotsOf("a");
+  std::unordered_map<const Node*, Known> known_;
+};
+
+template <typename Read, typename Compare>
+std::unique_ptr<Filter> MakeMonitor(FilterParts parts, Read read, Compare compare) {
+  return std::make_unique<MonitorFilter<Read, Compare>>(std::move(parts), read, compare);
+}
+
+double OwnVolume(const Node& node) {
+  const Vec3& scale = node.pose().scale;
+  return scale.x * scale.y * scale.z;
+}
+
+template <typename Kind>
+std::unique_ptr<Filter> Make(FilterParts parts) {
+  return std::make_unique<Kind>(std::move(parts));
+}
+
+constexpr ParameterInfo kId[] = {{"id", "the node's id", true}};
+constexpr ParameterInfo kNodes[] = {{"a", "nodes", true}};
+constexpr ParameterInfo kRemove[] = {{"a", "nodes", true}, {"id", "the id of the node to leave out", true}};
+constexpr ParameterInfo kTag[] = {
+    {"a", "nodes", true}, {"tag_name", "the name of the tag", true}, {"tag_value", "its value", true}};
+
+}  // namespace
+
+void AppendNodeFilters(std::vector<FilterKind>& kinds) {
+  kinds.insert(
+      kinds.end(),
+      {{"node", "the node of an id, if it is there when the filter is first computed", kId, Make<NodeFilter>},
+       {"all_nodes", "all nodes but world, now and later", {}, Make<AllNodesFilter>},
+       {"remove_node", "nodes without one of them", kRemove, Make<RemoveNodeFilter>},
+       {"combine_nodes", "all nodes of several sets", kNodes, Make<CombineNodesFilter>},
+       {"tag_select", "the nodes with a tag", kTag, Make<TagFilter>},
+       {"node_position", "the position of each node in its parent's frame", kNodes,
+        [](FilterParts parts) {
+          return MakeRead(std::move(parts), [](const Node& node) { return node.pose().position; });
+        }},
+       {"node_rotation", "the rotation of each node in its parent's frame, in radians", kNodes,
+        [](FilterParts parts) {
+          return MakeRead(std::move(parts), [](const Node& node) { return node.pose().rotation; });
+        }},
+       {"node_scale", "the scale of each node in its parent's frame", kNodes,
+        [](FilterParts parts) {
+          return MakeRead(std::move(parts), [](const Node& node) { return node.pose().scale; });
+        }},
+       {"node_bbox", "the box around each node, along the axes of the world", kNodes,
+        [](FilterParts parts) { return MakeRead(std::move(parts), [](const Node& node) { return node.Bounds(); }); }},
+       {"monitor_position", "how far each node is from where the filter saw it first", kNodes,
+        [](FilterParts parts) {
+          return MakeMonitor(
+              std::move(parts), [](const Node& node) { return node.pose().position; },
+              [](const Vec3& first, const Vec3& now) { return Distance(first, now); });
+        }},
+       {"monitor_volume", "each node's own scale, as a volume, by what it was when the filter saw it first", kNodes,
+        [](FilterParts parts) {
+          return MakeMonitor(std::move(parts), OwnVolume,
+                             [](double first, double now) { return (now + 1e-9) / (first + 1e-9); });
+        }}});
+}
+
+}  // namespace soarbox::kernel::imagery

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "kernel/imagery/space.h"
+
+namespace soarbox::kernel::imagery {
+
+enum class Shape : std::uint8_t {
+  kGroup,  ///< The union of its children.
+  kHull,   ///< The convex hull of some points.
+  kBall,
+};
+
+using Tags = std::map<std::string, std::string, std::less<>>;
+
+/// What a node is made from.
+struct NodeSpec {
+  std::string id;
+  Shape shape = Shape::kGroup;
+  std::vector<Vec3> points;  ///< kHull: in the node's own frame.
+  double radius = 0;         ///< kBall.
+  Pose pose;
+};
+
+/// An object of a scene: a shape and a pose in its parent's frame. What follows from the poses above it is worked out
+/// when somebody asks, and kept until something moves. Only its scene changes it.
+class Node {
+ public:
+  /// Groups within groups, down to here.
+  static constexpr int kDeepest = 200;
+
+  const std::string& id() const { return spec_.id; }
+  Shape shape() const { return spec_.shape; }
+  bool is_group() const { return spec_.shape == Shape::kGroup; }
+  const std::vector<Vec3>& points() const { return spec_.points; }
+  double radius() const { return spec_.radius; }
+  const Pose& pose() const { return spec_.pose; }
+  const Tags& tags() const { return tags_; }
+  /// Null if it has none of that name.
+  const std::string* Tag(std::string_view name) const;
+  const Node* parent() const { return parent_; }
+  const std::vector<std::unique_ptr<Node>>& children() const { return children_; }
+  int depth() const { return depth_; }
+  /// Whether `other` is somewhere below this node.
+  bool IsAbove(const Node& other) const;
+
+  const Transform& World() const;
+  const std::vector<Vec3>& WorldPoints() const;  ///< kHull.
+  const Box& Bounds() const;
+  Vec3 Centroid() const { return Bounds().Middle(); }
+  /// From where to where the node reaches along a direction of length 1. A ball's reach is the length of the world
+  /// vector to (radius, 0, 0) in its frame, as in Soar 9.6.3.
+  std::pair<double, double> Extent(const Vec3& axis) const;
+
+ private:
+  friend class Scene;
+
+  NodeSpec spec_;
+  Tags tags_;
+  Node* parent_ = nullptr;
+  int depth_ = 0;
+  std::vector<std::unique_ptr<Node>> children_;
+  Node *previous_ = nullptr, *next_ = nullptr;  ///< In the scene's order.
+  mutable bool world_known_ = false, points_known_ = false, bounds_known_ = false;
+  mutable Transform world_;
+  mutable std::vector<Vec3> world_points_;
+  mutable Box bounds_;
+};
+
+enum class NodeChange : std::uint8_t {
+  kAdded,
+  kRemoved,   ///< Its children have gone; the node is still to be read.
+  kMoved,     ///< It, or something above it.
+  kReshaped,  ///< Its shape, or something below it.
+  kTagged,
+  kUntagged,
+};
+
+/// Hears what happens to a scene. It must not change the scene, nor watchers.
+class SceneWatcher {
+ public:
+  virtual ~SceneWatcher() = default;
+  /// `tag`: the name of the tag that came, changed or went.
+  virtual void OnNode(Node& node, NodeChange change, std::string_view tag) = 0;
+};
+
+/// A tree of nodes below the group "world". Ids are unique; nodes are listed in the order in which they came.
+class Scene {
+ public:
+  explicit Scene(std::string name);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// The name of the state that it belongs to.
+  const std::string& name() const { return name_; }
+  Node& root() { return *root_; }
+  const Node& root() const { return *root_; }
+  /// With the root.
+  std::size_t size() const { return index_.size(); }
+  Node* Find(std::string_view id);
+  const Node* Find(std::string_view id) const { return const_cast<Scene*>(this)->Find(id); }
+  /// All nodes in order, the root first. `visit` must not change the scene.
+  template <typename Visit>
+  void ForEach(Visit&& visit) const {
+    for (Node* node = root_.get(); node != nullptr; node = node->next_) visit(*node);
+  }
+  std::size_t MemoryBytes() const;
+
+  /// Null if there is a node of that id, or the parent is no group or too deep.
+  Node* Add(Node& parent, NodeSpec spec);
+  /// With all below it. The root stays.
+  void Remove(Node& node);
+  void Move(Node& node, const Pose& pose);
+  void SetPoints(Node& node, std::vector<Vec3> points);
+  void SetRadius(Node& node, double radius);
+  void SetTag(Node& node, std::string_view name, std::string_view value);
+  void DeleteTag(Node& node, std::string_view name);
+  /// Removes all but the root, last first.
+  void Clear();
+  /// A copy without watchers; its nodes are in depth-first order.
+  std::unique_ptr<Scene> Clone(std::string name) const;
+
+  /// A watcher goes before it dies.
+  void Watch(SceneWatcher& watcher) { watchers_.push_back(&watcher); }
+  void Unwatch(SceneWatcher& watcher);
+  /// Grows with every change.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  void Tell(Node& node, NodeChange change, std::string_view tag = {});
+  /// A node's shape changed: so did those above it, from the root down.
+  void TellReshaped(Node* node);
+  void TellMoved(Node& node);
+  void CopyBelow(const Node& from, Node& to);
+  void Enter(Node& node);
+  void Drop(Node& node);
+
+  std::string name_;
+  std::unique_ptr<Node> root_;
+  Node* last_ = nullptr;
+  std::unordered_map<std::string_view, Node*> index_;  ///< By id; the text is the node's.
+  std::vector<SceneWatcher*> watchers_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace soarbox::kernel::imagery

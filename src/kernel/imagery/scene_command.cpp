@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Commands that change a scene.
+#include "kernel/imagery/scene_command.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "kernel/imagery/measures.h"
+
+namespace soarbox::kernel::imagery {
+namespace {
+
+class WriteCommand : public SceneCommand {
+ public:
+  explicit WriteCommand(const CommandParts& parts) : parts_(parts), status_(parts.writer, parts.id) {}
+  bool writes() const final { return true; }
+  void Update(bool) final {
+    if (done_) return;
+    done_ = true;
+    status_.Set(Run());
+  }
+  void Mark(const std::function<void(Symbol)>& mark) const final {
+    mark(parts_.id);
+    if (status_.symbol()) mark(status_.symbol());
+  }
+
+ protected:
+  /// Does it, and returns the status.
+  virtual std::string Run() = 0;
+
+  Scene& scene() { return parts_.scene; }
+  std::optional<std::string> Text(std::string_view attribute) const {
+    return parts_.writer.TextOf(parts_.id, attribute);
+  }
+  bool Has(std::string_view attribute) const { return static_cast<bool>(parts_.writer.ValueOf(parts_.id, attribute)); }
+  bool Is(std::string_view attribute, std::initializer_list<std::string_view> words) const {
+    const std::optional<std::string> text = Text(attribute);
+    return text && std::find(words.begin(), words.end(), *text) != words.end();
+  }
+  void ReadPose(Pose& pose) const {
+    if (const auto vector = parts_.writer.VectorOf(parts_.id, "position")) pose.position = *vector;
+    if (const auto vector = parts_.writer.VectorOf(parts_.id, "rotation")) pose.rotation = *vector;
+    if (const auto vector = parts_.writer.VectorOf(parts_.id, "scale")) pose.scale = *vector;
+  }
+  void SetTags(Node& node) {
+    const Symbol tags = parts_.writer.ValueOf(parts_.id, "tags");
+    if (!tags.IsIdentifier()) return;
+    Tags read;
+    parts_.writer.ForEachValue(tags, [&](Symbol name, Symbol value) {
+      if (name.IsString() && value.IsString()) {
+        read[std::string(parts_.writer.TextOf(name))] = parts_.writer.TextOf(value);
+      }
+    });
+    for (const auto& [name, value] : read) scene().SetTag(node, name, value);
+  }
+  /// The group that ^parent names, or the world.
+  Node* Parent() {
+    const std::optional<std::string> id = Text("parent");
+    Node* const parent = id ? scene().Find(*id) : &scene().root();
+    return parent != nullptr && parent->is_group() ? parent : nullptr;
+  }
+  /// What is wrong with ^id, or nothing.
+  std::string FindNode(Node*& node) {
+    if (!Has("id")) return "no object id specified";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "object id must be a std::string";
+    node = scene().Find(*id);
+    return node == nullptr ? "Couldn't find node " + *id : std::string();
+  }
+  /// The string of an attribute; `wrong`: what is wrong with it, or nothing.
+  std::optional<std::string> Required(std::string_view attribute, std::string_view missing, std::string& wrong) const {
+    std::optional<std::string> text = Text(attribute);
+    if (!text && wrong.empty()) {
+      wrong = Has(attribute) ? std::string(attribute) + " must be a std::string" : std::string(missing);
+    }
+    return text;
+  }
+
+ private:
+  CommandParts parts_;
+  StatusLine status_;
+  bool done_ = false;
+};
+
+class AddNode final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    Node* const parent = Parent();
+    if (parent == nullptr) return "no parent group node found";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "no id specified";
+    if (scene().Find(*id) != nullptr) return "id already exists";
+    NodeSpec spec;
+    spec.id = *id;
+    ReadPose(spec.pose);
+    const std::string geometry = Text("geometry").value_or("group");
+    if (geometry == "box") {
+      spec.shape = Shape::kHull;
+      for (int corner = 0; corner < 8; ++corner) {
+        spec.points.push_back({corner & 4 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 1 ? 0.5 : -0.5});
+      }
+    } else if (geometry == "point") {
+      spec.shape = Shape::kHull;
+      spec.points.emplace_back();
+    } else if (geometry == "sphere") {
+      spec.shape = Shape::kBall;
+      spec.radius = 1;
+    }
+    Node* const node = scene().Add(*parent, std::move(spec));
+    if (node == nullptr) return "error adding node to scene";
+    SetTags(*node);
+    return "success";
+  }
+};
+
+class CopyNode final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    Node* const parent = Parent();
+    if (parent == nullptr) return "no group node parent";
+    const std::optional<std::string> source_id = Text("source");
+    if (!source_id) return "must specify a source";
+    const Node* const source = scene().Find(*source_id);
+    if (source == nullptr) return "Could not find the given source node";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "^id must be specified";
+    if (scene().Find(*id) != nullptr) return "Node already exists";
+    NodeSpec spec;
+    spec.id = *id;
+    spec.shape = source->shape();
+    spec.points = source->points();
+    spec.radius = source->radius();
+    spec.pose = source->pose();
+    ReadPose(spec.pose);
+    Node* const node = scene().Add(*parent, std::move(spec));
+    if (node == nullptr) return "no group node parent";
+    if (Is("copy_tags", {"true"})) {
+      for (const auto& [name, value] : source->tags()) scene().SetTag(*node, name, value);
+    }
+    SetTags(*node);
+    if (Is("adjust", {"true"})) ShrinkToFit(scene(), *node);
+    return "success";
+  }
+};
+
+class CopyTransform final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    const std::optional<std::string> source_id = Text("source");
+    if (!source_id) return "must specify a source";
+    const Node* const source = scene().Find(*source_id);
+    if (source == nullptr) return "Could not find the given source node";
+    const std::optional<std::string> destination_id = Text("destination");
+    if (!destination_id) return "must specify a destination";
+    Node* const destination = scene().Find(*destination_id);
+    if (destination == nullptr) return "Could not find the given destination node";
+    Pose pose = destination->pose();
+    if (Is("position", {"yes", "true"})) pose.position = source->pose().position;
+    if (Is("rotation", {"yes", "true"})) pose.rotation = source->pose().rotation;
+    if (Is("scale", {"yes", "true"})) pose.scale = source->pose().scale;
+    scene().Move(*destination, pose);
+    if (Is("adjust", {"yes", "true"})) ShrinkToFit(scene(), *destination);
+    return "success";
+  }
+};
+
+class DeleteNode final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    if (!Has("id")) return "^id must be specified";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "^id must be a string";
+    Node* const node = scene().Find(*id);
+    if (node == nullptr) return "Could not find the given node";
+    if (node == &scene().root()) return "the world cannot be deleted";
+    scene().Remove(*node);
+    return "success";
+  }
+};
+
+class SetTransform final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    Node* node = nullptr;
+    if (std::string wrong = FindNode(node); !wrong.empty()) return wrong;
+    Pose pose = node->pose();
+    ReadPose(pose);
+    scene().Move(*node, pose);
+    return "success";
+  }
+};
+
+class SetTag final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    Node* node = nullptr;
+    const std::string missing_node = FindNode(node);
+    std::string wrong = Text("id") ? std::string() : missing_node;
+    const std::optional<std::string> name = Required("tag_name", "no tag_name specified", wrong);
+    const std::optional<std::string> value = Required("tag_value", "no value specified", wrong);
+    if (wrong.empty()) wrong = missing_node;
+    if (!wrong.empty()) return wrong;
+    scene().SetTag(*node, *name, *value);
+    return "success";
+  }
+};
+
+class DeleteTag final : public WriteCommand {
+ public:
+  using WriteCommand::WriteCommand;
+
+ private:
+  std::string Run() override {
+    Node* node = nullptr;
+    const std::string missing_node = FindNode(node);
+    std::string wrong = Text("id") ? std::string() : missing_node;
+    const std::optional<std::string> name = Required("tag_name", "no tag_name specified", wrong);
+    if (wrong.empty()) wrong = missing_node;
+    if (!wrong.empty()) return wrong;
+    scene().DeleteTag(*node, *name);
+    return "success";
+  }
+};
+
+template <typename Kind>
+std::unique_ptr<SceneCommand> MakeWriter(const CommandParts& parts) {
+  return std::make_unique<Kind>(parts);
+}
+
+constexpr ParameterInfo kAddNode[] = {{"id", "the new node's id", true},
+                                      {"parent", "the group to put it in; world if missing"},
+                                      {"geometry", "box, point, sphere or group"},
+                                      {"position", "{^x ^y ^z}"},
+                                      {"rotation", "{^x ^y ^z}, in radians"},
+                                      {"scale", "{^x ^y ^z}"},
+                                      {"tags", "an object: its attributes become tags"}};
+constexpr ParameterInfo kCopyNode[] = {
+    {"id", "the new node's id", true},
+    {"source", "the node to copy", true},
+    {"parent", "the group to put it in; world if missing"},
+    {"position", "{^x ^y ^z}"},
+    {"rotation", "{^x ^y ^z}, in radians"},
+    {"scale", "{^x ^y ^z}"},
+    {"copy_tags", "true: with the tags of the source"},
+    {"tags", "an object: its attributes become tags"},
+    {"adjust", "true: shrink it until it touches nothing tagged object-source belief"}};
+constexpr ParameterInfo kCopyTransform[] = {
+    {"source", "the node to copy from", true}, {"destination", "the node to copy to", true},
+    {"position", "yes to copy the position"},  {"rotation", "yes to copy the rotation"},
+    {"scale", "yes to copy the scale"},        {"adjust", "yes: shrink it as copy_node does"}};
+constexpr ParameterInfo kDelete[] = {{"id", "the node's id", true}};
+constexpr ParameterInfo kSetTransform[] = {{"id", "the node's id", true},
+                                           {"position", "{^x ^y ^z}"},
+                                           {"rotation", "{^x ^y ^z}, in radians"},
+                                           {"scale", "{^x ^y ^z}"}};
+constexpr ParameterInfo kSetTag[] = {
+    {"id", "the node's id", true}, {"tag_name", "the tag's name", true}, {"tag_value", "its value", true}};
+constexpr ParameterInfo kDeleteTag[] = {{"id", "the node's id", true}, {"tag_name", "the tag's name", true}};
+constexpr ParameterInfo kExtract[] = {{"type", "the filter", true}, {"...", "the filter's parameters"}};
+
+constexpr CommandKind kCommandKinds[] = {
+    {"add_node", "adds a node", kAddNode, MakeWriter<AddNode>},
+    {"copy_node", "adds a copy of a node, without its children", kCopyNode, MakeWriter<CopyNode>},
+    {"copy_transform", "gives a node the position, rotation or scale of another", kCopyTransform,
+     MakeWriter<CopyTransform>},
+    {"delete_node", "removes a node and all below it", kDelete, MakeWriter<DeleteNode>},
+    {"delete_tag", "removes a tag", kDeleteTag, MakeWriter<DeleteTag>},
+    {"extract", "tells what a filter finds, and what changes", kExtract,
+     [](const CommandParts& parts) { return MakeExtract(parts, false); }},
+    {"extract_once", "tells what a filter finds, once", kExtract,
+     [](const CommandParts& parts) { return MakeExtract(parts, true); }},
+    {"set_tag", "gives a node a tag", kSetTag, MakeWriter<SetTag>},
+    {"set_transform", "moves, turns or scales a node", kSetTransform, MakeWriter<SetTransform>},
+};
+
+}  // namespace
+
+std::span<const CommandKind> CommandKinds() {
+  return kCommandKinds;
+}
+
+const CommandKind* FindCommandKind(std::string_view name) {
+  for (const CommandKind& kind : kCommandKinds) {
+    if (kind.name == name) return &kind;
+  }
+  return nullptr;
+}
+
+}  // namespace soarbox::kernel::imagery

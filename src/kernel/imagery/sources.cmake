@@ -1,0 +1,20 @@
+list(APPEND SOARBOX_KERNEL_SOURCES
+  imagery/computed_filter.cpp
+  imagery/convex.cpp
+  imagery/extract.cpp
+  imagery/filter.cpp
+  imagery/filter_kinds.cpp
+  imagery/imagery.cpp
+  imagery/measure_filters.cpp
+  imagery/measures.cpp
+  imagery/memory_writer.cpp
+  imagery/node_filters.cpp
+  imagery/other_filters.cpp
+  imagery/scene.cpp
+  imagery/scene_command.cpp
+  imagery/scene_feed.cpp
+  imagery/scene_lines.cpp
+  imagery/scene_view.cpp
+  imagery/space.cpp
+  imagery/state_scene.cpp)
+soarbox_kernel_test(kernel_imagery_test SOURCES imagery/geometry_test.cpp imagery/imagery_test.cpp)
