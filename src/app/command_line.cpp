@@ -57,6 +57,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
+  run->add_option("--rules", options.rules, "NAME=FILE: give an agent these rules instead (may be repeated)");
   CLI::Option* picture =
       run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
@@ -174,6 +175,7 @@ void AddTest(CLI::App& program, TestOptions& options) {
       program.add_subcommand("test", "Run missions: check that agents do what they should, over many seeds");
   test->add_option("paths", options.paths, "Missions, scenarios and folders (default: all below this folder)");
   test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
+  test->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`");
   test->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
@@ -192,6 +194,7 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
+  sweep->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`, in each variant");
   sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
@@ -222,7 +225,7 @@ void AddLearn(CLI::App& program, LearnOptions& options) {
   CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
   learn->add_option("words", options.words,
                     "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test [N] to try "
-                    "all lessons or one");
+                    "all lessons or one; the name of another course before these, such as eaters");
   learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
   learn
       ->add_option("--from", options.from, "Use the lessons in this folder instead of those that come with the program")

@@ -105,6 +105,9 @@ record::Header HeaderOfRun(const RunOptions& options, const sim::Scenario& scena
       record::HeaderOf(scenario, settings, static_cast<double>(simulation.world().settings().step_s), level);
   header.scenario = options.scenario;
   for (const fs::path& folder : options.extra_folders) header.extra_folders.push_back(folder.string());
+  // --rules adds folders, too.
+  for (std::size_t i = options.extra_folders.size() + 1; i < scenario.rule_folders.size(); ++i)
+    header.extra_folders.push_back(scenario.rule_folders[i].string());
   return header;
 }
 

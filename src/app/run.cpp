@@ -24,6 +24,7 @@
 #include "record/header.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
+#include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
 #include "world/world.h"
 
@@ -92,8 +93,12 @@ int Run(const RunOptions& given) {
   const Result<std::filesystem::path> rules = RulesOfProject(options.scenario);
   if (!rules) return Refuse(rules.error());
   options.scenario = rules->string();
-  const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
+  Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
   if (!scenario) return Refuse(scenario.error());
+  if (const Result<void> replaced = sim::ReplaceRules(*scenario, options.rules); !replaced) {
+    std::cerr << Format(replaced.error());
+    return kUsage;
+  }
 
   // What the command line leaves open the scenario's file may say.
   double headless_s = kHeadlessSeconds;

@@ -15,6 +15,7 @@ namespace soarbox::app {
 struct RunOptions : WindowWishes {
   std::string scenario = "thesis";
   std::vector<std::filesystem::path> extra_folders;
+  std::vector<std::string> rules;  ///< "NAME=FILE": rules that take the place of those that an agent would have.
   bool headless = false;
   std::optional<double> seconds;      ///< Simulated; none: until the window is closed, or 60 s headless.
   std::optional<std::uint64_t> seed;  ///< None: the scenario's own, else 1.

@@ -84,8 +84,8 @@ int Sweep(const SweepOptions& options) {
   if (error)
     return Refuse(ProblemIn(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
   // A task of a job array finds the folder as the sweep that submitted it has made it.
-  const Result<sweep::Plan> plan =
-      sweep::MakePlan(spec, folder, *data, options.task >= 0 ? sweep::Sources::kTrust : sweep::Sources::kCompare);
+  const Result<sweep::Plan> plan = sweep::MakePlan(
+      spec, folder, *data, options.task >= 0 ? sweep::Sources::kTrust : sweep::Sources::kCompare, options.rules);
   if (!plan) return Refuse(plan.error());
   if (const Result<void> claimed = sweep::ClaimFolder(spec, *plan, folder, options.mix); !claimed)
     return Refuse(claimed.error());
@@ -102,6 +102,12 @@ int Sweep(const SweepOptions& options) {
     settings.task_command = {fs::read_symlink("/proc/self/exe", ignored).string(), "sweep",
                              fs::absolute(options.spec, ignored).string(), "--folder",
                              fs::absolute(folder, ignored).string()};
+    for (const std::string& rules : options.rules) {
+      const std::size_t sign = rules.find('=');
+      settings.task_command.emplace_back("--rules");
+      settings.task_command.push_back(rules.substr(0, sign + 1) +
+                                      fs::absolute(rules.substr(sign + 1), ignored).string());
+    }
     if (options.mix) settings.task_command.emplace_back("--mix");
     if (options.retry) settings.task_command.emplace_back("--retry");
     settings.tasks = options.tasks;

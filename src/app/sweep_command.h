@@ -3,13 +3,15 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace soarbox::app {
 
 /// What `soarbox sweep` was asked for.
 struct SweepOptions {
   std::filesystem::path spec;
-  std::filesystem::path folder;  ///< Empty: the spec's name with .sweep.
+  std::filesystem::path folder;    ///< Empty: the spec's name with .sweep.
+  std::vector<std::string> rules;  ///< "NAME=FILE", as for `soarbox run`; in each variant.
   int jobs = 0;
   std::string on = "here";  ///< Or "slurm".
   int tasks = 1;            ///< Of a job array.

@@ -22,6 +22,7 @@
 #include "mission/sentences.h"
 #include "mission/statistics.h"
 #include "mission/test_missions.h"
+#include "sim/replaced_rules.h"
 
 namespace soarbox::app {
 namespace {
@@ -135,6 +136,11 @@ class Tester {
       each.loaded = mission::LoadMission(file, data_, problems);
       for (const Diagnostic& problem : problems) std::cerr << Format(problem);
       if (!problems.empty()) {
+        refused = true;
+        continue;
+      }
+      if (const Result<void> replaced = sim::ReplaceRules(each.loaded.scenario, options_.rules); !replaced) {
+        std::cerr << Format(replaced.error());
         refused = true;
         continue;
       }

@@ -11,6 +11,7 @@ namespace soarbox::app {
 struct TestOptions {
   std::vector<std::filesystem::path> paths;  ///< Missions, scenarios, folders; none: all below the present folder.
   std::string seeds;                         ///< "1..20"; empty: the missions' own.
+  std::vector<std::string> rules;            ///< "NAME=FILE", as for `soarbox run`.
   int jobs = 0;                              ///< Processes at a time; 0: one per processor.
   std::filesystem::path junit;               ///< A report for continuous integration; empty: none.
   bool json = false;

@@ -143,6 +143,11 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
     PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
     return;
   }
+  if (word == "indiff") {
+    problem.message = "Soar no longer has a command 'indiff'";
+    problem.hint = "it is indifferent-selection now: write indifferent-selection" + line.substr(word.size());
+    return;
+  }
   const bool is_other_language = word == "if" || word == "when" || word == "then" || word == "rule";
   if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
 }

@@ -34,6 +34,7 @@ struct KnownWords {
   KnownPlaces places = {};
   bool has_database = false;  ///< What is recalled may have any attribute.
   bool complete = true;       ///< All rules loaded; else what is missing may be in those that did not.
+  bool own_world = false;     ///< A game with percepts and commands of its own: the vocabulary says nothing of them.
 };
 
 /// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
@@ -56,7 +57,7 @@ bool IsMemoryAnswer(const std::vector<std::string>& path);
 
 /// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
 /// link, places that the scenario does not have.
-std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownPlaces& places);
+std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// What all these searches find, one after the other.
 std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known);

@@ -107,7 +107,7 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
 std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known) {
   std::vector<Slip> all;
   for (const std::vector<Slip>& some : {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known),
-                                        FindSlipsOfMemory(rules), FindSlipsOfWorld(rules, known.places)})
+                                        FindSlipsOfMemory(rules), FindSlipsOfWorld(rules, known)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -156,13 +156,15 @@ class PlaceChecker {
 
 }  // namespace
 
-std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownPlaces& places) {
+std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownWords& known) {
+  const KnownPlaces& places = known.places;
   std::vector<Slip> slips;
   PlaceChecker checker(places, slips);
   for (const RuleText& rule : rules) {
+    FindInputWriters(rule, slips);
+    if (known.own_world) continue;
     FindRestless(rule, slips);
     FindPiles(rule, rules, slips);
-    FindInputWriters(rule, slips);
     if (places.is_known) checker.Check(rule);
   }
   return slips;

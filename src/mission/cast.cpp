@@ -88,6 +88,7 @@ class NameChecker {
   /// Parameters, reasons and paths, which nobody would miss if they were misspelt: the check would just be false.
   void LookAtParts(const Check& check, const Condition& condition) {
     if (condition.row->key == Key::kElement) {
+      if (cast_.has_script) return;  // It may make any percept.
       for (const std::string& path : condition.words) LookAtPath(check, condition, path);
       return;
     }
@@ -143,6 +144,7 @@ class NameChecker {
       case Names::kTeam:
         return need("team", cast_.teams);
       case Names::kEnd:
+        if (cast_.has_script) return;  // It may reach any (Sandbox.End).
         return need("end or goal", cast_.ends);
       case Names::kItem:
         return need("item", cast_.items);
@@ -239,6 +241,7 @@ Cast CastOf(const sim::ScenarioFile& file) {
   cast.things.insert(cast.things.end(), cast.items.begin(), cast.items.end());
   for (const sim::Waypoint& waypoint : file.waypoints) cast.waypoints.push_back(waypoint.name);
   for (const sim::Region& region : file.regions) cast.regions.push_back(region.name);
+  cast.has_script = !file.script.empty();
   for (const sim::ScenarioFile::Condition& condition : file.conditions) cast.ends.push_back(condition.name);
   ReadRuleWords(file.file.has_parent_path() ? file.file.parent_path() : fs::path("."), cast);
   return cast;

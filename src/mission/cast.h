@@ -19,6 +19,7 @@ struct Cast {
   std::set<std::string> rules;       ///< Names of rules.
   std::set<std::string> rule_words;  ///< All words in the files of rules: operators, attributes, values.
   std::set<std::string> all_words;   ///< Those, and the ones in scripts beside them.
+  bool has_script = false;           ///< A script makes the world: it may reach ends, and make percepts, of its own.
   /// The team of each of `agents`.
   std::vector<std::string> team_of;
 };

@@ -104,6 +104,8 @@ double ValueOf(Key key, const AgentFacts& agent, const TickFacts&) {
   switch (key) {
     case Key::kHealth:
       return agent.health;
+    case Key::kScore:
+      return agent.score.value_or(0);
     case Key::kAmmunition:
       return agent.ammunition.value_or(0);
     case Key::kSpeed:

@@ -43,7 +43,7 @@ struct AgentFacts {
   bool has_mind = false;
   world::Vec3 position;
   double health = 0, speed = 0;
-  std::optional<double> ammunition;
+  std::optional<double> ammunition, score;
   double distance = 0, rounds = 0, damage = 0, idle = 0, repeats = 0;
   double answered = 0, decisions = 0, firings = 0, elements = 0, depth = 1, learned = 0;
   double reused = 0, reward = 0, updates = 0, values = 0;

@@ -135,6 +135,7 @@ void FactGatherer::GatherBodies() {
     facts.damage += std::max(0.0, facts.health - health);
     facts.health = health;
     facts.alive = health > 0;
+    if (const std::optional<float> score = body->Score()) facts.score = static_cast<double>(*score);
     const world::Vec3 moved = body->Position() - facts.position;
     facts.speed = std::hypot(static_cast<double>(body->Velocity().x), static_cast<double>(body->Velocity().z));
     facts.distance += std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.z));

@@ -20,6 +20,7 @@ constexpr KeyRow kKeys[] = {
     {"carries", Key::kCarries, Kind::kState, Source::kWorld, Names::kItem, "carries this item"},
     {"carried", Key::kCarried, Kind::kState, Source::kWorld, Names::kTruth, "of an item: somebody carries it"},
     {"health", Key::kHealth, Kind::kGauge, Source::kWorld, Names::kNothing, "its health"},
+    {"score", Key::kScore, Kind::kGauge, Source::kWorld, Names::kNothing, "its score in a game"},
     {"ammunition", Key::kAmmunition, Kind::kGauge, Source::kWorld, Names::kNothing,
      "rounds that it has, in the weapon and in reserve"},
     {"speed", Key::kSpeed, Kind::kGauge, Source::kWorld, Names::kNothing, "m/s over the ground"},

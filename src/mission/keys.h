@@ -20,6 +20,7 @@ enum class Key : std::uint8_t {
   kCarries,
   kCarried,
   kHealth,
+  kScore,
   kAmmunition,
   kSpeed,
   kDistance,

@@ -112,6 +112,8 @@ class Keeper {
     header.scenario = std::filesystem::absolute(named, failure).string();
     if (!spec.scenario.rules.empty())
       header.scenario = std::filesystem::absolute(spec.scenario.rules, failure).string();
+    for (std::size_t i = 1; i < spec.scenario.rule_folders.size(); ++i)
+      header.extra_folders.push_back(std::filesystem::absolute(spec.scenario.rule_folders[i], failure).string());
     std::filesystem::create_directories(spec.recording.parent_path(), failure);
     Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(spec.recording, header, {});
     if (!writer) {
@@ -301,6 +303,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     numbers["rounds"] += agent.rounds;
     numbers["damage"] += agent.damage;
     numbers["health"] += agent.health;
+    if (agent.score) numbers["score"] += *agent.score;
     numbers["idle"] += agent.idle;
     numbers["decisions"] += agent.decisions;
     numbers["firings"] += agent.firings;

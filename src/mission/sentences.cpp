@@ -86,6 +86,8 @@ std::string Infinitive(const Condition& condition) {
       return condition.truth ? "be carried" : "not be carried";
     case Key::kHealth:
       return "have a health of " + BoundsText(condition.bounds, "");
+    case Key::kScore:
+      return "have a score of " + BoundsText(condition.bounds, "");
     case Key::kAmmunition:
       return "have " + BoundsText(condition.bounds, " rounds");
     case Key::kSpeed:

@@ -13,7 +13,7 @@ namespace soarbox::record {
 // there: a program that was killed leaves a recording that ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
-inline constexpr std::uint16_t kVersion = 6;
+inline constexpr std::uint16_t kVersion = 7;
 inline constexpr std::uint16_t kOldestVersion =
     2;  ///< That is still read: its header says less, and what minds do stands in words.
 

@@ -68,6 +68,8 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
   header.step_s = step_s;
   header.level = level;
   header.own_kernel = settings.soar.remote_host.empty();
+  for (const auto& [name, file] : scenario.replaced_rules)
+    header.replaced_rules.emplace_back(name, scenario.Original(file).string());
   header.memory_mb = settings.limits.memory_bytes >> 20;
   return header;
 }
@@ -94,6 +96,11 @@ std::string EncodeHeader(const Header& header) {
     out.Text(file.content);
   }
   out.Number(header.memory_mb);
+  out.Number(header.replaced_rules.size());
+  for (const auto& [name, file] : header.replaced_rules) {
+    out.Text(name);
+    out.Text(file);
+  }
   return bytes;
 }
 
@@ -127,6 +134,16 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
     }
   }
   if (version >= 4) header.memory_mb = in.Number();
+  if (version >= 7) {
+    constexpr std::size_t kMostReplaced = 10'000;  // As many as agents.
+    const std::size_t replaced = in.Count(2);
+    if (replaced > kMostReplaced) in.Fail();
+    header.replaced_rules.resize(in.failed() ? 0 : replaced);
+    for (auto& [name, file] : header.replaced_rules) {
+      name = in.Text();
+      file = in.Text();
+    }
+  }
   const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
                         header.step_s <= 10 && level < kLevels.size();
   if (in.failed() || !sensible) {

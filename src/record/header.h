@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -32,6 +33,8 @@ struct Header {
   std::vector<KeptFile> files;    ///< What it was made from, as it was then; empty if that was not kept.
   std::string branched_from;      ///< The recording of the run that this one went back in and left; empty: of none.
   std::uint64_t branch_tick = 0;  ///< The last tick that both have.
+  /// Rules that took the place of those that agents would have had: agent's name, file. Since version 7.
+  std::vector<std::pair<std::string, std::string>> replaced_rules;
   std::uint64_t memory_mb = sim::SimulationSettings{}.limits.memory_bytes >> 20;  ///< That the world might take.
 };
 

@@ -172,6 +172,20 @@ Result<std::shared_ptr<const PassingFolder>> RestoreAll(const std::vector<KeptFi
 
 }  // namespace
 
+std::vector<std::string> ReplaceRulesAsRecorded(sim::Scenario& scenario, const Header& header) {
+  std::vector<std::string> missing;
+  for (const auto& [name, file] : header.replaced_rules) {
+    fs::path found = file;
+    for (const auto& [copy, original] : scenario.stand_ins) found = Moved(found, original, copy);
+    if (IsPlainFileBelow(found, scenario.rule_folders)) {
+      scenario.replaced_rules.emplace_back(name, found);
+    } else {
+      missing.push_back(name);
+    }
+  }
+  return missing;
+}
+
 Result<RestoredFolders> RestoreExtraFolders(const Header& header) {
   const Result<std::shared_ptr<const PassingFolder>> restored =
       RestoreAll(header.files, header.extra_folders.size() + 1);
@@ -203,6 +217,7 @@ Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::Dat
     found->keeps = *restored;
     found->stand_ins.emplace_back(own, original);
     for (std::size_t i = 0; i < extra.size(); ++i) found->stand_ins.emplace_back(extra[i], header.extra_folders[i]);
+    ReplaceRulesAsRecorded(*found, header);
     if (!HaveChanged(*found, header.scenario_digest, header.files)) return found;
     if (!best) best = std::move(found);
   }
@@ -220,6 +235,7 @@ Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::ve
     for (auto* folders : {&kept.script_folders, &kept.rule_folders})
       std::replace(folders->begin(), folders->end(), from, to);
     for (fs::path* file : {&kept.script, &kept.definition, &kept.rules}) *file = Moved(*file, from, to);
+    for (auto& [agent, file] : kept.replaced_rules) file = Moved(file, from, to);
     kept.stand_ins.emplace_back(to, scenario.Original(from));
   }
   return kept;

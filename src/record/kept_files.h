@@ -41,6 +41,10 @@ bool HaveChanged(const sim::Scenario& scenario, std::uint64_t digest_then, const
 /// the scenario does. Fails if nothing is kept, if a name would lead out of the folder, or if it cannot be written.
 Result<sim::Scenario> WithKeptFiles(const sim::Scenario& scenario, const std::vector<KeptFile>& files);
 
+/// Puts the rules that a recording says took the place of others into the scenario, as far as they are in folders that
+/// the scenario has: a recording may be a stranger's. Returns the agents whose rules are not there.
+std::vector<std::string> ReplaceRulesAsRecorded(sim::Scenario& scenario, const Header& header);
+
 /// Copies of folders, each with the one that it stands in for, and what must live as long as they are used.
 struct RestoredFolders {
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> folders;

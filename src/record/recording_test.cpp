@@ -190,8 +190,9 @@ std::string HeaderOfVersion(int version) {
   header.branched_from.clear();
   header.branch_tick = 0;
   header.memory_mb = 0;
+  header.replaced_rules.clear();
   std::string bytes = EncodeHeader(header);
-  bytes.resize(bytes.size() - (version == 2 ? 4 : 1));  // Each an empty text or a zero.
+  bytes.resize(bytes.size() - (version == 2 ? 5 : 2));  // Each an empty text or a zero.
   return bytes;
 }
 

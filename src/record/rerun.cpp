@@ -31,8 +31,8 @@ std::string NameFromHere(const Header& header, const std::string& name) {
 
 /// The scenario as it is on disk now. The folders that were given with --path are a recording's word only, which may
 /// be a stranger's: what it keeps of them is all that is read of them.
-Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolders& data,
-                               std::vector<Diagnostic>& warnings) {
+Result<sim::Scenario> FoundOnDisk(const TickSource& recording, const sim::DataFolders& data,
+                                  std::vector<Diagnostic>& warnings) {
   const Header& header = recording.header();
   const std::string name = NameFromHere(header, header.scenario);
   if (header.extra_folders.empty()) return sim::FindScenario(name, data);
@@ -48,6 +48,17 @@ Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolde
   if (!scenario) return scenario;
   scenario->stand_ins = restored->folders;
   scenario->keeps = restored->keeps;
+  return scenario;
+}
+
+/// The same with the rules that took the place of others.
+Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolders& data,
+                               std::vector<Diagnostic>& warnings) {
+  Result<sim::Scenario> scenario = FoundOnDisk(recording, data, warnings);
+  if (!scenario) return scenario;
+  for (const std::string& agent : ReplaceRulesAsRecorded(*scenario, recording.header()))
+    warnings.push_back(Warning(recording, "the rules that --rules gave to " + agent + " are not there any more",
+                               "it runs with those of the scenario, and takes another course than the recording does"));
   return scenario;
 }
 

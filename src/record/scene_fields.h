@@ -33,7 +33,7 @@ constexpr auto FieldsOf(const world::ParticleSnapshot&) {
 constexpr auto FieldsOf(const world::AgentSnapshot&) {
   using T = world::AgentSnapshot;
   return std::tuple(&T::name, &T::kind, &T::script, &T::position, &T::velocity, &T::forward, &T::radius_m, &T::height_m,
-                    &T::health, &T::alive, &T::last_command, &T::failed, &T::team);
+                    &T::health, &T::alive, &T::last_command, &T::failed, &T::team, &T::has_score, &T::score);
 }
 constexpr auto FieldsOf(const world::UiSnapshot&) {
   using T = world::UiSnapshot;
@@ -46,7 +46,7 @@ constexpr auto FieldsOf(const world::UiSnapshot&) {
 constexpr auto FieldsOf(const world::SceneSnapshot&) {
   using T = world::SceneSnapshot;
   return std::tuple(&T::time_s, &T::markup_palette, &T::ambient, &T::sky, &T::sky_rotation_deg, &T::camera_moves,
-                    &T::camera);
+                    &T::camera, &T::camera_is_fixed);
 }
 constexpr auto FieldsOf(const world::CameraSnapshot&) {
   using T = world::CameraSnapshot;

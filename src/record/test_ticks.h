@@ -41,6 +41,7 @@ inline Header SomeHeader() {
   header.seed = 77;
   header.level = Level::kAll;
   header.files = {{0, "scout.soar", "sp {a (state <s>) --> (halt)}\n"}, {1, "more/x.lua", ""}};
+  header.replaced_rules = {{"scout", "/a/better.soar"}};
   header.branched_from = "/somewhere/run.soarrec";
   header.branch_tick = 17;
   return header;

@@ -2,6 +2,7 @@
 // A recording holds what ran, byte by byte; and whatever does not agree with it is found and named.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "record/reader.h"
@@ -95,7 +96,11 @@ TEST_P(EveryScenario, IsRecordedAndRunsOnceMoreByteByByte) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verify, EveryScenario, testing::ValuesIn(sim::ListScenarios(Data())),
-                         [](const auto& scenario) { return scenario.param; });
+                         [](const auto& scenario) {
+                           std::string name = scenario.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Verify, OneBitOfAStateIsFoundAndNamed) {
   const ScratchFolder scratch;

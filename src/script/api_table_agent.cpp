@@ -57,6 +57,10 @@ print(agent:GetPointOnPath(4).z)  --> 4)"},
     {"Agent.GetSandbox", "agent: Agent", "Sandbox", "The sandbox that the agent is in.",
      R"(local all = Sandbox.GetAgents(agent:GetSandbox())
 print(#all)  --> 2)"},
+    {"Agent.GetScore", "agent: Agent", "number", "The agent's score; nothing if it was never set.",
+     R"(agent:SetScore(12)
+print(agent:GetScore())  --> 12)",
+     true},
     {"Agent.GetSpeed", "agent: Agent", "number [m/s]", "The agent's speed over the ground; falling does not count.",
      R"(print(agent:GetSpeed())  --> 0)"},
     {"Agent.GetTarget", "agent: Agent", "Vector [m]", "A copy of the target set by SetTarget.",
@@ -113,6 +117,9 @@ print(#agent:GetPath())  --> 4)"},
 print(agent:GetPosition().x)  --> 4)"},
     {"Agent.SetRadius", "agent: Agent, radius: number 0..100000 [m]", "",
      "Gives the agent a body of another radius. The agent stops.", R"(agent:SetRadius(0.4))"},
+    {"Agent.SetScore", "agent: Agent, score: number -1e9..1e9", "",
+     "Sets the agent's score in a game. It stands beside the agent's name, and missions and sweeps can ask for it.",
+     R"(agent:SetScore(5))", true},
     {"Agent.SetSpeed", "agent: Agent, speed: number -100000..100000 [m/s]", "",
      "Sets the speed of an agent without a body; with one it has no effect.", R"(agent:RemovePhysics()
 agent:SetSpeed(2)

@@ -27,6 +27,11 @@ constexpr ApiFunction kPlacesFunctions[] = {
      "Colours the cells by their present values, until the next call. The colours are those of 1, 0 and -1: {red, "
      "green, blue, alpha}.",
      R"(Sandbox.DrawInfluenceMap(sandbox, 0, {1, 0, 0, 0.9}, {0, 0, 0, 0.75}, {0, 0, 1, 0.9}))"},
+    {"Sandbox.End", "sandbox: Sandbox, name: string", "",
+     "Reports that the run has reached this end, as an [[end]] of a scenario file does: a run without a window ends, "
+     "and "
+     "missions ask for it by this name. The world and the scripts go on.",
+     R"(Sandbox.End(sandbox, "all is eaten"))", true},
     {"Sandbox.FindClosestPoint", "sandbox: Sandbox, mesh: string, point: Vector [m]", "Vector [m]",
      "The nearest point on the mesh within 0.5 m sideways and 2 m up or down; the point itself if there is none.",
      R"(local floor = Sandbox.FindClosestPoint(sandbox, "default", agent:GetPosition())

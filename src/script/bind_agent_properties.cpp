@@ -207,6 +207,13 @@ int GetLeader(lua_State* state) {
   return 1;
 }
 
+int GetScore(lua_State* state) {
+  const std::optional<float> score = AgentArgument(state, 1).Score();
+  if (!score) return 0;
+  lua_pushnumber(state, *score);
+  return 1;
+}
+
 constexpr Binding kAgentPropertiesBindings[] = {
     {"ApplyForce", ApplyForce, 2, 2, WrongCount::kIgnored},
     {"GetDistanceAlongPath", GetDistanceAlongPath, 2, 2, WrongCount::kError},
@@ -225,6 +232,7 @@ constexpr Binding kAgentPropertiesBindings[] = {
     {"GetPosition", GetVector<&Agent::Position>, 1, 1, WrongCount::kIgnored},
     {"GetRadius", GetNumber<&Agent::Radius>, 1, 1, WrongCount::kIgnored},
     {"GetSandbox", GetSandbox, 1, 1, WrongCount::kIgnored},
+    {"GetScore", GetScore, 1, 1, WrongCount::kError},
     {"GetSpeed", GetNumber<&Agent::Speed>, 1, 1, WrongCount::kIgnored},
     {"GetTarget", GetVector<&Agent::Target>, 1, 1, WrongCount::kIgnored},
     {"GetTargetRadius", GetNumber<&Agent::TargetRadius>, 1, 1, WrongCount::kIgnored},
@@ -246,6 +254,7 @@ constexpr Binding kAgentPropertiesBindings[] = {
     {"SetPath", SetPath, 2, 3, WrongCount::kError},
     {"SetPosition", SetVector<&Agent::SetPosition>, 2, 2, WrongCount::kError},
     {"SetRadius", SetNumber<&Agent::SetRadius>, 2, 2, WrongCount::kError},
+    {"SetScore", SetNumber<&Agent::SetScore>, 2, 2, WrongCount::kError},
     {"SetSpeed", SetSpeed, 2, 2, WrongCount::kError},
     {"SetTarget", SetVector<&Agent::SetTarget>, 2, 2, WrongCount::kError},
     {"SetTargetRadius", SetNumber<&Agent::SetTargetRadius>, 2, 2, WrongCount::kError},

@@ -67,10 +67,17 @@ int AddCollisionCallback(lua_State* state) {
   return 0;
 }
 
+int End(lua_State* state) {
+  const std::string_view end = TextArgument(state, 2);
+  if (SandboxArgument(state, 1)) ContextOf(state).reporter.EndReached(end);
+  return 0;
+}
+
 constexpr Binding kSandboxEventsBindings[] = {
     {"AddCollisionCallback", AddCollisionCallback, 3, 3, WrongCount::kIgnored},
     {"AddEvent", AddEvent, 3, 3, WrongCount::kError},
     {"AddEventCallback", AddEventCallback, 3, 3, WrongCount::kError},
+    {"End", End, 2, 2, WrongCount::kError},
 };
 
 }  // namespace

@@ -51,6 +51,10 @@ int SetCameraOrientation(lua_State* state) {
   if (SandboxArgument(state, 1)) WarnUnless(state, WorldOf(state).camera().SetRotationVector(degrees));
   return 0;
 }
+int SetCameraFixed(lua_State* state) {
+  if (SandboxArgument(state, 1)) WorldOf(state).camera().SetFixed(lua_toboolean(state, 2) != 0);
+  return 0;
+}
 /// The camera ends up looking along -direction, as in the sandbox.
 int SetCameraForward(lua_State* state) {
   const Vec3 direction = CheckVector(state, 2);
@@ -184,6 +188,7 @@ constexpr Binding kSandboxViewBindings[] = {
     {"GetTimeInSeconds", GetTimeInSeconds, 1, 1, WrongCount::kIgnored},
     {"GetTotalSimulationTime", GetTotalSimulationTime, 1, 1, WrongCount::kError},
     {"SetAmbientLight", SetAmbientLight, 2, 2, WrongCount::kIgnored},
+    {"SetCameraFixed", SetCameraFixed, 2, 2, WrongCount::kError},
     {"SetCameraForward", SetCameraForward, 2, 2, WrongCount::kIgnored},
     {"SetCameraOrientation", SetCameraOrientation, 2, 2, WrongCount::kIgnored},
     {"SetCameraPosition", SetCameraPosition, 2, 2, WrongCount::kIgnored},

@@ -12,7 +12,8 @@ namespace {
 /// What a sandbox calls in its scripts.
 constexpr std::string_view kCalled[] = {"Agent_Initialize", "Agent_Update",        "Agent_HandleEvent",
                                         "Agent_Cleanup",    "Agent_Sense",         "Sandbox_Initialize",
-                                        "Sandbox_Update",   "Sandbox_HandleEvent", "Sandbox_Cleanup"};
+                                        "Sandbox_Update",   "Sandbox_HandleEvent", "Sandbox_Cleanup",
+                                        "Sandbox_Sense",    "Sandbox_Command"};
 
 bool IsNamePart(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';

@@ -34,7 +34,8 @@ TEST_P(LibraryTest, Passes) {
 
 INSTANTIATE_TEST_SUITE_P(Lua, LibraryTest,
                          testing::Values("AgentUtilitiesTest", "AnimationStatesTest", "CommunicationsTest",
-                                         "DecisionsTest", "KnowledgeTest", "SandboxUtilitiesTest", "SoldierTest"),
+                                         "DecisionsTest", "EatersRulesTest", "KnowledgeTest", "SandboxUtilitiesTest",
+                                         "SimpleEatersRulesTest", "SoldierTest", "TankSoarRulesTest"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -206,6 +206,42 @@ std::optional<Table> ScriptHost::SenseAgent(EntityId agent) {
   return sensed;
 }
 
+std::optional<PerceptGraph> ScriptHost::SenseBySandbox(EntityId agent) {
+  if (!sandbox_) return std::nullopt;
+  std::optional<PerceptGraph> sensed;
+  const auto error = sandbox_->Protected([&](lua_State* state) {
+    lua_getglobal(state, "Sandbox_Sense");
+    if (!lua_isfunction(state, -1)) return;
+    PushSandbox(state);
+    PushAgent(state, agent);
+    lua_call(state, 2, 1);
+    if (lua_istable(state, -1)) sensed = CopyGraph(state, lua_gettop(state));
+  });
+  NoteResult(EntityId::kSandbox, "Sandbox_Sense", error);
+  return error ? std::nullopt : std::move(sensed);
+}
+
+std::string ScriptHost::CommandBySandbox(EntityId agent, std::string_view command, const Table& parameters) {
+  constexpr const char* kFailed = "script-failed";
+  if (!sandbox_) return kFailed;
+  std::string reason;
+  const auto error = sandbox_->Protected([&](lua_State* state) {
+    lua_getglobal(state, "Sandbox_Command");
+    if (!lua_isfunction(state, -1)) {
+      reason = "unknown-command";
+      return;
+    }
+    PushSandbox(state);
+    PushAgent(state, agent);
+    lua_pushlstring(state, command.data(), command.size());
+    PushTable(state, parameters);
+    lua_call(state, 4, 1);
+    if (lua_type(state, -1) == LUA_TSTRING) reason = lua_tostring(state, -1);
+  });
+  NoteResult(EntityId::kSandbox, "Sandbox_Command", error);
+  return error ? kFailed : reason;
+}
+
 void ScriptHost::HandleCollisions() {
   context_.collisions.Deliver(
       world_.Collisions(), [this](EntityId id) { return world_.FindAgent(id) != nullptr; },

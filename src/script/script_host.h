@@ -12,6 +12,7 @@
 
 #include "script/input_event.h"
 #include "script/mind_factory.h"
+#include "script/percept_graph.h"
 #include "script/script_context.h"
 #include "script/script_path.h"
 #include "script/script_reporter.h"
@@ -76,6 +77,12 @@ class ScriptHost final : private AgentMaker {
   void Foresee(std::span<const world::EntityId> order, std::size_t next) const;
   /// What Agent_Sense(agent) returns; nothing if there is no such function, it fails or it returns no table.
   std::optional<Table> SenseAgent(world::EntityId agent);
+  /// What Sandbox_Sense(sandbox, agent) returns, for agents whose bodies are the sandbox's matter. Nothing if there is
+  /// no such function, it fails or it returns no table: the agent's mind has no turn then.
+  std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
+  /// Sandbox_Command(sandbox, agent, command, parameters). Empty if the command was carried out; otherwise why it was
+  /// not: the word that the function returned, or "script-failed".
+  std::string CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
   void HandleCollisions();
   /// Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();

@@ -25,6 +25,8 @@ class ScriptListener {
   virtual void OnErrorCount(const ErrorCount& count) = 0;
   /// Something a script did had no effect. Distinct messages only.
   virtual void OnScriptWarning(const Diagnostic& warning) = 0;
+  /// A script says that the run has come to an end (Sandbox.End), and which. Scripts go on.
+  virtual void OnEndReached(std::string_view /*end*/) {}
 };
 
 /// Passes errors and warnings on, each distinct message once, and texts as far as the world's budget for them goes.
@@ -36,6 +38,7 @@ class ScriptReporter final : public PrintSink {
   void FailedForGood(world::EntityId agent, const ScriptError& error) {
     if (!budget_.end()) listener_.OnScriptFailed(agent, error);
   }
+  void EndReached(std::string_view end) { listener_.OnEndReached(end); }
   /// `subject`: what it is about, if not each of its messages is to be told, but one for each place in a script.
   void Warn(const Diagnostic& warning, std::string_view subject = {});
 

@@ -46,7 +46,7 @@ constexpr std::string_view kOthers[] = {
     "position.x",     "position.y", "position.z", "position.1",
     "position.2",     "position.3", "heading",    "senses.only",
     "material",       "looks",      "armed",      "weapon.magazine",
-    "weapon.reserve",
+    "weapon.reserve", "by",
 };
 
 Diagnostic Bad(std::string message, std::string hint = {}) {
@@ -174,6 +174,12 @@ std::optional<Diagnostic> SetOption(const std::string& name, const Value& value,
     if (text == nullptr) return WrongType(name, "a name");
     if (name == "team") read.team = *text;
     if (name == "leader") read.leader = *text;
+    return std::nullopt;
+  }
+  if (name == "by") {
+    if (text == nullptr || *text != "sandbox")
+      return WrongType(name, "\"sandbox\": the script of the world gives it percepts and carries out its commands");
+    read.by_sandbox = true;
     return std::nullopt;
   }
   if (name == "position") return WrongType(name, "two numbers: [x, z]");

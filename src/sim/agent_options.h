@@ -26,6 +26,7 @@ struct AgentOptions {
   std::optional<world::Vec3> position;
   std::optional<float> heading_deg;
   std::optional<double> rounds;
+  bool by_sandbox = false;  ///< Its body, percepts and commands are the matter of the sandbox's script.
 };
 
 /// What is wrong with one option, by its dotted name.

@@ -116,7 +116,10 @@ class Checker {
 
   explain::KnownWords WordsFor(const fs::path& file, bool complete) {
     const explain::Surroundings& around = Around(file.parent_path());
-    return {around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()), around.has_database, complete};
+    explain::KnownWords words{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
+                              around.has_database, complete};
+    words.own_world = games_.contains(file.parent_path());
+    return words;
   }
 
  private:
@@ -201,6 +204,8 @@ class Checker {
         for (const Waypoint& waypoint : read.waypoints) at->second.waypoints.insert(waypoint.name);
         for (const Region& region : read.regions) at->second.regions.insert(region.name);
         at->second.is_known = true;
+        if (std::ranges::any_of(read.agents, [](const auto& agent) { return agent.options.contains("by"); }))
+          games_.insert(folder);
         has_faulty |= !ignored.empty();
       }
       if (has_script || has_faulty) at->second = {};
@@ -245,6 +250,7 @@ class Checker {
   int count_ = 0;
   std::map<fs::path, explain::Surroundings> around_;
   std::map<fs::path, explain::KnownPlaces> places_;
+  std::set<fs::path> games_;  ///< Folders of rules for agents that a world's script serves.
 };
 
 }  // namespace

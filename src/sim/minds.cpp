@@ -119,6 +119,7 @@ Minds::Minds(world::World& world, const Scenario& scenario, SoarHost& host, Aren
 
 Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const AgentKind& kind,
                                                const std::string& named) {
+  if (const std::filesystem::path* other = scenario_.ReplacementFor(agent)) return *other;
   const bool is_own = named.empty();
   const std::string wanted = is_own ? std::string(kind.rules) : named;
   if (wanted.empty()) {
@@ -190,25 +191,28 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   }
   Result<AgentOptions> options = ReadAgentOptions(request.options, body_kinds_);
   if (!options) return options.error();
-  const bool is_scripted = !request.script.empty();
-  if (!is_scripted || options->has_senses) arena_.Add(agent, options->body, is_scripted);
+  const bool by_sandbox = options->by_sandbox;
+  if (by_sandbox && !request.script.empty())
+    return NewProblem(body.name() + " has a script, and by = \"sandbox\"", "leave one of the two out");
+  const bool is_scripted = by_sandbox || !request.script.empty();
+  if (!is_scripted || (options->has_senses && !by_sandbox)) arena_.Add(agent, options->body, is_scripted);
   if (const Result<void> made = MakeBody(body, *options); !made) return made;
-  if (!is_scripted) {
-    body.SetTarget({0, 0, 10});
-    if (request.rules.empty()) return {};
-  }
+  if (by_sandbox) body.RemovePhysics();
+  if (!is_scripted) body.SetTarget({0, 0, 10});
+  const bool is_replaced = scenario_.ReplacementFor(body.name()) != nullptr;
+  if ((!is_scripted || by_sandbox) && request.rules.empty() && !is_replaced) return {};
 
   Result<std::filesystem::path> rules = FindRules(body.name(), *kind, request.rules);
   if (!rules) return rules.error();
   MindSettings settings;
-  settings.has_distance = is_scripted || options->body.senses.only.contains("distance");
-  settings.blinks = is_scripted && kind->blinks;
-  settings.waits = kind->waits;
+  settings.has_distance = (is_scripted && !by_sandbox) || options->body.senses.only.contains("distance");
+  settings.blinks = is_scripted && !by_sandbox && kind->blinks;
+  settings.waits = kind->waits && !by_sandbox;
   settings.detail = detail_;
   Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings, is_scripted);
   if (!loaded) return loaded.error();
-  minds_.push_back(
-      {agent, settings, kind->follows_leader, is_scripted, *rules, SoarMind(*loaded->agent, settings), loaded->thread});
+  minds_.push_back({agent, settings, kind->follows_leader, is_scripted, by_sandbox, *rules,
+                    SoarMind(*loaded->agent, settings), loaded->thread});
   minds_.back().memory_bytes = minds_.back().soar.MemoryBytes();
   memory_bytes_ += minds_.back().memory_bytes;
   // An agent that another one makes while it is made itself has its mind first.
@@ -336,11 +340,25 @@ void Minds::PerceiveWorld(Mind& mind) {
   mind.soar.Perceive(*actor, IsSenseTick(*actor));
 }
 
+bool Minds::PerceiveGraph(Mind& mind) {
+  const world::EntityId agent = mind.agent;
+  const std::size_t count = minds_.size();
+  const std::optional<script::PerceptGraph> graph = sense_sandbox_ ? sense_sandbox_(agent) : std::nullopt;
+  if (!graph || minds_.size() != count) return false;  // It made agents: this one decides when it is asked again.
+  for (const script::PerceptGraph::Node& node : graph->nodes) {
+    for (const auto& constant : node.constants) script_rows_.insert(constant.attribute);
+    for (const auto& link : node.links) script_rows_.insert(link.attribute);
+  }
+  mind.soar.ShowGraph(*graph);
+  return true;
+}
+
 bool Minds::Prepare(Mind& mind) {
   const world::Agent& body = *world_.FindAgent(mind.agent);
   const bool is_actor_dead = !mind.is_scripted && body.Health() <= 0;
   mind.decided = false;
   if (body.Failed() || mind.lost || is_actor_dead || !host_.IsConnected()) return false;
+  if (mind.by_sandbox) return !mind.soar.Halted() && PerceiveGraph(mind);
   if (!PerceiveDistance(mind, body)) return false;
   if (mind.is_scripted) PerceiveWorld(mind);
   if (mind.is_scripted && sense_script_) {

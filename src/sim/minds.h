@@ -14,6 +14,7 @@
 #include "explain/rule_surroundings.h"
 #include "explain/why_node.h"
 #include "script/mind_factory.h"
+#include "script/percept_graph.h"
 #include "script/script_table.h"
 #include "script/world_budget.h"
 #include "sim/agent_options.h"
@@ -35,10 +36,13 @@ class Minds final : public script::MindFactory {
   using Report = std::function<void(RunEvent)>;
   /// What the script of an agent perceives; nothing if it has none.
   using SenseScript = std::function<std::optional<script::Table>(world::EntityId)>;
+  /// What the sandbox's script says that an agent perceives; nothing if it has no turn.
+  using SenseSandbox = std::function<std::optional<script::PerceptGraph>(world::EntityId)>;
 
   Minds(world::World& world, const Scenario& scenario, SoarHost& host, Arena& arena, Report report);
 
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
+  void SetSenseSandbox(SenseSandbox sense) { sense_sandbox_ = std::move(sense); }
   /// How much is noted of what minds do that are made from now on.
   void SetDetail(MindDetail detail) { detail_ = detail; }
   /// What the world may take; when it is more, the mind with most is halted.
@@ -94,6 +98,7 @@ class Minds final : public script::MindFactory {
     MindSettings settings;
     bool follows_leader = false;  ///< Perceives its leader, else its target.
     bool is_scripted = true;      ///< A script carries out its commands.
+    bool by_sandbox = false;      ///< The sandbox's own: it decides in the ticks in which that script says so.
     std::filesystem::path rules;
     SoarMind soar;
     std::size_t thread = 0;  ///< On which it decides.
@@ -127,6 +132,8 @@ class Minds final : public script::MindFactory {
   std::size_t size() const { return minds_.size(); }
 
  private:
+  /// Lets a mind perceive what the sandbox's script says; false if it has no turn in this tick.
+  bool PerceiveGraph(Mind& mind);
   Result<std::filesystem::path> FindRules(const std::string& agent, const AgentKind& kind, const std::string& named);
   Result<void> MakeBody(world::Agent& body, const AgentOptions& options);
   Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
@@ -175,6 +182,7 @@ class Minds final : public script::MindFactory {
   Arena& arena_;
   Report report_;
   SenseScript sense_script_;
+  SenseSandbox sense_sandbox_;
   MindDetail detail_ = MindDetail::kNone;
   std::vector<BodyKind> body_kinds_;
   std::vector<Mind> minds_;                 ///< In creation order, thus in ascending agent id.

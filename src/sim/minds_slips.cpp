@@ -69,6 +69,7 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   known.attributes = KnownAttributes();
   known.complete = !only.empty() || !failed_.contains(mind.rules);
   known.places.is_known = !mind.is_scripted;
+  known.own_world = mind.by_sandbox;
   for (const Waypoint& waypoint : arena_.places().waypoints) known.places.waypoints.insert(waypoint.name);
   for (const Region& region : arena_.places().regions) known.places.regions.insert(region.name);
   std::vector<std::filesystem::path> folders;

@@ -71,6 +71,16 @@ Diagnostic NotFound(std::string_view argument, const DataFolders& data) {
 
 }  // namespace
 
+const fs::path* Scenario::ReplacementFor(std::string_view agent) const {
+  constexpr std::string_view kFirst = "-1";
+  for (const auto& [name, file] : replaced_rules)
+    if (name == agent) return &file;
+  if (!agent.ends_with(kFirst)) return nullptr;
+  for (const auto& [name, file] : replaced_rules)
+    if (name == agent.substr(0, agent.size() - kFirst.size())) return &file;
+  return nullptr;
+}
+
 fs::path Scenario::Original(const fs::path& file) const {
   for (const auto& [stand_in, original] : stand_ins) {
     const auto [at, rest] = std::mismatch(stand_in.begin(), stand_in.end(), file.begin(), file.end());
@@ -197,6 +207,14 @@ std::string HintForFolder(const fs::path& folder) {
   return "name the folder of a scenario or its file; --path adds folders for scripts and rules";
 }
 
+/// The script that a scenario file names for its world; empty if it names none, or is faulty: that is told when it is
+/// read.
+fs::path ScriptNamedIn(const fs::path& definition) {
+  if (definition.empty()) return {};
+  const Result<ScenarioFile> read = ReadScenarioFile(definition);
+  return read ? fs::path(read->script) : fs::path();
+}
+
 }  // namespace
 
 Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data, const std::vector<fs::path>& extra) {
@@ -246,12 +264,19 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
     scenario.definition = data.media / kRulesWorld;
     scenario.script = data.media / kPlainWorld;
   }
+  const fs::path named_script = ScriptNamedIn(scenario.definition);
   // What a scenario does not have itself comes from the Lua library, and agents and rules from the thesis' world.
   scenario.script_folders.push_back(data.media / "scripts");
   const fs::path fallback = data.scenarios / "thesis";
   if (!fs::equivalent(own, fallback, error)) {
     scenario.script_folders.push_back(fallback);
     scenario.fallback_rule_folders.push_back(fallback);
+  }
+  if (!named_script.empty()) {
+    scenario.script = FindInFolders(named_script.string(), scenario.script_folders);
+    if (scenario.script.empty())
+      return ProblemIn(main.string(), "there is no script '" + named_script.string() + "'",
+                       "'script' names a Lua file in the scenario's folder, or one of the Lua library");
   }
   return scenario;
 }

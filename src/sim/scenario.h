@@ -28,11 +28,16 @@ struct Scenario {
   /// Where the thesis' own rules are, for its kinds of agents where nobody names rules.
   std::vector<std::filesystem::path> fallback_rule_folders;
   std::filesystem::path definition;  ///< A scenario file (TOML) that fills the world besides; empty: none.
-  std::filesystem::path rules;       ///< Rules that take the place of "RULES" in the definition; empty: none.
+  /// Rules that take the place of those that agents would have (--rules): agent's name, file.
+  std::vector<std::pair<std::string, std::filesystem::path>> replaced_rules;
+  std::filesystem::path rules;  ///< Rules that take the place of "RULES" in the definition; empty: none.
   /// Folders that stand in for others, with those: a recorded run is made again from copies of its files.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> stand_ins;
   std::shared_ptr<const void> keeps;  ///< What must live as long as this does: such copies.
 
+  /// The rules that take the place of an agent's own; null if none do. "eater" means the first of several, "eater-1",
+  /// too.
+  const std::filesystem::path* ReplacementFor(std::string_view agent) const;
   /// Where a file of the scenario belongs; itself if it lies in no folder that stands in for another.
   std::filesystem::path Original(const std::filesystem::path& file) const;
 };

@@ -65,7 +65,8 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
   world::AgentDef def;
   def.name = name;
   def.kind = "soar";
-  def.script = request.rules;
+  const std::filesystem::path* other_rules = build.scenario.ReplacementFor(name);
+  def.script = other_rules != nullptr ? other_rules->filename().string() : request.rules;
   const world::EntityId id = build.world.CreateAgent(def);
   Diagnostic problem;
   problem.file = build.scenario.definition.string();

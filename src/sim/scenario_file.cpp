@@ -474,9 +474,10 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
   Reader reader(file.string(), problems);
   reader.CheckKeys(root, "a scenario",
                    // src/mission and src/dis read the last three.
-                   {"description", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body", "agent", "end",
-                    "goal", "mission", "check", "dis"});
+                   {"description", "script", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body",
+                    "agent", "end", "goal", "mission", "check", "dis"});
   read.description = reader.Text(root, "description");
+  read.script = reader.Text(root, "script");
   if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
   read.seconds = reader.Number(root, "seconds", 0, 1e6);
   ReadPlaces(reader, root, read);

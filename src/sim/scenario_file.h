@@ -46,6 +46,7 @@ struct ScenarioFile {
 
   std::filesystem::path file;
   std::string description;
+  std::string script;  ///< A Lua file that makes the world; empty: none.
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   std::vector<Waypoint> waypoints;

@@ -15,6 +15,7 @@
 #include "sim/input_door.h"
 #include "sim/minds.h"
 #include "sim/overlays.h"
+#include "sim/replaced_rules.h"
 #include "sim/scenario_build.h"
 #include "sim/scenario_file.h"
 #include "sim/sourced_files.h"
@@ -50,6 +51,7 @@ struct Simulation::Impl final : script::ScriptListener {
   void OnScriptTrouble(const script::ScriptTrouble& trouble) override;
   void OnErrorCount(const script::ErrorCount& count) override;
   void OnScriptWarning(const Diagnostic& warning) override;
+  void OnEndReached(std::string_view end) override;
 
   static world::WorldSettings WorldSettingsOf(const SimulationSettings& settings) {
     world::WorldSettings result;
@@ -90,6 +92,7 @@ struct Simulation::Impl final : script::ScriptListener {
   std::unique_ptr<script::ScriptHost> scripts;
   std::unique_ptr<ScenarioEnd> end;  ///< Null without a scenario file.
   bool end_of_scripts_told = false;
+  bool ended_by_script = false;
   InputDoor door;
   std::vector<std::pair<CommandInput, Result<std::string>>> answered;  ///< Between the last tick and the next.
   std::optional<std::uint64_t> flood_told_at;                          ///< Tick.
@@ -165,6 +168,12 @@ std::string Simulation::Impl::NamesOf(const std::vector<world::EntityId>& agents
 
 void Simulation::Impl::OnScriptWarning(const Diagnostic& warning) {
   ReportDiagnostic(warning);
+}
+
+void Simulation::Impl::OnEndReached(std::string_view end) {
+  if (ended_by_script || finished) return;
+  ended_by_script = true;
+  ReportEnd(std::string(end));
 }
 
 void Simulation::Impl::Report(RunEvent event) {
@@ -266,7 +275,7 @@ void Simulation::Impl::ReportWarningsOfWorld() {
 
 void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body,
                                      const vocabulary::SaidCommand& command) {
-  if (mind.is_scripted && command.name == mind.last_command && !settings.every_command) return;
+  if (mind.is_scripted && !mind.by_sandbox && command.name == mind.last_command && !settings.every_command) return;
   mind.last_command = command.name;
   RunEvent event;
   event.kind = EventKind::kCommand;
@@ -295,12 +304,13 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
       minds->NoteAnswer(*mind, std::move(outcome));
       continue;
     }
-    const bool succeeded = scripts->UpdateAgent(id, command.name, ToTable(command.parameters));
-    mind = minds->Find(id);
-    if (!succeeded) {
-      outcome.status = Outcome::Status::kError;
+    if (mind->by_sandbox) {
+      outcome.reason = scripts->CommandBySandbox(id, command.name, ToTable(command.parameters));
+    } else if (!scripts->UpdateAgent(id, command.name, ToTable(command.parameters))) {
       outcome.reason = "script-failed";
     }
+    mind = minds->Find(id);
+    if (!outcome.reason.empty()) outcome.status = Outcome::Status::kError;
     minds->NoteAnswer(*mind, std::move(outcome));
   }
 }
@@ -355,6 +365,8 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   scripts.world_limits = settings.limits;
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
   impl->minds->SetSenseScript([self = impl.get()](world::EntityId agent) { return self->scripts->SenseAgent(agent); });
+  impl->minds->SetSenseSandbox(
+      [self = impl.get()](world::EntityId agent) { return self->scripts->SenseBySandbox(agent); });
   if (!impl->scripts->LoadSandbox(scenario.script.filename().string())) {
     for (const RunEvent& event : impl->events) {
       if (event.kind == EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError)
@@ -368,6 +380,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
     if (const Result<void> built = BuildScenario(*definition, build); !built) return built.error();
     impl->end = std::make_unique<ScenarioEnd>(*definition, impl->world, *impl->arena);
   }
+  if (const Result<void> known = CheckReplacements(scenario, impl->world); !known) return known.error();
   impl->ReportNewAgents();
   impl->scripts->TellTroubles();
   impl->ReportWarningsOfWorld();
@@ -421,7 +434,7 @@ void Simulation::Tick() {
 }
 
 bool Simulation::HasEnded() const {
-  return impl_->scripts->End() || (impl_->end != nullptr && impl_->end->IsOver());
+  return impl_->scripts->End() || impl_->ended_by_script || (impl_->end != nullptr && impl_->end->IsOver());
 }
 
 int Simulation::ExitCode() const {

@@ -100,6 +100,7 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
       messages_(agent),
       surroundings_(agent),
       rows_(agent),
+      graph_(agent),
       writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
   // ReadOutput tells by their time tags what is new. A kernel in another process would have to report each decision.
@@ -115,6 +116,7 @@ void SoarMind::SetDetail(MindDetail detail) {
   log_.Listen(*agent_, detail);
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
     mirror->SetLog(is_logged_ ? &log_.events() : nullptr);
+  graph_.SetLog(is_logged_ ? &log_.events() : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/actor.h"
+#include "sim/graph_mirror.h"
 #include "sim/input_mirror.h"
 #include "sim/mind_log.h"
 #include "vocabulary/command_check.h"
@@ -49,6 +50,8 @@ class SoarMind {
   void SetDistance(float distance_squared_m2);
   /// What the senses of its body tell; of its surroundings too, if they are read now.
   void Perceive(const Actor& body, bool surroundings);
+  /// All that a sandbox's script says that it perceives.
+  void ShowGraph(const script::PerceptGraph& percepts) { graph_.Show(percepts); }
   void ShowRows(const vocabulary::PerceptList& percepts) { rows_.Show(percepts); }
 
   /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). What is new on the output
@@ -118,6 +121,7 @@ class SoarMind {
   sml::Agent* agent_;
   sml::FloatElement* distance_ = nullptr;
   InputMirror own_body_, messages_, surroundings_, rows_;
+  GraphMirror graph_;
   std::uint32_t heard_ = 0;  ///< The number of the last message that it was told.
   std::string answer_;       ///< The kernel's to the last run.
   std::uint64_t fired_ = 0;

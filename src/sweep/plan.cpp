@@ -13,6 +13,7 @@
 #include "diagnostics/read_text.h"
 #include "mission/cast.h"
 #include "record/header.h"
+#include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::sweep {
@@ -267,7 +268,8 @@ fs::path ScenarioFileIn(const fs::path& place, const Variant& variant, const Spe
 
 }  // namespace
 
-Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data, Sources sources) {
+Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataFolders& data, Sources sources,
+                      const std::vector<std::string>& rules) {
   if (const Result<void> plain = RefuseLinks(folder); !plain) return plain.error();
   Plan plan;
   for (const Variant& variant : spec.variants) {
@@ -278,6 +280,7 @@ Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataF
     ready.argument = ScenarioFileIn(*place, variant, spec).string();
     Result<sim::Scenario> scenario = sim::FindScenario(ready.argument, data);
     if (!scenario) return scenario.error();
+    if (const Result<void> replaced = sim::ReplaceRules(*scenario, rules); !replaced) return replaced.error();
     ready.loaded.scenario = std::move(*scenario);
     ready.loaded.mission = spec.mission;
     ready.loaded.mission.name = variant.name;
@@ -301,6 +304,10 @@ Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataF
     digest.Add(variant.kernel);
     digest.Add(std::to_string(ready.loaded.seconds));
     digest.Add(spec.judgement);
+    for (const auto& [agent, file] : ready.loaded.scenario.replaced_rules) {
+      digest.Add(agent);
+      digest.Add(ReadText(file).value_or(""));
+    }
     AddFolder(*place, fs::path(ready.argument).filename(), digest);
     ready.digest = digest.Text();
     plan.variants.push_back(std::move(ready));

@@ -66,9 +66,10 @@ enum class Sources : std::uint8_t {
   kCompare,
   kTrust,  ///< What lies in the folder counts: for tasks of a sweep that has begun, and for reports.
 };
-/// Writes the files of each variant below the folder, unless they are there, and finds their scenarios.
+/// Writes the files of each variant below the folder, unless they are there, and finds their scenarios. `rules`:
+/// "NAME=FILE", rules that take the place of agents' own in all variants (sim::ReplaceRules).
 Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, const sim::DataFolders& data,
-                      Sources sources);
+                      Sources sources, const std::vector<std::string>& rules = {});
 
 /// A folder belongs to one sweep and one build: notes them there, or says how they differ from what it holds. Variants
 /// may be added. `mix`: rows of another build count, too.

@@ -123,6 +123,7 @@ class Collector {
       item.stands_out = stands_out;
       item.rank = stands_out ? -1 : distance + (agent.alive ? 0.0f : 1000.0f);
       item.title = LabelName(agent);
+      if (agent.has_score) item.title += "  " + ScoreText(agent.score);
       item.text = StateOf(agent, OverlayOf(scene_.overlays, agent.id));
       item.alpha = stands_out ? 1 : std::clamp((gone_m - distance) / (gone_m - fade_m), 0.25f, 1.0f);
       if (!agent.alive) item.alpha *= 0.6f;
@@ -462,6 +463,12 @@ std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSn
 }
 
 }  // namespace
+
+std::string ScoreText(float score) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", static_cast<double>(score));
+  return text;
+}
 
 std::string LabelName(const world::AgentSnapshot& agent) {
   return agent.name.empty() ? "agent " + std::to_string(agent.id) : Shortened(agent.name, 40);

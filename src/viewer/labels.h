@@ -68,6 +68,7 @@ class AgentLabels {
 const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std::uint32_t agent_id);
 
 /// Its name, of a length that labels can show.
+std::string ScoreText(float score);
 std::string LabelName(const world::AgentSnapshot& agent);
 
 }  // namespace soarbox::viewer

@@ -177,9 +177,10 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
                                     return !drawable.belongs_to_agent && drawable.shape == world::ShapeKind::kMesh &&
                                            drawable.mesh.value().find("/modular_") != std::string::npos;
                                   });
-    if (newest.camera_moves == 0 || has_walls || !SeesAgentsWell()) Frame({}, true);
+    const bool is_chosen = newest.camera_moves > 0 && newest.camera_is_fixed;
+    if (!is_chosen && (newest.camera_moves == 0 || has_walls || !SeesAgentsWell())) Frame({}, true);
     camera.Arrive();
-    camera.BeginKeeping();
+    if (!is_chosen) camera.BeginKeeping();
   }
 }
 

@@ -197,6 +197,12 @@ bool Agent::SetHealth(float health) {
   return true;
 }
 
+bool Agent::SetScore(float score) {
+  if (!std::isfinite(score)) return false;
+  score_ = score;
+  return true;
+}
+
 bool Agent::SetTarget(Vec3 target) {
   if (!IsFinite(target)) return false;
   target_ = target;

@@ -96,6 +96,9 @@ class Agent {
   float Health() const { return health_; }
   /// Not clamped; health <= 0 makes others stop avoiding the agent, nothing else.
   bool SetHealth(float health);
+  /// In a game, if it takes part in one. Nothing in the world depends on it.
+  std::optional<float> Score() const { return score_; }
+  bool SetScore(float score);
   const std::string& Team() const { return team_; }
   void SetTeam(std::string_view team) {
     if (SetLabel(team, team_)) PropertyChanged();
@@ -192,6 +195,7 @@ class Agent {
   std::string name_, kind_, script_;
   RandomStream random_;
   float height_m_, mass_kg_, max_force_n_, max_speed_mps_, health_, target_radius_m_;
+  std::optional<float> score_;
   Vec3 target_;
   std::string team_ = "team1";
   EntityId leader_ = kNoEntity;

@@ -24,6 +24,10 @@ class Camera {
   /// Sandbox.SetCameraForward: takes camera-space +z to direction, so that the camera looks along -direction (quirk 3).
   bool SetBackward(Vec3 direction);
 
+  /// Whether the viewer is to stay with it, rather than to go after agents.
+  void SetFixed(bool fixed) { is_fixed_ = fixed; }
+  bool is_fixed() const { return is_fixed_; }
+
   /// The viewer reports where its free look has moved the camera; not an order.
   void FollowViewer(Vec3 position, Quat orientation);
 
@@ -34,6 +38,7 @@ class Camera {
  private:
   CameraSnapshot state_{{0, 1, 0}, {}, 45};
   std::uint32_t moves_ = 0;
+  bool is_fixed_ = false;
 };
 
 }  // namespace soarbox::world

@@ -22,7 +22,8 @@ constexpr const char* kMaterials[] = {
     "Soarbox/Medkit", "Soarbox/Ammunition", "Soarbox/Sack", "Soarbox/Sheep", "Soarbox/Bear", "Soarbox/Hare",
     "Soarbox/Wolf", "Soarbox/Villager", "Soarbox/Robot", "Soarbox/Cart", "Soarbox/Bee", "Soarbox/Bell", "Soarbox/Gold",
     "Soarbox/Silver", "Soarbox/Bronze", "Soarbox/RedFlower", "Soarbox/BlueFlower", "Soarbox/WhiteFlower",
-    "Soarbox/Hedge", "Soarbox/Cook"};
+    "Soarbox/Hedge", "Soarbox/Cook", "Soarbox/Yellow", "Soarbox/Purple", "Soarbox/Orange", "Soarbox/Black",
+    "Soarbox/BoardLight", "Soarbox/BoardDark"};
 constexpr const char* kSkies[] = {"ThickCloudsWaterSkyBox"};
 constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 

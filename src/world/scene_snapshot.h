@@ -113,7 +113,9 @@ struct AgentSnapshot {
   std::string team;
   std::string last_command;  ///< What its mind last said; empty for agents without one.
   bool failed = false;       ///< Its script stopped on an error.
-  std::uint32_t texts = 0;   ///< Changes with its texts, in one world; for whoever fills a snapshot again.
+  bool has_score = false;
+  float score = 0;          ///< In a game, if it has one.
+  std::uint32_t texts = 0;  ///< Changes with its texts, in one world; for whoever fills a snapshot again.
 };
 
 enum class UiFont : std::uint8_t { kSmall, kSmallMono, kMedium, kMediumMono, kLarge, kLargeMono };
@@ -167,6 +169,7 @@ struct SceneSnapshot {
   Vec3 sky_rotation_deg;
   CameraSnapshot camera;           ///< Where the scripts want it; `camera_moves` counts their orders.
   std::uint32_t camera_moves = 0;  ///< The viewer takes the camera over when this number changes.
+  bool camera_is_fixed = false;    ///< It shows what there is to see; the viewer need not look for agents.
 
   /// Which world filled this, and which versions of what seldom changes, so that the same world, when it fills this or
   /// a copy of it again, need not copy what is the same. No part of the picture.

@@ -67,6 +67,7 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   if (impl_->influence) impl_->influence->FillSnapshot(snapshot);
   snapshot.camera = impl_->camera.state();
   snapshot.camera_moves = impl_->camera.moves();
+  snapshot.camera_is_fixed = impl_->camera.is_fixed();
 
   Refill<AgentSnapshot> agents(snapshot.agents, impl_->agents.size());
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
@@ -89,6 +90,8 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
     seen.health = agent.Health();
     seen.alive = agent.Health() > 0;
     seen.failed = agent.Failed();
+    seen.has_score = agent.Score().has_value();
+    seen.score = agent.Score().value_or(0);
   }
 }
 

@@ -1,0 +1,127 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- The world of Eaters: the board and the eaters of EatersRules.lua, to be seen. A scenario names this script, or one of
+-- its own that sets Eaters.Settings first:
+--     require "Eaters";
+--     Eaters.Settings = { map = { "#.*#", "1..2" } };
+require "EaterBody";
+require "EatersRules";
+require "GridGame";
+
+Eaters = { Settings = {} };
+
+local game, grid;
+local food = {};      -- Node by place.
+local players = {};   -- By agent id.
+
+local function PlaceName(x, y)
+    return x .. "," .. y;
+end
+
+-- The board -----------------------------------------------------------------------------------------------------------
+
+local function ShowCell(x, y)
+    local content = game:ContentAt(x, y);
+    if (content == "wall") then
+        grid:PutBox(x, y, Vector.new(1.5, 1, 1.5), "Soarbox/Hedge");
+    elseif (content == "normalfood") then
+        food[PlaceName(x, y)] = grid:PutBall(x, y, 0.24, "BlueGlow", 0.45);
+    elseif (content == "bonusfood") then
+        local node = grid:PutBox(x, y, Vector.new(0.46, 0.46, 0.46), "RedGlow", 0.25);
+        food[PlaceName(x, y)] = node;
+    end
+end
+
+local function HideEatenFood()
+    for y = 1, game.height do
+        for x = 1, game.width do
+            local node = food[PlaceName(x, y)];
+            if (node and game:ContentAt(x, y) == "empty") then
+                Core.SetVisible(node, false);
+                food[PlaceName(x, y)] = nil;
+            end
+        end
+    end
+end
+
+-- Eaters --------------------------------------------------------------------------------------------------------------
+
+-- The agents that the scenario made join in their order.
+local function Begin(sandbox)
+    if (next(players)) then
+        return;
+    end
+    for i, agent in ipairs(Sandbox.GetAgents(sandbox)) do
+        local color = GridGame.Colors[(i - 1) % #GridGame.Colors + 1];
+        local eater = game:Join(color);
+        players[agent:GetId()] = eater;
+        agent:SetTeam(color);
+        agent:SetScore(0);
+        EaterBody_Dress(agent, GridGame.Materials[color]);
+        grid:AddBody(agent, eater);
+    end
+    HideEatenFood();
+end
+
+-- Turns ---------------------------------------------------------------------------------------------------------------
+
+local function ShowScores(sandbox)
+    local count, points = game:FoodLeft();
+    local lines = { string.format("turn %-4d food %d, worth %d", game.turn, count, points) };
+    for _, agent in ipairs(Sandbox.GetAgents(sandbox)) do
+        local eater = players[agent:GetId()];
+        if (eater) then
+            agent:SetScore(eater.score);
+            lines[#lines + 1] = string.format("%-8s %6d", eater.color, eater.score);
+        end
+    end
+    grid:ShowTable(lines);
+end
+
+local function Play(sandbox)
+    Begin(sandbox);
+    if (game.isOver) then
+        return;
+    end
+    game:Turn();
+    HideEatenFood();
+    ShowScores(sandbox);
+    if (game.isOver) then
+        Sandbox.End(sandbox, "all is eaten");
+    end
+end
+
+function Sandbox_Initialize(sandbox)
+    game = EatersRules.new(Eaters.Settings);
+    grid = GridGame.new(sandbox, game.width, game.height);
+    grid:BuildBoard("Soarbox/BoardLight", "Soarbox/BoardDark", "Soarbox/Stone");
+    for y = 1, game.height do
+        for x = 1, game.width do
+            ShowCell(x, y);
+        end
+    end
+    grid:LookAtBoard();
+end
+
+function Sandbox_Sense(sandbox, agent)
+    Begin(sandbox);
+    local eater = players[agent:GetId()];
+    local hasTurn = eater and grid:IsDecisionTick() and not game.isOver;
+    return hasTurn and game:Percepts(eater) or nil;
+end
+
+function Sandbox_Command(sandbox, agent, command, parameters)
+    return game:Command(players[agent:GetId()], command, parameters);
+end
+
+function Sandbox_Update(sandbox)
+    grid:Advance(function() Play(sandbox); end);
+    for _, place in ipairs(game.collisions) do
+        Core.DrawCircle(grid:PlaceOf(place.x, place.y, 0.3), 1.1, Vector.new(1, 0.7, 0.1));
+    end
+end
+
+function Sandbox_HandleEvent(sandbox, event)
+    if (event.source == "keyboard" and event.pressed and event.key == "f1_key") then
+        grid:LookAtBoard();
+    end
+end

@@ -1,0 +1,148 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- The rules of Simple Eaters, and nothing else: one eater that goes forward or turns on a small board. Used as
+-- EatersRules.lua is. docs/eaters.md describes the game; tests/lua/SimpleEatersRulesTest.lua states each rule.
+SimpleEatersRules = {};
+SimpleEatersRules.__index = SimpleEatersRules;
+
+-- Clockwise. y counts to the north here.
+local kOrientations = { "north", "east", "south", "west" };
+SimpleEatersRules.Steps = {
+    north = { x = 0, y = 1 }, east = { x = 1, y = 0 }, south = { x = 0, y = -1 }, west = { x = -1, y = 0 }
+};
+local kSides = { front = 0, right = 1, back = 2, left = 3 };
+local kSigns = { ["#"] = "wall", [" "] = "empty", r = "red", p = "purple", g = "green", b = "blue" };
+
+SimpleEatersRules.Defaults = {
+    -- The first line is the northernmost; an eater begins on the 1.
+    map = { "p1rg", "prr#", "p#rb" },
+    orientation = "east",
+    points = { red = 5, purple = 10, green = 15, blue = 20 },
+    wallPenalty = 10, timePenalty = 1
+};
+
+local function Turned(orientation, quarters)
+    for i, name in ipairs(kOrientations) do
+        if (name == orientation) then
+            return kOrientations[(i - 1 + quarters) % 4 + 1];
+        end
+    end
+end
+
+-- What is at a place, counted from 0 in the south-west; beyond the edge there are walls.
+function SimpleEatersRules:ContentAt(x, y)
+    local row = self.cells[y];
+    return row and row[x] or "wall";
+end
+
+local function ReadMap(game, lines)
+    game.height, game.width = #lines, #lines[1];
+    for i, line in ipairs(lines) do
+        if (#line ~= game.width) then
+            error("line " .. i .. " of the map has " .. #line .. " cells, and the first has " .. game.width);
+        end
+        local y = game.height - i;
+        game.cells[y] = {};
+        for x = 0, game.width - 1 do
+            local sign = line:sub(x + 1, x + 1);
+            if (sign == "1") then
+                game.start = { x = x, y = y };
+            elseif (not kSigns[sign]) then
+                error("line " .. i .. " of the map has '" .. sign .. "': a cell is # r p g b 1 or a space");
+            end
+            game.cells[y][x] = sign == "1" and "empty" or kSigns[sign];
+        end
+    end
+    if (not game.start) then
+        error("the map has no 1, where the eater begins");
+    end
+end
+
+function SimpleEatersRules.new(settings)
+    local game = setmetatable({ cells = {}, turn = 1, score = 0, views = 0 }, SimpleEatersRules);
+    for name, value in pairs(SimpleEatersRules.Defaults) do
+        game[name] = value;
+    end
+    for name, value in pairs(settings or {}) do
+        game[name] = value;
+    end
+    ReadMap(game, game.map);
+    game.x, game.y = game.start.x, game.start.y;
+    return game;
+end
+
+function SimpleEatersRules:FoodLeft()
+    local count = 0;
+    for y = 0, self.height - 1 do
+        for x = 0, self.width - 1 do
+            count = count + (self.points[self.cells[y][x]] and 1 or 0);
+        end
+    end
+    return count;
+end
+
+-- The first command of a turn counts. Nil if it can be done, otherwise a word that says why not.
+function SimpleEatersRules:Command(name)
+    if (name ~= "forward" and name ~= "rotate") then
+        return "unknown-command";
+    elseif (self.wish) then
+        return "one-command-a-turn";
+    end
+    self.wish = name;
+end
+
+local function GoForward(game)
+    local step = SimpleEatersRules.Steps[game.orientation];
+    local x, y = game.x + step.x, game.y + step.y;
+    local content = game:ContentAt(x, y);
+    game.hitWall = content == "wall";
+    if (game.hitWall) then
+        game.score = game.score - game.wallPenalty;
+        return;
+    end
+    game.x, game.y = x, y;
+    game.score = game.score + (game.points[content] or 0);
+    game.cells[y][x] = "empty";
+end
+
+function SimpleEatersRules:Turn()
+    local before, wish = self.score, self.wish;
+    self.turn, self.hitWall, self.wish = self.turn + 1, false, nil;
+    self.hasGone = wish == "forward";
+    if (wish == "forward") then
+        GoForward(self);
+    elseif (wish == "rotate") then
+        self.orientation = Turned(self.orientation, 1);
+    end
+    if (wish) then
+        self.score = self.score - self.timePenalty;
+    end
+    self.difference = self.score - before;
+    self.isOver = self:FoodLeft() == 0 and self.x == self.start.x and self.y == self.start.y;
+end
+
+-- What the mind perceives, in two parts: what the world takes away and gives again in each turn, and what it leaves as it
+-- is unless the eater has gone forward. Both stand on the input link.
+function SimpleEatersRules:Percepts()
+    local isFirst = self.turn == 1;
+    local percepts = {
+        time = self.turn, score = self.score, ["score-diff"] = isFirst and "nil" or self.difference,
+        orientation = self.orientation, x = self.x, y = self.y, ["food-remaining"] = self:FoodLeft(),
+        _new = { "time", "score", "score-diff", "orientation", "front", "right", "back", "left", "food-remaining",
+                 "finish", "task" }
+    };
+    for side, quarters in pairs(kSides) do
+        local step = SimpleEatersRules.Steps[Turned(self.orientation, quarters)];
+        percepts[side] = self:ContentAt(self.x + step.x, self.y + step.y);
+    end
+    for orientation, step in pairs(SimpleEatersRules.Steps) do
+        percepts[orientation] = self:ContentAt(self.x + step.x, self.y + step.y);
+    end
+    if (self.hasGone or isFirst) then
+        for _, name in ipairs({ "x", "y", "north", "east", "south", "west" }) do
+            table.insert(percepts._new, name);
+        end
+    end
+    percepts.finish = self.x == self.start.x and self.y == self.start.y and "here" or nil;
+    percepts.task = self.isOver and "complete" or nil;
+    return percepts;
+end

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The games on boards: the percepts of each turn against kept ones, agents of our own to the end, and other rules."""
+import json
+import os
+import pathlib
+import re
+import unittest
+
+from soarbox_command import Run, ScenarioCase, run_json
+
+GOLDEN = pathlib.Path(__file__).parent / "games"
+TURNS = 6
+TICKS_PER_TURN = 10
+
+NORTH = """
+sp {north*propose
+   (state <s> ^io.input-link.eater <e>)
+   (<e> ^x <x> ^y <y>)
+-->
+   (<s> ^operator.name north)}
+sp {north*apply
+   (state <s> ^operator.name north ^io.output-link <out>)
+-->
+   (<out> ^move.direction north)}
+"""
+
+
+class Games(ScenarioCase):
+    def percepts(self, scenario, *arguments):
+        """What the minds perceive and command in the first turns, as text."""
+        recording = self.folder / "game.soarrec"
+        seconds = TURNS * TICKS_PER_TURN / 30
+        run = run_json(scenario, "--seconds", seconds, "--record", recording, *arguments)
+        self.assertEqual(run.code, 0, run.err)
+        exported = Run("export", recording, "--json")
+        self.assertEqual(exported.code, 0, exported.err)
+        lines = []
+        for line in exported.out.splitlines():
+            tick = json.loads(line)
+            for mind in tick.get("minds", []):
+                told = mind.get("percepts", []) + mind.get("commands", [])
+                if not told:
+                    continue
+                lines.append(f"turn {(tick['tick'] - 1) // TICKS_PER_TURN + 1} {mind['agent']}")
+                lines += [f"  {one if isinstance(one, str) else json.dumps(one)}" for one in told]
+        return "\n".join(lines) + "\n"
+
+    def test_the_first_turns_are_as_they_were(self):
+        for scenario in ("eaters", "simple-eaters", "tanksoar"):
+            with self.subTest(scenario=scenario):
+                found = self.percepts(scenario, "--seed", 4)
+                golden = GOLDEN / f"{scenario}.txt"
+                if "SOARBOX_NEW_GOLDEN" in os.environ:
+                    golden.write_text(found)
+                self.assertEqual(found, golden.read_text())
+
+    def test_agents_of_all_strengths_play_without_a_problem(self):
+        for scenario, seat, agents in (("eaters", "eater", ("wanderer", "greedy", "learner")),
+                                       ("simple-eaters", "eater", ("wanderer", "seeker", "learner")),
+                                       ("tanksoar", "tank", ("wanderer", "hunter", "learner"))):
+            folder = pathlib.Path(__file__).parents[2] / "scenarios" / scenario
+            for agent in agents:
+                with self.subTest(scenario=scenario, agent=agent):
+                    run = run_json(scenario, "--seconds", 40, "--rules", f"{seat}={folder / agent}.soar")
+                    self.assertEqual(run.code, 0, run.err)
+                    self.assertEqual(run.diagnostics(), [])
+                    self.assertGreater(len(run.of("command", agent=seat)), 3)
+
+    def test_a_game_ends_when_all_is_eaten(self):
+        self.write("Board.lua", 'require "Eaters";\nEaters.Settings = { map = { "1..*" } };\n')
+        self.write("scenario.toml", 'script = "Board.lua"\n[[agent]]\nname = "eater"\nrules = "east.soar"\nby = "sandbox"\n')
+        self.write("east.soar", NORTH.replace("north", "east"))
+        run = run_json(self.folder)
+        self.assertEqual([event["text"] for event in run.of("reached")], ["all is eaten"])
+
+    def test_other_rules_take_the_place_of_an_agents_own(self):
+        rules = self.write("north.soar", NORTH)
+        run = run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}")
+        self.assertEqual({event["parameters"] for event in run.of("command", agent="eater")}, {"^direction north"})
+
+    def test_a_recording_of_other_rules_is_verified(self):
+        rules = self.write("north.soar", NORTH)
+        recording = self.folder / "run.soarrec"
+        run = run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}", "--record", recording)
+        self.assertEqual(run.code, 0, run.err)
+        verified = Run("verify", recording)
+        self.assertEqual(verified.code, 0, verified.out + verified.err)
+        # The recording holds them, whatever becomes of the file.
+        rules.write_text(NORTH.replace("direction north", "direction south"))
+        self.assertEqual(Run("verify", recording, "--as-recorded").code, 0)
+
+    def test_a_slip_in_the_option_is_told(self):
+        rules = self.write("north.soar", NORTH)
+        for word, told in ((f"eatr={rules}", "did you mean 'eater'?"), ("eater", "--rules takes NAME=FILE"),
+                           ("eater=nowhere.soar", "there is no such file of rules")):
+            with self.subTest(word=word):
+                run = Run("run", "eaters", "--headless", "--seconds", 1, "--rules", word)
+                self.assertNotEqual(run.code, 0)
+                self.assertIn(told, run.err)
+
+    def test_a_faulty_board_is_told_with_its_line(self):
+        self.write("Board.lua", 'require "Eaters";\nEaters.Settings = { map = { "1..", ".?." } };\n')
+        self.write("scenario.toml", 'script = "Board.lua"\n[[agent]]\nname = "eater"\nrules = "north.soar"\nby = "sandbox"\n')
+        self.write("north.soar", NORTH)
+        run = run_json(self.folder, "--seconds", 1)
+        self.assertIn("line 2 of the map has '?'", run.out + run.err)
+
+    def test_a_script_that_is_not_there_is_told(self):
+        self.write("scenario.toml", 'script = "Bord.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\n')
+        run = Run("run", self.folder, "--headless", "--seconds", 1)
+        self.assertNotEqual(run.code, 0)
+        self.assertIn("there is no script 'Bord.lua'", run.err)
+
+    def test_each_step_of_the_course_is_graded_as_it_should(self):
+        listed = Run("learn", "eaters")
+        self.assertEqual(listed.code, 0, listed.err)
+        self.assertIn(" 8  Jump and move, by value", listed.out)
+        self.assertIn("soarbox learn eaters N begins a lesson", listed.out)
+        self.assertIn("soarbox learn eaters lists another course", Run("learn").out)
+        tested = Run("learn", "eaters", "test")
+        self.assertEqual(tested.code, 0, tested.out + tested.err)
+        self.assertEqual(len(re.findall("solution: as it should", tested.out)), 8)
+        self.assertGreaterEqual(len(re.findall("wrong/.*: as it should", tested.out)), 32)
+
+    def test_the_files_of_a_step_lead_back_to_the_course(self):
+        begun = Run("learn", "eaters", "3", "--folder", self.folder, "--headless")
+        self.assertEqual(begun.code, 0, begun.err)
+        self.assertIn("Grade: soarbox learn eaters check 3", begun.out)
+        self.assertTrue((self.folder / "e3-move-north" / "Board.lua").is_file())
+        graded = Run("learn", "eaters", "check", "3", "--folder", self.folder)
+        self.assertEqual(graded.code, 1, graded.out + graded.err)
+        self.assertIn("No command came.", graded.out)
+
+    def test_missions_ask_for_scores(self):
+        for scenario in ("eaters", "tanksoar", "simple-eaters"):
+            tested = Run("test", scenario, "--seeds", "1", "--no-keep")
+            self.assertEqual(tested.code, 0, tested.out + tested.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

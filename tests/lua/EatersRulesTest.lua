@@ -1,0 +1,244 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- The rules of Eaters, one test for each.
+require "Check";
+require "EatersRules";
+
+local tests = {};
+
+-- A game on this map, with eaters named by their colours on the digits 1, 2 ...
+local function Game(map, settings)
+    local colors = { "red", "blue", "yellow" };
+    settings = settings or {};
+    settings.map = map;
+    settings.random = settings.random or function() return 1; end;
+    local game = EatersRules.new(settings);
+    local eaters = {};
+    for number in ipairs(game.starts) do
+        eaters[number] = game:Join(colors[number]);
+    end
+    return game, eaters[1], eaters[2], eaters[3];
+end
+
+local function Play(game, eater, command, direction)
+    local reason = game:Command(eater, command, { direction = direction });
+    game:Turn();
+    return reason;
+end
+
+local function CheckPlace(eater, x, y)
+    CheckEqual(x, eater.x);
+    CheckEqual(y, eater.y);
+end
+
+function tests.AMoveGoesOneCellAndEatsWhatLiesThere()
+    local game, red = Game({ "1.*" });
+    CheckEqual(nil, Play(game, red, "move", "east"));
+    CheckPlace(red, 2, 1);
+    CheckEqual(5, red.score);
+    Play(game, red, "move", "east");
+    CheckEqual(15, red.score);
+    CheckEqual("empty", game:ContentAt(3, 1));
+end
+
+function tests.AMoveIntoAWallOrOffTheBoardCostsFivePoints()
+    local game, red = Game({ "1#." });
+    Play(game, red, "move", "east");
+    CheckPlace(red, 1, 1);
+    CheckEqual(-5, red.score);
+    Play(game, red, "move", "north");
+    CheckEqual(-10, red.score);
+end
+
+function tests.AJumpGoesTwoCellsOverAnythingForFivePoints()
+    local game, red = Game({ "1#*.." });
+    Play(game, red, "jump", "east");
+    CheckPlace(red, 3, 1);
+    CheckEqual(5, red.score);
+    Play(game, red, "jump", "east");
+    CheckPlace(red, 5, 1);
+    CheckEqual("normalfood", game:ContentAt(4, 1));
+    CheckEqual(5, red.score);
+end
+
+function tests.AJumpIntoAWallCostsWhatAMoveIntoOneCosts()
+    local game, red = Game({ "1.#" });
+    Play(game, red, "jump", "east");
+    CheckPlace(red, 1, 1);
+    CheckEqual(-5, red.score);
+end
+
+function tests.WhoDoesNothingStaysWhereItIs()
+    local game, red = Game({ "1." });
+    game:Turn();
+    CheckPlace(red, 1, 1);
+    CheckEqual(nil, Play(game, red, "move", "none"));
+    CheckPlace(red, 1, 1);
+    CheckEqual(0, red.score);
+end
+
+function tests.AnEaterThatFastsLeavesTheFoodAndMayEatItLater()
+    local game, red = Game({ "1*" });
+    CheckEqual(nil, game:Command(red, "dont-eat", {}));
+    Play(game, red, "move", "east");
+    CheckEqual(0, red.score);
+    CheckEqual("bonusfood", game:ContentAt(2, 1));
+    local content = game:Percepts(red)["my-location"].content;
+    CheckEqual("eater", content[1]);
+    CheckEqual("bonusfood", content[2]);
+    game:Turn();
+    CheckEqual(10, red.score);
+end
+
+function tests.CommandsThatAreNoneSayWhy()
+    local game, red = Game({ "1." });
+    CheckEqual("unknown-command", game:Command(red, "fly", {}));
+    CheckEqual("no-such-direction", game:Command(red, "move", { direction = "up" }));
+    CheckEqual("no-such-direction", game:Command(red, "jump", {}));
+    CheckEqual(nil, game:Command(red, "move", { direction = "east" }));
+    CheckEqual("one-move-a-turn", game:Command(red, "move", { direction = "west" }));
+    game:Turn();
+    CheckPlace(red, 2, 1);
+    CheckEqual(nil, game:Command(red, "move", { direction = "west" }));
+end
+
+function tests.TwoInOneCellShareTheirPointsAndAreThrownElsewhere()
+    local game, red, blue = Game({ "1.2", "   " });
+    red.score, blue.score = 10, 3;
+    game:Command(red, "move", { direction = "east" });
+    game:Command(blue, "move", { direction = "west" });
+    game:Turn();
+    -- The first of them eats what lies there: (10 + 5 + 3) / 2.
+    CheckEqual(9, red.score);
+    CheckEqual(9, blue.score);
+    CheckPlace(red, 1, 1);
+    Check(red.x ~= blue.x or red.y ~= blue.y);
+    CheckEqual(1, #game.collisions);
+    CheckEqual(2, game.collisions[1].x);
+    Check(red.wasThrown and blue.hasMoved);
+end
+
+function tests.WhatIsLeftOverIsLostAndADebtIsNotShared()
+    local game, red, blue = Game({ "1 2", "   " });
+    red.score, blue.score = 10, 3;
+    game:Command(red, "move", { direction = "east" });
+    Play(game, blue, "move", "west");
+    CheckEqual(6, red.score);
+    CheckEqual(6, blue.score);
+    local other, one, two = Game({ "1 2", "   " });
+    one.score, two.score = -10, 5;
+    other:Command(one, "move", { direction = "east" });
+    Play(other, two, "move", "west");
+    CheckEqual(-10, one.score);
+    CheckEqual(5, two.score);
+end
+
+function tests.WhoIsThrownEatsWhereItLands()
+    local game, red, blue = Game({ "1 2", ".  " }, { random = function(most) return most and 3 or 0; end });
+    game:Command(red, "move", { direction = "east" });
+    Play(game, blue, "move", "west");
+    -- Free were 1,1 and 3,1 and then 1,2, which the first of them gets.
+    CheckPlace(red, 1, 2);
+    CheckEqual(5, red.score);
+end
+
+function tests.ThoseWhoChangePlacesDoNotCollide()
+    local game, red, blue = Game({ "12" });
+    game:Command(red, "move", { direction = "east" });
+    Play(game, blue, "move", "west");
+    CheckPlace(red, 2, 1);
+    CheckPlace(blue, 1, 1);
+    CheckEqual(0, #game.collisions);
+end
+
+function tests.ThreeInOneCellAreOneCollision()
+    local game, red, blue, yellow = Game({ "1 2", " 3 ", "   " });
+    game:Command(red, "move", { direction = "east" });
+    game:Command(blue, "move", { direction = "west" });
+    Play(game, yellow, "move", "north");
+    CheckEqual(1, #game.collisions);
+end
+
+function tests.TheGameIsOverWhenNothingIsLeftToEat()
+    local game, red = Game({ "1.." });
+    Play(game, red, "move", "east");
+    CheckEqual(false, game.isOver);
+    local count, points = game:FoodLeft();
+    CheckEqual(1, count);
+    CheckEqual(5, points);
+    Play(game, red, "move", "east");
+    CheckEqual(true, game.isOver);
+end
+
+function tests.WhereAnEaterBeginsThereIsNoFood()
+    local game = EatersRules.new({ map = { ".." }, random = function() return 2; end });
+    local eater = game:Join("red");
+    CheckPlace(eater, 2, 1);
+    CheckEqual("empty", game:ContentAt(2, 1));
+    CheckEqual(0, eater.score);
+end
+
+function tests.AnEaterPerceivesTheCellsAroundItThroughTheirDirections()
+    local game, red = Game({ "...", ".1*", "..." });
+    local here = game:Percepts(red)["my-location"];
+    CheckEqual("eater", here.content);
+    CheckEqual("bonusfood", here.east.content);
+    CheckEqual("wall", here.east.east.content);
+    CheckEqual(nil, here.east.east.east);
+    -- However it is reached, a cell is one object.
+    Check(rawequal(here.north.east, here.east.north));
+    Check(rawequal(here.north.south, here));
+end
+
+function tests.AnEaterPerceivesItselfAndOthers()
+    local game, red, blue = Game({ "1.2" });
+    blue.score = 30;
+    Play(game, red, "jump", "west");
+    local percepts = game:Percepts(red);
+    CheckEqual("red", percepts.eater.name);
+    CheckEqual(-5, percepts.eater.score);
+    CheckEqual(1, percepts.eater.x);
+    CheckEqual(1, percepts.eater.y);
+    CheckEqual("west", percepts.eater.direction);
+    local other = percepts["my-location"].east.east;
+    CheckEqual("eater", other.content);
+    CheckEqual("blue", other["eater-color"]);
+    CheckEqual(30, other["eater-score"]);
+end
+
+function tests.ContentsAreNewOnceAnEaterHasMoved()
+    local game, red = Game({ "1.#" });
+    CheckEqual(true, game:Percepts(red)["my-location"].east._new);
+    game:Turn();
+    CheckEqual(false, game:Percepts(red)["my-location"].east._new);
+    Play(game, red, "move", "east");
+    CheckEqual(true, game:Percepts(red)["my-location"]._new);
+    Play(game, red, "move", "east");
+    CheckEqual(false, game:Percepts(red)["my-location"]._new);
+end
+
+function tests.RandomWallsTouchNeitherTheEdgeNorEachOthersCorners()
+    for _ = 1, 20 do
+        local game = EatersRules.new({});
+        for y = 1, game.height do
+            for x = 1, game.width do
+                if (game:ContentAt(x, y) == "wall") then
+                    Check(x > 1 and x < game.width and y > 1 and y < game.height, "a wall at the edge");
+                    for _, corner in ipairs({ { -1, -1 }, { 1, -1 }, { -1, 1 }, { 1, 1 } }) do
+                        Check(game:ContentAt(x + corner[1], y + corner[2]) ~= "wall", "walls meet at a corner");
+                    end
+                else
+                    Check(game.points[game:ContentAt(x, y)], "a cell without food");
+                end
+            end
+        end
+    end
+end
+
+function tests.AFaultyMapSaysWhere()
+    local _, message = pcall(EatersRules.new, { map = { "..", "." } });
+    Check(message:find("line 2 of the map has 1 cells, and the first has 2", 1, true), message);
+    _, message = pcall(EatersRules.new, { map = { "..", ".?" } });
+    Check(message:find("line 2 of the map has '?'", 1, true), message);
+end
+
+RunTests(tests);
