@@ -24,7 +24,11 @@ constexpr std::size_t kWrongSeeds = 4;
 
 class Learner {
  public:
-  Learner(const LearnOptions& options, std::vector<Lesson> lessons) : options_(options), lessons_(std::move(lessons)) {
+  /// `course`: the name of one beside the lessons, "eaters"; empty: none.
+  Learner(const LearnOptions& options, const std::string& course, std::vector<Lesson> lessons)
+      : options_(options),
+        command_("soarbox learn " + course + (course.empty() ? "" : " ")),
+        lessons_(std::move(lessons)) {
     folder_ = options.folder.empty() ? LessonsFolder() : options.folder;
   }
 
@@ -51,7 +55,7 @@ class Learner {
       std::cout << '\n';
     }
     if (!options_.json)
-      std::cout << "\nsoarbox learn N begins a lesson, soarbox learn next the first that is not done\n";
+      std::cout << '\n' << command_ << "N begins a lesson, " << command_ << "next the first that is not done\n";
     return kOk;
   }
 
@@ -78,8 +82,8 @@ class Learner {
     const std::string number = std::to_string(&lesson - lessons_.data() + 1);
     std::cout << "Lesson " << number << ". " << lesson.title << "\n\n"
               << lesson.idea << "\n\nTask: " << lesson.task << "\nEdit:  " << (folder / lesson.rules).string()
-              << "\nSee:   soarbox run " << folder.string() << "\nGrade: soarbox learn check " << number
-              << "\nStuck: soarbox learn hint " << number << "\n";
+              << "\nSee:   soarbox run " << folder.string() << "\nGrade: " << command_ << "check " << number
+              << "\nStuck: " << command_ << "hint " << number << "\n";
     if (!lesson.panel.empty()) {
       std::cout << "Look:  the panel " << lesson.panel;
       for (std::size_t i = 0; i < lesson.also.size(); ++i) std::cout << (i == 0 ? "; also " : ", ") << lesson.also[i];
@@ -108,8 +112,7 @@ class Learner {
     const fs::path folder = FolderOf(lesson);
     std::error_code error;
     if (!fs::exists(folder / lesson.rules, error))
-      return Refuse("this lesson has not begun", "soarbox learn " + lesson.name + " puts its files there",
-                    folder.string());
+      return Refuse("this lesson has not begun", command_ + lesson.name + " puts its files there", folder.string());
     const Result<Grade> graded = GradeRules(lesson, folder, 0);
     if (!graded) return Refuse(graded.error());
     if (!graded->problems.empty()) {
@@ -223,6 +226,7 @@ class Learner {
 
  private:
   const LearnOptions& options_;
+  std::string command_;  ///< What all of its commands begin with, and a blank.
   std::vector<Lesson> lessons_;
   fs::path folder_;
   LessonProgress progress_;
@@ -233,21 +237,34 @@ class Learner {
 int Learn(const LearnOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  const fs::path from = options.from.empty() ? data->scenarios.parent_path() / "lessons" : options.from;
+  fs::path from = options.from.empty() ? ShippedLessons(*data) : options.from;
+  std::vector<std::string> words = options.words;
+  const std::vector<std::string> courses = CoursesIn(from);
+  std::string course;
+  if (!words.empty() && std::ranges::find(courses, words.front()) != courses.end()) {
+    course = words.front();
+    from /= course;
+    words.erase(words.begin());
+  }
   std::vector<Diagnostic> problems;
   std::vector<Lesson> lessons = ReadLessons(from, *data, problems);
   for (const Diagnostic& problem : problems) std::cerr << Format(problem);
   if (!problems.empty()) return kCannotStart;
   if (lessons.empty()) return Refuse("there are no lessons in " + from.string());
   CatchInterrupts();
-  Learner learner(options, std::move(lessons));
-  if (options.words.empty()) return learner.List();
-  const std::string& first = options.words.front();
+  Learner learner(options, course, std::move(lessons));
+  if (words.empty()) {
+    const int listed = learner.List();
+    if (!options.json && course.empty())
+      for (const std::string& other : courses) std::cout << "soarbox learn " << other << " lists another course\n";
+    return listed;
+  }
+  const std::string& first = words.front();
   const bool is_test = first == "test";
-  if (is_test && options.words.size() == 1) return learner.Test(nullptr);
+  if (is_test && words.size() == 1) return learner.Test(nullptr);
   const bool is_verb = is_test || first == "check" || first == "hint" || first == "reset";
-  if (is_verb && options.words.size() > 2) return Refuse("this is one word too many: " + options.words.back());
-  const std::string which = is_verb ? (options.words.size() > 1 ? options.words[1] : "next") : first;
+  if (is_verb && words.size() > 2) return Refuse("this is one word too many: " + words.back());
+  const std::string which = is_verb ? (words.size() > 1 ? words[1] : "next") : first;
   const Lesson* lesson = learner.Find(which);
   if (lesson == nullptr) return Refuse("there is no lesson '" + which + "'", "soarbox learn lists them");
   if (is_test) return learner.Test(lesson);

@@ -108,11 +108,28 @@ std::vector<fs::path> LessonFolders(const fs::path& folder) {
   return folders;
 }
 
+std::vector<std::string> CoursesIn(const fs::path& folder) {
+  std::vector<std::string> courses;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code of_one;
+    if (it->is_directory(of_one) && !fs::is_regular_file(it->path() / "lesson.toml", of_one) &&
+        !LessonFolders(it->path()).empty())
+      courses.push_back(it->path().filename().string());
+  }
+  std::sort(courses.begin(), courses.end());
+  return courses;
+}
+
 fs::path LessonOf(const fs::path& folder, const sim::DataFolders& data) {
   std::error_code error;
   if (fs::is_regular_file(folder / "lesson.toml", error)) return folder;
-  const fs::path known = ShippedLessons(data) / fs::absolute(folder, error).lexically_normal().filename();
-  return fs::is_regular_file(known / "lesson.toml", error) ? known : fs::path();
+  const fs::path shipped = ShippedLessons(data), name = fs::absolute(folder, error).lexically_normal().filename();
+  std::vector<fs::path> places = {shipped};
+  for (const std::string& course : CoursesIn(shipped)) places.push_back(shipped / course);
+  for (const fs::path& place : places)
+    if (fs::is_regular_file(place / name / "lesson.toml", error)) return place / name;
+  return {};
 }
 
 fs::path LessonsFolder() {

@@ -34,8 +34,10 @@ std::optional<Lesson> ReadLesson(const std::filesystem::path& folder, const sim:
 std::filesystem::path ShippedLessons(const sim::DataFolders& data);
 /// Folders of lessons below a folder, in their order.
 std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
-/// The lesson whose files a learner has in this folder: one of the program with the folder's name, or the folder's
-/// own. Empty: none.
+/// Further courses below a folder of lessons, by name: folders that are no lessons and hold some.
+std::vector<std::string> CoursesIn(const std::filesystem::path& folder);
+/// The lesson whose files a learner has in this folder: one of the program with the folder's name, in any
+/// course, or the folder's own. Empty: none.
 std::filesystem::path LessonOf(const std::filesystem::path& folder, const sim::DataFolders& data);
 
 /// Where learners' files go unless they say otherwise: ~/soarbox-lessons.
