@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Bundles the page into dist/page: index.html and assets/, nothing else; says how much a browser loads.
 import { build } from "esbuild";
-import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 const MOST_COMPRESSED_BYTES = 1_500_000;
@@ -20,6 +20,11 @@ await build({
   legalComments: "linked",
   logLevel: "warning",
 });
+// One file for `soarbox report`, which puts a recorded run into it.
+const whole = await build({ entryPoints: { report: "src/report.ts", style: "src/styles/page.css" }, outdir: "dist", bundle: true, write: false, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
+const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;
+writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8")
+  .replace("{{style}}", () => textOf(".css")).replace("{{script}}", () => textOf(".js").replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")));
 cpSync("src/index.html", "dist/page/index.html");
 cpSync("src/icon.svg", "dist/page/assets/icon.svg");
 const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];

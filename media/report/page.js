@@ -404,5 +404,12 @@
     for (const part of run.kind === 'sweep' ? sweepPage(run) : runPage(run)) if (part) main.appendChild(part);
     app.appendChild(main);
   }
+  // The run in 3D is a page of its own, with styles of its own.
+  const scene = JSON.parse(document.getElementById('scene').textContent);
+  if (scene !== '') {
+    const frame = h('iframe', { title: 'The run in 3D', class: 'scene' });
+    frame.srcdoc = scene;
+    document.body.insertBefore(frame, app);
+  }
   show(0);
 })();

@@ -7,6 +7,7 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/refuse.h"
+#include "app/scene_report.h"
 #include "report/page.h"
 
 namespace soarbox::app {
@@ -14,7 +15,10 @@ namespace soarbox::app {
 int Report(const ReportOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  const Result<std::string> page = report::MakePage(options.source, *data);
+  const Result<std::string> page =
+      report::MakePage(options.source, *data, [&](const std::filesystem::path& recording, const std::string& nonce) {
+        return ScenePage(recording, *data, nonce);
+      });
   if (!page) return Refuse(page.error());
   std::error_code error;
   // What is put in the place of a device would be there instead of it.

@@ -102,7 +102,7 @@ std::string EscapeHtml(std::string_view text) {
   return safe;
 }
 
-Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& data) {
+Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& data, const ScenePage& scene_of) {
   std::error_code error;
   std::vector<std::string> parts;
   if (fs::is_directory(source, error)) {
@@ -131,7 +131,7 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
     parts.push_back(std::move(*made));
   } else if (source.extension() == ".toml" &&
              fs::exists(fs::path(source).replace_extension(".sweep") / "sweep.id", error)) {
-    return MakePage(fs::path(source).replace_extension(".sweep"), data);
+    return MakePage(fs::path(source).replace_extension(".sweep"), data, scene_of);
   } else if (!fs::exists(source, error)) {
     return ProblemIn(source, "there is no such file or folder");
   } else {
@@ -150,16 +150,22 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
   const Json first = Json::parse(parts.front());
   char nonce[20];
   std::snprintf(nonce, sizeof nonce, "%016llx", static_cast<unsigned long long>(HashOf(all)));
+  std::string scene;
+  if (scene_of && record::IsRecording(source)) {
+    Result<std::string> made = scene_of(source, nonce);
+    if (!made) return made;
+    scene = std::move(*made);
+  }
   Replace(page, "{{title}}", EscapeHtml(first.value("title", "Soarbox")));
-  Replace(
-      page, "{{policy}}",
-      std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'nonce-") + nonce + "'");
+  Replace(page, "{{policy}}",
+          std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; script-src 'nonce-") +
+              nonce + "'" + (scene.empty() ? "" : "; worker-src blob:; connect-src data: blob:"));
   Replace(page, "{{style}}", style);
   Replace(page, "{{plain}}", PlainBody(first));
-  Replace(page, "{{nonce}}", nonce);
-  Replace(page, "{{nonce}}", nonce);
+  for (int i = 0; i < 3; ++i) Replace(page, "{{nonce}}", nonce);
   Replace(page, "{{script}}", script);
   Replace(page, "{{data}}", ForScriptElement(all));
+  Replace(page, "{{scene}}", ForScriptElement(Json(scene).dump()));
   return page;
 }
 

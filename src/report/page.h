@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,10 @@ namespace soarbox::report {
 
 /// One page about a recording, a folder of recordings or a sweep's folder, as one file that needs nothing else: texts
 /// reach it as data only, and it runs no script but its own.
-Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data);
+/// `scene_of`: makes the page that shows a recorded run in 3D, with this nonce, which is put on top; empty: none does.
+using ScenePage = std::function<Result<std::string>(const std::filesystem::path& recording, const std::string& nonce)>;
+Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data,
+                             const ScenePage& scene_of = {});
 
 /// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
 /// by these checks; empty: by those of its scenario, if it has any.

@@ -52,7 +52,7 @@ Result<void> Session::Open(const std::string& what) {
     return NewProblem("there is nothing called '" + what + "' to open", "the first page lists what there is");
   if (engine_ != nullptr) engine_->End();
   engine_.reset();
-  hello_ = flow_ = nullptr;
+  hello_ = watcher_hello_ = flow_ = nullptr;
   contents_.clear();
   blocks_.clear();
   const std::weak_ptr<int> alive = alive_;
@@ -77,7 +77,7 @@ void Session::Join(Viewer& viewer) {
   viewers_.push_back(&viewer);
   looked_at_ = Clock::now();
   if (engine_ == nullptr) return viewer.SendText(Shared(R"({"message":"none"})"), {});
-  if (hello_ != nullptr) viewer.SendText(hello_, "hello");
+  if (hello_ != nullptr) viewer.SendText(viewer.MayAsk() ? hello_ : watcher_hello_, "hello");
   if (flow_ != nullptr) viewer.SendText(flow_, "flow");
   for (const auto& [name, text] : contents_) viewer.SendText(text, name);
   for (const auto& [block, is_full] : blocks_) viewer.SendScene(block, is_full);
@@ -153,10 +153,14 @@ void Session::OnFrame(Frame frame) {
       if (!hello.is_object()) return;
       hello["what"] = what_;
       hello_ = Shared(TextOf(hello));
+      hello["may_edit"] = false;
+      watcher_hello_ = Shared(TextOf(hello));
       flow_ = nullptr;
       contents_.clear();
       blocks_.clear();
-      return Tell(*hello_, "hello");
+      for (Viewer* viewer : std::vector<Viewer*>(viewers_))
+        viewer->SendText(viewer->MayAsk() ? hello_ : watcher_hello_, "hello");
+      return;
     }
     case FrameKind::kFlow:
       flow_ = Shared(std::move(frame.bytes));

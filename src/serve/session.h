@@ -72,7 +72,7 @@ class Session {
   Clock::time_point began_, looked_at_;
 
   // What is told to a page that comes later.
-  Bytes hello_, flow_;
+  Bytes hello_, watcher_hello_, flow_;
   std::map<std::string, Bytes> contents_;
   std::vector<std::pair<Bytes, bool>> blocks_;  ///< Since the newest full one.
 

@@ -130,7 +130,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
 void Desk::Learn(const record::TickRecord& tick) {
   models_.Add(tick);
   for (const sim::RunEvent& event : tick.events) {
-    if (event.news == "check") NoteCheck(event);
+    is_stale_ |= NoteCheck(event, checks_);
     if (!IsProblem(event)) continue;
     problems_.push_back({DiagnosticOf(event), event.agent, tick.tick, tick.scene.time_s});
     if (problems_.size() > kMostProblems) problems_.erase(problems_.begin());
@@ -138,16 +138,6 @@ void Desk::Learn(const record::TickRecord& tick) {
   for (auto& [agent, coverage] : coverage_) {
     if (const record::MindRecord* mind = record::FindMind(tick, agent)) coverage.Add(tick.tick, *mind);
   }
-}
-
-void Desk::NoteCheck(const sim::RunEvent& event) {
-  constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
-  if (event.reasons.size() != kParts) return;
-  const auto known = std::ranges::find(checks_, event.text, &CheckRow::name);
-  CheckRow& row = known != checks_.end() ? *known : checks_.emplace_back();
-  row = {event.text,       event.reasons[0], event.reasons[1], event.reasons[2], !event.reasons[3].empty(),
-         event.parameters, event.tick,       event.time_s};
-  is_stale_ = true;
 }
 
 void Desk::Show(std::uint64_t tick) {

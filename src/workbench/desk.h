@@ -17,6 +17,7 @@
 #include "debugger/run_models.h"
 #include "record/export.h"
 #include "record/reader.h"
+#include "workbench/checks.h"
 #include "workbench/console_desk.h"
 #include "workbench/contents.h"
 #include "workbench/desk_common.h"
@@ -99,8 +100,6 @@ class Desk {
   bool HasMind(const std::string& agent);
   /// Why a recording tells nothing of the selected agent's mind at the tick that is shown.
   std::string NotRecorded() const;
-  /// A check of the run's mission came to be known or was decided.
-  void NoteCheck(const sim::RunEvent& event);
 
   // What the user asks for (desk_requests.cpp).
   void Obey(const Request& request);

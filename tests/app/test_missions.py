@@ -592,8 +592,8 @@ class Reports(MissionCase):
         run = Run("report", recording, "-o", page)
         self.assertEqual(run.code, 0, run.err)
         text = page.read_text(encoding="utf-8")
-        self.assertEqual(text.count("<script"), 2, "the data and the page's own")
-        self.assertEqual(text.count("</script>"), 2)
+        self.assertEqual(text.count("<script"), 3, "the data, the scene's and the page's own")
+        self.assertEqual(text.count("</script>"), 3)
         self.assertNotRegex(text, r"(src|href)=[\"']?http")
         data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
         self.assertEqual(data["checks"][0]["name"], evil)

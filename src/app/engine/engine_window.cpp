@@ -248,7 +248,7 @@ class ReplayEngine {
                 {"agents", NamesOf(scene)},
                 {"minds", minds},
                 {"step_s", step_s_},
-                {"may_edit", false},
+                {"may_edit", true},
                 {"is_recording", true}});
     if (!minds.empty()) panels_.Serve(desk_, {workbench::SelectRequest{minds.front().get<std::string>()}});
   }

@@ -41,6 +41,8 @@ const ARRANGEMENTS = {
     left: ["agents", "mission", "problems"], right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints"],
     bottom: ["timeline", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "futures"],
   },
+  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "messages", "trace"] },
+  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "messages", "trace"] },
   narrow: {
     left: [], right: [],
     bottom: ["mission", "edit", "agents", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "breakpoints", "minds", "futures"],
@@ -69,7 +71,8 @@ export class RunPage {
   private isChosen = false;
   private isFronted = false;
 
-  constructor(private readonly run: Run, openWhat: (what: string) => void) {
+  /** `isReport`: of what a page with a recorded run in it can show. */
+  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false) {
     this.element.className = "run-page";
     this.work.className = "work";
     this.foot.className = "foot";
@@ -109,7 +112,7 @@ export class RunPage {
   }
 
   private arrange(): void {
-    const hello = this.run.hello, shape = this.narrow.matches ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
+    const hello = this.run.hello, isNarrow = this.narrow.matches, shape = this.isReport ? (isNarrow ? "narrowReport" : "report") : isNarrow ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
     if (shape === this.shape) return;
     this.shape = shape;
     this.element.dataset["shape"] = shape;
@@ -118,7 +121,7 @@ export class RunPage {
     const middle = document.createElement("div");
     middle.className = "middle";
     this.docks = [];
-    if (shape === "narrow") {
+    if (isNarrow) {
       const all = dock("bottom", arranged.bottom);
       this.docks = [all];
       middle.append(this.stage.element, this.foot, all.element);

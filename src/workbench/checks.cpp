@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "workbench/checks.h"
+
+#include <algorithm>
+
+namespace soarbox::workbench {
+
+bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks) {
+  constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
+  if (event.news != "check" || event.reasons.size() != kParts) return false;
+  const auto known = std::ranges::find(checks, event.text, &CheckRow::name);
+  CheckRow& row = known != checks.end() ? *known : checks.emplace_back();
+  row = {event.text,       event.reasons[0], event.reasons[1], event.reasons[2], !event.reasons[3].empty(),
+         event.parameters, event.tick,       event.time_s};
+  return true;
+}
+
+}  // namespace soarbox::workbench
