@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-COMMAND = os.environ["SOARBOX"]
+COMMAND = os.path.abspath(os.environ["SOARBOX"])
 LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
 # However slow the machine: a test that waits so long has failed.
 PATIENCE_S = 120

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Runs the page's end-to-end tests (web/e2e) in a real browser, against a real server and a report that the command has made.
+
+usage: in_browser.py [TEST...]
+
+Needs the page built (./dev serve), its packages (npm ci in web/) and Chromium; SOARBOX names the command.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from web_client import COMMAND, Server
+
+WEB = pathlib.Path(__file__).resolve().parents[2] / "web"
+
+
+class PageServer(Server):
+    def start(self, words):
+        at = words.index("--page")
+        super().start(words[:at] + words[at + 2:])
+
+
+def main():
+    if not (WEB / "dist" / "page" / "index.html").exists():
+        sys.exit("the page is not built: npm run build in web/")
+    with tempfile.TemporaryDirectory() as folder:
+        recording, report = pathlib.Path(folder) / "fight.soarrec", pathlib.Path(folder) / "report.html"
+        subprocess.run([COMMAND, "run", "soar_skirmish", "--headless", "--seconds", "12", "--record", recording],
+                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([COMMAND, "report", recording, "-o", report], check=True, stdout=subprocess.DEVNULL)
+        server = PageServer(folder)
+        try:
+            tests = sys.argv[1:] or sorted(str(path.relative_to(WEB)) for path in (WEB / "e2e").glob("*.mjs"))
+            done = subprocess.run(["node", "--test", "--test-concurrency=1", *tests], cwd=WEB, check=False,
+                                  env={**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORT": str(report)})
+        finally:
+            server.kill()
+    return done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

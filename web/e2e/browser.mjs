@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What the end-to-end tests share: a browser, the page of a running server, and what a learner does there.
+//   SOARBOX_PAGE      the server's address, http://127.0.0.1:8080 if it is not said
+//   SOARBOX_BROWSER   the browser, /usr/bin/chromium if it is not said
+//   SOARBOX_PICTURES  a folder for pictures of what the tests saw
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { chromium } from "playwright-core";
+
+export const ADDRESS = (process.env.SOARBOX_PAGE ?? "http://127.0.0.1:8080").replace(/\/$/, "");
+const PICTURES = process.env.SOARBOX_PICTURES ?? "";
+export const PATIENCE_MS = 60_000;
+
+let browser = null;
+export async function openBrowser() {
+  browser ??= await chromium.launch({
+    executablePath: process.env.SOARBOX_BROWSER ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+  });
+  return browser;
+}
+export async function closeBrowser() {
+  await browser?.close();
+  browser = null;
+}
+
+/** A page of its own, with what went wrong in it. `size`: width and height in pixels. */
+export async function openPage(path = "/", { size = [1280, 800], scheme = "light", touch = false } = {}) {
+  const context = await (await openBrowser()).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, hasTouch: touch });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE_MS);
+  const troubles = [];
+  page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
+  page.on("pageerror", (error) => troubles.push(String(error.stack ?? error)));
+  await page.goto(`${ADDRESS}${path}`);
+  return { page, troubles, close: () => context.close() };
+}
+
+export async function openWorld(page, name) {
+  await page.waitForSelector(".start h1");
+  await page.locator("button.card", { has: page.locator("b", { hasText: new RegExp(`^${name}$`) }) }).click();
+  await page.waitForSelector(".run-page:not([hidden])");
+}
+
+export async function openLesson(page, number) {
+  await page.waitForSelector(".start h1");
+  await page.locator("ol.cards button.card").nth(number - 1).click();
+  await page.waitForSelector(".panel.mission h2");
+  await page.waitForSelector(".cm-content .tok-keyword");
+}
+
+/** Puts a text into the editor as a learner does: everything is selected and typed over. */
+export async function typeRules(page, text) {
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Delete");
+  await page.keyboard.insertText(text);
+}
+
+export async function apply(page) {
+  await page.keyboard.press("Control+s");
+  await page.waitForSelector(".panel.edit .under p");
+}
+
+/** Shows a panel by its tab. */
+export async function show(page, title) {
+  await page.locator(`[role=tab]`, { hasText: title }).first().click();
+}
+
+/** Waits until a fact is there; says which one if it never is. */
+export async function until(fact, what) {
+  for (const end = Date.now() + PATIENCE_MS; Date.now() < end;) {
+    if (await fact()) return;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  assert.fail(`it never was so: ${what}`);
+}
+
+export async function picture(page, name) {
+  if (PICTURES === "") return;
+  mkdirSync(PICTURES, { recursive: true });
+  await page.screenshot({ path: `${PICTURES}/${name}.png`, timeout: PATIENCE_MS });
+}
