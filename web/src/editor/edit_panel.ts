@@ -5,6 +5,9 @@ import type { Panel, PanelContext } from "../panels/panel";
 import { problemView } from "../panels/problems";
 import type { Editor } from "./editor";
 import { LanguageClient } from "./language_client";
+import { merged, problemOf, type PlacedProblem } from "./problem_place";
+
+const ANSWERED_AFTER_MS = 500;
 
 const nameOf = (file: string): string => file.split("/").at(-1) ?? file;
 
@@ -24,7 +27,10 @@ export class EditPanel implements Panel {
   private loading = false;
 
   constructor(private readonly context: PanelContext) {
-    this.client = new LanguageClient(context.run);
+    this.client = new LanguageClient(context.run, () => {
+      this.mark();
+      context.redraw("edit");
+    });
     context.run.on("hello", () => {
       this.file = "";
       this.version = -1;
@@ -34,13 +40,14 @@ export class EditPanel implements Panel {
   }
 
   badge(contents: Contents): string {
-    const errors = contents.edit?.edit.problems.filter((one) => one.severity === "error").length ?? 0;
+    const errors = contents.edit === undefined ? 0 : this.allProblems().filter((one) => one.severity === "error").length;
     return errors === 0 ? "" : String(errors);
   }
 
   view(contents: Contents): Child {
     const edit = contents.edit?.edit, files = contents.edit?.files ?? [], isOpen = edit !== undefined && edit.file !== "";
     this.openFirst(contents);
+    const problems = isOpen ? this.allProblems() : [];
     const mayEdit = this.context.run.hello?.may_edit !== false, choices = new Set([...files.map((one) => one.file), ...(contents.edit?.open_files.map((one) => one.file) ?? [])]);
     if (isOpen) choices.add(edit.file);
     return [
@@ -52,8 +59,8 @@ export class EditPanel implements Panel {
         mayEdit && button("Revert", () => this.context.run.ask("edit-text", { what: "revert", text: this.editor?.text ?? "" }), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
       h("div.editor", { foreign: true, mounted: (element) => void this.load(element) }),
       h("div.under", { attributes: { "aria-live": "polite" } },
-        isOpen && edit.notice !== "" && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
-        isOpen && edit.problems.length > 0 && h("ul.plain.problems", null, edit.problems.map((one) => problemView(this.context, one))),
+        isOpen && edit.notice !== "" && !(edit.notice === "No errors." && problems.length > 0) && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
+        isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
         !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
     ];
   }
@@ -75,7 +82,15 @@ export class EditPanel implements Panel {
     this.loading = true;
     const { Editor } = await import("./editor");
     this.editor = new Editor(element, {
-      typed: (text) => this.context.run.ask("edit-text", { what: "check", text }),
+      typed: (text) => {
+        this.context.run.ask("edit-text", { what: "check", text });
+        void this.client.tell(text);
+        // Problems that stay the same do not come again: they are marked anew in the new text.
+        setTimeout(() => {
+          this.problems = "";
+          this.mark();
+        }, ANSWERED_AFTER_MS);
+      },
       apply: (text) => this.context.run.ask("edit-text", { what: "save", text }) && this.context.run.ask("edit-text", { what: "apply", text }),
     }, this.client);
     this.editor.setReadOnly(this.context.run.hello?.may_edit === false);
@@ -90,19 +105,29 @@ export class EditPanel implements Panel {
     if (edit.file !== this.file || edit.version !== this.version) {
       this.file = edit.file;
       this.version = edit.version;
-      this.client.look(edit.file);
       editor.show(edit.text, edit.is_rules);
+      if (edit.is_rules) this.client.look(edit.file, edit.text);
       this.problems = "";
     }
-    const problems = JSON.stringify(edit.problems);
-    if (problems !== this.problems) {
-      this.problems = problems;
-      editor.showProblems(edit.problems);
-    }
+    this.mark();
     if (edit.go_to_count !== this.goCount) {
       this.goCount = edit.go_to_count;
       if (edit.go_to_line > 0) editor.goTo(edit.go_to_line);
     }
+  }
+
+  /** What the kernel's reader says, and what the language server says of rules together. */
+  private allProblems(): PlacedProblem[] {
+    const edit = this.context.run.contents.edit?.edit, text = this.editor?.text ?? "";
+    const told = edit?.is_rules === true ? (this.client.diagnostics ?? []).map((one) => problemOf(one, text)) : [];
+    return merged(told, edit?.problems ?? []);
+  }
+
+  private mark(): void {
+    const all = this.allProblems(), told = JSON.stringify(all);
+    if (this.editor === null || told === this.problems) return;
+    this.problems = told;
+    this.editor.showProblems(all);
   }
 
   flush(): void {

@@ -6,9 +6,8 @@ import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemi
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
-import type { Problem } from "../run/contents";
 import { completeWith, type LanguageClient } from "./language_client";
-import { placeOf, remedyOf } from "./problem_place";
+import { placeOf, remedyOf, type PlacedProblem } from "./problem_place";
 import { soarColors, soarLanguage } from "./soar_language";
 
 const TYPED_AFTER_MS = 350;
@@ -67,7 +66,7 @@ export class Editor {
     this.view.dispatch({ effects: this.readOnly.reconfigure(isReadOnly ? [EditorState.readOnly.of(true), EditorView.editable.of(false)] : []) });
   }
 
-  showProblems(problems: readonly Problem[]): void {
+  showProblems(problems: readonly PlacedProblem[]): void {
     const text = this.text;
     const shown = problems.map((problem): Diagnostic => {
       const place = placeOf(problem, text), remedy = remedyOf(problem, text), hint = problem.hint ?? "";
@@ -75,7 +74,7 @@ export class Editor {
         ...place, severity: problem.severity === "error" ? "error" : problem.severity === "warning" ? "warning" : "info", message: hint === "" ? problem.message : `${problem.message}\n${hint}`,
         actions: remedy === null ? [] : [{ name: `Change to ${remedy.insert}`, apply: (view: EditorView, from: number, to: number) => {
           // The text may have moved since: the remedy is found again where the mark is now.
-          const moved = remedyOf({ ...problem, ...lineAndColumn(view.state.doc.toString(), from) }, view.state.doc.toString());
+          const moved = remedyOf({ ...problem, place: { from, to } }, view.state.doc.toString());
           const change = moved ?? { from, to, insert: remedy.insert };
           view.dispatch({ changes: change, userEvent: "input.fix" });
           view.focus();
@@ -120,9 +119,4 @@ export class Editor {
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = null;
   }
-}
-
-function lineAndColumn(text: string, at: number): { line: number; column: number } {
-  const before = text.slice(0, at).split("\n"), last = before.at(-1) ?? "";
-  return { line: before.length, column: new TextEncoder().encode(last).length + 1 };
 }

@@ -1,58 +1,80 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
 import type { Run } from "../run/run";
+import type { LspDiagnostic } from "./problem_place";
 
-const ANSWER_MS = 2500;
+const ANSWER_MS = 8000;
 
 interface Answer { id?: number; result?: unknown; error?: unknown }
 interface LspItem { label: string; kind?: number; detail?: string; documentation?: string | { value: string }; insertText?: string; textEdit?: { newText: string } }
 
 const TYPES: Readonly<Record<number, string>> = { 3: "function", 5: "property", 6: "variable", 12: "constant", 14: "keyword", 21: "constant", 22: "class" };
 
-/** Talks the language server's protocol through the run: what may stand where the caret is. */
+/** Talks the language server's protocol through the run: what is wrong with the text, and what may stand where the caret is. */
 export class LanguageClient {
+  /** Of the file that is looked at; null: nothing was said about it yet. */
+  diagnostics: readonly LspDiagnostic[] | null = null;
   private next = 1;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private started: Promise<boolean> | null = null;
-  private file = "";
+  private uri = "";
   private version = 0;
 
-  constructor(private readonly run: Run) {
-    run.on("language", (content) => {
-      const answer = content as Answer;
-      if (typeof answer.id !== "number") return;
-      this.waiting.get(answer.id)?.(answer);
-      this.waiting.delete(answer.id);
-    });
+  constructor(private readonly run: Run, private readonly changed: () => void) {
+    run.on("language", (content) => this.take(content as Answer & { method?: string; params?: { uri?: string; diagnostics?: LspDiagnostic[] } }));
     run.on("hello", () => {
       this.started = null;
-      this.file = "";
+      this.uri = "";
+      this.diagnostics = null;
     });
   }
 
-  look(file: string): void {
-    if (file === this.file) return;
-    this.file = file;
-    this.version = 0;
+  /** Another file is edited. */
+  look(file: string, text: string): void {
+    const uri = `file://${encodeURI(file)}`;
+    if (uri !== this.uri) {
+      this.uri = uri;
+      this.version = 0;
+      this.diagnostics = null;
+    }
+    void this.tell(text);
+  }
+
+  /** The text as it is now. */
+  async tell(text: string): Promise<boolean> {
+    if (this.uri === "" || !(await this.start())) return false;
+    this.version += 1;
+    if (this.version === 1) this.send({ method: "textDocument/didOpen", params: { textDocument: { uri: this.uri, languageId: "soar", version: 1, text } } });
+    else this.send({ method: "textDocument/didChange", params: { textDocument: { uri: this.uri, version: this.version }, contentChanges: [{ text }] } });
+    return true;
   }
 
   /** Null: no answer came, or none is known. */
   async complete(text: string, line: number, character: number): Promise<LspItem[] | null> {
-    if (this.file === "" || !(await this.start())) return null;
-    const uri = `file://${encodeURI(this.file)}`;
-    this.version += 1;
-    if (this.version === 1) this.send({ method: "textDocument/didOpen", params: { textDocument: { uri, languageId: "soar", version: 1, text } } });
-    else this.send({ method: "textDocument/didChange", params: { textDocument: { uri, version: this.version }, contentChanges: [{ text }] } });
-    const answer = await this.ask("textDocument/completion", { textDocument: { uri }, position: { line, character } });
+    if (!(await this.tell(text))) return null;
+    const answer = await this.ask("textDocument/completion", { textDocument: { uri: this.uri }, position: { line, character } });
     const result = answer?.result as LspItem[] | { items: LspItem[] } | null | undefined;
     if (result === null || result === undefined) return null;
     return Array.isArray(result) ? result : result.items;
   }
 
+  private take(content: Answer & { method?: string; params?: { uri?: string; diagnostics?: LspDiagnostic[] } }): void {
+    if (content.method === "textDocument/publishDiagnostics" && content.params !== undefined) {
+      if (decodeURI(content.params.uri ?? "") !== decodeURI(this.uri)) return;
+      this.diagnostics = content.params.diagnostics ?? [];
+      this.changed();
+      return;
+    }
+    if (typeof content.id !== "number") return;
+    this.waiting.get(content.id)?.(content);
+    this.waiting.delete(content.id);
+  }
+
+  /** Whoever came before may have started the server: its refusal to start again is an answer, too. */
   private start(): Promise<boolean> {
     this.started ??= this.ask("initialize", { processId: null, rootUri: null, capabilities: {} }).then((answer) => {
-      if (answer?.result === undefined) return false;
-      this.send({ method: "initialized", params: {} });
+      if (answer === null) return false;
+      if (answer.result !== undefined) this.send({ method: "initialized", params: {} });
       return true;
     });
     return this.started;
@@ -74,7 +96,7 @@ export class LanguageClient {
   }
 
   private send(message: object): void {
-    if (this.run.connection === "open") this.run.ask("language", { message: { jsonrpc: "2.0", ...message } });
+    if (this.run.connection === "open" && this.run.hello?.may_edit !== false) this.run.ask("language", { message: { jsonrpc: "2.0", ...message } });
   }
 }
 

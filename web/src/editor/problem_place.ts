@@ -2,6 +2,34 @@
 import type { Problem } from "../run/contents";
 
 export interface Place { from: number; to: number }
+/** A problem whose place in the text is known to the character. */
+export type PlacedProblem = Problem & { place?: Place };
+
+/** As the language server's protocol has it: lines from 0, UTF-16 units. */
+export interface LspDiagnostic {
+  range: { start: { line: number; character: number }; end: { line: number; character: number } };
+  severity?: number;
+  message: string;
+  data?: { hint?: string };
+}
+
+export function problemOf(told: LspDiagnostic, text: string): PlacedProblem {
+  const lines = text.split("\n"), hint = told.data?.hint ?? "";
+  const offset = ({ line, character }: { line: number; character: number }): number => {
+    const index = Math.min(line, lines.length - 1);
+    return lines.slice(0, index).reduce((sum, one) => sum + one.length + 1, 0) + Math.min(character, lines[index]!.length);
+  };
+  const from = offset(told.range.start), message = hint !== "" && told.message.endsWith(hint) ? told.message.slice(0, -hint.length).trim() : told.message;
+  return {
+    severity: told.severity === 1 ? "error" : told.severity === 2 ? "warning" : "note", message, line: told.range.start.line + 1, column: told.range.start.character + 1,
+    place: { from, to: Math.max(offset(told.range.end), from) }, ...(hint === "" ? {} : { hint }),
+  };
+}
+
+/** Both lists as one: what two tell of the same line in the same words is told once. */
+export function merged(first: readonly PlacedProblem[], second: readonly Problem[]): PlacedProblem[] {
+  return [...first, ...second.filter((one) => !first.some((other) => other.line === one.line && (other.message === one.message || other.severity === "error")))];
+}
 
 /** What a hint says was meant: "did you mean ^range?" is "range". Empty: it names nothing that could stand there. */
 export function meantBy(hint: string): string {
@@ -21,7 +49,8 @@ function underlined(excerpt: string | undefined): number {
 }
 
 /** Where in the text a problem is. Lines and columns (of bytes, from 1) may be from an older text: what is not there is cut. */
-export function placeOf(problem: Problem, text: string): Place {
+export function placeOf(problem: PlacedProblem, text: string): Place {
+  if (problem.place !== undefined && problem.place.to <= text.length) return problem.place;
   const lines = text.split("\n"), index = Math.min(Math.max((problem.line ?? 1) - 1, 0), lines.length - 1), line = lines[index] ?? "";
   const begin = lines.slice(0, index).reduce((sum, one) => sum + one.length + 1, 0);
   if (problem.column === undefined || problem.column < 1) {
@@ -48,7 +77,7 @@ function fromBytes(line: string, bytes: number): number {
 export interface Remedy { from: number; to: number; insert: string }
 
 /** The edit that a hint offers; null: it offers none. */
-export function remedyOf(problem: Problem, text: string): Remedy | null {
+export function remedyOf(problem: PlacedProblem, text: string): Remedy | null {
   const meant = meantBy(`${problem.message} ${problem.hint ?? ""}`);
   if (meant === "") return null;
   let { from, to } = placeOf(problem, text);

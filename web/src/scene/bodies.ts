@@ -24,7 +24,7 @@ export class Bodies {
 
   show({ before, after, share }: Between, camera: Vector3, isSlow: boolean): void {
     this.round += 1;
-    let fineLeft = isSlow ? 4 : MOST_FINE;
+    let fineLeft = isSlow ? 0 : MOST_FINE;
     for (const [id, drawable] of after.drawables) {
       if (drawable.shape !== Shape.Mesh) continue;
       let look = bodyLook(drawable.mesh);

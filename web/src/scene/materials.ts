@@ -2,7 +2,8 @@
 import { BufferAttribute, BufferGeometry, Color, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type Material, type WebGLProgramParametersWithUniforms } from "three";
 import { lookOf, type Look, type Rgb } from "./looks";
 import type { MeshData } from "./meshes/mesh_data";
-import { grainTexture, paintTexture } from "./paint";
+import { PLAIN_SIDE_M } from "./meshes/scenery";
+import { grainTexture, paintTexture, plainTexture } from "./paint";
 
 export function linear(color: Rgb): Rgb {
   const made = new Color().setRGB(color[0], color[1], color[2], SRGBColorSpace);
@@ -50,11 +51,7 @@ const GROUND_COLOUR = /* glsl */ `
 vec3 facing = abs(normalize(vWorldNormal));
 vec2 place = facing.y > 0.55 ? vWorldPlace.xz : facing.x > facing.z ? vWorldPlace.zy : vWorldPlace.xy;
 vec3 broader = texture2D(grain, place.yx * 0.0061 + 0.11).rgb;
-#ifdef PLAIN_GROUND
-float grains = 0.45 * broader.g + 0.25 * broader.b + 0.15;
-#else
 float grains = 0.45 * texture2D(grain, place * 0.31).r + 0.30 * texture2D(grain, place * 0.023 + 0.37).g + 0.25 * broader.b;
-#endif
 vec2 pixel = max(fwidth(place), vec2(1e-5));
 vec2 tiles = clamp((abs(fract(place * 0.05) - 0.5) - 0.25) / (pixel * 0.1), -0.5, 0.5);
 float checker = 4.0 * tiles.x * tiles.y * (1.0 - smoothstep(3.0, 10.0, max(pixel.x, pixel.y)));
@@ -86,7 +83,7 @@ float gridLine(vec2 place, vec2 pixel, float step_m, float width_m) {
 }
 `;
 
-function addGround(shader: WebGLProgramParametersWithUniforms, look: Look, plain: boolean): void {
+function addGround(shader: WebGLProgramParametersWithUniforms, look: Look): void {
   Object.assign(shader.uniforms, {
     grain: { value: grainTexture() }, baseColour: { value: [...look.base] }, grassColour: { value: [...(look.trim ?? [0, 0, 0])] }, growth: { value: look.trim === null ? 0 : 1 },
   });
@@ -102,8 +99,24 @@ faced = mat3(instanceMatrix) * faced;
 vWorldPlace = (modelMatrix * placed).xyz;
 vWorldNormal = normalize(mat3(modelMatrix) * faced);`);
   shader.fragmentShader = shader.fragmentShader
-    .replace("#include <common>", `#include <common>\n${plain ? "#define PLAIN_GROUND\n" : ""}${GROUND_COMMON}`)
+    .replace("#include <common>", `#include <common>\n${GROUND_COMMON}`)
     .replace("#include <color_fragment>", GROUND_COLOUR);
+}
+
+/** The same as one picture: cheaper to draw, coarser to look at. */
+function addPlain(shader: WebGLProgramParametersWithUniforms, look: Look): void {
+  shader.uniforms["plain"] = { value: plainTexture(look.base, look.trim, PLAIN_SIDE_M) };
+  shader.vertexShader = shader.vertexShader
+    .replace("#include <common>", "#include <common>\nvarying vec2 vOnPlain;")
+    .replace("#include <begin_vertex>", `#include <begin_vertex>
+vec4 placed = vec4(position, 1.0);
+#ifdef USE_INSTANCING
+placed = instanceMatrix * placed;
+#endif
+vOnPlain = (modelMatrix * placed).xz / ${PLAIN_SIDE_M.toFixed(1)} + 0.5;`);
+  shader.fragmentShader = shader.fragmentShader
+    .replace("#include <common>", "#include <common>\nvarying vec2 vOnPlain;\nuniform sampler2D plain;")
+    .replace("#include <color_fragment>", "diffuseColor.rgb = texture2D(plain, vOnPlain).rgb;");
 }
 
 /** Materials of looks, made once each. */
@@ -133,9 +146,12 @@ export class Materials {
       material.emissive = new Color().setRGB(look.base[0], look.base[1], look.base[2], SRGBColorSpace);
       material.emissiveIntensity = 0.5 * look.glow;
     }
-    if (look.paint === "ground") {
-      material.onBeforeCompile = (shader) => addGround(shader, look, this.isSlow);
-      material.customProgramCacheKey = () => `ground${this.isSlow}`;
+    if (look.paint === "ground" && this.isSlow) {
+      material.onBeforeCompile = (shader) => addPlain(shader, look);
+      material.customProgramCacheKey = () => "plain";
+    } else if (look.paint === "ground") {
+      material.onBeforeCompile = (shader) => addGround(shader, look);
+      material.customProgramCacheKey = () => "ground";
     }
     this.made.set(name, material);
     return material;

@@ -129,3 +129,28 @@ export function paintTexture(paint: Paint): DataTexture | null {
 export function grainTexture(): DataTexture {
   return once("grain", () => painted(256, (u, v) => [fractal2(u * 8, v * 8, 5, 11, 8), fractal2(u * 8, v * 8, 5, 23, 8), fractal2(u * 8, v * 8, 5, 37, 8)], true));
 }
+
+/** The plain of a world as one picture, where the processor draws: grass, soil, tracks and the lines every ten metres. */
+export function plainTexture(base: Rgb, grass: Rgb | null, sideM: number): DataTexture {
+  return once(`plain${base.join()}${grass?.join() ?? ""}${sideM}`, () => {
+    const size = 1024, grain = grainTexture().image as { data: Uint8Array };
+    const noise = (x: number, y: number, channel: number): number => {
+      const wrap = (value: number): number => ((Math.floor(value * 256) % 256) + 256) % 256;
+      return grain.data[4 * (wrap(y) * 256 + wrap(x)) + channel]! / 255;
+    };
+    const texture = painted(size, (u, v) => {
+      const x = (u - 0.5) * sideM, z = (v - 0.5) * sideM, bx = z * 0.0061 + 0.11, by = x * 0.0061 + 0.11;
+      const broad = noise(bx, by, 1), dry = noise(bx, by, 2), grains = 0.45 * noise(x * 0.31, z * 0.31, 0) + 0.3 * broad + 0.25 * dry;
+      const along = Math.abs(z - 15 - 6 * Math.sin(x * 0.045) - 2 * Math.sin(x * 0.13 + 1.3)), across = Math.abs(x + 19 - 5 * Math.sin(z * 0.05 + 0.7) - 1.5 * Math.sin(z * 0.17));
+      const t = Math.min(Math.max((Math.min(along, across) + 1.3 * (broad - 0.5) - 0.75) / 0.6, 0), 1), track = grass === null ? 1 : 1 - t * t * (3 - 2 * t);
+      const toDry = Math.min(Math.max((dry - 0.45) / 0.3, 0), 1), lines = Math.min(Math.abs(((x / 10 + 1000.5) % 1) - 0.5), Math.abs(((z / 10 + 1000.5) % 1) - 0.5)) < 0.012 ? 0.9 : 1;
+      const of = (c: 0 | 1 | 2): number => {
+        const soil = grass === null ? base[c] * (0.74 + 0.52 * grains) : base[c] * [0.98, 0.88, 0.7][c]! * (0.8 + 0.4 * grains);
+        const green = grass === null ? 0 : grass[c] * (1 + ([1.22, 1.06, 1.02][c]! - 1) * toDry) * (0.72 + 0.56 * grains);
+        return (green + (soil - green) * track) * lines;
+      };
+      return [of(0), of(1), of(2)];
+    });
+    return texture;
+  });
+}

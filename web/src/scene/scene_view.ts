@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import {
-  ACESFilmicToneMapping, AmbientLight, CapsuleGeometry, Color, DirectionalLight, FogExp2, HemisphereLight, Mesh, MeshBasicMaterial, PCFShadowMap, PointLight, Scene as World, Vector3,
+  ACESFilmicToneMapping, AmbientLight, BasicShadowMap, CapsuleGeometry, Color, DirectionalLight, FogExp2, HemisphereLight, Mesh, MeshBasicMaterial, PCFShadowMap, PointLight, Scene as World, Vector3,
   WebGLRenderer,
 } from "three";
 import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
@@ -333,6 +333,7 @@ export class SceneView {
     }
     if (detail > 0) return;
     this.renderer.shadowMap.autoUpdate = false;
+    this.renderer.shadowMap.type = BasicShadowMap;
     this.materials.isSlow = true;
     this.materials.dispose();
     this.things.clear();

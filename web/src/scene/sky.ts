@@ -64,8 +64,9 @@ export class Sky {
   private shown: string | null = null;
 
   constructor() {
-    this.mesh = new Mesh(new SphereGeometry(1, 48, 24), new MeshBasicMaterial({ side: BackSide, fog: false, depthWrite: false, depthTest: false, toneMapped: false }));
-    this.mesh.renderOrder = -10;
+    this.mesh = new Mesh(new SphereGeometry(1, 48, 24), new MeshBasicMaterial({ side: BackSide, fog: false, depthWrite: false, toneMapped: false }));
+    // After all that is solid, so that only what is seen of it is drawn.
+    this.mesh.renderOrder = 2;
     this.mesh.frustumCulled = false;
     this.mesh.scale.setScalar(900);
   }

@@ -7,18 +7,22 @@ import { figureMesh, isFigure } from "./meshes/figures";
 import type { MeshData } from "./meshes/mesh_data";
 import { modularMesh } from "./meshes/modular";
 import { sceneryMesh } from "./meshes/scenery";
-import { agentMesh, boxMesh, capsuleMesh, cylinderMesh, planeMesh, sphereMesh } from "./meshes/shapes";
+import { agentMesh, boxMesh, capsuleMesh, coarsely, cylinderMesh, planeMesh, sphereMesh } from "./meshes/shapes";
 import { bodyLook } from "./meshes/skeletons";
 import type { Between } from "../run/playout";
 
 interface Made { geometry: BufferGeometry; material: Material; castsShadow: boolean }
 interface Batch { mesh: InstancedMesh; count: number }
 
-function buildMesh(d: Drawable): MeshData {
+function buildMesh(d: Drawable, coarse: boolean): MeshData {
+  return coarsely(coarse, () => meshOf(d, coarse));
+}
+
+function meshOf(d: Drawable, coarse: boolean): MeshData {
   const [x, y, z] = d.size;
   const extents: readonly [number, number, number] = d.shape === Shape.Capsule ? [2 * x, y, 2 * x] : d.size;
   if (d.shape === Shape.Box || d.shape === Shape.Capsule) {
-    const figure = figureMesh(d.material, extents);
+    const figure = figureMesh(d.material, extents, coarse);
     if (figure !== null) return figure;
   }
   switch (d.shape) {
@@ -123,7 +127,7 @@ export class Things {
   private make(key: string, d: Drawable, agent: Agent | undefined): Made {
     const known = this.made.get(key);
     if (known !== undefined) return known;
-    const mesh = buildMesh(d), ownColor = agent !== undefined && isJustSomeTexture(d.material);
+    const mesh = buildMesh(d, this.materials.isSlow), ownColor = agent !== undefined && isJustSomeTexture(d.material);
     // "NobiaxModular" is what the pieces of the kit wear anyway.
     const fromMesh = d.material === "" || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
     const name = ownColor ? `agent|${agent.kind}|${agent.alive}${agent.failed}` : fromMesh ? mesh.material : d.material;

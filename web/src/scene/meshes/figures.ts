@@ -2,7 +2,7 @@
 import type { Vec3 } from "../../format/scene";
 import { clamp, dot, MeshData, plus, times, unit } from "./mesh_data";
 import { latticeValue, noise2 } from "./noise";
-import { boxAround, capsuleMesh, cylinderMesh } from "./shapes";
+import { boxAround, capsuleMesh, coarsely, cylinderMesh, partsOf } from "./shapes";
 
 type Coat = readonly [tint: number, light: number, gloss: number];
 const OWN: Coat = [1, 1, 0];
@@ -12,8 +12,8 @@ function paste(mesh: MeshData, part: MeshData, at: Vec3, [tint, light, gloss]: C
 }
 
 /** A ball squeezed to these half axes, with lumps of that share of them. */
-function ball(half: Vec3, lumps = 0, seed = 1, around = 16, up = 10): MeshData {
-  const mesh = new MeshData();
+function ball(half: Vec3, lumps = 0, seed = 1, fineAround = 16, fineUp = 10): MeshData {
+  const mesh = new MeshData(), around = partsOf(fineAround), up = Math.max(4, partsOf(fineUp) - 1);
   for (let r = 0; r <= up; ++r) {
     const t = Math.PI * (r / up - 0.5);
     for (let s = 0; s <= around; ++s) {
@@ -177,8 +177,8 @@ function flower(size: Vec3): MeshData {
 
 /** Leaves that fill the box. */
 function hedge(size: Vec3): MeshData {
-  const least = Math.min(...size), mesh = boxAround([0, 0, 0], times(size, 0.94), 0.1 * least).moved([0, 0, 0], { light: 0.72 });
-  const leaf = clamp(1.3 * least, 0.25, 1.2), steps = size.map((side) => clamp(Math.round((1.6 * side) / leaf), 1, 24));
+  const least = Math.min(...size), isCoarse = partsOf(28) < 28, mesh = boxAround([0, 0, 0], times(size, 0.94), 0.1 * least).moved([0, 0, 0], { light: 0.72 });
+  const leaf = clamp(1.3 * least, 0.25, 1.2) * (isCoarse ? 1.9 : 1), steps = size.map((side) => clamp(Math.round((1.6 * side) / leaf), 1, 24));
   const [across, up, along] = steps as [number, number, number];
   let seed = 3;
   for (let i = 0; i < across; ++i) {
@@ -186,7 +186,7 @@ function hedge(size: Vec3): MeshData {
       for (let k = 0; k < along; ++k, ++seed) {
         if (i > 0 && i + 1 < across && j > 0 && j + 1 < up && k > 0 && k + 1 < along) continue;
         const at = (n: number, count: number, side: number): number => side * ((n + 0.5) / count - 0.5);
-        paste(mesh, ball([leaf / 2, leaf / 2, leaf / 2], 0.5, seed, 9, 5), [at(i, across, size[0]), at(j, up, size[1]), at(k, along, size[2])],
+        paste(mesh, ball([leaf / 2, leaf / 2, Math.min(leaf / 2, 0.8 * size[2])], 0.5, seed, 9, 5), [at(i, across, size[0]), at(j, up, size[1]), at(k, along, size[2])],
           [1, 0.8 + 0.35 * latticeValue(i, j, k, 11), 0]);
       }
     }
@@ -281,7 +281,7 @@ export function isFigure(material: string): boolean {
 }
 
 /** Null if the material names no figure, or the size is none. */
-export function figureMesh(material: string, size: Vec3): MeshData | null {
+export function figureMesh(material: string, size: Vec3, coarse = false): MeshData | null {
   if (!isFigure(material) || !size.every((side) => Number.isFinite(side) && side > 0)) return null;
-  return FIGURES[material]!(size);
+  return coarsely(coarse, () => FIGURES[material]!(size));
 }

@@ -6,9 +6,24 @@ interface Ring { radius: number; y: number; tint?: number; light?: number; gloss
 
 const sane = (size: number): number => (Number.isFinite(size) && size > 0 ? size : 0);
 
+let isCoarse = false;
+
+/** Whatever is made meanwhile has fewer faces: for pictures that the processor draws. */
+export function coarsely<T>(coarse: boolean, make: () => T): T {
+  const before = isCoarse;
+  isCoarse = coarse;
+  try {
+    return make();
+  } finally {
+    isCoarse = before;
+  }
+}
+/** How many parts something round is made of. */
+export const partsOf = (fine: number): number => (isCoarse ? Math.max(5, Math.round(fine * 0.45)) : fine);
+
 /** Turns a profile, from bottom to top, about the y axis. */
-function revolve(profile: readonly Ring[], segments = 28): MeshData {
-  const mesh = new MeshData();
+function revolve(profile: readonly Ring[]): MeshData {
+  const mesh = new MeshData(), segments = partsOf(28);
   profile.forEach((ring, i) => {
     const below = profile[Math.max(i - 1, 0)]!, above = profile[Math.min(i + 1, profile.length - 1)]!;
     const dr = above.radius - below.radius, dy = above.y - below.y, size = Math.max(Math.hypot(dr, dy), 1e-6);
@@ -29,7 +44,8 @@ function revolve(profile: readonly Ring[], segments = 28): MeshData {
   return mesh;
 }
 
-function arc(profile: Ring[], radius: number, height: number, centre: number, from: number, to: number, steps: number, light?: number): void {
+function arc(profile: Ring[], radius: number, height: number, centre: number, from: number, to: number, fineSteps: number, light?: number): void {
+  const steps = isCoarse ? Math.max(2, Math.round(fineSteps * 0.4)) : fineSteps;
   for (let i = 0; i <= steps; ++i) {
     const angle = from + ((to - from) * i) / steps;
     profile.push({ radius: Math.max(0, radius * Math.cos(angle)), y: centre + height * Math.sin(angle), ...(light === undefined ? {} : { light }) });
@@ -145,7 +161,7 @@ function radiusAt(profile: readonly Ring[], y: number): number {
 
 /** A dark, glossy patch on the front (+z) that shows where somebody looks; its border sinks into the body. */
 function visor(profile: readonly Ring[], low: number, high: number, halfAngle: number, radius: number): MeshData {
-  const columns = 20, rows = 12, mesh = new MeshData();
+  const columns = partsOf(20), rows = partsOf(12), mesh = new MeshData();
   const point = (a: number, b: number): Vec3 => {
     const y = (low + high) / 2 + ((high - low) / 2) * b, inside = 1 - a ** 4 - b ** 4;
     const r = radiusAt(profile, y) + radius * (inside > 0 ? 0.075 * Math.sqrt(inside) : -0.1 * Math.min(1, -inside));

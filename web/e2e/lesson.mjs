@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// A learner's way: a wrong answer and what is said about it, hints, an error with its remedy, the solution, the grade, what comes next.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { apply, closeBrowser, openLesson, openPage, picture, typeRules, until } from "./browser.mjs";
+
+const file = (name) => readFileSync(new URL(`../../lessons/01-a-rule/${name}`, import.meta.url), "utf8");
+after(closeBrowser);
+
+test("lesson 1, from the first click to the next lesson", async () => {
+  const { page, troubles, close } = await openPage();
+  await openLesson(page, 1);
+  assert.match(await page.locator(".panel.mission .task").innerText(), /Greet each visitor by name/);
+  assert.doesNotMatch(await page.locator(".panel.mission .task").innerText(), /Alt\+/);
+  assert.match(await page.locator(".cm-content").innerText(), /porter\*greet/);
+
+  // An error: at its place, with its remedy, and the world goes on with what it had.
+  await typeRules(page, file("porter.soar").replace("^io.input-link.agent <a>)", "^io.input-link.agent <a>"));
+  await page.waitForSelector(".panel.edit .problem.error");
+  await page.waitForSelector(".cm-lintRange-error");
+  await picture(page, "lesson_error");
+  await apply(page);
+  await until(async () => /previous version keeps running/.test(await page.locator(".panel.edit .under").innerText()), "an error keeps the previous version");
+
+  // A slip, mended by one click.
+  await typeRules(page, file("porter.soar").replace("^io.input-link.agent", "^io.input-link.agnet"));
+  await page.waitForSelector(".panel.edit .problem");
+  await page.waitForSelector(".cm-lintRange");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("F8");
+  await page.locator(".cm-diagnosticAction", { hasText: "Change to agent" }).first().click();
+  await until(async () => /input-link\.agent/.test((await page.locator(".cm-content").innerText()).replace(/\s/g, "")), "the remedy is in the text");
+
+  // A wrong answer: hints, and a grade that says why.
+  await typeRules(page, file("wrong/03-constant/porter.soar"));
+  await apply(page);
+  await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "it was reloaded");
+  await page.locator(".panel.mission button", { hasText: "Hint 1 of 3" }).click();
+  await page.waitForSelector(".hints li");
+  await page.locator(".panel.mission button", { hasText: "Grade" }).click();
+  await until(async () => /never bert|carries the name|not passed|failed/i.test(await page.locator(".panel.mission").innerText()), "the grade says what is wrong");
+  await picture(page, "lesson_wrong");
+
+  await typeRules(page, file("solution/porter.soar"));
+  await apply(page);
+  await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
+  await page.waitForSelector(".panel.mission .passed");
+  await picture(page, "lesson_passed");
+  await page.locator(".panel.mission button", { hasText: "Next lesson" }).click();
+  await until(async () => /Operators/.test(await page.locator(".panel.mission h2").innerText()), "the next lesson is open");
+  await page.locator("button.home").click();
+  await page.waitForSelector(".card.passed");
+  assert.deepEqual(troubles, []);
+  await close();
+});
