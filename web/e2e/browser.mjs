@@ -9,7 +9,7 @@ import { chromium } from "playwright-core";
 
 export const ADDRESS = (process.env.SOARBOX_PAGE ?? "http://127.0.0.1:8080").replace(/\/$/, "");
 const PICTURES = process.env.SOARBOX_PICTURES ?? "";
-export const PATIENCE_MS = 60_000;
+export const PATIENCE_MS = 150_000;
 
 let browser = null;
 export async function openBrowser() {

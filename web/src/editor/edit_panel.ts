@@ -91,7 +91,10 @@ export class EditPanel implements Panel {
           this.mark();
         }, ANSWERED_AFTER_MS);
       },
-      apply: (text) => this.context.run.ask("edit-text", { what: "save", text }) && this.context.run.ask("edit-text", { what: "apply", text }),
+      apply: (text) => {
+        void this.client.tell(text);
+        if (this.context.run.ask("edit-text", { what: "save", text })) this.context.run.ask("edit-text", { what: "apply", text });
+      },
     }, this.client);
     this.editor.setReadOnly(this.context.run.hello?.may_edit === false);
     this.file = "";

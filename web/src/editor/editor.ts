@@ -2,7 +2,7 @@
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, foldGutter, indentOnInput, indentUnit } from "@codemirror/language";
-import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
@@ -44,6 +44,7 @@ export class Editor {
         ],
       }),
     });
+    this.makeScrollable();
   }
 
   get text(): string {
@@ -60,6 +61,13 @@ export class Editor {
       effects: this.language.reconfigure(isRules ? [soarLanguage, soarColors] : []),
     });
     this.fromElsewhere = false;
+  }
+
+  private makeScrollable(): void {
+    // Whoever has no mouse scrolls it, too.
+    this.view.scrollDOM.tabIndex = 0;
+    this.view.scrollDOM.setAttribute("role", "group");
+    this.view.scrollDOM.setAttribute("aria-label", "Text of the rules");
   }
 
   setReadOnly(isReadOnly: boolean): void {
@@ -81,6 +89,10 @@ export class Editor {
         } }],
       };
     }).filter((one) => one.to >= one.from && one.to <= text.length);
+    // What is marked already stays: a remedy that is being read is not taken away.
+    const there: string[] = [];
+    forEachDiagnostic(this.view.state, (one, from, to) => there.push(`${from}-${to} ${one.message}`));
+    if (there.sort().join() === shown.map((one) => `${one.from}-${one.to} ${one.message}`).sort().join()) return;
     this.view.dispatch(setDiagnostics(this.view.state, shown));
   }
 

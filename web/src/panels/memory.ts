@@ -37,7 +37,7 @@ function storyView(context: PanelContext, story: ElementStory): View {
 }
 
 export const memoryPanel: MakePanel = (context) => {
-  let search = "";
+  let search = "", unfolded = "";
   return {
     word: "memory", title: "Memory", about: "Working memory as a tree; what changed is marked.", uses: ["memory", "moment"],
     view: (contents) => {
@@ -47,6 +47,12 @@ export const memoryPanel: MakePanel = (context) => {
         context.run.ask("search-memory", { text });
       });
       if (memory === undefined || memory.stack.states.length === 0) return [field, empty(contents.moment?.not_available || "Select an agent with a Soar mind: its working memory is shown here as a tree.")];
+      // The topmost state is unfolded to begin with.
+      const agent = contents.moment?.agent ?? "", top = memory.stack.states[0]!.state;
+      if (agent !== unfolded && agent !== "") {
+        unfolded = agent;
+        if (memory.objects[top] === undefined) context.run.ask("object", { id: top, is_open: true });
+      }
       return [
         field,
         memory.element !== null && storyView(context, memory.element),

@@ -18,6 +18,7 @@ import { Sky } from "./sky";
 import { Things } from "./things";
 
 const SLOW_FRAME_S = 0.055, FRAMES_TO_JUDGE = 20;
+const SLOW_EVERY_MS = 60;
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
 
@@ -162,6 +163,8 @@ export class SceneView {
   private frame(now: number): void {
     if (this.stopped) return;
     requestAnimationFrame((next) => this.frame(next));
+    // Where the processor draws, it has other things to do as well.
+    if (this.detail === 0 && now - this.lastFrame < SLOW_EVERY_MS) return;
     const seconds = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     if (this.canvas.clientWidth === 0) return;
