@@ -151,7 +151,7 @@
     });
     const jump = (t, text) => h('button', { type: 'button', class: 'link', on: { click: () => { stop(); go(t); } } }, text);
     const reasons = (list) => (list && list.length ? h('details', {}, [h('summary', {}, 'Why'), h('pre', {}, list.join('\n'))]) : null);
-    const marks = { passed: ['✓', 'good'], failed: ['✗', 'bad'], moment: ['•', 'moment'] };
+    const marks = { passed: ['✓', 'good'], failed: ['✗', 'bad'], moment: ['•', 'moment'], 'over seeds': ['○', 'quiet'] };
 
     const checks = run.checks.length ? section('Checks', h('ul', { class: 'plain' }, run.checks.map((check) => h('li', {}, [
       h('span', { class: marks[check.mark][1] }, marks[check.mark][0] + ' ' + check.mark + ' '),

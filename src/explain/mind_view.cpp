@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <sstream>
+#include <unordered_set>
 #include <utility>
 
 #include "explain/command_inspector.h"
@@ -180,7 +181,10 @@ std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::ve
     std::vector<std::string> next;
     for (std::size_t i = 0; i < at.size() && i < kMostFollowed; ++i)
       if (IsIdentifier(at[i])) ReadValues(Ask("print --exact (" + at[i] + " ^" + attribute + " *)"), attribute, next);
-    at = std::move(next);
+    at.clear();
+    std::unordered_set<std::string> seen;
+    for (std::string& value : next)
+      if (seen.insert(value).second) at.push_back(std::move(value));
   }
   return at;
 }

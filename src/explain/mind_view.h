@@ -59,7 +59,7 @@ class MindView {
   std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
   /// Values of an attribute anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);
-  /// Values at the end of a path of attributes that begins at an identifier.
+  /// Values at the end of a path of attributes that begins at an identifier, each once.
   std::vector<std::string> ValuesAt(const std::string& id, const std::vector<std::string>& path);
   /// The elements that a preference rests on, "(I2 ^path P2)".
   std::vector<std::string> Elements(const Preference& preference);

@@ -445,7 +445,8 @@ std::vector<std::string_view> WordsOfPercept(const std::string& attribute) {
     if (row.words.empty()) return {};
     for (std::string_view rest = row.words; !rest.empty();) {
       const std::size_t end = std::min(rest.find(' '), rest.size());
-      words.push_back(rest.substr(0, end));
+      // Several percepts of this name may have the same words.
+      if (std::ranges::find(words, rest.substr(0, end)) == words.end()) words.push_back(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }

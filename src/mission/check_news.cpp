@@ -14,8 +14,11 @@ sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict
   event.tick = tick;
   event.time_s = time_s;
   event.text = asked.name;
-  event.parameters = std::string(NameOf(verdict.state));
-  event.reasons = {Expectation(asked, {}, mission), verdict.was, verdict.agent, asked.marker ? "marker" : ""};
+  // What is to be true with some seeds says nothing of one run.
+  const bool is_over_seeds = asked.pass && verdict.state != State::kTrue && verdict.state != State::kOpen;
+  event.parameters = std::string(NameOf(is_over_seeds ? State::kUndecided : verdict.state));
+  const std::string was = is_over_seeds ? OverSeeds(*asked.pass) : verdict.was;
+  event.reasons = {Expectation(asked, {}, mission), was, verdict.agent, asked.marker ? "marker" : ""};
   return event;
 }
 

@@ -184,6 +184,11 @@ std::string Whom(const Check& check) {
   return names;
 }
 
+std::string OverSeeds(int runs) {
+  return "not in this run; it is to be true in " + std::to_string(runs) + (runs == 1 ? " run" : " runs") +
+         " of the mission's seeds";
+}
+
 std::string Expectation(const Check& check, std::string_view who, const Mission& mission) {
   std::vector<std::string> what;
   for (const Condition& condition : check.conditions) what.push_back(Infinitive(condition));

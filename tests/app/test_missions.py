@@ -582,6 +582,17 @@ class Sweeps(MissionCase):
 
 
 class Reports(MissionCase):
+    def test_what_is_meant_over_seeds_is_no_failure_of_one_run(self):
+        self.mission('[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
+                     '[[check]]\nname = "now and then"\nagent = "scout"\nat = "mill"\nby = 1\npass = 0\n')
+        recording, page = self.folder / "run.soarrec", self.folder / "report.html"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "12", "--record", recording).code, 0)
+        self.assertEqual(Run("report", recording, "-o", page).code, 0)
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        self.assertEqual(data["verdict"], "passed: all of 1 checks")
+        self.assertEqual([check["mark"] for check in data["checks"]], ["passed", "over seeds"])
+        self.assertIn("not in this run; it is to be true in 0 runs", data["checks"][1]["text"])
+
     def test_a_page_stands_alone_and_texts_stay_texts(self):
         evil = "x</script><script>alert(1)</script>\" onload='alert(2)'"
         self.mission('[[check]]\nname = "%s"\nagent = "scout"\nat = "mill"\nby = 5\n' % evil.replace('"', '\\"'),
