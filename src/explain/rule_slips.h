@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -58,6 +59,10 @@ bool IsMemoryAnswer(const std::vector<std::string>& path);
 /// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
 /// link, places that the scenario does not have.
 std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownWords& known);
+
+/// Says once that rules seem to be written for another world, where hardly any of the percepts that they test is known
+/// here; then the vocabulary says nothing of them. Nothing where that is not so.
+std::optional<Slip> FindOtherWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// What all these searches find, one after the other.
 std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known);

@@ -104,8 +104,13 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
   return warnings;
 }
 
-std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known) {
+std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& given) {
   std::vector<Slip> all;
+  KnownWords known = given;
+  if (std::optional<Slip> other = FindOtherWorld(rules, given)) {
+    all.push_back(*std::move(other));
+    known.own_world = true;
+  }
   for (const std::vector<Slip>& some : {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known),
                                         FindSlipsOfMemory(rules), FindSlipsOfWorld(rules, known)})
     all.insert(all.end(), some.begin(), some.end());

@@ -337,6 +337,27 @@ class Typos(ScenarioCase):
             # An operator under two names is two places, and both are told.
             self.assertEqual(len(mine), 2 if name in ("applies another operator", "operator misspelt in an application") else 1, (name, mine))
 
+    def test_rules_for_another_world_are_told_once(self):
+        rules = """sp {play*propose*left
+   (state <s> ^superstate nil ^io.input-link <il>)
+   (<il> ^board.cell <c> ^game-over false ^score-so-far <sc>)
+   (<c> ^tile <t> ^column 1)
+-->
+   (<s> ^operator <o> + =)
+   (<o> ^name slide ^direction left)
+}
+sp {play*apply*slide
+   (state <s> ^operator <o> ^io.output-link <ol>)
+   (<o> ^name slide ^direction <d>)
+-->
+   (<ol> ^slide.direction <d>)
+}
+"""
+        run = Run("check", self.write("player.soar", rules))
+        self.assertEqual(run.err.count("warning:") + run.out.count("warning:"), 1, run.out + run.err)
+        self.assertIn("written for another world", run.out + run.err)
+        self.assertIn("^game-over", run.out + run.err)
+
     def test_a_good_file_has_none(self):
         run = Run("check", self.write("good.soar", GOOD), "--json")
         self.assertEqual((run.code, run.out), (0, ""))
