@@ -177,7 +177,8 @@ std::string SvsPaths::Fail(std::string text) {
 
 std::string SvsPaths::Use(std::string_view path, Arguments arguments) {
   if (IsHere(path)) return UseRoot(arguments);
-  const auto [first, rest] = SplitPath(path);
+  const std::pair<std::string_view, std::string_view> split = SplitPath(path);
+  const std::string_view first = split.first, rest = split.second;
   const auto is = [&](std::string_view name) {
     return std::equal(first.begin(), first.end(), name.begin(), name.end(),
                       [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
@@ -245,7 +246,7 @@ std::string SvsPaths::UseScene(StateScene& state, std::string_view rest, Argumen
       const auto [child_name, deeper] = SplitPath(below);
       const auto& children = node->children();
       const auto child = std::find_if(children.begin(), children.end(),
-                                      [&](const auto& candidate) { return candidate->id() == child_name; });
+                                      [name = child_name](const auto& candidate) { return candidate->id() == name; });
       if (child == children.end()) return std::string(kNotFound);
       node = child->get();
       below = deeper;
