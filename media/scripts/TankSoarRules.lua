@@ -30,7 +30,7 @@ local kMap = {
 };
 
 TankSoarRules.Defaults = {
-    map = kMap,
+    map = kMap, facing = {},                             -- Of each tank at its beginning; else by chance.
     mostHealth = 1000, mostEnergy = 1000, missiles = 15,
     mostPacks = 3, packChance = 5, packMissiles = 7,     -- Percent in each turn.
     collisionDamage = 100, missileDamage = 400,
@@ -164,7 +164,8 @@ end
 function TankSoarRules:Join(color)
     local start = self.starts[#self.tanks + 1] or FreeCell(self);
     local tank = {
-        color = color, x = start.x, y = start.y, direction = TankSoarRules.Directions[self.random(4)], score = 0,
+        color = color, x = start.x, y = start.y, score = 0,
+        direction = self.facing[#self.tanks + 1] or TankSoarRules.Directions[self.random(4)],
         shields = false, radar = false, radarPower = 0,
         view = 0, -- Counts the times that it has looked from elsewhere.
         wish = {}

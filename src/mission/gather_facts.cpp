@@ -23,6 +23,9 @@ PlaceFacts PlaceOf(const sim::Region& region) {
   return {region.name, region.center, region.radius_m, region.half_x_m, region.half_z_m};
 }
 
+/// Who is this many metres further a tick later did not walk: something placed it there.
+constexpr double kPlacedElsewhere = 2;
+
 std::string ImpasseName(const mind::StateMade& state) {
   if (state.reason == mind::StateReason::kNoChange) return state.on_operator ? "operator-no-change" : "state-no-change";
   return std::string(tell::ReasonName(state.reason));
@@ -138,7 +141,8 @@ void FactGatherer::GatherBodies() {
     if (const std::optional<float> score = body->Score()) facts.score = static_cast<double>(*score);
     const world::Vec3 moved = body->Position() - facts.position;
     facts.speed = std::hypot(static_cast<double>(body->Velocity().x), static_cast<double>(body->Velocity().z));
-    facts.distance += std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.z));
+    const double walked = std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.z));
+    if (walked < kPlacedElsewhere) facts.distance += walked;
     facts.position = body->Position();
     while (next_actor < actors.size() && actors[next_actor]->id() < id) ++next_actor;
     if (next_actor == actors.size() || actors[next_actor]->id() != id) continue;

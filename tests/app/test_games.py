@@ -111,6 +111,14 @@ class Games(ScenarioCase):
         self.assertNotEqual(run.code, 0)
         self.assertIn("there is no script 'Bord.lua'", run.err)
 
+    def test_each_step_with_tanks_is_graded_as_it_should(self):
+        self.assertIn("soarbox learn tanks lists another course", Run("learn").out)
+        self.assertIn(" 4  Attack what the radar shows", Run("learn", "tanks").out)
+        tested = Run("learn", "tanks", "test")
+        self.assertEqual(tested.code, 0, tested.out + tested.err)
+        self.assertEqual(len(re.findall("solution: as it should", tested.out)), 8)
+        self.assertGreaterEqual(len(re.findall("wrong/.*: as it should", tested.out)), 30)
+
     def test_each_step_of_the_course_is_graded_as_it_should(self):
         listed = Run("learn", "eaters")
         self.assertEqual(listed.code, 0, listed.err)

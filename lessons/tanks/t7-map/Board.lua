@@ -1,0 +1,15 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+-- The board of this lesson. Digits are where the tanks begin; H and E are the chargers.
+require "TankSoar";
+
+TankSoar.Settings = {
+    map = {
+        "E#########",
+        "#1       #",
+        "# ###### #",
+        "#   H    #",
+        "##########"
+    },
+    facing = { "east" },
+    mostPacks = 0
+};
