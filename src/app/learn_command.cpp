@@ -145,10 +145,11 @@ class Learner {
     std::cout << grade.outcome.passed << " of " << grade.outcome.runs.size() << " seeds passed; this was seed "
               << run.seed << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
     if (run.outcome != "ok") std::cout << "This run " << run.outcome << ": " << run.error << '\n';
-    if (!grade.hint.empty()) std::cout << "\n" << grade.hint << '\n';
-    if (grade.account.empty()) return;
-    std::cout << "\nWhat this run shows of your rules:\n";
+    // What the run itself knows comes first; a guess by what was seen is a guess, and a slip explains it well enough.
+    if (!grade.account.empty()) std::cout << "\nWhat this run shows of your rules:\n";
     for (const std::string& line : grade.account) std::cout << "- " << line << '\n';
+    if (!grade.hint.empty() && !grade.has_slip)
+      std::cout << (grade.account.empty() ? "\n" : "\nIf that is not it: ") << grade.hint << '\n';
   }
 
   int Reset(const Lesson& lesson) {

@@ -258,6 +258,8 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
     break;
   }
   if (failed->outcome == "ok") grade.account = AccountOf(loaded, lesson, std::move(written), failed->seed);
+  // Slips are told with their file; everything else begins otherwise.
+  grade.has_slip = !grade.account.empty() && grade.account.front().starts_with(lesson.rules + ":");
   return grade;
 }
 

@@ -52,7 +52,8 @@ struct Grade {
   mission::MissionOutcome outcome;
   std::string mistake, hint;         ///< The typical mistake that was recognised in the run, and what to tell about it.
   std::size_t example = 0;           ///< Of the outcome's runs, the first that failed.
-  std::vector<std::string> account;  ///< What that run itself says of the learner's rules.
+  std::vector<std::string> account;  ///< What that run itself says of the learner's rules, slips first.
+  bool has_slip = false;             ///< It begins with a slip: that comes before any guess.
 };
 
 /// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all.

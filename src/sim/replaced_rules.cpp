@@ -37,7 +37,7 @@ Result<void> CheckReplacements(const Scenario& scenario, const world::World& wor
   std::vector<std::string> names;
   for (const world::EntityId id : world.AgentIds()) names.push_back(world.FindAgent(id)->name());
   for (const auto& [name, file] : scenario.replaced_rules) {
-    const auto is_meant = [&](const std::string& agent) { return agent == name || agent == name + "-1"; };
+    const auto is_meant = [&meant = name](const std::string& agent) { return agent == meant || agent == meant + "-1"; };
     if (std::ranges::any_of(names, is_meant)) continue;
     std::string hint = "there are:";
     for (const std::string& agent : names) hint += " " + agent;
