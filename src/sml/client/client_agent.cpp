@@ -24,6 +24,9 @@ char const* Agent::GetAgentName() const {
 Kernel* Agent::GetKernel() const {
   return &data_->kernel;
 }
+unsigned long long Agent::GetLife() const {
+  return data_->memory.life();
+}
 
 // Input ---------------------------------------------------------------------------------------------------------------
 

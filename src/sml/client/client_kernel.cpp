@@ -110,6 +110,11 @@ int Kernel::GetListenerPort() {
   return link ? link->ListenerPort() : 0;
 }
 
+void Kernel::Together(std::function<void()> const& calls) {
+  const Lock lock = Hold(*data_);
+  calls();
+}
+
 void Kernel::SetAutoCommit(bool state) {
   const Lock lock = Hold(*data_);
   if (state) CommitAll();

@@ -36,6 +36,10 @@ class EXPORT Agent : public ClientErrors {
 
   char const* GetAgentName() const;
   Kernel* GetKernel() const;
+#ifndef SOARBOX_PUBLIC_API_ONLY
+  /// A number that no other agent of this process has or had. Not part of the interface of Soar 9.6.3.
+  unsigned long long GetLife() const;
+#endif
 
   /// Sources a file of rules and commands. False if there was an error in it; GetLastErrorDescription() lists every one
   /// with file, line and column, and rules without errors are loaded all the same.

@@ -46,6 +46,13 @@ class EXPORT IdentifierSymbol {
 
   void DebugString(std::string& result);
 
+#ifndef SOARBOX_PUBLIC_API_ONLY
+  /// As WMElement::GetLife. Not part of the interface of Soar 9.6.3.
+  unsigned long long GetLife() const {
+    return life_;
+  }
+#endif
+
  private:
   friend class Identifier;
   friend class WorkingMemory;
@@ -54,7 +61,8 @@ class EXPORT IdentifierSymbol {
   std::string const& Name();
 
   WorkingMemory* memory_ = nullptr;
-  std::string name_;      ///< Empty until somebody asks, if the kernel made it.
+  std::string name_;  ///< Empty until somebody asks, if the kernel made it.
+  unsigned long long life_ = 0;
   long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients gave.
   bool has_own_ = false;  ///< May have children that the agent did not make.
   std::vector<Identifier*> users_;

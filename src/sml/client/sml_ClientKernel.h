@@ -68,6 +68,10 @@ class EXPORT Kernel : public ClientErrors {
   bool IsDirectConnection();
 
 #ifndef SOARBOX_PUBLIC_API_ONLY
+  /// Makes calls of this kernel and its agents with none of another thread between them: texts that they return can be
+  /// copied there, and objects looked at. Not part of the interface of Soar 9.6.3.
+  void Together(std::function<void()> const& calls);
+
   /// How long a remote kernel may be silent while it is asked something: a run, say. After that the connection counts
   /// as closed (IsConnectionClosed) and calls fail at once. Command lines that are no runs may take five times as long.
   /// 0, the default: calls fail after a minute, and runs and command lines may take as long as they like. Not part of

@@ -61,6 +61,14 @@ class EXPORT WMElement {
   /// Appends a line for people.
   void DebugString(std::string& result);
 
+#ifndef SOARBOX_PUBLIC_API_ONLY
+  /// A number that no other element of this process has or had; 0 once the element is a dead object. While its agent is
+  /// there, it can be asked of any element that was one of that agent. Not part of the interface of Soar 9.6.3.
+  unsigned long long GetLife() const {
+    return life_;
+  }
+#endif
+
   WMElement(WMElement const&) = delete;
   WMElement& operator=(WMElement const&) = delete;
 
@@ -76,6 +84,7 @@ class EXPORT WMElement {
   IdentifierSymbol* parent_ = nullptr;
   std::string attribute_;
   long long time_tag_ = 0;
+  unsigned long long life_ = 0;
   unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
   Kind kind_;
   bool just_added_ = false;

@@ -2,6 +2,7 @@
 #include "sml/client/working_memory.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 
 #include "sml/client/agent_data.h"
@@ -21,6 +22,12 @@ bool CommitsAtOnce(const KernelData& data) {
 
 WorkingMemory::~WorkingMemory() = default;
 
+/// Leaves room for the numbers of 2^40 elements.
+unsigned long long WorkingMemory::NewLife() {
+  static std::atomic<unsigned long long> memories{0};
+  return ++memories << 40;
+}
+
 bool WorkingMemory::Owns(const WMElement* wme) const {
   return wme && wme->live_ && wme->agent_ == &data_.agent;
 }
@@ -33,6 +40,7 @@ IdentifierSymbol* WorkingMemory::FindSymbol(long long key) {
 IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name, long long key) {
   IdentifierSymbol* symbol = symbols_.Take();
   symbol->memory_ = this;
+  symbol->life_ = ++last_life_;
   symbol->name_ = name;
   symbol->key_ = key;
   symbol->users_.clear();
@@ -55,6 +63,7 @@ void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string
   wme->parent_ = parent;
   wme->attribute_ = attribute;
   wme->time_tag_ = tag;
+  wme->life_ = ++last_life_;
   wme->just_added_ = output;
   wme->live_ = true;
   wme->input_ = kNoInputHandle;
@@ -77,6 +86,7 @@ void WorkingMemory::Detach(WMElement* wme) {
 }
 
 void WorkingMemory::RetireElement(WMElement* wme) {
+  wme->life_ = 0;
   switch (wme->kind_) {
     case WMElement::Kind::kString:
       strings_.GiveBack(static_cast<StringElement*>(wme));
@@ -111,6 +121,7 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
     spare_nodes_.splice(spare_nodes_.end(), symbol->children_);
   }
   if (symbol->key_ != 0) symbols_by_key_.Take(symbol->key_);
+  symbol->life_ = 0;
   symbols_.GiveBack(symbol);
 }
 

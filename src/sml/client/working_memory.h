@@ -23,7 +23,7 @@ struct AgentData;
 /// Elements are recycled: in the steady state of a host's loop nothing is allocated.
 class WorkingMemory {
  public:
-  explicit WorkingMemory(AgentData& data) : data_(data) {
+  explicit WorkingMemory(AgentData& data) : data_(data), life_(NewLife()), last_life_(life_) {
     // Room for a few commands, so that the first ticks cost what the later ones do.
     changes_.deltas_.reserve(kUsualChanges);
     removed_.reserve(kUsualChanges);
@@ -76,6 +76,9 @@ class WorkingMemory {
   void InvalidateOutput();
   bool SynchronizeOutput();
 
+  /// What no other working memory of this process has; its elements get the numbers that follow (WMElement::GetLife).
+  unsigned long long life() const { return life_; }
+
   /// A live element of this agent?
   bool Owns(const WMElement* wme) const;
   IdentifierSymbol* FindSymbol(long long key);
@@ -104,7 +107,11 @@ class WorkingMemory {
   void ReleaseBelow(IdentifierSymbol* symbol);
   std::string NewName(char const* attribute);
 
+  static unsigned long long NewLife();
+
   AgentData& data_;
+  const unsigned long long life_;
+  unsigned long long last_life_;
   Identifier* input_link_ = nullptr;
   Identifier* output_link_ = nullptr;
   DeltaList pending_;

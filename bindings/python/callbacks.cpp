@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "callbacks.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <thread>
+
+namespace soarbox::python {
+
+using bindings::KernelEntry;
+
+namespace {
+
+/// Who is in Python on behalf of a handler, and whether anybody may still go there.
+struct Door {
+  std::mutex mutex;
+  std::condition_variable left;
+  int inside = 0;
+  bool shut = false;
+
+  bool Enter() {
+    const std::lock_guard lock(mutex);
+    if (shut) return false;
+    ++inside;
+    return true;
+  }
+  void Leave() {
+    const std::lock_guard lock(mutex);
+    --inside;
+    left.notify_all();
+  }
+};
+
+Door& TheDoor() {
+  static auto* door = new Door;
+  return *door;
+}
+
+/// What interrupted a handler of this thread, until the call that it ran in is over.
+struct Interruption {
+  PyObject *type = nullptr, *value = nullptr, *traceback = nullptr;
+};
+thread_local Interruption interruption;
+
+/// A Python function, its data and what it is for.
+struct Callback : std::enable_shared_from_this<Callback> {
+  Callback(PyObject* function, PyObject* data, const char* what, std::shared_ptr<KernelEntry> entry)
+      : function(function), data(data), what(what), entry(std::move(entry)) {
+    const PyGILState_STATE state = PyGILState_Ensure();
+    Py_INCREF(function);
+    Py_INCREF(data);
+    PyGILState_Release(state);
+  }
+  ~Callback() {
+    if (!TheDoor().Enter()) return;
+    const PyGILState_STATE state = PyGILState_Ensure();
+    Py_DECREF(function);
+    Py_DECREF(data);
+    PyGILState_Release(state);
+    TheDoor().Leave();
+  }
+  Callback(const Callback&) = delete;
+  Callback& operator=(const Callback&) = delete;
+
+  PyObject* const function;
+  PyObject* const data;
+  const char* const what;
+  const std::weak_ptr<KernelEntry> entry;
+};
+
+PyObject* Text(const char* text) {
+  if (!text) Py_RETURN_NONE;
+  return PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(std::strlen(text)), "surrogateescape");
+}
+
+/// What a function that rules call answers: text, or what str() makes of it; nothing for None.
+std::string AnswerText(PyObject* answer) {
+  if (answer == Py_None) return {};
+  PyObject* text = PyObject_Str(answer);
+  PyObject* bytes = text ? PyUnicode_AsEncodedString(text, "utf-8", "surrogateescape") : nullptr;
+  std::string result;
+  if (bytes) result = PyBytes_AsString(bytes);
+  Py_XDECREF(bytes);
+  Py_XDECREF(text);
+  return result;
+}
+
+/// The exception that a handler ended with goes no further: it is printed. What is to end the program stops the agents,
+/// and the call in which they ran raises it again.
+void HandleException(const Callback& callback, KernelEntry& entry) {
+  const bool ends = PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) || PyErr_ExceptionMatches(PyExc_SystemExit);
+  if (ends && bindings::Call::IsInside()) {
+    Py_XDECREF(interruption.type);
+    Py_XDECREF(interruption.value);
+    Py_XDECREF(interruption.traceback);
+    PyErr_Fetch(&interruption.type, &interruption.value, &interruption.traceback);
+    entry.kernel()->StopAllAgents();
+    return;
+  }
+  PySys_WriteStderr("Exception in the handler of %s:\n", callback.what);
+  // Not PyErr_Print, which ends the program for SystemExit.
+  PyObject *type = nullptr, *value = nullptr, *traceback = nullptr;
+  PyErr_Fetch(&type, &value, &traceback);
+  PyErr_NormalizeException(&type, &value, &traceback);
+  PyErr_Display(type, value, traceback);
+  Py_XDECREF(type);
+  Py_XDECREF(value);
+  Py_XDECREF(traceback);
+}
+
+/// Calls the Python function with what `arguments` makes: a tuple, or null with an exception.
+template <typename Arguments>
+std::string Run(void* data, Arguments arguments) {
+  const std::shared_ptr<KernelEntry> entry = static_cast<Callback*>(data)->entry.lock();
+  if (!entry || !entry->Enter()) return {};
+  std::string result;
+  if (TheDoor().Enter()) {
+    const PyGILState_STATE state = PyGILState_Ensure();
+    {
+      // It may be forgotten while it runs.
+      const std::shared_ptr<Callback> callback = static_cast<Callback*>(data)->shared_from_this();
+      PyObject* tuple = arguments(callback->data);
+      PyObject* answer = tuple ? PyObject_CallObject(callback->function, tuple) : nullptr;
+      if (answer) result = AnswerText(answer);
+      if (PyErr_Occurred()) HandleException(*callback, *entry);
+      Py_XDECREF(answer);
+      Py_XDECREF(tuple);
+    }
+    PyGILState_Release(state);
+    TheDoor().Leave();
+  }
+  entry->Leave(false);
+  return result;
+}
+
+void RunRun(sml::smlRunEventId id, void* data, sml::Agent* agent, sml::smlPhase phase) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iONi)", id, own, NewAgent(agent), phase); });
+}
+void RunProduction(sml::smlProductionEventId id, void* data, sml::Agent* agent, const char* rule,
+                   const char* instantiation) {
+  Run(data, [&](PyObject* own) {
+    return Py_BuildValue("(iONNN)", id, own, NewAgent(agent), Text(rule), Text(instantiation));
+  });
+}
+void RunPrint(sml::smlPrintEventId id, void* data, sml::Agent* agent, const char* message) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iONN)", id, own, NewAgent(agent), Text(message)); });
+}
+void RunXml(sml::smlXMLEventId id, void* data, sml::Agent* agent, sml::ClientXML* xml) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iONN)", id, own, NewAgent(agent), NewXml(xml)); });
+}
+void RunOutput(void* data, sml::Agent* agent, const char* command, sml::WMElement* element) {
+  Run(data,
+      [&](PyObject* own) { return Py_BuildValue("(ONNN)", own, NewAgent(agent), Text(command), NewElement(element)); });
+}
+void RunOutputNotification(void* data, sml::Agent* agent) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(ON)", own, NewAgent(agent)); });
+}
+void RunSystem(sml::smlSystemEventId id, void* data, sml::Kernel* kernel) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iON)", id, own, NewKernel(kernel)); });
+}
+void RunUpdate(sml::smlUpdateEventId id, void* data, sml::Kernel* kernel, sml::smlRunFlags flags) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iONi)", id, own, NewKernel(kernel), flags); });
+}
+std::string RunString(sml::smlStringEventId id, void* data, sml::Kernel* kernel, const char* text) {
+  return Run(data, [&](PyObject* own) { return Py_BuildValue("(iONN)", id, own, NewKernel(kernel), Text(text)); });
+}
+void RunAgent(sml::smlAgentEventId id, void* data, sml::Agent* agent) {
+  Run(data, [&](PyObject* own) { return Py_BuildValue("(iON)", id, own, NewAgent(agent)); });
+}
+std::string RunFunction(sml::smlRhsEventId id, void* data, sml::Agent* agent, const char* name, const char* argument) {
+  return Run(data, [&](PyObject* own) {
+    return Py_BuildValue("(iONNN)", id, own, NewAgent(agent), Text(name), Text(argument));
+  });
+}
+
+/// Makes a callback, hands it to `registers`, and keeps it if that returns an id.
+template <typename Registers>
+int Register(sml::Kernel* kernel, unsigned long long agent_life, const char* what, PyObject* function, PyObject* data,
+             Registers registers) {
+  const PyGILState_STATE state = PyGILState_Ensure();
+  const bool callable = PyCallable_Check(function) != 0;
+  if (!callable) PyErr_Format(PyExc_TypeError, "the handler of %s must be callable, not %R", what, function);
+  if (!callable && bindings::Call::IsInside()) {
+    PyErr_Fetch(&interruption.type, &interruption.value, &interruption.traceback);
+  }
+  PyGILState_Release(state);
+  if (!callable) return 0;
+  const std::shared_ptr<KernelEntry> entry = KernelEntry::Of(kernel);
+  auto callback = std::make_shared<Callback>(function, data, what, entry);
+  const int id = registers(static_cast<void*>(callback.get()));
+  if (id != 0) entry->Keep(agent_life, id, std::move(callback));
+  return id;
+}
+
+void RequireEvent(bool is_one, int event, const char* kind) {
+  if (is_one) return;
+  throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+}
+
+/// Lets Ctrl+C reach Python during a run: looks for signals now and then, on the thread that Python takes them on.
+void LookForSignals(sml::smlSystemEventId, void*, sml::Kernel* kernel) {
+  static thread_local std::chrono::steady_clock::time_point last;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last < std::chrono::milliseconds(50)) return;
+  last = now;
+  if (!bindings::Call::IsInside() || !TheDoor().Enter()) return;
+  const PyGILState_STATE state = PyGILState_Ensure();
+  if (PyErr_CheckSignals() != 0) {
+    PyErr_Fetch(&interruption.type, &interruption.value, &interruption.traceback);
+    kernel->StopAllAgents();
+  }
+  PyGILState_Release(state);
+  TheDoor().Leave();
+}
+
+/// Sets the exception that interrupted a handler, if one did.
+bool RaiseInterruption() {
+  if (!interruption.type) return false;
+  PyErr_Restore(interruption.type, interruption.value, interruption.traceback);
+  interruption = {};
+  return true;
+}
+
+}  // namespace
+
+void CallLibrary(bindings::Call::Hold hold, const std::function<void()>& function) {
+  bindings::Call call;
+  if (!call.entry()) {
+    function();
+    return;
+  }
+  std::exception_ptr failure;
+  PyThreadState* thread = PyEval_SaveThread();
+  try {
+    call.Now(hold, function);
+  } catch (const std::exception&) {
+    failure = std::current_exception();
+  }
+  // Here and in no destructor: where the interpreter has ended, this ends the thread.
+  PyEval_RestoreThread(thread);
+  if (call.outermost()) call.entry()->DropLeavers();
+  if (RaiseInterruption()) throw PythonError();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void CallFactory(const std::function<void()>& function) {
+  std::exception_ptr failure;
+  PyThreadState* thread = PyEval_SaveThread();
+  try {
+    function();
+    const std::optional<bindings::Life>& made = bindings::LastReturned().life;
+    sml::Kernel* kernel = made ? made->entry->kernel() : nullptr;
+    if (kernel && !kernel->IsRemoteConnection()) {
+      kernel->RegisterForSystemEvent(sml::smlEVENT_INTERRUPT_CHECK, LookForSignals, nullptr);
+    }
+  } catch (const std::exception&) {
+    failure = std::current_exception();
+  }
+  PyEval_RestoreThread(thread);
+  if (failure) std::rethrow_exception(failure);
+}
+
+void RaiseInPython() {
+  try {
+    throw;
+  } catch (const PythonError&) {
+    // It is set.
+  } catch (const bindings::Gone& gone) {
+    PyErr_SetString(PyExc_ReferenceError, gone.what());
+  } catch (const std::invalid_argument& wrong) {
+    PyErr_SetString(PyExc_ValueError, wrong.what());
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::exception& failure) {
+    PyErr_SetString(PyExc_RuntimeError, failure.what());
+  }
+}
+
+int OnRun(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsRunEventID(event), event, "a run event (smlEVENT_BEFORE_INPUT_PHASE, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), "a run event", function, data, [&](void* own) {
+    return agent.RegisterForRunEvent(static_cast<sml::smlRunEventId>(event), RunRun, own, to_back);
+  });
+}
+int OnProduction(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsProductionEventID(event), event, "a production event (smlEVENT_AFTER_PRODUCTION_FIRED, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), "a production event", function, data, [&](void* own) {
+    return agent.RegisterForProductionEvent(static_cast<sml::smlProductionEventId>(event), RunProduction, own, to_back);
+  });
+}
+int OnPrint(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool ignore_own_echos, bool to_back) {
+  RequireEvent(sml::IsPrintEventID(event), event, "a print event (smlEVENT_PRINT, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), "a print event", function, data, [&](void* own) {
+    return agent.RegisterForPrintEvent(static_cast<sml::smlPrintEventId>(event), RunPrint, own, ignore_own_echos,
+                                       to_back);
+  });
+}
+int OnXml(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsXMLEventID(event), event, "an XML event (smlEVENT_XML_TRACE_OUTPUT, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), "an XML event", function, data, [&](void* own) {
+    return agent.RegisterForXMLEvent(static_cast<sml::smlXMLEventId>(event), RunXml, own, to_back);
+  });
+}
+int OnOutput(sml::Agent& agent, const char* attribute, PyObject* function, PyObject* data, bool to_back) {
+  return Register(agent.GetKernel(), agent.GetLife(), "output", function, data,
+                  [&](void* own) { return agent.AddOutputHandler(attribute, RunOutput, own, to_back); });
+}
+int OnOutputNotification(sml::Agent& agent, PyObject* function, PyObject* data, bool to_back) {
+  return Register(agent.GetKernel(), agent.GetLife(), "an output notification", function, data,
+                  [&](void* own) { return agent.RegisterForOutputNotification(RunOutputNotification, own, to_back); });
+}
+int OnSystem(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsSystemEventID(event), event, "a system event (smlEVENT_SYSTEM_START, ...)");
+  return Register(&kernel, 0, "a system event", function, data, [&](void* own) {
+    return kernel.RegisterForSystemEvent(static_cast<sml::smlSystemEventId>(event), RunSystem, own, to_back);
+  });
+}
+int OnUpdate(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsUpdateEventID(event), event, "an update event (smlEVENT_AFTER_ALL_OUTPUT_PHASES, ...)");
+  return Register(&kernel, 0, "an update event", function, data, [&](void* own) {
+    return kernel.RegisterForUpdateEvent(static_cast<sml::smlUpdateEventId>(event), RunUpdate, own, to_back);
+  });
+}
+int OnString(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsStringEventID(event), event, "a string event (smlEVENT_LOAD_LIBRARY, ...)");
+  return Register(&kernel, 0, "a string event", function, data, [&](void* own) {
+    return kernel.RegisterForStringEvent(static_cast<sml::smlStringEventId>(event), RunString, own, to_back);
+  });
+}
+int OnAgent(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
+  RequireEvent(sml::IsAgentEventID(event), event, "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
+  return Register(&kernel, 0, "an agent event", function, data, [&](void* own) {
+    return kernel.RegisterForAgentEvent(static_cast<sml::smlAgentEventId>(event), RunAgent, own, to_back);
+  });
+}
+int AddRhsFunction(sml::Kernel& kernel, const char* name, PyObject* function, PyObject* data, bool to_back) {
+  return Register(&kernel, 0, "a right-hand-side function", function, data,
+                  [&](void* own) { return kernel.AddRhsFunction(name, RunFunction, own, to_back); });
+}
+int OnClientMessage(sml::Kernel& kernel, const char* client, PyObject* function, PyObject* data, bool to_back) {
+  return Register(&kernel, 0, "a client message", function, data,
+                  [&](void* own) { return kernel.RegisterForClientMessageEvent(client, RunFunction, own, to_back); });
+}
+
+void Forget(sml::Agent& agent, int id) {
+  KernelEntry::Of(agent.GetKernel())->Drop(agent.GetLife(), id);
+}
+void Forget(sml::Kernel& kernel, int id) {
+  KernelEntry::Of(&kernel)->Drop(0, id);
+}
+
+void End() {
+  PyThreadState* thread = PyEval_SaveThread();
+  for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
+    if (!entry->Enter()) continue;
+    entry->kernel()->StopAllAgents();
+    entry->kernel()->Shutdown();
+    entry->Leave(false);
+  }
+  {
+    Door& door = TheDoor();
+    std::unique_lock lock(door.mutex);
+    door.shut = true;
+    // A handler that does not come back is left behind.
+    door.left.wait_for(lock, std::chrono::seconds(2), [&] { return door.inside == 0; });
+  }
+  PyEval_RestoreThread(thread);
+}
+
+}  // namespace soarbox::python

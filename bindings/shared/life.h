@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sml_Client.h"
+
+/// What keeps a language that collects its garbage from touching what the library has destroyed: an object of the
+/// language holds a shared pointer whose deleter knows what is pointed to (Life), and each call looks at that first.
+namespace soarbox::bindings {
+
+/// A kernel that a program in the other language made, and what the program registered with it.
+///
+/// The kernel is deleted when its owner lets it go; while calls are inside it, the last one to leave deletes it.
+class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
+ public:
+  /// The entry of a kernel; made now if there is none.
+  static std::shared_ptr<KernelEntry> Of(sml::Kernel* kernel);
+  static std::vector<std::shared_ptr<KernelEntry>> All();
+
+  /// Valid between Enter and Leave.
+  sml::Kernel* kernel() const { return kernel_; }
+
+  /// Keeps the kernel for a call or a handler; false if it is gone.
+  bool Enter();
+  /// `own_thread`: this is no thread of the program's, so it cannot delete the kernel itself.
+  void Leave(bool own_thread);
+  /// The owner lets the kernel go.
+  void LetGo();
+
+  /// Asks an agent to stop without waiting for anybody; false if it is being destroyed.
+  bool StopAgent(sml::Agent* agent, unsigned long long agent_life);
+
+  /// What was registered under an id with an agent (0: with the kernel) is kept until it is dropped.
+  void Keep(unsigned long long agent_life, int id, std::shared_ptr<void> callback);
+  void Drop(unsigned long long agent_life, int id);
+  void DropAll();
+  /// Drops what was registered with agents that were destroyed.
+  void DropLeavers();
+
+ private:
+  explicit KernelEntry(sml::Kernel* kernel) : kernel_(kernel) {}
+  static void OnAgentLeaves(sml::smlAgentEventId id, void* data, sml::Agent* agent);
+  void Delete();
+
+  using Callbacks = std::map<std::pair<unsigned long long, int>, std::shared_ptr<void>>;
+
+  std::mutex mutex_;
+  std::condition_variable left_;
+  sml::Kernel* const kernel_;
+  int users_ = 0;
+  bool let_go_ = false;
+  bool closed_ = false;  ///< Nobody may enter any more.
+  bool has_leavers_ = false;
+  std::set<unsigned long long> leavers_;
+  Callbacks callbacks_;
+};
+
+/// What an object of the other language stands for.
+struct Life {
+  enum class Kind { kKernel, kAgent, kElement, kSymbol };
+
+  Kind kind = Kind::kKernel;
+  std::shared_ptr<KernelEntry> entry;
+  sml::Agent* agent = nullptr;
+  unsigned long long agent_life = 0;
+  const void* object = nullptr;  ///< The element or symbol.
+  unsigned long long life = 0;
+
+  static Life Of(sml::Kernel* kernel);
+  static Life Of(sml::Agent* agent);
+  static Life Of(sml::WMElement* element);
+  static Life Of(sml::IdentifierSymbol* symbol, const Life& near);
+
+  /// What is gone, as a sentence; empty if nothing is. Only while the kernel is held.
+  std::string WhatIsGone() const;
+};
+
+/// The deleter of a shared pointer to what the library owns, or to a kernel that somebody else owns.
+struct Borrowed {
+  Life life;
+  void operator()(const void*) const {}
+};
+
+/// The deleter of a shared pointer to a kernel that the program owns.
+struct Owned {
+  Life life;
+  void operator()(const void*) const { life.entry->LetGo(); }
+};
+
+/// What a shared pointer of an object stands for; null for the null pointer.
+template <typename T>
+const Life* LifeOf(const std::shared_ptr<T>& pointer) {
+  if (const auto* borrowed = std::get_deleter<Borrowed>(pointer)) return &borrowed->life;
+  if (const auto* owned = std::get_deleter<Owned>(pointer)) return &owned->life;
+  return nullptr;
+}
+
+}  // namespace soarbox::bindings

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""The Python of docs/python.md runs as it is printed, from top to bottom."""
+import pathlib
+import re
+import unittest
+
+PAGE = pathlib.Path(__file__).parents[2] / "docs/python.md"
+
+
+class Documents(unittest.TestCase):
+    def test_the_code_of_the_page_runs(self):
+        text = PAGE.read_text(encoding="utf-8")
+        names = {"__name__": "page"}
+        blocks = list(re.finditer(r"^```python\n(.*?)^```", text, re.M | re.S))
+        self.assertGreaterEqual(len(blocks), 1)
+        for block in blocks:
+            line = text.count("\n", 0, block.start(1))
+            with self.subTest(line=line + 1):
+                exec(compile("\n" * line + block[1], str(PAGE), "exec"), names)
+
+
+if __name__ == "__main__":
+    unittest.main()
