@@ -10,6 +10,7 @@ import { isTyping } from "./keys";
 import { RunPage } from "./run_page";
 import { isDark, switchTheme } from "./theme";
 
+const FETCHED_AFTER_MS = 800;
 const REMARK_MS = 7000, MOST_REMARKS = 4;
 
 /** The page of a place: where one begins, and the run that is open. */
@@ -58,6 +59,11 @@ export class App {
     addEventListener("soarbox-theme", () => this.draw());
     this.draw();
     this.run.start();
+    // What a run needs is fetched while one still chooses.
+    setTimeout(() => {
+      void import("../scene/scene_view");
+      void import("../editor/editor");
+    }, FETCHED_AFTER_MS);
   }
 
   private open(what: string): void {
@@ -140,6 +146,7 @@ export class App {
       const seconds = Math.max(0, Math.ceil((retryAt - Date.now()) / 1000));
       return h("span.pill.lost", { attributes: { role: "status" } }, `Connection lost. Next try in ${seconds} s. `, button("Try now", () => this.run.retry(), {}, "button.link"));
     }
+    if (this.run.state === "joining" && this.run.hello !== null) return h("span.pill", { attributes: { role: "status" } }, "The world is made …");
     return connection === "connecting" && h("span.pill", { attributes: { role: "status" } }, "Connecting …");
   }
 

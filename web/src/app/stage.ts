@@ -9,6 +9,7 @@ import { icon } from "./icons";
 const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
   { mode: "orbit", title: "Orbit", key: "O" }, { mode: "follow", title: "Follow the selected agent", key: "F" }, { mode: "map", title: "Map, from above", key: "M" },
 ];
+const RESIZED_AFTER_MS = 400;
 const OVERLAYS_KEY = "soarbox.overlays";
 
 /** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
@@ -18,6 +19,8 @@ export class Stage {
   private readonly tools: HTMLElement;
   private readonly canvas: HTMLCanvasElement;
   private isOpen = false;
+  private toldSize = "";
+  private resized: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly run: Run, private readonly select: (name: string) => void) {
     this.element = document.createElement("section");
@@ -75,6 +78,14 @@ export class Stage {
     this.draw();
   }
 
+  /** Scripts that put boxes of text on the screen are told how large it is. */
+  private tellSize(): void {
+    const { clientWidth: width, clientHeight: height } = this.element, hello = this.run.hello, told = `${width}x${height}`;
+    if (told === this.toldSize || width === 0 || hello === null || !hello.may_edit || hello.is_recording) return;
+    this.toldSize = told;
+    this.run.ask("input", { kind: "screen", width, height });
+  }
+
   private async load(labels: HTMLElement, scripts: HTMLElement): Promise<void> {
     const [{ SceneView }, { listenToPointer }] = await Promise.all([import("../scene/scene_view"), import("../scene/pointer")]);
     let view: SceneView;
@@ -91,8 +102,18 @@ export class Stage {
       for (const one of OVERLAYS) if (kept.split(",").includes(one.word)) view.on.add(one.word);
     }
     listenToPointer(this.canvas, view, this.select);
-    this.run.on("scene", (scene) => view.take(scene));
-    this.run.on("hello", () => view.forget());
+    this.run.on("scene", (scene) => {
+      view.take(scene);
+      if (scene.components.length > 0) this.tellSize();
+    });
+    new ResizeObserver(() => {
+      clearTimeout(this.resized);
+      this.resized = setTimeout(() => (this.run.scene?.components.length ?? 0) > 0 && this.tellSize(), RESIZED_AFTER_MS);
+    }).observe(this.element);
+    this.run.on("hello", () => {
+      this.toldSize = "";
+      view.forget();
+    });
     this.run.on("flow", (flow) => {
       view.isPaused = flow.paused || this.run.contents.moment?.time.is_live === false;
       view.wake();

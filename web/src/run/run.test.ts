@@ -75,6 +75,19 @@ test("what was asked to be opened while the connection was away is opened when i
   assert.equal(source.sent.filter((one) => one.request === "open").length, 1, "a run that is there is joined, not begun again");
 });
 
+test("a world that cannot be opened leaves the run as it was", () => {
+  const { run, source } = started();
+  run.open("scenario:none");
+  source.listener.message({ message: "error", error: "there is no such world", hint: "" });
+  assert.equal(run.state, "none");
+  source.listener.message(HELLO);
+  run.open("scenario:none");
+  source.listener.message({ message: "error", error: "there is no such world", hint: "" });
+  assert.equal(run.state, "running");
+  source.listener.connection("open");
+  assert.equal(source.sent.filter((one) => one.request === "open").length, 2);
+});
+
 test("a run that ends says why", () => {
   const { run, source } = started();
   source.listener.message(HELLO);

@@ -83,6 +83,7 @@ export class Run {
   /** "lesson:NAME", "scenario:NAME" or "recording:NAME". */
   open(what: string): void {
     this.opened = what;
+    this.canOpenAgain = true;
     this.setState("joining");
     if (this.connection === "open") this.ask("open", { what });
   }
@@ -130,6 +131,11 @@ export class Run {
         this.tell("remark", { text: message.text, hint: "", isError: false });
         break;
       case "error":
+        // What was to be opened is refused: the run that there was goes on.
+        if (this.opened !== null) {
+          this.opened = null;
+          this.setState(this.hello === null ? "none" : "running");
+        }
         this.tell("remark", { text: message.error, hint: message.hint ?? "", isError: true });
         break;
       case "busy":
