@@ -52,6 +52,17 @@ test("what is looked at is told again to each run", () => {
   assert.deepEqual(source.sent.at(-1), { request: "look", panels: ["mind", "why"] });
 });
 
+test("whoever watches asks for nothing, and is told so", () => {
+  const { run, source } = started(), remarks: string[] = [];
+  run.on("remark", (remark) => remarks.push(remark.text));
+  run.look(["why"]);
+  source.listener.message({ ...HELLO, may_edit: false });
+  run.look(["mind"]);
+  assert.equal(run.ask("live"), false);
+  assert.match(remarks[0]!, /only the learner/);
+  assert.deepEqual(source.sent, []);
+});
+
 test("a request that nobody takes is a remark", () => {
   const { run, source } = started(), remarks: string[] = [];
   run.on("remark", (remark) => remarks.push(remark.text));

@@ -75,9 +75,18 @@ export class Run {
 
   /** Sends a request; says so if nobody is there to take it. */
   ask(request: string, fields: Readonly<Record<string, unknown>> = {}): boolean {
+    if (this.isWatching) {
+      this.tell("remark", { text: "You watch this run: only the learner whose run it is can do this.", hint: "", isError: false });
+      return false;
+    }
     const sent = this.source.send({ request, ...fields } as Request);
     if (!sent) this.tell("remark", { text: "The server cannot be reached now. Try again when the page is connected.", hint: "", isError: true });
     return sent;
+  }
+
+  /** Somebody else's run, which this page cannot change. */
+  get isWatching(): boolean {
+    return this.hello?.may_edit === false;
   }
 
   /** "lesson:NAME", "scenario:NAME" or "recording:NAME". */
@@ -93,13 +102,13 @@ export class Run {
     const sorted = [...new Set(panels)].sort();
     if (sorted.join() === this.looked.join()) return;
     this.looked = sorted;
-    if (this.hello !== null && this.connection === "open") this.source.send({ request: "look", panels: this.looked });
+    if (this.hello?.may_edit === true && this.connection === "open") this.source.send({ request: "look", panels: this.looked });
   }
 
   wantOverlays(on: readonly string[]): void {
     if (on.join() === this.overlays.join()) return;
     this.overlays = [...on];
-    if (this.hello !== null && this.connection === "open") this.source.send({ request: "overlays", on: this.overlays });
+    if (this.hello?.may_edit === true && this.connection === "open") this.source.send({ request: "overlays", on: this.overlays });
   }
 
   private greet(): void {
@@ -114,8 +123,8 @@ export class Run {
         this.opened = null;
         this.setState("running");
         this.tell("hello", message);
-        this.source.send({ request: "look", panels: this.looked });
-        if (this.overlays.length > 0) this.source.send({ request: "overlays", on: this.overlays });
+        if (message.may_edit) this.source.send({ request: "look", panels: this.looked });
+        if (message.may_edit && this.overlays.length > 0) this.source.send({ request: "overlays", on: this.overlays });
         break;
       case "flow":
         this.flow = message;
