@@ -34,6 +34,9 @@ class ShippedCatalog final : public serve::Catalog {
     std::vector<Diagnostic> problems;
     for (const Lesson& lesson : ReadLessons(ShippedLessons(data), data, problems))
       lessons_.push_back({lesson.name, lesson.title});
+    for (const std::string& course : CoursesIn(ShippedLessons(data)))
+      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems))
+        lessons_.push_back({lesson.name, lesson.title, course});
     for (const Diagnostic& problem : problems) std::cerr << Format(problem);
     for (const std::string& name : sim::ListScenarios(data))
       scenarios_.push_back({name, sim::DescribeScenario(name, data)});

@@ -32,7 +32,7 @@ struct Limits {
 
 struct Lesson {
   std::string name, title;
-  std::size_t checks = 0;
+  std::string course = {};  ///< Empty: of the first one.
 };
 /// How far somebody is with a lesson.
 struct Progress {

@@ -292,6 +292,7 @@ WebResponse Site::About(const Place& place) const {
   for (const Lesson& lesson : catalog_->Lessons())
     lessons.push_back({{"name", lesson.name},
                        {"title", lesson.title},
+                       {"course", lesson.course},
                        {"is_passed", catalog_->ProgressOf(place.state(), lesson.name).is_passed}});
   for (const Catalog::Scenario& scenario : catalog_->Scenarios())
     scenarios.push_back({{"name", scenario.name}, {"about", scenario.about}});
@@ -315,7 +316,7 @@ WebResponse Site::Table(bool as_csv) const {
   Json titles = Json::array(), learners = Json::array();
   std::string csv = "learner";
   for (const Lesson& lesson : lessons) {
-    titles.push_back({{"name", lesson.name}, {"title", lesson.title}});
+    titles.push_back({{"name", lesson.name}, {"title", lesson.title}, {"course", lesson.course}});
     csv += "," + CsvCell(lesson.name + " passed") + "," + CsvCell(lesson.name + " tries") + "," +
            CsvCell(lesson.name + " hints");
   }

@@ -69,6 +69,13 @@ class Runs(ServeCase):
         about = server.json("GET", f"/api/p/{place}")[1]
         self.assertEqual([lesson["is_passed"] for lesson in about["lessons"]][:2], [True, False])
 
+    def test_lessons_of_other_courses_open_as_well(self):
+        server = self.serve()
+        place = server.new_place()
+        lesson = next(lesson["name"] for lesson in server.json("GET", f"/api/p/{place}")[1]["lessons"] if lesson["course"] == "eaters")
+        page = self.opened(server, place, "lesson:" + lesson, "mission")
+        self.assertEqual(page.until_contents("mission", lambda mission: mission["lesson"])["lesson"]["name"], lesson)
+
     def test_a_run_goes_on_where_it_was_when_its_page_comes_again(self):
         server = self.serve()
         place = server.new_place()

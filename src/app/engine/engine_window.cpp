@@ -361,7 +361,7 @@ int Engine(const EngineOptions& given) {
     run.scenario = folder.string();
   } else {
     std::vector<Diagnostic> problems;
-    const std::optional<Lesson> lesson = ReadLesson(ShippedLessons(*data) / options.lesson, *data, problems);
+    const std::optional<Lesson> lesson = ReadLesson(LessonOf(LessonsFolder() / options.lesson, *data), *data, problems);
     if (!lesson) return Refuse("there is no lesson '" + options.lesson + "'");
     const fs::path folder = LessonsFolder() / lesson->name;
     if (const Result<void> prepared = PrepareLesson(*lesson, folder); !prepared) return Refuse(prepared.error());

@@ -5,7 +5,7 @@ export interface PlaceInfo {
   place: string;
   learner: string;
   opens: string;
-  lessons: readonly { name: string; title: string; is_passed: boolean }[];
+  lessons: readonly { name: string; title: string; course?: string; is_passed: boolean }[];
   scenarios: readonly { name: string; about: string }[];
   files: readonly { path: string; bytes: number }[];
   recordings: readonly { name: string; bytes: number; when: string | number }[];

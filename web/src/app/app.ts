@@ -74,7 +74,8 @@ export class App {
 
   private noteLessons(): void {
     const told = this.run.contents.mission?.lessons ?? [];
-    if (told.length > 0) this.info = { ...this.info, lessons: told };
+    const passed = new Map(told.map((one) => [one.name, one.is_passed]));
+    this.info = { ...this.info, lessons: this.info.lessons.map((one) => ({ ...one, is_passed: passed.get(one.name) ?? one.is_passed })) };
   }
 
   private goHome(): void {

@@ -11,7 +11,7 @@ export interface StartEvents {
   downloadRecording(name: string): void;
 }
 
-const numberOf = (name: string): string => /^0*(\d+)/.exec(name)?.[1] ?? "";
+const numberOf = (name: string): string => /^\D*0*(\d+)/.exec(name)?.[1] ?? "";
 
 /** Which lesson comes next: the first that is not passed. */
 export function nextLesson(info: Pick<PlaceInfo, "lessons">): string {
@@ -29,6 +29,18 @@ function lessonCard(one: PlaceInfo["lessons"][number], isNext: boolean, events: 
   ], () => events.open(`lesson:${one.name}`), {}, `button.card.lesson${one.is_passed ? ".passed" : ""}${isNext ? ".next" : ""}`));
 }
 
+/** The lessons of one course, with how many are done. */
+function courseSection(title: string, lessons: PlaceInfo["lessons"], next: string, events: StartEvents): View {
+  const passed = lessons.filter((one) => one.is_passed).length, text = `${passed} of ${lessons.length} passed`;
+  return h("section", { key: title, attributes: { "aria-label": title } }, h("div.row", null, h("h2", null, title), h("progress", { attributes: { max: lessons.length, value: passed, "aria-label": `${title}: ${text}` } }), h("span.quiet", null, text)),
+    h("ol.cards", null, lessons.map((one) => lessonCard(one, one.name === next, events))));
+}
+
+/** Other courses are named after the worlds that they teach. */
+function titleOfCourse(course: string): string {
+  return course === "" ? "Lessons" : `Lessons: ${course}`;
+}
+
 /** Where one begins: lessons with what is done, worlds, recordings, and one's files. */
 export function startPage(info: PlaceInfo, filter: string, goesOnWith: string, events: StartEvents, setFilter: (text: string) => void): Child {
   const passed = info.lessons.filter((one) => one.is_passed).length, next = nextLesson(info);
@@ -39,8 +51,7 @@ export function startPage(info: PlaceInfo, filter: string, goesOnWith: string, e
       h("div.row", null,
         goesOnWith !== "" && button(`Go on with ${goesOnWith}`, events.goOn, {}, "button.primary.large"),
         next !== "" && button(passed === 0 ? "Begin with lesson 1" : `Lesson ${numberOf(next)}`, () => events.open(`lesson:${next}`), {}, goesOnWith === "" ? "button.primary.large" : "button.large")))),
-    info.lessons.length > 0 && h("section", { attributes: { "aria-label": "Lessons" } }, h("div.row", null, h("h2", null, "Lessons"), h("progress", { attributes: { max: info.lessons.length, value: passed, "aria-label": `${passed} of ${info.lessons.length} lessons passed` } }),
-      h("span.quiet", null, `${passed} of ${info.lessons.length} passed`)), h("ol.cards", null, info.lessons.map((one) => lessonCard(one, one.name === next, events)))),
+    [...new Set(info.lessons.map((one) => one.course ?? ""))].map((course) => courseSection(titleOfCourse(course), info.lessons.filter((one) => (one.course ?? "") === course), next, events)),
     info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
       value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
     })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button(h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about)), () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
