@@ -6,9 +6,14 @@
 require "EaterBody";
 require "EatersRules";
 require "GridGame";
+require "MapFile";
 
 Eaters = { Settings = {} };
 
+-- What map files of Soar2D call the cells of ours.
+local kMapFileSigns = {
+    ["-"] = " ", w = "#", n = ".", b = "*", known = "w, n, b and - (wall, food, bonus food, nothing)"
+};
 local game, grid;
 local food = {};      -- Node by place.
 local players = {};   -- By agent id.
@@ -91,7 +96,7 @@ local function Play(sandbox)
 end
 
 function Sandbox_Initialize(sandbox)
-    game = EatersRules.new(Eaters.Settings);
+    game = EatersRules.new(MapFile.Settings(sandbox, Eaters.Settings, "eaters", kMapFileSigns));
     grid = GridGame.new(sandbox, game.width, game.height);
     grid:BuildBoard("Soarbox/BoardLight", "Soarbox/BoardDark", "Soarbox/Stone");
     for y = 1, game.height do
@@ -103,6 +108,9 @@ function Sandbox_Initialize(sandbox)
 end
 
 function Sandbox_Sense(sandbox, agent)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     Begin(sandbox);
     local eater = players[agent:GetId()];
     local hasTurn = eater and grid:IsDecisionTick() and not game.isOver;
@@ -114,6 +122,9 @@ function Sandbox_Command(sandbox, agent, command, parameters)
 end
 
 function Sandbox_Update(sandbox)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     grid:Advance(function() Play(sandbox); end);
     for _, place in ipairs(game.collisions) do
         Core.DrawCircle(grid:PlaceOf(place.x, place.y, 0.3), 1.1, Vector.new(1, 0.7, 0.1));
@@ -121,7 +132,7 @@ function Sandbox_Update(sandbox)
 end
 
 function Sandbox_HandleEvent(sandbox, event)
-    if (event.source == "keyboard" and event.pressed and event.key == "f1_key") then
+    if (grid and event.source == "keyboard" and event.pressed and event.key == "f1_key") then
         grid:LookAtBoard();
     end
 end

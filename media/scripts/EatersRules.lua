@@ -73,10 +73,11 @@ local function BuildWalls(game)
     end
 end
 
+-- Where nothing lies yet.
 local function LayFood(game)
     for y = 1, game.height do
         for x = 1, game.width do
-            if (not IsWall(game, x, y)) then
+            if (game:ContentAt(x, y) == "empty") then
                 Set(game, x, y, kFoods[game.random(#kFoods)]);
             end
         end
@@ -103,7 +104,18 @@ local function ReadMap(game, lines)
     end
 end
 
--- A game with these settings; EatersRules.Defaults are the others. `random` is like math.random. `map`: lines of text.
+-- Random walls and food fill a board that has no map.
+local function EmptyMap(game)
+    game.randomWalls, game.randomFood = true, true;
+    local lines = {};
+    for y = 1, game.height do
+        lines[y] = (" "):rep(game.width);
+    end
+    return lines;
+end
+
+-- A game with these settings; EatersRules.Defaults are the others. `random` is like math.random. `map`: lines of text;
+-- `randomWalls` and `randomFood` add to it.
 function EatersRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, eaters = {}, turn = 0, collisions = {} }, EatersRules);
     for name, value in pairs(EatersRules.Defaults) do
@@ -113,18 +125,14 @@ function EatersRules.new(settings)
         game[name] = value;
     end
     game.random = game.random or math.random;
-    if (game.map) then
-        ReadMap(game, game.map);
-        return game;
+    game.map = game.map or EmptyMap(game);
+    ReadMap(game, game.map);
+    if (game.randomWalls) then
+        BuildWalls(game);
     end
-    for y = 1, game.height do
-        game.cells[y] = {};
-        for x = 1, game.width do
-            game.cells[y][x] = "empty";
-        end
+    if (game.randomFood) then
+        LayFood(game);
     end
-    BuildWalls(game);
-    LayFood(game);
     return game;
 end
 

@@ -75,6 +75,9 @@ end
 -- Only after the last turn does the mind learn that all is done.
 local told = false;
 function Sandbox_Sense(sandbox, agent)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     Begin(sandbox);
     if (agent ~= seat.agent or not grid:IsDecisionTick() or told) then
         return nil;
@@ -88,6 +91,9 @@ function Sandbox_Command(_, _, command)
 end
 
 function Sandbox_Update(sandbox)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     grid:Advance(function() Play(sandbox); end);
     if (game.hitWall) then
         Core.DrawCircle(grid:PlaceOf(game.x + 1, Row(game.y), 0.3), 0.8, Vector.new(1, 0.2, 0.1));
@@ -95,7 +101,7 @@ function Sandbox_Update(sandbox)
 end
 
 function Sandbox_HandleEvent(sandbox, event)
-    if (event.source == "keyboard" and event.pressed and event.key == "f1_key") then
+    if (grid and event.source == "keyboard" and event.pressed and event.key == "f1_key") then
         grid:LookAtBoard();
     end
 end

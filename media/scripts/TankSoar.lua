@@ -2,12 +2,18 @@
 -- The world of TankSoar: the board, the tanks and the missiles of TankSoarRules.lua, to be seen. A scenario names this
 -- script, or one of its own that sets TankSoar.Settings first, as with Eaters.lua.
 require "GridGame";
+require "MapFile";
 require "TankSoarRules";
 
 TankSoar = { Settings = {} };
 
 local kMissileUp = 0.75;
 local kRadarColor = Vector.new(0.95, 0.85, 0.25);
+-- What map files of Soar2D call the cells of ours.
+local kMapFileSigns = {
+    ["-"] = " ", g = " ", r = "#", t = "#", e = "E", h = "H", m = "M",
+    known = "g, r, t, e, h, m and - (ground, rocks, trees, chargers, missiles, nothing)"
+};
 local game, grid;
 local tanks = {};     -- By agent id: the tank, its agent, its shield.
 local missiles = {};  -- By number: node, where it flies from and to.
@@ -198,7 +204,7 @@ local function Play(sandbox)
 end
 
 function Sandbox_Initialize(sandbox)
-    game = TankSoarRules.new(TankSoar.Settings);
+    game = TankSoarRules.new(MapFile.Settings(sandbox, TankSoar.Settings, "tanksoar", kMapFileSigns));
     grid = GridGame.new(sandbox, game.width, game.height);
     grid:BuildBoard("Soarbox/BoardLight", "Soarbox/BoardDark", "Soarbox/Stone");
     BuildCells();
@@ -207,6 +213,9 @@ function Sandbox_Initialize(sandbox)
 end
 
 function Sandbox_Sense(sandbox, agent)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     Begin(sandbox);
     local shown = tanks[agent:GetId()];
     local hasTurn = shown and grid:IsDecisionTick() and not game.isOver;
@@ -218,6 +227,9 @@ function Sandbox_Command(sandbox, agent, command, parameters)
 end
 
 function Sandbox_Update(sandbox)
+    if (not grid) then -- The board is faulty, which has been told.
+        return;
+    end
     local share = grid:Advance(function() Play(sandbox); end);
     FlyMissiles(share);
     DrawRadar();
@@ -225,7 +237,7 @@ function Sandbox_Update(sandbox)
 end
 
 function Sandbox_HandleEvent(sandbox, event)
-    if (event.source == "keyboard" and event.pressed and event.key == "f1_key") then
+    if (grid and event.source == "keyboard" and event.pressed and event.key == "f1_key") then
         grid:LookAtBoard();
     end
 end

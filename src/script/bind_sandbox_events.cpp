@@ -4,6 +4,8 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/lua_machine.h"
+#include "script/script_path.h"
 
 // Sandbox: custom events and collision callbacks (spec 4.3, 4.4).
 
@@ -73,11 +75,34 @@ int End(lua_State* state) {
   return 0;
 }
 
+/// Reads through the scripts' own search path, with its bounds: nothing outside the scenario's folder and the library.
+int ReadText(lua_State* state) {
+  const std::string_view name = TextArgument(state, 2);
+  if (!SandboxArgument(state, 1)) return 0;
+  LuaMachine& machine = LuaMachine::Of(state);
+  const Result<const ScriptSource*> source = machine.path().Load(name);
+  if (!source.ok()) {
+    const Diagnostic& error = source.error();
+    lua_pushfstring(state, "%s%s%s", error.message.c_str(), error.hint.empty() ? "" : ": ", error.hint.c_str());
+  } else {
+    machine.Charge(source.value()->content.size() / 16);
+    lua_pushlstring(state, source.value()->content.data(), source.value()->content.size());
+  }
+  return source.ok() ? 1 : -1;
+}
+
+/// Apart, so that no text is alive when the error is raised.
+int ReadTextOrRaise(lua_State* state) {
+  const int count = ReadText(state);
+  return count < 0 ? lua_error(state) : count;
+}
+
 constexpr Binding kSandboxEventsBindings[] = {
     {"AddCollisionCallback", AddCollisionCallback, 3, 3, WrongCount::kIgnored},
     {"AddEvent", AddEvent, 3, 3, WrongCount::kError},
     {"AddEventCallback", AddEventCallback, 3, 3, WrongCount::kError},
     {"End", End, 2, 2, WrongCount::kError},
+    {"ReadText", ReadTextOrRaise, 2, 2, WrongCount::kError},
 };
 
 }  // namespace

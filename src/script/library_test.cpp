@@ -34,8 +34,9 @@ TEST_P(LibraryTest, Passes) {
 
 INSTANTIATE_TEST_SUITE_P(Lua, LibraryTest,
                          testing::Values("AgentUtilitiesTest", "AnimationStatesTest", "CommunicationsTest",
-                                         "DecisionsTest", "EatersRulesTest", "KnowledgeTest", "SandboxUtilitiesTest",
-                                         "SimpleEatersRulesTest", "SoldierTest", "TankSoarRulesTest"),
+                                         "DecisionsTest", "EatersRulesTest", "KnowledgeTest", "MapFileTest",
+                                         "SandboxUtilitiesTest", "SimpleEatersRulesTest", "SoldierTest",
+                                         "TankSoarRulesTest"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

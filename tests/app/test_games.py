@@ -105,6 +105,29 @@ class Games(ScenarioCase):
         run = run_json(self.folder, "--seconds", 1)
         self.assertIn("line 2 of the map has '?'", run.out + run.err)
 
+    def test_maps_of_the_former_program_are_played(self):
+        agent = '[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "any.soar"\n'
+        self.write("scenario.toml", 'script = "Board.lua"\n' + agent)
+        self.write("any.soar", "sp {any*propose*move\n   (state <s> ^io.input-link.my-location.east.content bonusfood)\n-->\n"
+                   "   (<s> ^operator <o> +)\n   (<o> ^name east)}\n"
+                   "sp {any*apply*east\n   (state <s> ^operator.name east ^io.output-link <out>)\n-->\n"
+                   "   (<out> ^move.direction east)}\n")
+        self.write("Board.lua", 'require "Eaters";\nEaters.Settings = { mapFile = "small.cnf" };\n')
+        self.write("small.cnf", 'general { game = "eaters"; map = "config/maps/small.txt"; }\n')
+        rows = "cells {\n size = 4;\n rows {\n  0 = [w,w,w,w];\n  1 = [w,-,%s,w];\n  2 = [w,w,w,w];\n  3 = [w,w,w,w];\n }\n}\n"
+        self.write("small.txt", rows % "b")
+        played = [run_json(self.folder, "--seconds", 2, "--seed", seed) for seed in (1, 2, 3, 4)]
+        self.assertTrue(any("all is eaten" in run.out for run in played), played[0].out + played[0].err)
+        self.write("small.txt", rows % "box")
+        refused = run_json(self.folder, "--seconds", 1)
+        told = [line for line in map(json.loads, refused.out.splitlines()) if line["event"] == "diagnostic"]
+        self.assertEqual(len(told), 1, refused.out)
+        self.assertIn("the cell 'box' is nothing that these rules have", told[0]["diagnostic"]["message"])
+        self.assertEqual(told[0]["diagnostic"]["line"], 5)
+        (self.folder / "small.txt").unlink()
+        missing = run_json(self.folder, "--seconds", 1)
+        self.assertIn("small.txt", missing.out + missing.err)
+
     def test_a_script_that_is_not_there_is_told(self):
         self.write("scenario.toml", 'script = "Bord.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\n')
         run = Run("run", self.folder, "--headless", "--seconds", 1)
