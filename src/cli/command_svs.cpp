@@ -31,7 +31,8 @@ bool Switch(CommandCall& call, const std::string& word, bool& ok) {
   if (on) {
     below ? imagery.EnableInSubstates() : imagery.Enable();
   } else if (const Result<void> result = below ? imagery.DisableInSubstates() : imagery.Disable(); !result) {
-    ok = call.Fail(result.error().message);
+    call.Out(result.error().message + "\n");
+    ok = call.FailPrinted();
     return true;
   }
   call.Out("Spatial Visual System " + std::string(on ? "enabled" : "disabled") + where + ". ");

@@ -52,7 +52,6 @@ void Imagery::Enable() {
 Result<void> Imagery::Disable() {
   if (states_.size() > 1) return Refusal("Cannot disable Spatial Visual System while in a substate. ");
   enabled_ = false;
-  lines_.clear();
   SetHooks();
   return {};
 }
@@ -105,7 +104,6 @@ void Imagery::StateEnds(GoalLevel level) {
 void Imagery::BeforeInit() {
   if (!states_.empty()) kept_ = states_.front()->TakeScene();
   states_.clear();
-  lines_.clear();
 }
 
 void Imagery::AfterInit() {
