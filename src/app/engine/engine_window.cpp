@@ -45,8 +45,9 @@ class PanelsOfPage {
       if (const auto* look = std::get_if<workbench::LookRequest>(&request)) panels_ = look->panels;
     if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
     served_ = Clock::now();
-    desk.Serve(requests, contents_);
-    page_.ShowContents(contents_, panels_);
+    // Where nothing was filled in again, only the moment may be another one.
+    const bool is_new = desk.Serve(requests, contents_);
+    page_.ShowContents(contents_, is_new ? panels_ : workbench::PanelSet());
   }
   /// The desk is another one: what it shows is filled in anew.
   std::vector<workbench::Request> BeginAgain() {
