@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A world and its agents."""
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from typing import Any, Dict, Iterator, List, Optional, Union
+
+from .engine import Engine, EngineGone
+from .rules import check_text
+from .values import Command, Node, Reason, reason_of
+
+
+class WorldError(RuntimeError):
+    """The world cannot be made, or refused what it was asked. The text says why, and what to do."""
+
+
+class WorldEnded(WorldError):
+    """The world is over: it was closed, or its scenario has ended."""
+
+
+class World:
+    """A scenario that runs in a process of its own, tick by tick.
+
+    `scenario` is what `soarbox run` takes: a name (`soarbox list` prints them), a folder, a scenario file, or a file of rules
+    for one agent in a field. Or give `rules`, the text of rules for one agent in a field. `seed` determines everything that is
+    random; without it, the scenario's counts. The world begins at tick 0 and stands still until you call step().
+
+    Raises WorldError if there is no such scenario, and RuleError if `rules` have errors.
+    """
+
+    def __init__(self, scenario: Union[str, "os.PathLike[str]", None] = None, seed: Optional[int] = None, *,
+                 rules: Optional[str] = None):
+        if (scenario is None) == (rules is None):
+            raise TypeError("World takes a scenario or rules, not both")
+        if seed is not None and (not isinstance(seed, int) or isinstance(seed, bool) or seed < 0):
+            raise TypeError(f"a seed is a whole number from 0, not {seed!r}")
+        self._engine: Optional[Engine] = None
+        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+        if rules is not None:
+            check_text(rules)
+            self._folder = tempfile.TemporaryDirectory(prefix="soarbox-rules-")
+            file = pathlib.Path(self._folder.name) / "agent.soar"
+            file.write_text(rules, encoding="utf-8")
+            run = str(file)
+        else:
+            run = os.fspath(scenario)  # type: ignore[arg-type]
+            # A path of ours; the engine looks for names elsewhere, too.
+            if os.path.exists(run):
+                run = os.path.abspath(run)
+        self._engine = Engine(run, seed)
+        try:
+            self._ask({"request": "look", "panels": ["agents", "links", "why", "memory"]})
+        except WorldEnded as ended:
+            self.close()
+            raise WorldError(str(ended)) from None
+        self.seed: int = self._engine.hello["seed"]  #: What determines everything that is random.
+        self.step_s: float = self._engine.hello["step_s"]  #: Simulated seconds of a tick.
+        self._selected = ""
+
+    # Time ------------------------------------------------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """Ticks since the beginning."""
+        return int(self._contents("moment")["time"]["last_tick"])
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the beginning."""
+        return self.tick * self.step_s
+
+    def step(self, ticks: int = 1) -> None:
+        """Lets the world go on for so many ticks. Raises WorldEnded if it ends before."""
+        if not isinstance(ticks, int) or isinstance(ticks, bool) or ticks < 0:
+            raise TypeError(f"ticks are a whole number from 0, not {ticks!r}")
+        goal = self.tick + ticks
+        while self.tick < goal:
+            # Few enough that the engine does not put some off for being slow.
+            count = min(goal - self.tick, 50)
+            before = self.tick
+            self._ask(*[{"request": "flow", "what": "step-tick"}] * count)
+            self._ask()
+            if self.tick == before:
+                raise WorldError("the world does not go on")
+
+    def run(self, seconds: float) -> None:
+        """Lets the world go on for so many simulated seconds, rounded to ticks."""
+        if not seconds >= 0:
+            raise ValueError(f"seconds are a number from 0, not {seconds!r}")
+        self.step(round(seconds / self.step_s))
+
+    # Agents ----------------------------------------------------------------------------------------------------------
+
+    @property
+    def agents(self) -> Dict[str, "Agent"]:
+        """All agents by name, as they are now."""
+        return {each["name"]: Agent(self, each["name"]) for each in self._contents("agents")["agents"]}
+
+    def __getitem__(self, name: str) -> "Agent":
+        if name not in self.agents:
+            raise KeyError(f"there is no agent {name!r}; there are: {', '.join(self.agents)}")
+        return Agent(self, name)
+
+    def __iter__(self) -> Iterator["Agent"]:
+        return iter(self.agents.values())
+
+    def __len__(self) -> int:
+        return len(self.agents)
+
+    def why(self, agent: str, about: str = "agent", what: str = "") -> Reason:
+        """Why an agent does what it does, or does not: a tree of reasons; print it.
+
+        `about` is "agent", or "operator", "command" or "not" with `what`, the name of the operator or command; "not": why an
+        operator, command or rule of that name did not come.
+        """
+        self._select(agent)
+        self._ask({"request": "ask", "about": about, "what": what})
+        answer = self._contents("why")["answer"]
+        if answer is None:
+            raise WorldError(f"there is no answer about {what or agent!r}")
+        return reason_of(answer)
+
+    # The process -----------------------------------------------------------------------------------------------------
+
+    def close(self) -> None:
+        """Ends the world's process. May be called twice."""
+        engine, self._engine = self._engine, None
+        if engine is not None:
+            engine.close()
+        if self._folder is not None:
+            self._folder.cleanup()
+
+    def __enter__(self) -> "World":
+        return self
+
+    def __exit__(self, *ignored: object) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if getattr(self, "_engine", None) is not None:
+            self.close()
+
+    def _ask(self, *requests: Dict[str, Any]) -> None:
+        if self._engine is None:
+            raise WorldEnded("this world is closed")
+        try:
+            self._engine.ask(*requests)
+            refused = self._engine.synchronize()
+        except EngineGone as gone:
+            raise WorldEnded(str(gone)) from None
+        if refused:
+            raise WorldError("\n".join(refused))
+
+    def _contents(self, name: str) -> Any:
+        if self._engine is None:
+            raise WorldEnded("this world is closed")
+        return self._engine.contents[name]
+
+    def _select(self, agent: str) -> None:
+        self[agent]  # Says which agents there are.
+        if self._contents("moment")["agent"] != agent:
+            self._ask({"request": "select", "agent": agent})
+
+
+class Agent:
+    """An agent of a world. It has no state of its own: each question is answered from the world as it is now."""
+
+    def __init__(self, world: World, name: str):
+        self._world = world
+        self.name = name
+
+    @property
+    def _row(self) -> Dict[str, Any]:
+        for each in self._world._contents("agents")["agents"]:
+            if each["name"] == self.name:
+                return each
+        raise KeyError(f"{self.name} is not in the world any more")
+
+    @property
+    def team(self) -> str:
+        """The name of its team; may be empty."""
+        return self._row["team"]
+
+    @property
+    def alive(self) -> bool:
+        return self._row["alive"]
+
+    @property
+    def health(self) -> float:
+        """From 100, unhurt, down to 0."""
+        return self._row["health"]
+
+    @property
+    def has_mind(self) -> bool:
+        """Whether Soar rules decide for it, and not a script alone."""
+        return self._row["mind"]
+
+    @property
+    def decisions(self) -> int:
+        """How many decisions it made so far."""
+        return self._row["decisions"]
+
+    @property
+    def operator(self) -> str:
+        """The operator that it selected last: "go (O3)"; empty: none yet."""
+        return self._row["operator"] or self._row["last_operator"]
+
+    @property
+    def percepts(self) -> Node:
+        """What it perceives: its input link (docs/percepts.md has the units)."""
+        io = self._io()
+        return Node(io["input"]["elements"], io["input"]["id"])
+
+    @property
+    def output(self) -> Node:
+        """Its output link."""
+        io = self._io()
+        return Node(io["output"]["elements"], io["output"]["id"])
+
+    @property
+    def commands(self) -> List[Command]:
+        """The commands on its output link (docs/commands.md)."""
+        io = self._io()
+        parameters = {value.name: value for value in self.output.children()
+                      if isinstance(value, Node)}
+        return [Command(each["command"], parameters.get(each["id"], Node([])), each.get("status", ""))
+                for each in io["commands"]]
+
+    def why(self, about: str = "agent", what: str = "") -> Reason:
+        """As World.why for this agent."""
+        return self._world.why(self.name, about, what)
+
+    def _io(self) -> Dict[str, Any]:
+        if not self.has_mind:
+            raise WorldError(f"{self.name} has no Soar mind: a script decides for it")
+        self._world._select(self.name)
+        return self._world._contents("links")["io"]
+
+    def __repr__(self) -> str:
+        return f"<soarbox.Agent {self.name}>"
