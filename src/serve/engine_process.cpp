@@ -21,7 +21,7 @@ namespace soarbox::serve {
 namespace {
 
 constexpr int kEngineSocket = 3;
-constexpr std::size_t kLastWords = 2000, kMostWaiting = 16u << 20;
+constexpr std::size_t kLastWords = 2000, kMostUnread = 16u << 20;
 
 void Limit(int what, rlim_t most) {
   const rlimit limit{most, most};
@@ -141,7 +141,7 @@ void EngineProcess::Send(std::string text) {
   if (is_closed_) return;
   waiting_bytes_ += text.size();
   // It has not read for long: it hangs.
-  if (waiting_bytes_ > kMostWaiting) return AwaitEnd();
+  if (waiting_bytes_ > kMostUnread) return AwaitEnd();
   waiting_.push_back(WriteFrame(FrameKind::kText, text));
   if (waiting_.size() == 1) Write();
 }

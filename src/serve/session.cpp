@@ -5,15 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/problem.h"
+#include "serve/json_text.h"
 
 namespace soarbox::serve {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string TextOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Bytes Shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
@@ -36,7 +33,7 @@ std::string LastError(const std::string& words) {
 std::string ErrorMessage(const Diagnostic& problem, const std::string& id) {
   Json message{{"message", "error"}, {"error", problem.message}, {"hint", problem.hint}};
   if (!id.empty()) message["id"] = Json::parse(id, nullptr, false);
-  return TextOf(message);
+  return JsonText(message);
 }
 
 Session::Session(boost::asio::io_context& io, const Settings& settings, Place place)
@@ -91,7 +88,7 @@ void Session::Leave(Viewer& viewer) {
 }
 
 void Session::TellPresence() {
-  if (engine_ != nullptr) engine_->Send(TextOf({{"request", "presence"}, {"pages", viewers_.size()}}));
+  if (engine_ != nullptr) engine_->Send(JsonText({{"request", "presence"}, {"pages", viewers_.size()}}));
 }
 
 void Session::Take(Viewer& viewer, std::string text) {
@@ -99,7 +96,7 @@ void Session::Take(Viewer& viewer, std::string text) {
   const auto refuse = [&](const Diagnostic& problem) {
     const auto id = json.is_object() ? json.find("id") : json.end();
     viewer.SendText(
-        Shared(ErrorMessage(problem, json.is_object() && id != json.end() && id->is_primitive() ? TextOf(*id) : "")),
+        Shared(ErrorMessage(problem, json.is_object() && id != json.end() && id->is_primitive() ? JsonText(*id) : "")),
         {});
   };
   const auto request = json.is_object() ? json.find("request") : json.end();
@@ -152,9 +149,9 @@ void Session::OnFrame(Frame frame) {
       Json hello = Json::parse(frame.bytes, nullptr, false);
       if (!hello.is_object()) return;
       hello["what"] = what_;
-      hello_ = Shared(TextOf(hello));
+      hello_ = Shared(JsonText(hello));
       hello["may_edit"] = false;
-      watcher_hello_ = Shared(TextOf(hello));
+      watcher_hello_ = Shared(JsonText(hello));
       flow_ = nullptr;
       contents_.clear();
       blocks_.clear();
@@ -194,7 +191,7 @@ void Session::OnEnd(const std::string& last_words, bool is_good) {
   if (why.empty())
     why = is_good ? "The run has ended." : "The run has crashed. What you typed and the recording are kept.";
   NoLongerBusy();
-  Tell(TextOf({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
+  Tell(JsonText({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }
 
 void Session::EndIfIdle() {
@@ -212,7 +209,7 @@ void Session::End(const std::string& why) {
   engine_->End();
   engine_.reset();
   NoLongerBusy();
-  Tell(TextOf({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
+  Tell(JsonText({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }
 
 }  // namespace soarbox::serve

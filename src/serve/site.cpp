@@ -8,6 +8,7 @@
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
+#include "serve/json_text.h"
 #include "serve/random_id.h"
 
 namespace soarbox::serve {
@@ -15,16 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string TextOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 WebResponse Refusal(int status, const Diagnostic& problem) {
   WebResponse response;
   response.status = status;
   Json json{{"error", problem.message}, {"hint", problem.hint}};
   if (!problem.file.empty()) json["file"] = problem.file;
-  response.body = TextOf(json);
+  response.body = JsonText(json);
   return response;
 }
 
@@ -34,7 +31,7 @@ WebResponse Refusal(int status, std::string message, std::string hint = {}) {
 
 WebResponse Good(const Json& json) {
   WebResponse response;
-  response.body = TextOf(json);
+  response.body = JsonText(json);
   return response;
 }
 
