@@ -64,7 +64,7 @@ export async function apply(page) {
 
 /** Shows a panel by its tab. */
 export async function show(page, title) {
-  await page.locator(`[role=tab]`, { hasText: title }).first().click();
+  await page.locator("[role=tab]", { hasText: new RegExp(`^${title}(\\d.*)?$`) }).click();
 }
 
 /** Waits until a fact is there; says which one if it never is. */

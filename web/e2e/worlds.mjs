@@ -35,14 +35,14 @@ async function colors(page, selector) {
 }
 
 test("soldiers are drawn, reasons are told, the past is shown and left again", async () => {
-  const { page, troubles, close } = await openPage("/", { size: [1920, 1080] });
+  const { page, troubles, close } = await openPage("/", { size: [1100, 640] });
   await openWorld(page, "soar_skirmish");
   await page.waitForSelector(".labels .name");
   await until(async () => (await colors(page, ".stage canvas")) > 60, "the picture has many colours");
   await until(async () => (await shownTime(page)) > 3, "the world runs");
   await page.keyboard.press("Space");
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
-  await picture(page, "skirmish_1920");
+  await picture(page, "skirmish_1100");
 
   await page.locator(".agents button", { hasText: "red-1" }).click();
   await page.waitForSelector(".agents tr.chosen:has-text('red-1')");

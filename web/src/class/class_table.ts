@@ -11,7 +11,7 @@ export function standing(learner: Learner, lesson: string): { text: string; says
   const done = learner.done[lesson];
   if (done === undefined) return { text: "", says: "not begun", kind: "none" };
   const tries = done.tries ?? 0, hints = done.hints ?? 0, of = done.of ?? 0, passed = done.passed ?? 0;
-  const says = [done.is_done ? "passed" : "not passed", of > 0 ? `${passed} of ${of} checks` : "", `${tries} tries`, `${hints} hints`].filter((one) => one !== "").join(", ");
+  const says = [done.is_done ? "passed" : "not passed", of > 0 ? `${passed} of ${of} checks` : "", tries === 1 ? "1 try" : `${tries} tries`, hints === 1 ? "1 hint" : `${hints} hints`].filter((one) => one !== "").join(", ");
   if (done.is_done) return { text: "✓", says, kind: "done" };
   if (tries === 0 && hints === 0 && passed === 0) return { text: "", says: "not begun", kind: "none" };
   return { text: of > 0 ? `${passed}/${of}` : `${tries}×`, says, kind: "begun" };

@@ -1,38 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { soarToken, startState, type Line } from "./soar_tokens";
-
-class TextLine implements Line {
-  private at = 0;
-  constructor(private readonly text: string) {}
-  sol(): boolean {
-    return this.at === 0;
-  }
-  eatSpace(): boolean {
-    return this.match(/^\s+/) !== null;
-  }
-  match(pattern: RegExp): unknown {
-    const found = pattern.exec(this.text.slice(this.at));
-    if (found === null || found.index !== 0) return null;
-    this.at += found[0].length;
-    return found;
-  }
-  next(): string | undefined {
-    const c = this.text[this.at];
-    if (c !== undefined) this.at += 1;
-    return c;
-  }
-  skipToEnd(): void {
-    this.at = this.text.length;
-  }
-  get place(): number {
-    return this.at;
-  }
-  get isDone(): boolean {
-    return this.at >= this.text.length;
-  }
-}
+import { soarPieces, soarToken, startState, TextLine } from "./soar_tokens";
 
 function tokens(text: string): string[] {
   const state = startState(), found: string[] = [];
@@ -66,4 +35,10 @@ test("quoted text goes over lines and keeps escaped bars", () => {
 
 test("any text is read to its end", () => {
   for (const text of ["sp {", "^^^ <<< |", "sp \"a", "}}}) -->", "\u{1f600} sp{ <\u{1f600}> }", "-", "+", "sp {a -{ (<s> ^x) } --> }"]) tokens(text);
+});
+
+test("the pieces of a text are the text", () => {
+  const text = "sp {a*b\n   (state <s>)\n\n-->\n}\n";
+  assert.equal(soarPieces(text).map((one) => one.text).join(""), text);
+  assert.deepEqual(soarPieces(text)[2], { kind: "brace", text: "{" });
 });

@@ -80,3 +80,56 @@ export function soarToken(line: Line, state: SoarState): string | null {
   if (line.match(/^[^\s(){}<>^|"#]+/) === null) line.next();
   return null;
 }
+
+/** A line of text that is read from left to right. */
+export class TextLine implements Line {
+  private at = 0;
+
+  constructor(private readonly text: string) {}
+
+  sol(): boolean {
+    return this.at === 0;
+  }
+
+  eatSpace(): boolean {
+    return this.match(/^\s+/) !== null;
+  }
+
+  match(pattern: RegExp): unknown {
+    const found = pattern.exec(this.text.slice(this.at));
+    if (found === null || found.index !== 0) return null;
+    this.at += found[0].length;
+    return found;
+  }
+
+  next(): string | undefined {
+    const c = this.text[this.at];
+    if (c !== undefined) this.at += 1;
+    return c;
+  }
+
+  skipToEnd(): void {
+    this.at = this.text.length;
+  }
+
+  get place(): number {
+    return this.at;
+  }
+
+  get isDone(): boolean {
+    return this.at >= this.text.length;
+  }
+}
+
+/** A text as pieces with what each is, for colouring where there is no editor. Together they are the text. */
+export function soarPieces(text: string): { kind: string | null; text: string }[] {
+  const state = startState(), pieces: { kind: string | null; text: string }[] = [];
+  text.split("\n").forEach((one, i) => {
+    if (i > 0) pieces.push({ kind: null, text: "\n" });
+    for (const line = new TextLine(one); !line.isDone;) {
+      const begin = line.place, kind = soarToken(line, state);
+      pieces.push({ kind: kind === "def" ? "name" : kind, text: one.slice(begin, line.place) });
+    }
+  });
+  return pieces;
+}

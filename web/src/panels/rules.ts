@@ -2,6 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { Contents, RuleView, Rules } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
+import { soarPieces } from "../editor/soar_tokens";
 import { elementLink, empty, filterField, passes } from "./parts";
 
 function ruleView(context: PanelContext, rules: Rules, rule: RuleView): View {
@@ -16,9 +17,9 @@ function ruleView(context: PanelContext, rules: Rules, rule: RuleView): View {
       return h(`li${state}`, null, h("code", null, one.text), h("span.quiet", null, state === ".stops" ? " it stops here" : ` ${one.partial_matches}`));
     })),
     rule.seen.length > 0 && h("div", null, h("p.quiet", null, "What it saw instead:"), h("ul.plain", null, rule.seen.map((one) => h("li", null, elementLink(context, one))))),
-    rule.matches_now.length > 0 && h("details", null, h("summary", null, `${rule.matches_now.length} matches now`), rule.matches_now.map((match) =>
+    rule.matches_now.length > 0 && h("details", null, h("summary", null, rule.matches_now.length === 1 ? "1 match now" : `${rule.matches_now.length} matches now`), rule.matches_now.map((match) =>
       h("ul.plain", null, match.map((one) => h("li", null, elementLink(context, one)))))),
-    h("pre.source", null, rules.rule_text !== "" ? rules.rule_text : rule.tokens.length > 0 ? rule.tokens.map((token) => h(`span.tok-${token.kind}`, null, token.text)) : rule.source));
+    h("pre.source", null, rules.rule_text !== "" ? soarPieces(rules.rule_text).map(({ kind, text }) => (kind === null ? text : h(`span.tok-${kind}`, null, text))) : rule.tokens.length > 0 ? rule.tokens.map((token) => h(`span.tok-${token.kind}`, null, token.text)) : rule.source));
 }
 
 export const rulesPanel: MakePanel = (context) => {
