@@ -44,6 +44,21 @@ Result<void> Write(const fs::path& file, std::string_view text) {
   return ProblemIn(file, "this file cannot be written", "is the disk full, or the folder not yours?");
 }
 
+/// The first table of this name, or the second for "NAME-2", as the world calls them; null if there is none.
+toml::node* Named(toml::array& list, std::string_view name) {
+  std::map<std::string_view, int> count;
+  toml::node* found = nullptr;
+  for (toml::node& entry : list) {
+    const toml::table* table = entry.as_table();
+    const std::string_view own = table != nullptr ? (*table)["name"].value_or(std::string_view()) : std::string_view();
+    if (own.empty()) continue;
+    const int number = ++count[own];
+    if (number == 1 && own == name) return &entry;
+    if (number > 1 && found == nullptr && std::string(own) + "-" + std::to_string(number) == name) found = &entry;
+  }
+  return found;
+}
+
 /// Sets "agent.scout.senses.sight" of a scenario; the entries of [[agent]] go by their names.
 bool Set(toml::table& root, std::string_view path, const toml::node& value) {
   toml::node* at = &root;
@@ -51,11 +66,7 @@ bool Set(toml::table& root, std::string_view path, const toml::node& value) {
     const std::size_t dot = path.find('.');
     const std::string part(path.substr(0, dot));
     if (toml::array* list = at->as_array()) {
-      toml::node* found = nullptr;
-      for (toml::node& entry : *list) {
-        toml::table* table = entry.as_table();
-        if (table != nullptr && (*table)["name"].value_or(std::string_view()) == part) found = table;
-      }
+      toml::node* found = Named(*list, part);
       if (found == nullptr || dot == std::string_view::npos) return false;
       at = found;
     } else if (toml::table* table = at->as_table()) {
@@ -81,6 +92,25 @@ fs::path PlaceForRules(const fs::path& folder, const fs::path& file) {
   return to;
 }
 
+/// Rules that are several files have them in a folder of the same name, as Soar's editors make it: copies that, too.
+Result<void> CopyProject(const fs::path& file, const fs::path& folder) {
+  const fs::path from = file.parent_path() / file.stem(), to = folder / file.stem();
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(from, error))) return {};
+  std::uintmax_t bytes = 0;
+  for (fs::recursive_directory_iterator it(from, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != ".soar" || !IsPlainFileBelow(it->path(), {&from, 1})) continue;
+    std::error_code failed;
+    const fs::path target = to / fs::relative(it->path(), from, failed);
+    bytes += it->file_size(failed);
+    if (bytes > kLargestFolder) return ProblemIn(from, "this folder is too large to copy for each variant");
+    fs::create_directories(target.parent_path(), failed);
+    fs::copy_file(it->path(), target, fs::copy_options::overwrite_existing, failed);
+    if (failed) return ProblemIn(target, "this file cannot be written: " + failed.message());
+  }
+  return {};
+}
+
 /// Changes the copy of a scenario file as the variant says.
 Result<void> Change(const fs::path& definition, const Variant& variant, const Spec& spec) {
   if (variant.rules.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
@@ -102,7 +132,9 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
     if (!IsPlainFileBelow(file, {&beside, 1})) return refuse("'" + file + "' is no file beside the sweep", {});
     fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
     if (error) return refuse("'" + file + "' cannot be copied: " + error.message(), {});
-    if (!is_rules) of_agents[who] = to.filename().string();
+    if (is_rules) continue;
+    of_agents[who] = to.filename().string();
+    if (const Result<void> copied = CopyProject(file, folder); !copied) return copied;
   }
   if (!is_file) {
     if (of_agents.empty() && variant.parameters.empty() && variant.setup.empty()) return {};

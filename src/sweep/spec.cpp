@@ -13,7 +13,7 @@
 namespace soarbox::sweep {
 namespace {
 
-constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000;
+constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000, kMostPlayers = 30;
 
 class SpecReader : public mission::TableReader {
  public:
@@ -22,7 +22,8 @@ class SpecReader : public mission::TableReader {
 
   void Read(const toml::table& root) {
     CheckKeys(root, "a sweep",
-              {"scenario", "mission", "seeds", "seconds", "wall", "pass", "record", "check", "variant", "metric"});
+              {"scenario", "mission", "seeds", "seconds", "wall", "pass", "record", "check", "variant", "metric",
+               "tournament"});
     spec_.scenario = Text(root, "scenario");
     if (const std::string mission = Text(root, "mission"); !mission.empty()) ReadMission(*root.get("mission"), mission);
     if (spec_.scenario.empty()) Problem(root, "this sweep names no scenario", "write scenario = \"thesis\" on top");
@@ -31,6 +32,12 @@ class SpecReader : public mission::TableReader {
     if (spec_.record != "none" && spec_.record != "failed" && spec_.record != "all")
       Problem(*root.get("record"), "'record' is \"none\", \"failed\" or \"all\"");
     for (const toml::table* table : Tables(root, "variant", kMostTables)) ReadVariant(*table);
+    if (root.contains("tournament") && !spec_.variants.empty())
+      Problem(*root.get("tournament"), "a tournament makes its variants itself", "leave out [[variant]]");
+    const toml::table* tournament = root.get_as<toml::table>("tournament");
+    if (tournament != nullptr && spec_.variants.empty()) AddPairings(*tournament);
+    if (root.contains("tournament") && tournament == nullptr)
+      Problem(*root.get("tournament"), "a tournament is one table", "write [tournament]");
     if (spec_.variants.empty()) spec_.variants.push_back({"default", {}, {}, {}, {}, {}, 0});
     std::set<std::string> names;
     for (const Variant& variant : spec_.variants) {
@@ -41,9 +48,64 @@ class SpecReader : public mission::TableReader {
           spec_.parameters.push_back(key);
     }
     for (const toml::table* table : Tables(root, "metric", kMostTables)) ReadMetric(*table);
+    if (!spec_.players.empty()) AddPoints();
   }
 
  private:
+  /// All against all, in both seats.
+  void AddPairings(const toml::table& table) {
+    CheckKeys(table, "a tournament", {"seats", "agents"});
+    seats_ = Seats(table);
+    const toml::table* agents = table.get_as<toml::table>("agents");
+    if (agents == nullptr || agents->size() < 2 || agents->size() > kMostPlayers)
+      return Problem(table, "a tournament has 2 to " + std::to_string(kMostPlayers) + " agents",
+                     "write agents = { hunter = \"hunter.soar\", other = \"other.soar\" }");
+    std::vector<std::string> files;
+    for (const auto& [name, file] : *agents) {
+      const std::string path = file.value_exact<std::string>().value_or("");
+      if (path.empty() || (!is_copy_ && !IsBeside(path)))
+        Problem(file, "there is no file '" + path + "' beside this sweep", "an agent takes a file of rules in quotes");
+      spec_.players.emplace_back(name.str());
+      files.push_back((spec_.file.parent_path() / path).string());
+    }
+    for (std::size_t a = 0; a < files.size() && seats_.size() == 2; ++a) {
+      for (std::size_t b = 0; b < files.size(); ++b) {
+        if (a == b) continue;
+        Variant variant;
+        variant.name = SafeName(spec_.players[a]) + " and " + SafeName(spec_.players[b]);
+        variant.rules = {{seats_.front(), files[a]}, {seats_.back(), files[b]}};
+        variant.line = static_cast<int>(table.source().begin.line);
+        spec_.variants.push_back(std::move(variant));
+        spec_.pairings.push_back({a, b});
+      }
+    }
+  }
+
+  std::vector<std::string> Seats(const toml::table& table) {
+    std::vector<std::string> seats;
+    const toml::array* names = table.get_as<toml::array>("seats");
+    for (std::size_t i = 0; names != nullptr && i < names->size(); ++i)
+      seats.push_back(names->get(i)->value_exact<std::string>().value_or(""));
+    if (seats.size() != 2 || seats.front().empty() || seats.back().empty() || seats.front() == seats.back()) {
+      Problem(table, "a tournament has two seats: agents of the scenario", "write seats = [\"tank\", \"tank-2\"]");
+      seats.clear();
+    }
+    return seats;
+  }
+
+  /// After the metrics that the file asks for.
+  void AddPoints() {
+    for (const std::string& seat : seats_) {
+      mission::Condition condition;
+      condition.row = mission::FindKey("score");
+      Metric metric;
+      metric.name = "score of " + seat;
+      metric.asked.conditions.push_back(std::move(condition));
+      metric.asked.agents = {seat};
+      spec_.metrics.push_back(std::move(metric));
+    }
+  }
+
   static bool IsOfThisMachine(std::string_view address) {
     const std::size_t colon = address.rfind(':');
     const std::string_view host = address.substr(0, colon);
@@ -179,6 +241,7 @@ class SpecReader : public mission::TableReader {
   }
 
   Spec& spec_;
+  std::vector<std::string> seats_;  ///< Of a tournament.
   bool is_copy_;
 };
 
@@ -206,6 +269,7 @@ void KeepWhole(toml::table root, Spec& spec) {
     if (const toml::node* value = root.get(key))
       value->visit([&](const auto& concrete) { judged.insert_or_assign(key, concrete); });
   }
+  if (const toml::array* seats = root["tournament"]["seats"].as_array()) judged.insert_or_assign("seats", *seats);
   std::ostringstream judgement;
   judgement << judged;
   spec.judgement = judgement.str();

@@ -7,6 +7,7 @@
 #include "mission/sentences.h"
 #include "mission/statistics.h"
 #include "sweep/rows.h"
+#include "sweep/tournament.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -106,6 +107,13 @@ void TellDifference(std::ostringstream& out, const Plan& plan, const Quantity& q
 
 std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
   std::ostringstream out;
+  if (!spec.players.empty()) {
+    const auto is_broken = [](const Row& row) { return row.result.outcome != "ok"; };
+    out << TournamentTable(spec, rows);
+    if (const auto broken = std::ranges::count_if(rows, is_broken); broken > 0)
+      out << broken << " games crashed or hung and do not count\n";
+    return std::move(out).str();
+  }
   std::vector<std::map<std::uint64_t, bool>> passed(plan.variants.size());
   std::vector<std::map<std::uint64_t, std::uint64_t>> hashes(plan.variants.size());
   std::vector<std::size_t> broken(plan.variants.size());

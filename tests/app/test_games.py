@@ -128,6 +128,40 @@ class Games(ScenarioCase):
         missing = run_json(self.folder, "--seconds", 1)
         self.assertIn("small.txt", missing.out + missing.err)
 
+    def test_agents_play_a_tournament(self):
+        seat = '[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "still.soar"\n'
+        world = self.folder / "world"
+        world.mkdir()
+        (world / "scenario.toml").write_text('script = "Board.lua"\n' + seat + seat)
+        board = 'require "Eaters";\nEaters.Settings = { map = { "...#...", "...#...", "1..#2.." } };\n'
+        (world / "Board.lua").write_text(board)
+        (world / "still.soar").write_text("")
+        self.write("north.soar", "source north/rules.soar\n")
+        (self.folder / "north").mkdir()
+        (self.folder / "north" / "rules.soar").write_text(NORTH)
+        self.write("still.soar", "# Does nothing.\n")
+        self.write("east.soar", NORTH.replace("north", "east"))
+        spec = self.write("cup.toml", 'scenario = "world"\nseeds = "1..2"\nseconds = 3\n'
+                          '[tournament]\nseats = ["eater", "eater-2"]\nagents = '
+                          '{ still = "still.soar", north = "north.soar", east = "east.soar" }\n')
+        played = Run("sweep", spec)
+        self.assertEqual(played.code, 0, played.out + played.err)
+        self.assertIn("12 runs made", played.err)
+        table = [line.split() for line in played.out.splitlines()[1:4]]
+        self.assertEqual(table[-1][0], "still", played.out)
+        self.assertEqual(table[-1][5:9], ["8", "0", "0", "8"], played.out)
+        self.assertEqual(table[0][5:9], ["8", "4", "4", "0"], played.out)
+        self.assertGreater(int(table[0][1]), 1550)
+        self.assertIn("score of eater-2", (self.folder / "cup.sweep" / "results.csv").read_text())
+        page = Run("report", spec, "-o", self.folder / "cup.html")
+        self.assertEqual(page.code, 0, page.out + page.err)
+        for slip, told in (('seats = ["eater"]', "a tournament has two seats"),
+                           ('seats = ["eater", "eater-3"]', "there is no agent 'eater-3'")):
+            faulty = self.write("faulty.toml", spec.read_text().replace('seats = ["eater", "eater-2"]', slip))
+            refused = Run("sweep", faulty)
+            self.assertNotEqual(refused.code, 0, refused.out)
+            self.assertIn(told, refused.err)
+
     def test_a_script_that_is_not_there_is_told(self):
         self.write("scenario.toml", 'script = "Bord.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\n')
         run = Run("run", self.folder, "--headless", "--seconds", 1)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweep/rows.h"
+
+namespace soarbox::sweep {
+
+/// What one agent of a tournament has reached.
+struct Standing {
+  std::string player;
+  std::size_t games = 0, wins = 0, draws = 0, losses = 0;
+  double points = 0;                       ///< Per game.
+  double rating = 0;                       ///< On Elo's scale, 1500 on average: 400 more wins ten games of eleven.
+  double rating_low = 0, rating_high = 0;  ///< 95 %, from resampling the games.
+};
+
+/// The agents of a tournament by what the rows say, best first. A game is won by the one with more points.
+std::vector<Standing> Standings(const Spec& spec, const std::vector<Row>& rows);
+
+/// The table of a tournament as text.
+std::string TournamentTable(const Spec& spec, const std::vector<Row>& rows);
+
+}  // namespace soarbox::sweep
