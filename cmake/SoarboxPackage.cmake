@@ -1,5 +1,6 @@
-# What `cpack` makes of an installation: one Debian package with the command, its scenarios, media and documents, and the
-# client library with its headers. `./dev package` builds it from the release.
+# What `cpack` makes of an installation: a Debian package with the command, its scenarios, media and documents, and the
+# client library with its headers; and python3-soarbox, if the binding for Python was built. `./dev package` builds them
+# from the release.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME soarbox)
 set(CPACK_PACKAGE_VENDOR "The Soarbox authors")
@@ -29,4 +30,23 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/package/triggers")
 # Debian looks for the licence under this name.
 configure_file("${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_BINARY_DIR}/package/copyright" COPYONLY)
 install(FILES "${PROJECT_BINARY_DIR}/package/copyright" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
+if(SOARBOX_HAS_PYTHON)
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENTS_GROUPING IGNORE)
+  set(CPACK_COMPONENTS_ALL Unspecified python)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME soarbox)
+  set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_CONTROL_EXTRA "${CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA}")
+  unset(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-soarbox)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "Soar agents and Soarbox's worlds from Python
+Modules soar_sml and Python_sml_ClientInterface (the client interface of Soar 9.6), and the package soarbox, which
+runs worlds tick by tick.")
+  # The module is for one version of Python.
+  math(EXPR next "${SOARBOX_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "soarbox (= ${PROJECT_VERSION}), python3 (>= 3.${SOARBOX_PYTHON_MINOR}), python3 (<< 3.${next}), libc6, libstdc++6")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "")
+endif()
 include(CPack)

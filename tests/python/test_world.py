@@ -136,6 +136,41 @@ class Rules(unittest.TestCase):
             soarbox.check()
 
 
+class Tables(unittest.TestCase):
+    def test_a_recording_is_a_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "run.soarrec"
+            soarbox.record("soar_hallway", file, seconds=1, seed=3)
+            table = soarbox.recording(file)
+            self.assertEqual(len(soarbox.recording(file, start=0.5, end=0.6)), 2 * 4)
+        self.assertEqual({row["agent"] for row in table}, {"anna", "bert"})
+        ticks = table.column("tick")
+        self.assertEqual((len(set(ticks)), len(table)), (max(ticks) + 1, 2 * (max(ticks) + 1)))
+
+    def test_a_sweep_is_a_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            spec = pathlib.Path(folder) / "two.toml"
+            spec.write_text('scenario = "soar_hallway"\nseeds = "1..2"\nseconds = 1\n[[variant]]\nname = "as it is"\n',
+                            encoding="utf-8")
+            table = soarbox.sweep(spec)
+        self.assertEqual([(row["variant"], row["seed"]) for row in table], [("as it is", 1), ("as it is", 2)])
+
+    def test_frames_are_for_those_who_have_pandas(self):
+        table = soarbox.Table([{"a": 1}, {"a": 2}])
+        with mock.patch.dict("sys.modules", {"pandas": mock.Mock(DataFrame=lambda rows: ("frame", rows))}):
+            self.assertEqual(table.frame(), ("frame", [{"a": 1}, {"a": 2}]))
+        with mock.patch.dict("sys.modules", {"pandas": None}), self.assertRaisesRegex(ImportError, "python3-pandas"):
+            table.frame()
+
+    def test_what_cannot_be_run_says_why(self):
+        with self.assertRaisesRegex(soarbox.CommandError, "nowhere"):
+            soarbox.record("nowhere", "/tmp/never.soarrec", seconds=1)
+        with self.assertRaises(soarbox.CommandError):
+            soarbox.recording("/nowhere.soarrec")
+        with self.assertRaises(soarbox.CommandError):
+            soarbox.sweep("/nowhere.toml")
+
+
 class Mistakes(unittest.TestCase):
     def test_a_scenario_that_is_not_there_is_named(self):
         with self.assertRaisesRegex(soarbox.WorldError, "there is no scenario 'nowhere'"):

@@ -12,8 +12,9 @@ without a world, import soar_sml.
 """
 from .command import CommandError
 from .rules import Diagnostic, RuleError, check, check_text
+from .tables import Table, record, recording, sweep
 from .values import Command, Node, Reason
 from .world import Agent, World, WorldEnded, WorldError
 
-__all__ = ["Agent", "Command", "CommandError", "Diagnostic", "Node", "Reason", "RuleError", "World", "WorldEnded",
-           "WorldError", "check", "check_text"]
+__all__ = ["Agent", "Command", "CommandError", "Diagnostic", "Node", "Reason", "RuleError", "Table", "World", "WorldEnded",
+           "WorldError", "check", "check_text", "record", "recording", "sweep"]

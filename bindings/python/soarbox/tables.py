@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Recordings and sweeps as tables."""
+from __future__ import annotations
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+from typing import Any, Dict, List, Optional, Union
+
+from .command import CommandError, find_command
+from .values import value_of
+
+PathLike = Union[str, "os.PathLike[str]"]
+Cell = Union[int, float, str, None]
+
+
+class Table(List[Dict[str, Cell]]):
+    """Rows by column. Numbers are int or float; a cell that is empty is None."""
+
+    def column(self, name: str) -> List[Cell]:
+        """All cells of a column."""
+        return [row[name] for row in self]
+
+    def frame(self) -> Any:
+        """The table as a pandas.DataFrame. Raises ImportError where there is no pandas."""
+        try:
+            import pandas
+        except ImportError:
+            raise ImportError("frame() needs pandas: install python3-pandas; the table itself needs nothing") from None
+        return pandas.DataFrame(list(self))
+
+
+def record(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int] = None, *,
+           level: str = "decisions") -> None:
+    """Runs a scenario for so many simulated seconds and records it into a file.
+
+    `level` is "world", "decisions" or "all" (docs/recording.md). Raises CommandError if it cannot be run.
+    """
+    arguments = ["run", os.fspath(scenario), "--headless", "--seconds", str(seconds), "--record", os.fspath(file),
+                 "--record-level", level]
+    if seed is not None:
+        arguments += ["--seed", str(seed)]
+    _run(arguments)
+
+
+def recording(file: PathLike, start: Optional[float] = None, end: Optional[float] = None) -> Table:
+    """A recording as a table: a row for each agent and tick from `start` to `end`, in simulated seconds."""
+    with tempfile.TemporaryDirectory(prefix="soarbox-") as folder:
+        table = pathlib.Path(folder) / "table.csv"
+        arguments = ["export", os.fspath(file), "--csv", "-o", str(table)]
+        for option, value in (("--from", start), ("--to", end)):
+            if value is not None:
+                arguments += [option, str(value)]
+        _run(arguments)
+        return _read(table)
+
+
+def sweep(spec: PathLike, folder: Optional[PathLike] = None, jobs: int = 0) -> Table:
+    """Makes the runs of a sweep that are missing (docs/sweeps.md), and returns its table: a row for each run.
+
+    `folder` is where rows and tables go: by default beside the spec, named after it. `jobs` are runs at a time; 0: one per
+    processor. Raises CommandError if the sweep cannot be made.
+    """
+    spec = pathlib.Path(os.fspath(spec))
+    results = pathlib.Path(os.fspath(folder)) if folder is not None else spec.with_suffix(".sweep")
+    _run(["sweep", str(spec), "--folder", str(results), "--jobs", str(jobs)])
+    return _read(results / "results.csv")
+
+
+def _run(arguments: List[str]) -> None:
+    done = subprocess.run([find_command(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True, errors="replace", check=False)
+    if done.returncode != 0:
+        raise CommandError(done.stderr.strip() or f"soarbox {arguments[0]} ended with {done.returncode}")
+
+
+def _read(file: pathlib.Path) -> Table:
+    csv.field_size_limit(sys.maxsize)
+    with open(file, encoding="utf-8", errors="replace", newline="") as lines:
+        return Table({name: value_of(cell) if cell else None for name, cell in row.items() if name is not None}
+                     for row in csv.DictReader(lines))
