@@ -272,7 +272,7 @@ class InWords(unittest.TestCase):
             made = Run("export", WORDS, "--recording", "-o", newer)
             self.assertEqual(made.code, 0, made.err)
             self.assertEqual(WORDS.read_bytes()[8], 4)
-            self.assertEqual(newer.read_bytes()[8], 6)
+            self.assertEqual(newer.read_bytes()[8], 7)
             self.assertEqual(self.minds(newer), self.minds(WORDS))
             self.assertEqual(Run("compare", WORDS, newer).code, 0)
 
