@@ -48,6 +48,10 @@ class Names(WithKernel):
         self.assertEqual((sml.sml_PHASE, sml.sml_DECIDE, sml.sml_UNTIL_OUTPUT), (0, 2, 3))
         self.assertEqual(sml.sml_Names.kSoarVersionValue, "9.6.3")
 
+    def test_static_functions_have_their_flat_names_too(self):
+        kernel = sml.Kernel_CreateKernelInCurrentThread(True, 0)
+        self.assertEqual(kernel.CreateAgent("a").GetAgentName(), "a")
+
     def test_nothing_is_made_without_a_kernel(self):
         for made in (sml.Kernel, sml.Agent, sml.Identifier):
             with self.assertRaises(AttributeError):
