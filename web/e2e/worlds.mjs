@@ -113,7 +113,8 @@ test("with the keyboard alone: run, step, select, cameras, panels, keys", async 
   await until(async () => (await shownTime(page)) > at, "one tick");
   const chosen = await page.locator(".labels .name.selected b").innerText();
   await page.keyboard.press("n");
-  await until(async () => (await page.locator(".labels .name.selected b").allInnerTexts()).some((name) => name !== chosen), "the next agent is selected");
+  await show(page, "Agents");
+  await until(async () => (await page.locator(".agents tr.chosen button").allInnerTexts()).some((name) => name !== chosen), "the next agent is selected");
   await page.keyboard.press("m");
   await page.waitForSelector(".stage-tools button[aria-label^=Map][aria-pressed=true]");
   await page.keyboard.press("o");

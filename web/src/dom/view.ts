@@ -113,8 +113,22 @@ function fits(node: Node, flat: Flat): boolean {
   return state !== undefined && state.view.tag === flat.tag && state.view.props.key === flat.props.key;
 }
 
+let depth = 0;
+const pending: (() => void)[] = [];
+
 /** Makes the children of an element what a view says, and leaves alone what is the same: focus, caret and scrolling stay. */
 export function patch(parent: Element, children: readonly Child[]): void {
+  depth += 1;
+  try {
+    patchChildren(parent, children);
+  } finally {
+    depth -= 1;
+  }
+  // Whoever waits to be in the page is told when all of it is there.
+  if (depth === 0) for (const call of pending.splice(0)) call();
+}
+
+function patchChildren(parent: Element, children: readonly Child[]): void {
   const wanted = flatten(children);
   const keyed = new Map<string, Element>();
   for (const node of parent.children) {
@@ -133,13 +147,13 @@ export function patch(parent: Element, children: readonly Child[]): void {
         if (node.nodeValue !== flat) node.nodeValue = flat;
       } else {
         update(node as unknown as Element, flat);
-        flat.props.patched?.(node as unknown as HTMLElement);
+        if (flat.props.patched !== undefined) pending.push(() => flat.props.patched!(node as unknown as HTMLElement));
       }
       continue;
     }
     const made = create(flat, parent.ownerDocument);
     parent.insertBefore(made, at);
-    if (typeof flat !== "string") flat.props.mounted?.(made as HTMLElement);
+    if (typeof flat !== "string" && flat.props.mounted !== undefined) pending.push(() => flat.props.mounted!(made as HTMLElement));
   }
   while (at !== null) {
     const next: ChildNode | null = at.nextSibling;
