@@ -45,7 +45,13 @@ struct SeenThing {
   bool moves = false;
   bool visible = false;
   std::uint64_t seen_tick = 0;
+  // For agents that sense a scene: how it is turned, and the box around it in its own frame.
+  world::Quat orientation;
+  world::Vec3 low, high;
 };
+
+/// How far hands reach, from skin to skin.
+inline constexpr float kArmsReach_m = 1.5f;
 
 /// How a command went, for the mind that said it.
 struct Outcome {

@@ -42,11 +42,11 @@ constexpr NumberProperty kNumbers[] = {
     {"weapon.reload", [](BodyKind& b) -> float& { return b.weapon.reload_s; }, 0, 60},
 };
 constexpr std::string_view kOthers[] = {
-    "body",           "team",       "leader",     "name",
-    "position.x",     "position.y", "position.z", "position.1",
-    "position.2",     "position.3", "heading",    "senses.only",
-    "material",       "looks",      "armed",      "weapon.magazine",
-    "weapon.reserve", "by",
+    "body",           "team",       "leader",       "name",
+    "position.x",     "position.y", "position.z",   "position.1",
+    "position.2",     "position.3", "heading",      "senses.only",
+    "material",       "looks",      "armed",        "weapon.magazine",
+    "weapon.reserve", "by",         "senses.scene",
 };
 
 Diagnostic Bad(std::string message, std::string hint = {}) {
@@ -103,10 +103,10 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
     (name == "weapon.magazine" ? body.weapon.magazine : body.weapon.reserve) = static_cast<int>(*number);
     return true;
   }
-  if (name == "armed") {
+  if (name == "armed" || name == "senses.scene") {
     const bool* truth = std::get_if<bool>(&value);
     if (truth == nullptr) return WrongType(name, "true or false");
-    body.armed = *truth;
+    (name == "armed" ? body.armed : body.senses.scene) = *truth;
     return true;
   }
   if (name == "looks") {

@@ -20,6 +20,7 @@ struct SenseSettings {
   float noise_m = 0;     ///< Standard deviation of perceived positions of others, from the agent's own stream.
   float rate_hz = 10;    ///< How often senses are read. Its own body is read in each tick.
   float most = 0;        ///< Perceives so many friends and so many enemies at most, the nearest; 0: all it notices.
+  bool scene = false;    ///< Its imagination (the spatial visual system) is fed with what it perceives.
   std::set<std::string> only = {};  ///< Names of senses; empty: all.
 
   bool Has(std::string_view sense) const { return only.empty() || only.contains(std::string(sense)); }

@@ -10,8 +10,6 @@
 namespace soarbox::sim {
 namespace {
 
-constexpr float kArmsReach_m = 1.5f;
-
 StepResult PickUp(Actor& actor, Running& command) {
   Places& places = actor.arena().places();
   const std::string name = command.Word("object");

@@ -208,6 +208,7 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   settings.has_distance = (is_scripted && !by_sandbox) || options->body.senses.only.contains("distance");
   settings.blinks = is_scripted && !by_sandbox && kind->blinks;
   settings.waits = kind->waits && !by_sandbox;
+  settings.imagines = options->body.senses.scene;
   settings.detail = detail_;
   Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings, is_scripted);
   if (!loaded) return loaded.error();

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "sim/arena.h"
+#include "sim/attention.h"
 #include "sim/directions.h"
 #include "sim/foreign_bodies.h"
 #include "vocabulary/vocabulary_percepts.h"
@@ -168,40 +170,6 @@ Nearest FindNearest(const Actor& actor) {
   }
   return nearest;
 }
-
-/// Those whom an actor's senses can take in: all its contacts, or of friends and of enemies the nearest. Of several as
-/// near the first.
-class Attention {
- public:
-  explicit Attention(const Actor& actor) : actor_(actor) {
-    const auto most = static_cast<std::size_t>(actor.kind().senses.most);
-    if (most == 0 || actor.contacts().size() <= most) return;
-    for (const bool is_friend : {false, true}) {
-      std::vector<Place> places;
-      places.reserve(actor.contacts().size());
-      for (const auto& [id, contact] : actor.contacts())
-        if (IsFriend(id) == is_friend) places.push_back(PlaceOf(id, contact));
-      if (places.size() <= most) continue;
-      std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most - 1), places.end());
-      (is_friend ? farthest_friend_ : farthest_enemy_) = places[most - 1];
-    }
-  }
-  bool Reaches(world::EntityId id, const Contact& contact) const {
-    if (!farthest_friend_ && !farthest_enemy_) return true;
-    const std::optional<Place>& farthest = IsFriend(id) ? farthest_friend_ : farthest_enemy_;
-    return !farthest || PlaceOf(id, contact) <= *farthest;
-  }
-
- private:
-  using Place = std::pair<float, std::uint32_t>;
-  Place PlaceOf(world::EntityId id, const Contact& contact) const {
-    return {world::LengthSquared(Flat(contact.position - actor_.body().Position())), Number(id)};
-  }
-  bool IsFriend(world::EntityId id) const { return actor_.world().FindAgent(id)->Team() == actor_.body().Team(); }
-
-  const Actor& actor_;
-  std::optional<Place> farthest_friend_, farthest_enemy_;
-};
 
 void SenseAgents(const Actor& actor, PerceptSink& sink) {
   const Nearest nearest = FindNearest(actor);
@@ -429,6 +397,10 @@ void NoticeThings(Actor& actor) {
       thing.kind = actor.arena().places().items.contains(id) ? "item" : WordOf(object.kind());
     }
     thing.position = center;
+    if (actor.kind().senses.scene) {
+      thing.orientation = object.Orientation();
+      std::tie(thing.low, thing.high) = object.LocalBox();
+    }
     thing.radius_m = object.Radius();
     thing.moves = object.Mass() > 0;
     thing.visible = true;

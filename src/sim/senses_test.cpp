@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "sim/arena.h"
+#include "sim/scene_sense.h"
+#include "sim/soar_mind.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -77,6 +79,55 @@ TEST_F(SensesTest, NoMoreFriendsAndEnemiesArePerceivedThanTheSensesTakeInAndTheN
   std::vector<std::string> names;
   for (const vocabulary::Percept& seen : Seen()) names.push_back(Word(seen, "name"));
   EXPECT_EQ(names, (std::vector<std::string>{"watcher", "near"}));
+}
+
+TEST_F(SensesTest, AnImaginedSceneIsWhatTheActorKnows) {
+  BodyKind kind = watcher_->kind();
+  kind.senses.scene = true;
+  kind.senses.sight_m = 30;
+  kind.senses.hearing_m = 0;
+  kind.senses.memory_s = 2;
+  watcher_ = &Add(kind, "dreamer", "blue", 1);
+  world::Agent& other = Add("some body", "red", -10).body();
+  SceneSense scene;
+  const auto update = [&] {
+    Seen();
+    return scene.Update(*watcher_, true);
+  };
+  const auto has = [](const std::string& lines, const std::string& part) {
+    return lines.find(part) != std::string::npos;
+  };
+  std::string lines = update();
+  for (const char* part :
+       {"add self world v ", "add eye world v 0 0 0 p ", "add reach world b 1.85 p ", "add some-body world v ",
+        "tag change some-body relation enemy\n", "tag change some-body visible yes\n", "add watcher world v "}) {
+    EXPECT_TRUE(has(lines, part)) << part << " in\n" << lines;
+  }
+  EXPECT_EQ(update(), "") << "nothing changed";
+  other.SetPosition({9, 1, -12});
+  lines = update();
+  EXPECT_EQ(lines, "change some-body p 9 1 -12 r 0 0 0\n");
+  // Out of sight it stays where it was, and is forgotten in time.
+  other.SetPosition({9, 1, -100});
+  EXPECT_EQ(update(), "tag change some-body visible no\n");
+  for (int tick = 0; tick < 80; ++tick) Seen();
+  EXPECT_EQ(update(), "delete some-body\n");
+}
+
+TEST_F(SensesTest, AMindThatImaginesHasTheSceneOfItsBody) {
+  std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener));
+  sml::Agent* const agent = kernel->CreateAgent("watcher");
+  MindSettings settings;
+  settings.has_distance = false;
+  settings.imagines = true;
+  SoarMind mind(*agent, settings);
+  Add("other", "red", -10);
+  Seen();
+  mind.Perceive(*watcher_, true);
+  mind.Decide();
+  EXPECT_EQ(agent->SVSQuery("list-all-objs"), "objs 5 world self eye reach other\n");
+  EXPECT_EQ(agent->SVSQuery("objs-with-flag solid yes"), "objs 1 other\n");
+  EXPECT_EQ(agent->GetSVSOutput(), "") << "nothing was refused";
 }
 
 TEST_F(SensesTest, MessagesAreHeardOnceAndForgottenAfterThreeSeconds) {

@@ -106,6 +106,10 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
   // ReadOutput tells by their time tags what is new. A kernel in another process would have to report each decision.
   agent.SetOutputLinkChangeTracking(false);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
+  if (settings.imagines) {
+    agent.ExecuteCommandLine("svs --enable");
+    scene_ = std::make_unique<SceneSense>();
+  }
   SetDetail(settings.detail);
 }
 
@@ -133,6 +137,8 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
   own_body_.Show([&](vocabulary::PerceptSink& sink) { SenseOwnBody(body, sink); });
   HearMessages(body, heard_, messages_);
   if (surroundings) surroundings_.Show([&](vocabulary::PerceptSink& sink) { SenseSurroundings(body, sink); });
+  if (scene_ == nullptr) return;
+  if (const std::string lines = scene_->Update(body, surroundings); !lines.empty()) agent_->SendSVSInput(lines);
 }
 
 void SoarMind::Decide() {

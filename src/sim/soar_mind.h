@@ -12,6 +12,7 @@
 #include "sim/graph_mirror.h"
 #include "sim/input_mirror.h"
 #include "sim/mind_log.h"
+#include "sim/scene_sense.h"
 #include "vocabulary/command_check.h"
 
 namespace sml {
@@ -27,6 +28,7 @@ struct MindSettings {
   bool blinks = true;        ///< ^distance counts as new in each tick.
   bool waits = false;        ///< With nothing to do it waits for the world instead of making states below states;
                              ///< a file of rules may say otherwise (soar wait-snc off).
+  bool imagines = false;     ///< Its spatial visual system is on and fed with what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much of what it does is noted.
 };
 
@@ -122,8 +124,9 @@ class SoarMind {
   sml::FloatElement* distance_ = nullptr;
   InputMirror own_body_, messages_, surroundings_, rows_;
   GraphMirror graph_;
-  std::uint32_t heard_ = 0;  ///< The number of the last message that it was told.
-  std::string answer_;       ///< The kernel's to the last run.
+  std::unique_ptr<SceneSense> scene_;  ///< Null if it does not imagine.
+  std::uint32_t heard_ = 0;            ///< The number of the last message that it was told.
+  std::string answer_;                 ///< The kernel's to the last run.
   std::uint64_t fired_ = 0;
   std::vector<vocabulary::SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;

@@ -32,6 +32,9 @@ float Object::Mass() const {
 float Object::Radius() const {
   return physics_.Radius(body_);
 }
+std::pair<Vec3, Vec3> Object::LocalBox() const {
+  return physics_.LocalBox(body_);
+}
 bool Object::IsSleeping() const {
   return physics_.IsSleeping(body_);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "world/ids.h"
 #include "world/math.h"
@@ -60,6 +61,8 @@ class Object {
 
   /// Half the diagonal of the body's axis-aligned bounding box, collision margins included; huge for a plane.
   float Radius() const;
+  /// The lowest and highest corner of the box around the body in its own frame, collision margins included.
+  std::pair<Vec3, Vec3> LocalBox() const;
   bool IsSleeping() const;
   /// RemoveObject was called; it goes at the next BeginTick.
   bool removal_requested() const { return removal_requested_; }

@@ -318,6 +318,12 @@ float PhysicsWorld::Radius(BodyId body) const {
   return (high - low).length() / 2;
 }
 
+std::pair<Vec3, Vec3> PhysicsWorld::LocalBox(BodyId body) const {
+  btVector3 low, high;
+  Get(body).rigid->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+  return {FromBullet(low), FromBullet(high)};
+}
+
 void PhysicsWorld::SetPosition(BodyId id, Vec3 position) {
   Body& body = Get(id);
   body.rigid->getWorldTransform().setOrigin(ToBullet(position));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "world/collision.h"
@@ -62,6 +63,8 @@ class PhysicsWorld {
   bool IsSleeping(BodyId body) const;
   /// Half the diagonal of the bounding box.
   float Radius(BodyId body) const;
+  /// The lowest and highest corner of the box around the shape, in the body's own frame.
+  std::pair<Vec3, Vec3> LocalBox(BodyId body) const;
 
   // All of these wake the body.
   void SetPosition(BodyId body, Vec3 position);
