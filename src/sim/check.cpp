@@ -153,7 +153,7 @@ class Checker {
       problems.back().line = agent.line_of_rules;
     }
     if (std::ranges::any_of(problems, [&](const Diagnostic& one) { return one.file == file.string(); })) return;
-    if (read.agents.empty()) {
+    if (!read.has_exercise && read.agents.empty()) {
       problems.push_back(ProblemIn(file, "this scenario has no agents",
                                    "add one: [[agent]], and below it name = \"scout\" and rules = \"scout.soar\""));
       problems.back().severity = Severity::kWarning;

@@ -478,6 +478,7 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
                     "agent", "end", "goal", "mission", "check", "dis"});
   read.description = reader.Text(root, "description");
   read.script = reader.Text(root, "script");
+  read.has_exercise = root.contains("dis");
   if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
   read.seconds = reader.Number(root, "seconds", 0, 1e6);
   ReadPlaces(reader, root, read);

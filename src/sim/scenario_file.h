@@ -46,7 +46,8 @@ struct ScenarioFile {
 
   std::filesystem::path file;
   std::string description;
-  std::string script;  ///< A Lua file that makes the world; empty: none.
+  std::string script;         ///< A Lua file that makes the world; empty: none.
+  bool has_exercise = false;  ///< It joins other simulations, whose agents may be all that there are ([dis]).
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   std::vector<Waypoint> waypoints;
