@@ -46,7 +46,7 @@ export class App {
       if (state === "none") this.isHome = true;
       if (state === "none" && info.opens !== "" && !this.openedGiven && watchKey === "") {
         this.openedGiven = true;
-        this.open(`scenario:${info.opens}`);
+        this.open(info.opens.includes(":") ? info.opens : `scenario:${info.opens}`);
       }
       this.draw();
     });

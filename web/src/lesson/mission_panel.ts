@@ -12,7 +12,7 @@ const SIGNS: Readonly<Record<string, { sign: "check" | "cross" | "open"; says: s
 
 function checkView(context: PanelContext, check: Check, step: number): View {
   const { sign, says } = SIGNS[check.state] ?? SIGNS["open"]!;
-  return h(`li.check.${sign}`, { key: check.name, attributes: { title: check.expected } }, icon(sign), h("span.hidden", null, `${says}: `),
+  return h(`li.check.${sign}${check.state === "true" ? ".is-passed" : ""}`, { key: check.name, attributes: { title: check.expected } }, icon(sign), h("span.hidden", null, `${says}: `),
     h("span.text", null, h("b", null, check.name), check.state === "false" && check.was !== "" && h("span.was", null, check.was)),
     (check.state === "true" || check.state === "false") && check.tick > 0 && button(clock(check.tick * step), () => context.run.ask("seek", { tick: check.tick }), { attributes: { title: "Go to that moment" } }, "button.link.time"));
 }
