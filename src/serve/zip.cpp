@@ -93,7 +93,7 @@ std::string WriteZip(const std::vector<ZipEntry>& entries) {
     Put(directory, kCentral, 4);
     Put(directory, kVersion, 2);
     directory += common;
-    Put(directory, 0, 10);  // No comment, on this disk, no attributes.
+    directory.append(10, '\0');  // No comment, on this disk, no attributes.
     Put(directory, out.size(), 4);
     directory += entry.path;
     Put(out, kLocal, 4);
