@@ -8,6 +8,8 @@ export type CameraMode = "orbit" | "follow" | "map";
 
 const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400;
 const MOST_CLOSE = 12;
+/** Few who stand close together are shown with so much of the world around them. */
+export const AMONG_OTHERS_M = 9;
 const TURN_PER_PX = 0.006, EASE_PER_S = 9;
 
 interface View { target: [number, number, number]; heading: number; tilt: number; away: number }
@@ -64,7 +66,7 @@ export class CameraRig {
   }
 
   /** So that all these places are in the picture. */
-  frame(places: readonly Vec3[], ease = true): void {
+  frame(places: readonly Vec3[], ease = true, leastRadius = 3.5): void {
     if (places.length === 0) return;
     const low: [number, number, number] = [...places[0]!], high: [number, number, number] = [...places[0]!];
     for (const place of places) {
@@ -74,7 +76,7 @@ export class CameraRig {
       }
     }
     this.wanted.target = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
-    const radius = Math.max(3.5, length(minus(high, low)) / 2), half = (this.camera.fov * Math.PI) / 360;
+    const radius = Math.max(leastRadius, length(minus(high, low)) / 2), half = (this.camera.fov * Math.PI) / 360;
     this.wanted.away = clamp((radius * 1.25) / Math.min(Math.tan(half), Math.tan(half) * this.camera.aspect), 8, FARTHEST_M);
     if (!ease) this.shown = copy(this.wanted);
   }
@@ -96,7 +98,7 @@ export class CameraRig {
     // Scripts think of a whole window; few actors are shown larger in the page's smaller picture.
     if (isFirst && actors.length > 0 && actors.length <= MOST_CLOSE) {
       const { away: far } = this.wanted;
-      this.frame(actors, false);
+      this.frame(actors, false, AMONG_OTHERS_M);
       if (this.wanted.away > far) this.wanted.away = far;
     }
     this.shown = copy(this.wanted);

@@ -6,7 +6,7 @@ import {
 import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
 import { Playout, type Between } from "../run/playout";
 import { Bodies } from "./bodies";
-import { CameraRig } from "./camera_rig";
+import { AMONG_OTHERS_M, CameraRig } from "./camera_rig";
 import { Labels } from "./labels";
 import { LineBatch } from "./line_batch";
 import { lookOf } from "./looks";
@@ -119,7 +119,7 @@ export class SceneView {
   }
 
   frameAll(): void {
-    this.rig.frame([...(this.scene?.agents.values() ?? [])].map((agent) => agent.place));
+    this.rig.frame([...(this.scene?.agents.values() ?? [])].map((agent) => agent.place), true, AMONG_OTHERS_M);
     this.wake();
   }
 
