@@ -25,7 +25,7 @@ using workbench::Flow;
 using Clock = std::chrono::steady_clock;
 
 /// Contents go out so often at most, unless somebody asked for something.
-constexpr auto kContentsEvery = std::chrono::milliseconds(100);
+constexpr auto kContentsEvery = std::chrono::milliseconds(250);
 /// How long an engine whose world stands still waits before it looks at files and debuggers again.
 constexpr int kIdle_ms = 50, kAlone_ms = 500;
 
