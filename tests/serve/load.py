@@ -4,8 +4,8 @@
 usage: load.py [--learners N] [--seconds S] [--watchers N]
 
 Each learner opens a lesson, looks at the panels that a page shows, types into the editor now and then, applies the solution half way, asks
-why, and hints. Printed: how late the world's time is (95 % of all seconds are no later), bytes per second and learner, memory per run, and
-processor time.
+why, and hints. Printed: how late the world's time is after the first quarter, in which all worlds begin (95 % of all ticks are no later), bytes
+per second and learner, memory per run, and processor time.
 """
 import argparse
 import os
@@ -60,8 +60,10 @@ class Learner(threading.Thread):
             if message["message"] == "flow" and not message["paused"]:
                 # Against the best moment: that is when the page saw the world on time.
                 behind = now - message["time_s"]
-                first = behind if first is None else min(first, behind)
-                self.lateness.append(behind)
+                # Once all have begun, which takes the processors a while; time that a world lost then it does not catch up with.
+                if now > self.seconds / 4:
+                    first = behind if first is None else min(first, behind)
+                    self.lateness.append(behind)
             if now - typed > 3:
                 typed = now
                 page.ask(request="edit-text", what="type", text=solution[:int(len(solution) * min(1, now / self.seconds))])
@@ -99,7 +101,7 @@ def main():
     parser.add_argument("--watchers", type=int, default=0)
     options = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_NOFILE, (4096, resource.getrlimit(resource.RLIMIT_NOFILE)[1]))
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         server = Server(pathlib.Path(folder))
         learners = [Learner(server, NAMES[i % len(NAMES)], options.seconds) for i in range(options.learners)]
         for learner in learners:
