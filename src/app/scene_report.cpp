@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What the scene and the contents may take, before they become text.
-constexpr std::size_t kMostSceneBytes = 4u << 20, kMostContentsBytes = 1u << 20;
+constexpr std::size_t kMostSceneBytes = 5u << 19, kMostContentsBytes = 1u << 20;
 /// How often the scene and the contents are shown where there is room for it.
 constexpr double kSceneEvery_s = 0.1, kContentsEvery_s = 0.5, kWholeEvery_s = 4;
 
