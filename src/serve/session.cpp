@@ -139,9 +139,11 @@ void Session::Tell(const std::string& text, const std::string& key) {
 }
 
 void Session::OnFrame(Frame frame) {
+  // Whatever it says, it answers: not every request ends with "done".
+  NoLongerBusy();
   switch (frame.kind) {
     case FrameKind::kDone:
-      return NoLongerBusy();
+      return;
     case FrameKind::kText:
       return Tell(frame.bytes);
     case FrameKind::kHello: {
