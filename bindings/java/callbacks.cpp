@@ -86,9 +86,8 @@ std::string CallHandler(JNIEnv* env, const Callback& callback, const Told& told)
   jstring agent_name = NewText(env, told.agent_name);
   jstring first = NewText(env, told.first);
   jstring second = NewText(env, told.second);
-  auto answer =
-      static_cast<jstring>(env->CallStaticObjectMethod(handler_class, handler_run, callback.handler, told.event, object,
-                                                       other, agent_name, first, second, told.number));
+  auto answer = static_cast<jstring>(env->CallStaticObjectMethod(
+      handler_class, handler_run, callback.handler, told.event, object, other, agent_name, first, second, told.number));
   std::string text;
   if (env->ExceptionCheck()) {
     env->ExceptionClear();
@@ -327,8 +326,7 @@ int OnAgent(sml::Kernel& kernel, int event, jobject handler) {
   });
 }
 int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler) {
-  return Register(&kernel, 0, handler,
-                  [&](void* own) { return kernel.AddRhsFunction(name, RunFunction, own); });
+  return Register(&kernel, 0, handler, [&](void* own) { return kernel.AddRhsFunction(name, RunFunction, own); });
 }
 int OnClientMessage(sml::Kernel& kernel, const char* client, jobject handler) {
   return Register(&kernel, 0, handler,

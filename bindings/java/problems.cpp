@@ -14,11 +14,16 @@ namespace {
 
 const char* ClassOf(Problem problem) {
   switch (problem) {
-    case Problem::kNull: return "java/lang/NullPointerException";
-    case Problem::kArgument: return "java/lang/IllegalArgumentException";
-    case Problem::kGone: return "java/lang/IllegalStateException";
-    case Problem::kMemory: return "java/lang/OutOfMemoryError";
-    case Problem::kOther: break;
+    case Problem::kNull:
+      return "java/lang/NullPointerException";
+    case Problem::kArgument:
+      return "java/lang/IllegalArgumentException";
+    case Problem::kGone:
+      return "java/lang/IllegalStateException";
+    case Problem::kMemory:
+      return "java/lang/OutOfMemoryError";
+    case Problem::kOther:
+      break;
   }
   return "java/lang/RuntimeException";
 }
