@@ -38,6 +38,39 @@ namespace {
 /// No run lasts longer; its ticks are counted without loss.
 constexpr double kLongest_s = 1e7;
 
+void AddBrowser(CLI::App& command, WindowWishes& wishes) {
+  command.add_flag("--browser", wishes.browser, "Show it in the browser of this machine instead of a window");
+  command.add_option("--page", wishes.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
+}
+
+/// What is asked of a window, whoever opens it.
+void AddWindow(CLI::App& command, WindowWishes& wishes) {
+  command
+      .add_option("--detail", wishes.detail,
+                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "low", "full"}));
+  command
+      .add_option("--render-scale", wishes.render_scale,
+                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
+                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
+      ->check(NumberIn(0.5, 1.0));
+  command.add_option("--panels", wishes.panels,
+                     "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
+  command.add_option("--text", wishes.text_percent, "Text size of these panels, in percent")
+      ->capture_default_str()
+      ->check(CLI::Range(75, 200));
+  command
+      .add_option("--width", wishes.width_px,
+                  "Width of the window in pixels (default: what suits the display, or as in the recorded window; 1280 "
+                  "for a picture)")
+      ->check(NumberIn(160, 7680));
+  command.add_option("--height", wishes.height_px, "Height of the window in pixels (720 for a picture)")
+      ->check(NumberIn(120, 4320));
+  command.add_option("--ui-script", wishes.ui_script,
+                     "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
+}
+
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
   run->add_option("scenario", options.scenario,
@@ -45,7 +78,8 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "a field), "
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
-  run->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
+  AddBrowser(*run, options);
+  AddWindow(*run, options);
   run->add_flag("--headless", options.headless,
                 "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
   run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
@@ -64,14 +98,6 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->needs(picture)
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
-  run->add_option("--detail", options.detail,
-                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "low", "full"}));
-  run->add_option("--render-scale", options.render_scale,
-                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
-                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
-      ->check(NumberIn(0.5, 1.0));
   run->add_option(
          "--show", options.show,
          "Overlays to switch on at the start, separated by commas: labels, trails, senses, paths, targets, shots, "
@@ -80,19 +106,6 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_option("--select", options.select, "Select this agent from the start");
   run->add_option("--camera", options.camera,
                   "free, orbit, follow, eyes or map; all but free and map require --select");
-  run->add_option("--panels", options.panels,
-                  "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
-  run->add_option("--text", options.text_percent, "Text size of these panels, in percent")
-      ->capture_default_str()
-      ->check(CLI::Range(75, 200));
-  run->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
-  run->add_option("--ui-script", options.ui_script,
-                  "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
-  run->add_option("--width", options.width_px,
-                  "Width of the window in pixels (default: what suits the display; 1280 for a picture)")
-      ->check(NumberIn(160, 7680));
-  run->add_option("--height", options.height_px, "Height of the window in pixels (720 for a picture)")
-      ->check(NumberIn(120, 4320));
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
@@ -233,12 +246,9 @@ void AddLearn(CLI::App& program, LearnOptions& options) {
   learn->add_flag("--json", options.json, "Print the list as lines of JSON");
   learn->add_flag("--headless", options.headless, "Do not open the window");
   RunOptions& window = options.window;
-  learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
-  learn->add_option("--width", window.width_px, "As for `soarbox run`")->check(NumberIn(160, 7680));
-  learn->add_option("--height", window.height_px, "As for `soarbox run`")->check(NumberIn(120, 4320));
+  AddWindow(*learn, window);
   learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
   learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
-  learn->add_option("--ui-script", window.ui_script, "Play the mouse and keyboard events in this file, then end");
 }
 
 void AddNew(CLI::App& program, NewOptions& options) {
@@ -336,23 +346,13 @@ void AddThreads(CLI::App& command, RecordingOptions& options) {
 
 void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
-  replay->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
-  replay->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
   AddRecordingFile(*replay, options);
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
   replay->add_option("--select", options.select, "Select this agent from the start");
-  replay->add_option("--panels", options.panels, "As for `soarbox run`");
-  replay->add_option("--text", options.text_percent, "As for `soarbox run`")
-      ->capture_default_str()
-      ->check(CLI::Range(75, 200));
-  replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
-  replay->add_option("--render-scale", options.render_scale, "As for `soarbox run`")->check(NumberIn(0.5, 1.0));
-  replay->add_option("--width", options.width_px, "As for `soarbox run` (default: as in the recorded window)")
-      ->check(NumberIn(160, 7680));
-  replay->add_option("--height", options.height_px, "As for --width")->check(NumberIn(120, 4320));
-  replay->add_option("--ui-script", options.ui_script, "Play the mouse and keyboard events in this file, then end");
+  AddBrowser(*replay, options);
+  AddWindow(*replay, options);
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);
