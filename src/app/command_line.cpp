@@ -10,7 +10,10 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 
+#include "app/argument_kinds.h"
+#include "app/completion.h"
 #include "app/data_folders.h"
 #include "app/editor_commands.h"
 #include "app/engine/engine_window.h"
@@ -19,6 +22,7 @@
 #include "app/kernel_server.h"
 #include "app/learn_command.h"
 #include "app/look_commands.h"
+#include "app/manual.h"
 #include "app/new_scenario.h"
 #include "app/next_run.h"
 #include "app/recording_commands.h"
@@ -29,6 +33,7 @@
 #include "app/sweep_command.h"
 #include "app/test_command.h"
 #include "app/usage_errors.h"
+#include "app/usage_text.h"
 #include "app/window.h"
 #include "sim/scenario.h"
 
@@ -49,7 +54,7 @@ void AddWindow(CLI::App& command, WindowWishes& wishes) {
       .add_option("--detail", wishes.detail,
                   "Detail of the picture: low, full, or auto, which is low without a graphics card")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "low", "full"}));
+      ->check(CLI::IsMember(WordsOf("--detail")));
   command
       .add_option("--render-scale", wishes.render_scale,
                   "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
@@ -57,9 +62,9 @@ void AddWindow(CLI::App& command, WindowWishes& wishes) {
       ->check(NumberIn(0.5, 1.0));
   command.add_option("--panels", wishes.panels,
                      "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
-  command.add_option("--text", wishes.text_percent, "Text size of these panels, in percent")
+  command.add_option("--text", wishes.text_percent, "Text size of these panels, 75 to 200 percent")
       ->capture_default_str()
-      ->check(CLI::Range(75, 200));
+      ->check(NumberIn(75, 200));
   command
       .add_option("--width", wishes.width_px,
                   "Width of the window in pixels (default: what suits the display, or as in the recorded window; 1280 "
@@ -91,21 +96,19 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
-  run->add_option("--rules", options.rules, "NAME=FILE: give an agent these rules instead (may be repeated)");
+  run->add_option("--rules", options.rules, "Give the agent of this name these rules instead (may be repeated)");
   CLI::Option* picture =
       run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
       ->needs(picture)
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
-  run->add_option(
-         "--show", options.show,
-         "Overlays to switch on at the start, separated by commas: labels, trails, senses, paths, targets, shots, "
-         "messages, forces, belief, navigation, influence, physics")
+  run->add_option("--show", options.show,
+                  "Overlays to switch on at the start, separated by commas: " + ListedWordsOf("--show"))
       ->delimiter(',');
   run->add_option("--select", options.select, "Select this agent from the start");
   run->add_option("--camera", options.camera,
-                  "free, orbit, follow, eyes or map; all but free and map require --select");
+                  "Where to look from: " + ListedWordsOf("--camera") + "; all but free and map require --select");
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
@@ -127,15 +130,12 @@ void AddRun(CLI::App& program, RunOptions& options) {
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
   run->add_flag("--no-record", options.no_record, "Do not record; otherwise a run in a window is recorded")
       ->excludes(record);
-  run->add_option("--record-level", options.record_level, "How much to record: world, decisions or all")
-      ->capture_default_str();
+  run->add_option("--record-level", options.record_level, "How much to record")->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
                   "Megabytes at which the older half of the recording is dropped")
       ->check(NumberIn(1.0, 1e6));
-  run->add_option("--kernel", options.kernel,
-                  "HOST:PORT of a Soar kernel in another process, to use instead of Soarbox's own");
-  run->add_option("--dis", options.dis,
-                  "Join other simulations (IEEE 1278.1): ADDRESS:PORT[,SITE,APPLICATION,EXERCISE]; docs/dis.md");
+  run->add_option("--kernel", options.kernel, "Use a Soar kernel in another process instead of Soarbox's own");
+  run->add_option("--dis", options.dis, "Join other simulations (IEEE 1278.1; docs/dis.md)");
   run->add_option("--kernel-limit", options.kernel_limit_s,
                   "Seconds without an answer after which this kernel counts as gone")
       ->capture_default_str()
@@ -188,7 +188,7 @@ void AddTest(CLI::App& program, TestOptions& options) {
       program.add_subcommand("test", "Run missions: check that agents do what they should, over many seeds");
   test->add_option("paths", options.paths, "Missions, scenarios and folders (default: all below this folder)");
   test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
-  test->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`");
+  test->add_option("--rules", options.rules, "As for `soarbox run`");
   test->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
@@ -207,13 +207,13 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
-  sweep->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`, in each variant");
+  sweep->add_option("--rules", options.rules, "As for `soarbox run`, in each variant");
   sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
   sweep->add_option("--on", options.on, "Where to run: here, or slurm (as a job array)")
       ->capture_default_str()
-      ->check(CLI::IsMember({"here", "slurm"}));
+      ->check(CLI::IsMember(WordsOf("--on")));
   sweep->add_option("--tasks", options.tasks, "Tasks of the job array")
       ->capture_default_str()
       ->check(NumberIn(1, 100000));
@@ -315,6 +315,13 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--recording", engine.recording);
   runs->add_option("--home", engine.home)->required();
   runs->add_option("--memory", engine.memory_mb);
+}
+
+void AddHelp(CLI::App& program, HelpOptions& options) {
+  CLI::App* help = program.add_subcommand("help", "Print the help of a sub-command");
+  help->add_option("command", options.command, "Which one (default: the whole program)");
+  help->add_flag("--man", options.man, "Print it as a manual page, for man -l -");
+  help->add_option("--pages", options.pages, "Write all manual pages into this folder");
 }
 
 int List() {
@@ -450,6 +457,14 @@ int Main(int argc, char** argv) {
   ServeOptions serve;
   EngineOptions engine;
   AddServe(program, serve, engine);
+  HelpOptions help;
+  AddHelp(program, help);
+  NameArguments(program);
+  AddUsageTexts(program);
+  if (argc > 1 && std::string_view(argv[1]) == "complete") {
+    PrintCandidates(program, {argv + 2, argv + argc}, std::cout);
+    return kOk;
+  }
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
     return kUsage;
@@ -506,6 +521,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("mcp")) return ServeAssistant(folder);
   if (program.got_subcommand("serve")) return ServePages(serve);
   if (program.got_subcommand("engine")) return Engine(engine);
+  if (program.got_subcommand("help")) return Help(program, help, SOARBOX_VERSION);
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();
 }
