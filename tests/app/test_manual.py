@@ -86,13 +86,10 @@ class Manual(ScenarioCase):
                 if command in ("kernel", "serve"):
                     self.serves(line, environment)
                     continue
-                # A recording can be watched in a window only; what is wanted headless says so.
+                # There is no display, so all is headless. A lesson is not passed by what it begins with.
                 done = subprocess.run(["bash", "-o", "pipefail", "-c", line], cwd=self.folder, env=environment, check=False,
                                       stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=200)
-                print(line, done.returncode, done.stderr[-200:])
-                expected = {"compare": (1,), "sweep": (0, 3), "replay": (0, 3), "learn": (0, 1), "format": (0, 1)}.get(command, (0,))
-                self.assertIn(done.returncode, expected, f"{line}: {done.stdout}{done.stderr}")
-                self.assertNotIn(done.returncode, (2,), line)
+                self.assertEqual(done.returncode, 1 if line == "soarbox learn check 1" else 0, f"{line}: {done.stdout}{done.stderr}")
         self.assertGreater(tried, 25)
 
     def serves(self, line, environment):
@@ -100,12 +97,16 @@ class Manual(ScenarioCase):
         line = re.sub(r"--port \d+", "--port 0", re.sub(r"0\.0\.0\.0:\d+", "127.0.0.1:0", line))
         if line == "soarbox serve":
             line += " --listen 127.0.0.1:0"
+        if "serve" in line:
+            (self.folder / "page").mkdir(exist_ok=True)
+            self.write("page/index.html", "<title>page</title>")
+            line += " --page page"
         with subprocess.Popen(line.split(), cwd=self.folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, text=True) as server:
-            said = server.stdout.readline()
+            said = next((words for words in server.stdout if re.search(r"\d", words)), "")
             server.send_signal(signal.SIGTERM)
             server.communicate(timeout=60)
-        self.assertRegex(said, r"\d+", line)
+        self.assertRegex(said, r"\d", line)
 
 
 if __name__ == "__main__":
