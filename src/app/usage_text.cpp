@@ -85,7 +85,7 @@ constexpr StatusRow kStatuses[] = {
     {"test sweep", {"130", "It was interrupted"}},
 };
 
-bool Holds(std::string_view commands, std::string_view command) {
+bool IsAmong(std::string_view commands, std::string_view command) {
   const std::vector<std::string> words = SplitAtBlanks(commands);
   return commands.empty() || std::find(words.begin(), words.end(), command) != words.end();
 }
@@ -114,7 +114,7 @@ std::vector<UsageExample> ExamplesOf(std::string_view command) {
 std::vector<ExitStatus> ExitStatusesOf(std::string_view command) {
   std::vector<ExitStatus> statuses;
   for (const StatusRow& row : kStatuses)
-    if (Holds(row.commands, command)) statuses.push_back(row.status);
+    if (IsAmong(row.commands, command)) statuses.push_back(row.status);
   return statuses;
 }
 
