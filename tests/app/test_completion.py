@@ -35,17 +35,18 @@ IN_ZSH = r"""
 zmodload zsh/zpty || exit 1
 zpty shell zsh -f -i
 ask() { zpty -w shell "$1"; }
-ask "PS1= PS2= RPS1=; unsetopt zle_bracketed_paste 2>/dev/null; unset zle_bracketed_paste; stty cols 400 rows 900"
-ask "fpath=($COMPLETION $fpath); autoload -Uz compinit; compinit -D -u; LISTMAX=0; setopt no_auto_menu list_rows_first"
-ask "zstyle ':completion:*' list-separator --; zstyle ':completion:*' menu no; zle -C listed .list-choices _main_complete"
-ask "bindkey '^L' listed; path=(${COMMAND:h} \$path); cd $PLACE; print READY"
-zpty -r shell text "*READY"$'\r\n'"*"
+ask "PS1= PS2= RPS1=; unset zle_bracketed_paste; stty cols 400 rows 900"
+ask "fpath=($COMPLETION \$fpath); autoload -Uz compinit; compinit -D -u; LISTMAX=0; setopt no_auto_menu"
+ask "zstyle ':completion:*' menu no; zle -C listed .list-choices _main_complete; bindkey '^L' listed"
+# What is typed before the shell shows its prompt, the terminal would take for itself.
+ask "path=(${COMMAND:h} \$path); cd $PLACE; PS1='REA''DY'"
+zpty -r shell text "*READY*"
 zpty -w -n shell "$1"$'\t'$'\x0c'
-zpty -w -n shell $'\x15print -r -- DONE\n'
+zpty -w -n shell $'\x15print -r -- DO\'\'NE\n'
 text=""
 while zpty -r shell part; do
   text+=$part
-  [[ $part == *DONE$'\r'* || $part == DONE* ]] && break
+  [[ $text == *DONE* ]] && break
 done
 print -r -- "$text"
 zpty -d shell
