@@ -114,7 +114,8 @@ std::string ManualPage(const CLI::App& program, const CLI::App& command, std::st
   // "Soarbox: a sandbox" has its name before it already.
   if (is_program) about = about.substr(about.find(": ") + 2);
   about[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(about[0])));
-  std::string page = ".TH " + Capitals(Plain(name)) + " 1 " SOARBOX_DATE " \"Soarbox " + std::string(version) + "\" Soarbox\n";
+  std::string page =
+      ".TH " + Capitals(Plain(name)) + " 1 " SOARBOX_DATE " \"Soarbox " + std::string(version) + "\" Soarbox\n";
   page += ".SH NAME\n" + Plain(name) + " \\- " + Plain(about) + "\n";
   AddSynopsis(page, program, command);
   if (is_program) {
