@@ -424,7 +424,18 @@ struct OpenAnswer : sml::ClientAnalyzedXML {
   }
 %}
 
+// Java's texts are its own.
+%typemap(javacode) sml::ClientXML, sml::ClientAnalyzedXML %{
+  /** There is nothing to give back; for programs that do as in C++. */
+  public static void DeleteString(String text) {}
+%}
 %typemap(javacode) soarxml::ElementXML %{
+  /** There is nothing to give back; for programs that do as in C++. */
+  public static void DeleteString(String text) {}
+  /** As SetTagName(tagName): the name is copied. */
+  public boolean SetTagName(String tagName, boolean copyName) {
+    return SetTagName(tagName);
+  }
   public void addAttribute(String name, String value) {
     AddAttribute(name, value);
   }

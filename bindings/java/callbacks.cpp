@@ -86,14 +86,15 @@ std::string CallHandler(JNIEnv* env, const Callback& callback, const Told& told)
   jstring agent_name = NewText(env, told.agent_name);
   jstring first = NewText(env, told.first);
   jstring second = NewText(env, told.second);
-  auto answer = static_cast<jstring>(env->CallStaticObjectMethod(
-      handler_class, handler_run, callback.handler, told.event, object, other, agent_name, first, second, told.number));
   std::string text;
-  if (env->ExceptionCheck()) {
-    env->ExceptionClear();
-  } else if (answer) {
-    text = TextOf(env, answer);
+  // Without memory for the texts, an exception is there already.
+  if (!env->ExceptionCheck()) {
+    auto answer =
+        static_cast<jstring>(env->CallStaticObjectMethod(handler_class, handler_run, callback.handler, told.event,
+                                                         object, other, agent_name, first, second, told.number));
+    if (answer && !env->ExceptionCheck()) text = TextOf(env, answer);
   }
+  if (env->ExceptionCheck()) env->ExceptionClear();
   env->PopLocalFrame(nullptr);
   return text;
 }

@@ -130,6 +130,19 @@ public class TestClientInterface {
     ElementXML result = answer.GetResultTag();
     answer.delete();
     Check.that(result.IsTag("result"), "the part is still there");
+    String text = result.GenerateXMLString(true);
+    ElementXML.DeleteString(text);
+    ClientXML.DeleteString(null);
+    Check.contains(text, "<result");
+    ElementXML own = new ElementXML();
+    Check.that(own.SetTagName("a", true), "named");
+    own.addAttribute("b", "7");
+    try {
+      Check.equal(own.getAttributeIntThrows("b"), 7);
+    } catch (Exception missing) {
+      throw new AssertionError(missing);
+    }
+    Check.contains(Check.fails(Exception.class, () -> own.getAttributeThrows("c")), "a has no attribute c");
     Check.equal(ElementXML.ParseXMLFromString("<a"), null);
     Check.that(!ElementXML.GetLastParseErrorDescription().isEmpty(), "and it says why");
   }
