@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/svs_facts.h"
 #include "cli/svs_paths.h"
 #include "kernel/agent.h"
 
@@ -52,6 +53,15 @@ bool CommandSvs(CommandCall& call) {
   if (call.agent().running()) return call.Fail("svs cannot be used while the agent runs.");
   bool ok = true;
   if (call.words.size() == 2 && Switch(call, word, ok)) return ok;
+  // What there is to ask and to say does not depend on whether anybody imagines.
+  if (call.words.size() == 3 && word == "commands" && call.words[2].text == "all") {
+    call.Out(AllSceneKinds());
+    return true;
+  }
+  if (word == "facts") {
+    call.Out(SceneFactsText(call.agent(), call.words.size() > 2 ? call.words[2].text : std::string()));
+    return true;
+  }
   if (!enabled) {
     call.Out("Spatial Visual System is currently disabled.  Please enable to execute SVS commands.\n");
     return call.FailPrinted();

@@ -151,6 +151,36 @@ std::string TextOfKinds(std::string_view what, const Kinds& kinds) {
   return rows.Text() + "\nFor the parameters of one, type svs " + std::string(what) + ".NAME\n";
 }
 
+std::string FormOf(const ParameterInfo& parameter) {
+  switch (parameter.form) {
+    case kernel::imagery::ParameterForm::kNodes:
+      return "nodes";
+    case kernel::imagery::ParameterForm::kNumber:
+      return "number";
+    case kernel::imagery::ParameterForm::kObject:
+      return "object";
+    case kernel::imagery::ParameterForm::kWord:
+      break;
+  }
+  std::string words(parameter.words.empty() ? "word" : parameter.words);
+  std::replace(words.begin(), words.end(), ' ', '|');
+  return words;
+}
+
+template <typename Kinds>
+std::string TableOfKinds(std::string_view what, const Kinds& kinds) {
+  std::string text;
+  for (const auto& kind : kinds) {
+    text += std::string(what) + " " + std::string(kind.name) + ": " + std::string(kind.meaning) + "\n";
+    for (const ParameterInfo& parameter : kind.parameters) {
+      const std::string name = "^" + std::string(parameter.name);
+      text += "  " + (parameter.required ? name : "[" + name + "]") + " " + FormOf(parameter) + ": " +
+              std::string(parameter.meaning) + "\n";
+    }
+  }
+  return text;
+}
+
 template <typename Kinds>
 std::string UseKinds(std::string_view what, std::string_view word, const Kinds& kinds, std::string_view name,
                      std::span<const std::string> arguments) {
@@ -169,6 +199,11 @@ std::string UseKinds(std::string_view what, std::string_view word, const Kinds& 
 }
 
 }  // namespace
+
+std::string AllSceneKinds() {
+  return TableOfKinds("command", kernel::imagery::CommandKinds()) +
+         TableOfKinds("filter", kernel::imagery::FilterKinds());
+}
 
 std::string SvsPaths::Fail(std::string text) {
   failed_ = true;

@@ -9,6 +9,11 @@
 
 namespace soarbox::cli {
 
+/// All commands of the spatial visual system, then all filters, with their parameters, one a line: `command NAME:
+/// MEANING` or `filter NAME: MEANING`, then `  ^PARAMETER FORM: MEANING`. An optional parameter stands in brackets,
+/// [^PARAMETER]. The form is nodes, number, object, word, or the words that it may be with | between them.
+std::string AllSceneKinds();
+
 /// `svs PATH [ARGUMENTS]`: what stands at a path of the spatial visual system, or what it does. Paths name the lists of
 /// filters and commands, the viewer's connection, and the scene of each state with its nodes, with dots between.
 class SvsPaths {

@@ -9,6 +9,7 @@
 #include "debugger/console.h"
 #include "debugger/facts_text.h"
 #include "debugger/goal_stack.h"
+#include "debugger/imagery.h"
 #include "debugger/learning.h"
 #include "debugger/links.h"
 #include "debugger/memory.h"
@@ -33,6 +34,7 @@ constexpr ViewInfo kViews[] = {
     {"learning", "[TEXT | #RULE]", "numbers that reward has taught, and learned rules; or one rule: why it is so",
      true},
     {"longterm", "[TEXT | #EPISODE]", "what it knows, its episodes, what it recalled and why; or one episode", true},
+    {"imagery", "", "what it imagines, state by state: nodes, what its rules ask, the answers, and why", true},
     {"timeline", "", "operators, impasses, commands and events over ticks", false},
     {"messages", "[TEXT]", "what agents said to each other", false},
     {"trace", "[TEXT]", "what happened, line by line", false},
@@ -153,6 +155,7 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
     const auto log = source.models->learning.find(agent);
     return ShowLearning(mind, log == source.models->learning.end() ? nullptr : &log->second, of);
   }
+  if (request.view == "imagery") return Both(LookAtImagery(mind));
   if (request.view == "rules") return Both(ListRules(mind, of));
   if (request.view == "operators") {
     const OperatorsView view = LookAtOperators(mind, of);

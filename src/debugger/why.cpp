@@ -7,6 +7,7 @@
 #include <set>
 
 #include "debugger/facts_text.h"
+#include "debugger/imagery.h"
 #include "debugger/lesson.h"
 #include "debugger/links.h"
 #include "debugger/operators.h"
@@ -39,7 +40,17 @@ class Tracer {
 
   WhyNode Element(const explain::ElementFact& element, int depth) {
     WhyNode node{Describe(element), "element", std::to_string(element.timetag), {}};
-    if (depth <= 0 || !followed_.insert(element.timetag).second) return node;
+    if (followed_.contains(element.timetag)) return node;
+    // What was imagined is told however deep it stands: it rests on nothing else in memory.
+    if (element.attribute == "value") {
+      if (std::optional<WhyNode> imagined = WhyRecord(mind_, element.id)) {
+        followed_.insert(element.timetag);
+        node.below.push_back(*std::move(imagined));
+        return node;
+      }
+    }
+    if (depth <= 0) return node;
+    followed_.insert(element.timetag);
     for (const explain::MakerFact& maker : mind_.MakersOf(element.timetag)) {
       if (maker.kind == explain::MakerFact::Kind::kInput) {
         node.kind = "percept";

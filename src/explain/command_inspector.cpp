@@ -194,6 +194,10 @@ MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
   return facts;
 }
 
+std::string CommandInspector::SceneFacts() {
+  return Ask("svs facts");
+}
+
 std::string CommandInspector::Ask(const std::string& command) {
   const char* answer = agent_.ExecuteCommandLine(command.c_str());
   return answer == nullptr ? std::string() : answer;

@@ -6,11 +6,12 @@
 
 #include "explain/inspector.h"
 #include "explain/learning_facts.h"
+#include "explain/scene_source.h"
 
 namespace soarbox::explain {
 
 /// Asks a mind in the Soar command language, whatever kernel it lives in, and reads what that prints.
-class CommandInspector final : public Inspector, public LearningSource {
+class CommandInspector final : public Inspector, public LearningSource, public SceneSource {
  public:
   explicit CommandInspector(sml::Agent& agent) : agent_(agent) {}
 
@@ -33,6 +34,7 @@ class CommandInspector final : public Inspector, public LearningSource {
   std::vector<std::string> Complete(std::string_view line) override;
   /// Without the parts of the numbers.
   LearningFacts Learning() override;
+  std::string SceneFacts() override;
 
  private:
   std::string Ask(const std::string& command);

@@ -6,6 +6,7 @@
 #include "explain/command_inspector.h"
 #include "explain/learning_facts.h"
 #include "explain/memory_facts.h"
+#include "explain/scene_source.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
@@ -17,9 +18,9 @@ namespace soarbox::explain {
 
 namespace {
 
-class OwnInspector final : public Inspector, public LearningSource, public LongTermSource {
+class OwnInspector final : public Inspector, public LearningSource, public LongTermSource, public SceneSource {
  public:
-  explicit OwnInspector(std::unique_ptr<MindInspection> mind) : mind_(std::move(mind)) {}
+  OwnInspector(std::unique_ptr<MindInspection> mind, sml::Agent& agent) : mind_(std::move(mind)), agent_(agent) {}
 
   bool TellsAll() const override { return true; }
 
@@ -48,15 +49,18 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
 
   LongTermFacts LongTerm(std::size_t most, const std::string& text) override { return mind_->LongTerm(most, text); }
   std::vector<RememberedFact> Episode(std::size_t number) override { return mind_->Episode(number); }
+  std::string SceneFacts() override { return agent_.ExecuteCommandLine("svs facts"); }
 
  private:
   std::unique_ptr<MindInspection> mind_;
+  sml::Agent& agent_;
 };
 
 }  // namespace
 
 std::unique_ptr<Inspector> MakeInspector(sml::Agent& agent) {
-  if (std::unique_ptr<MindInspection> mind = InspectMind(agent)) return std::make_unique<OwnInspector>(std::move(mind));
+  if (std::unique_ptr<MindInspection> mind = InspectMind(agent))
+    return std::make_unique<OwnInspector>(std::move(mind), agent);
   return std::make_unique<CommandInspector>(agent);
 }
 

@@ -28,6 +28,28 @@ struct KnownPlaces {
   std::set<std::string> waypoints, regions;
 };
 
+/// What the spatial visual system can be told and asked, as the kernel lists it; nothing of a kernel that lists
+/// nothing.
+struct SceneKinds {
+  struct Parameter {
+    std::string name;
+    std::string form;  ///< "nodes", "number", "object", "word", or the words that it may be: "centroid|hull".
+    std::string meaning;
+    bool required = false;
+  };
+  struct Kind {
+    std::string name;
+    std::vector<Parameter> parameters;
+  };
+  std::vector<Kind> commands, filters;
+};
+/// Reads what `svs commands all` prints.
+SceneKinds ReadSceneKinds(std::string_view text);
+/// Whether rules test ^svs at all.
+bool MentionsScenes(const std::vector<RuleText>& rules);
+/// True if a path goes through ^svs: tags and answers there may have any name.
+bool IsBelowScene(const std::vector<std::string>& path);
+
 /// What rules may test and say besides the vocabulary.
 struct KnownWords {
   std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
@@ -35,6 +57,7 @@ struct KnownWords {
   KnownPlaces places = {};
   bool has_database = false;  ///< What is recalled may have any attribute.
   bool complete = true;       ///< All rules loaded; else what is missing may be in those that did not.
+  SceneKinds scene = {};      ///< Needed only if rules mention scenes.
   bool own_world = false;     ///< A game with percepts and commands of its own: the vocabulary says nothing of them.
 };
 
@@ -55,6 +78,10 @@ std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules);
 std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules);
 /// True if a path ends where a memory answers: "smem", "result".
 bool IsMemoryAnswer(const std::vector<std::string>& path);
+
+/// Slips in what the spatial visual system is told and asked: commands, filters and parameters that there are not, or
+/// that lack something, and nodes that nobody makes.
+std::vector<Slip> FindSlipsOfImagery(const std::vector<RuleText>& rules, const SceneKinds& kinds);
 
 /// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
 /// link, places that the scenario does not have.

@@ -51,7 +51,9 @@ class MeaningChecker {
       }
       if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
       // (FindSlipsOfMemory knows what memories answer.)
-      if (const auto path = paths.find(condition.id); path != paths.end() && IsMemoryAnswer(path->second)) continue;
+      if (const auto path = paths.find(condition.id);
+          path != paths.end() && (IsMemoryAnswer(path->second) || IsBelowScene(path->second)))
+        continue;
       if (inputs.contains(condition.id) && vocabulary::IsPerceptAttribute(attribute)) CheckPlace(rule, attribute);
       if (vocabulary::IsPerceptAttribute(attribute) && !IsArchitectureAttribute(attribute)) CheckWord(rule, condition);
       if (IsArchitectureAttribute(attribute) || vocabulary::IsPerceptAttribute(attribute) || !known_.complete) continue;
@@ -106,6 +108,7 @@ class MeaningChecker {
       if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
     for (const RuleAttribute& action : rule.actions) {
       if (!outputs.contains(action.id) || !rule.says.contains(action.attribute)) continue;
+      if (action.value.ends_with(" -")) continue;
       if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
       if (vocabulary::FindCommand(action.attribute) == nullptr) {
         const std::string_view near = vocabulary::NearestCommand(action.attribute);

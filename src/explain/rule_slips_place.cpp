@@ -111,8 +111,9 @@ std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords
     all.push_back(*std::move(other));
     known.own_world = true;
   }
-  for (const std::vector<Slip>& some : {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known),
-                                        FindSlipsOfMemory(rules), FindSlipsOfWorld(rules, known)})
+  for (const std::vector<Slip>& some :
+       {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfMemory(rules),
+        FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

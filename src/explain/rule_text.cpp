@@ -236,8 +236,9 @@ bool IsConstantAttribute(std::string_view attribute) {
 bool IsArchitectureAttribute(std::string_view attribute) {
   static const std::set<std::string_view> known = {
       "superstate", "io", "input-link", "output-link", "operator", "type", "name", "attribute", "choices", "impasse",
-      "quiescence", "item", "item-count", "non-numeric", "non-numeric-count", "reward-link", "smem", "epmem", "command",
-      "result", "svs", "status", "reason", "parameter", "progress", "reward", "value", "present-id", "spatial-scene",
+      "quiescence", "record", "params", "child", "item", "item-count", "non-numeric", "non-numeric-count",
+      "reward-link", "smem", "epmem", "command", "result", "svs", "status", "reason", "parameter", "progress", "reward",
+      "value", "present-id", "spatial-scene",
       // What memories answer.
       "retrieved", "success", "failure", "bad-cmd", "memory-id", "match-score", "cue-size", "normalized-match-score",
       "match-cardinality", "graph-match", "mapping", "node", "cue"};

@@ -9,6 +9,7 @@
 #include "kernel/base/known_symbols.h"
 #include "kernel/decide/engine.h"
 #include "kernel/decide/invariants.h"
+#include "kernel/imagery/imagery.h"
 #include "kernel/rules/functions/builtin_functions.h"
 
 namespace soarbox::kernel {
@@ -592,9 +593,9 @@ const LongTerm& Agent::long_term() const {
 
 Imagery& Agent::imagery() {
   if (engine_->imagery == nullptr) {
-    engine_->imagery =
-        std::make_unique<Imagery>(Imagery::Uses{engine_->symbols, engine_->memory, engine_->goals, engine_->changes,
-                                                engine_->preferences, engine_->elaboration, engine_->modules});
+    engine_->imagery = std::make_unique<Imagery>(
+        Imagery::Uses{engine_->symbols, engine_->memory, engine_->goals, engine_->changes, engine_->preferences,
+                      engine_->elaboration, engine_->modules, engine_->observers, *this});
   }
   return *engine_->imagery;
 }

@@ -224,6 +224,13 @@ class Observer {
     (void)level;
     (void)text;
   }
+  /// A command to a state's scene cannot be done, or asks for what is not there: the element that gave it, what is
+  /// wrong and what to do about it. Soar's trace says nothing of it.
+  virtual void OnSceneProblem(const Agent&, WmeId command, std::string_view problem, std::string_view hint) {
+    (void)command;
+    (void)problem;
+    (void)hint;
+  }
   /// A warning of the architecture in its own words; `kind` lets the trace use the reference's layout.
   virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) {
     (void)kind;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/rule_crowds.h"
+#include "cli/svs_paths.h"
 #include "diagnostics/read_text.h"
 #include "explain/odd_characters.h"
 #include "explain/rule_slips.h"
@@ -183,6 +184,7 @@ std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& prog
       if (of_rule.contains(rule)) found[file.file].push_back(std::move(warning));
   explain::KnownWords known = sim::WordsAround(program.root);
   known.complete = complete;
+  if (explain::MentionsScenes(rules)) known.scene = explain::ReadSceneKinds(cli::AllSceneKinds());
   for (const explain::Slip& slip : explain::FindSlips(rules, known)) {
     const auto document = of_rule.find(slip.rule);
     if (document == of_rule.end() || found[document->second->path()].size() >= kMostSlips) continue;

@@ -119,6 +119,7 @@ class Checker {
     explain::KnownWords words{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
                               around.has_database, complete};
     words.own_world = games_.contains(file.parent_path());
+    words.scene = scene_kinds_;
     return words;
   }
 
@@ -226,6 +227,8 @@ class Checker {
     explain::MindReasons reasons(*loaded->agent);
     const bool complete = std::none_of(loaded->problems.begin(), loaded->problems.end(),
                                        [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
+    if (scene_kinds_.commands.empty() && explain::MentionsScenes(reasons.rules()))
+      scene_kinds_ = explain::ReadSceneKinds(loaded->agent->ExecuteCommandLine("svs commands all"));
     Lint(file, explain::BlankComments(ReadText(file).value_or("")), reasons.rules(), complete);
   }
 
@@ -248,6 +251,7 @@ class Checker {
   std::vector<fs::path> folders_;
   std::unique_ptr<SoarHost> host_;
   int count_ = 0;
+  explain::SceneKinds scene_kinds_;  ///< Once a file mentions scenes.
   std::map<fs::path, explain::Surroundings> around_;
   std::map<fs::path, explain::KnownPlaces> places_;
   std::set<fs::path> games_;  ///< Folders of rules for agents that a world's script serves.

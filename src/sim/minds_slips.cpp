@@ -11,6 +11,7 @@
 #include "sim/live_edits.h"
 #include "sim/minds.h"
 #include "sim/sourced_files.h"
+#include "sml_Client.h"
 
 namespace soarbox::sim {
 namespace {
@@ -43,6 +44,17 @@ explain::Slip SlipOf(const ActionFailure& failure) {
   explain::Slip slip;
   slip.rule = failure.rule;
   slip.in_actions = true;
+  constexpr std::string_view kScene = "svs: ";
+  if (text.starts_with(kScene)) {
+    const std::size_t end = text.find('\n');
+    slip.message = "rule " + failure.rule + ": " + text.substr(kScene.size(), end - kScene.size());
+    if (end != std::string::npos) slip.hint = text.substr(end + 1);
+    constexpr std::string_view kCommand = "svs: command ";
+    const std::size_t begin = std::min(kCommand.size(), text.size());
+    slip.word = text.substr(begin, text.find(':', begin) - begin);
+    slip.is_attribute = true;
+    return slip;
+  }
   if (failure.text.empty()) {
     slip.message = "rules fire again and again in one phase, rule " + failure.rule +
                    " among them: each firing makes one match again, until max-elaborations ends the phase";
@@ -83,6 +95,8 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
     known.attributes.insert(around.made_by_rules.begin(), around.made_by_rules.end());
     known.has_database |= around.has_database;
   }
+  if (explain::MentionsScenes(reasons.rules()))
+    known.scene = explain::ReadSceneKinds(mind.soar.agent().ExecuteCommandLine("svs commands all"));
   std::vector<explain::RuleFile> files = FilesOf(mind.rules, scenario_);
   std::vector<Diagnostic> warnings;
   for (const explain::Slip& slip : explain::FindSlips(reasons.rules(), known)) {
@@ -132,7 +146,8 @@ void Minds::TellSlips() {
 void Minds::TellFailures(Mind& mind, const world::Agent& body) {
   for (const ActionFailure& failure : mind.soar.TakeFailures()) {
     // What it was given may be different each time: a rule's first failure says enough.
-    const char* const kind = failure.text.empty() ? "\nfires without end" : "\nfailed";
+    const bool is_scene = failure.text.starts_with("svs: ");
+    const std::string kind = is_scene ? "\n" + failure.text : failure.text.empty() ? "\nfires without end" : "\nfailed";
     if (!reported_.insert(mind.rules.string() + '\n' + failure.rule + kind).second) continue;
     RunEvent event;
     event.kind = EventKind::kDiagnostic;

@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "debugger/imagery.h"
 #include "debugger/learning.h"
 #include "debugger/recall.h"
 #include "debugger/why.h"
@@ -26,6 +27,26 @@ const char* const kNoKernel =
 GhostBody GhostOf(const world::AgentSnapshot& agent, std::string name) {
   return {std::move(name), agent.id,      agent.kind,     agent.team,
           agent.position,  agent.forward, agent.radius_m, agent.height_m};
+}
+
+/// What an agent has made up, as low columns: so wide and high as the box around each shape.
+void AddImagined(explain::Inspector& mind, std::vector<GhostBody>& ghosts) {
+  constexpr std::size_t kMost = 100;
+  constexpr float kLeast_m = 0.1f;
+  const debugger::ImageryView view = debugger::LookAtImagery(mind);
+  std::size_t count = 0;
+  for (const auto& made : debugger::MadeUp(view)) {
+    if (++count > kMost) return;
+    const debugger::SceneBox box = debugger::BoxAround(*made.second);
+    const auto middle = [&](std::size_t axis) { return static_cast<float>((box.low[axis] + box.high[axis]) / 2); };
+    const auto size = [&](std::size_t axis) { return static_cast<float>(box.high[axis] - box.low[axis]); };
+    GhostBody ghost;
+    ghost.name = made.second->name + " imagined in " + made.first;
+    ghost.position = {middle(0), middle(1), middle(2)};
+    ghost.radius_m = std::max(kLeast_m, std::max(size(0), size(2)) / 2);
+    ghost.height_m = std::max(2 * kLeast_m, size(1));
+    ghosts.push_back(std::move(ghost));
+  }
 }
 
 }  // namespace
@@ -183,6 +204,7 @@ void Desk::Refresh(Contents& contents) {
   contents.ghosts.clear();
   FillFutures(contents);
   if (shown != nullptr) AddRemembered(shown->scene, contents);
+  if (mind != nullptr) AddImagined(*mind, contents.ghosts);
 }
 
 void Desk::FillMind(Contents& contents, explain::Inspector& mind) {

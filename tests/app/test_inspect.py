@@ -102,7 +102,7 @@ sp {hero*later
 }
 """
 
-VIEWS = ["agents", "stack", "memory", "memory /vigour", "operators", "rules", "rule hero*propose*flee", "coverage",
+VIEWS = ["agents", "stack", "memory", "memory /vigour", "imagery", "operators", "rules", "rule hero*propose*flee", "coverage",
          "why", "why rest", "why flee", "why move", "why runn", "io", "timeline", "messages", "trace", "plots self.health",
          "console print s1"]
 

@@ -721,18 +721,18 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
 
 class Lessons(MissionCase):
     def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
-        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 12)
+        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 13)
         told = []
-        for number in range(1, 13):
+        for number in range(1, 14):
             run = Run("learn", "test", number)
             self.assertEqual(run.code, 0, run.out + run.err)
             self.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
             told += run.out.splitlines()
-        self.assertEqual(sum("  solution: as it should" in line for line in told), 12)
-        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 74)
+        self.assertEqual(sum("  solution: as it should" in line for line in told), 13)
+        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 80)
 
     def test_each_mistake_of_these_lessons_has_a_wrong_answer_that_makes_it(self):
-        for name in ("04-memory", "06-danger", "07-parts", "09-support", "10-results"):
+        for name in ("04-memory", "06-danger", "07-parts", "09-support", "10-results", "13-imagine"):
             lesson = REPOSITORY / "lessons" / name
             mistakes = {each["name"] for each in tomllib.loads((lesson / "lesson.toml").read_text(encoding="utf-8"))["mistake"]}
             self.assertEqual(mistakes, {file.read_text(encoding="utf-8").strip() for file in lesson.glob("wrong/*/expects")}, name)

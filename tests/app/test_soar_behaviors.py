@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The behaviours of the Soar agents in scenarios/soar_*: what a viewer would see, over ten seeds."""
 import collections
+import json
 import math
 import pathlib
 import unittest
@@ -137,9 +138,41 @@ class Skirmish(Behavior):
         self.assertGreaterEqual(covered, 3)
 
 
+class Imagery(Behavior):
+    """soar_hide: what the hider imagines, and what can be seen of it."""
+
+    def view(self, *arguments):
+        run = Run("inspect", "soar_hide", "--agent", "hider", "--view", *arguments)
+        self.assertEqual(run.code, 0, run.err)
+        return run.out
+
+    def test_it_is_never_in_view_for_long(self):
+        for run, tracks in self.runs("soar_hide", "--seconds", 60):
+            self.assertGreaterEqual(len(run.of("command", agent="hider", command="move-to")), 2)
+            self.assertEqual(run.diagnostics(), [])
+
+    def test_what_it_imagines_can_be_looked_at(self):
+        text = self.view("imagery", "--at", 10)
+        for part in ("  world\n", "    searcher  hull at ", "^kind box", "(rule hider*imagine*hidden)", "1: occlusion ^place "):
+            self.assertIn(part, text)
+        scene = json.loads(self.view("imagery", "--at", 10, "--json"))["scenes"][0]
+        self.assertEqual(scene["state"], "S1")
+        self.assertIn("barn", [node["name"] for node in scene["nodes"]])
+        extracts = [extract for extract in scene["extracts"] if extract["filter"] == "occlusion"]
+        self.assertEqual(len(extracts), 8, "one for each waypoint")
+        lines = [line for extract in extracts for value in extract["values"] for line in value["lines"]]
+        crossed = sum(line["is_crossed"] for line in lines)
+        self.assertTrue(0 < crossed < len(lines), "some places are hidden, some are not")
+
+    def test_why_leads_from_an_operator_to_what_was_imagined(self):
+        why = self.view("why", "--at", 10)
+        self.assertIn("imagined by extract ", why)
+        self.assertIn("asked by rule hider*imagine*hidden", why)
+
+
 class Checked(unittest.TestCase):
     def test_all_of_them_are_free_of_slips(self):
-        for name in ("seek", "follow", "flee", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
+        for name in ("seek", "follow", "flee", "hide", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
             run = Run("check", "scenarios/soar_" + name, cwd=REPOSITORY)
             self.assertEqual((run.code, run.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), run.out)
 

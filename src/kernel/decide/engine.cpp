@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "kernel/decide/invariants.h"
+#include "kernel/imagery/imagery.h"
 
 namespace soarbox::kernel {
+
+Engine::~Engine() = default;
 
 Engine::Engine(Agent& owner, std::string agent_name)
     : agent(owner),

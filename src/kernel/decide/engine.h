@@ -30,7 +30,6 @@
 #include "kernel/decide/rule_directory.h"
 #include "kernel/decide/run_control.h"
 #include "kernel/decide/slot_decision.h"
-#include "kernel/imagery/imagery.h"
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
 #include "kernel/learn/chunker.h"
@@ -46,10 +45,13 @@
 
 namespace soarbox::kernel {
 
+class Imagery;
+
 /// Everything that one agent consists of. The parts know each other through this struct; each part's header says what
 /// it is for. Not visible outside the kernel: Agent is its face.
 struct Engine {
   Engine(Agent& owner, std::string agent_name);
+  ~Engine();
 
   Agent& agent;
   std::string name;

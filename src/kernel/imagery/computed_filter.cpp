@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/imagery/computed_filter.h"
 
+#include <algorithm>
+
 namespace soarbox::kernel::imagery {
 
 bool ComputedFilter::Compute() {
@@ -43,6 +45,7 @@ bool RankFilter::Compute() {
   for (Combination* const changed : combinations.changed()) {
     if (!rank(*changed)) return false;
   }
+  if (!MayChange(combinations)) return true;
   Combination* best = nullptr;
   for (const auto& combination : combinations.entries()) {
     if (best == nullptr || (highest_ ? combination->rank > best->rank : combination->rank < best->rank)) {
@@ -53,6 +56,23 @@ bool RankFilter::Compute() {
   best_ = best;
   if (best_ != nullptr) Give(best_, best_->rank);
   return true;
+}
+
+/// Whether another combination may be the best now: the best has changed or gone, or one that came or changed is as
+/// good.
+bool RankFilter::MayChange(TrackedList<Combination>& combinations) const {
+  if (best_ == nullptr || best_->changed) return true;
+  const auto rivals = [this](const Combination& combination) {
+    return highest_ ? combination.rank >= best_->rank : combination.rank <= best_->rank;
+  };
+  for (const auto& gone : combinations.removed()) {
+    if (gone.get() == best_) return true;
+  }
+  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
+    if (rivals(**at)) return true;
+  }
+  return std::any_of(combinations.changed().begin(), combinations.changed().end(),
+                     [&](const Combination* changed) { return rivals(*changed); });
 }
 
 void RankFilter::ClearOutput() {

@@ -33,6 +33,7 @@ class RankFilter : public Filter {
 
  private:
   bool Compute() final;
+  bool MayChange(TrackedList<Combination>& combinations) const;
 
   bool highest_;
   Combination* best_ = nullptr;

@@ -144,29 +144,50 @@ Vec3 Solid::Support(const Vec3& direction) const {
   return best == nullptr ? Vec3{} : *best;
 }
 
-double DistanceBetween(const Solid& a, const Solid& b) {
+namespace {
+
+/// The shortest vector from the core of b to that of a, and the size of what was compared; none if they touch.
+bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent) {
   constexpr int kMostSteps = 200;
-  const double margin = a.margin + b.margin;
   Simplex simplex;
-  Vec3 nearest = a.Support({1, 0, 0}) - b.Support({-1, 0, 0});
+  nearest = a.Support({1, 0, 0}) - b.Support({-1, 0, 0});
   simplex.Add(nearest);
-  double extent = Dot(nearest, nearest);
+  extent = Dot(nearest, nearest);
   for (int step = 0; step < kMostSteps; ++step) {
     const double square = Dot(nearest, nearest);
     // As good as touching, measured by the size of what is compared.
-    if (!(square > 1e-22 * extent)) return 0;
+    if (!(square > 1e-22 * extent)) return false;
     const Vec3 corner = a.Support(-nearest) - b.Support(nearest);
     const double progress = square - Dot(nearest, corner);
     if (progress <= 1e-13 * square || simplex.Has(corner)) break;
     simplex.Add(corner);
     extent = std::max(extent, Dot(corner, corner));
     Vec3 next;
-    if (simplex.Reduce(next)) return 0;
+    if (simplex.Reduce(next)) return false;
     if (!(Dot(next, next) < square)) break;  // Rounding: no nearer.
     nearest = next;
   }
-  const double distance = Length(nearest) - margin;
+  return true;
+}
+
+}  // namespace
+
+double DistanceBetween(const Solid& a, const Solid& b) {
+  Vec3 nearest;
+  double extent = 0;
+  if (!NearestVector(a, b, nearest, extent)) return 0;
+  const double distance = Length(nearest) - (a.margin + b.margin);
   return distance > 1e-11 * std::sqrt(extent) ? distance : 0;
+}
+
+Vec3 NearestPoint(const Solid& solid, const Vec3& point) {
+  Solid single;
+  single.points = std::span(&point, 1);
+  Vec3 nearest;
+  double extent = 0;
+  if (!NearestVector(solid, single, nearest, extent)) return point;
+  const double length = Length(nearest);
+  return length <= solid.margin ? point : point + nearest * (1 - solid.margin / length);
 }
 
 bool HasPoint(const Solid& solid, const Vec3& point) {

@@ -23,6 +23,9 @@ struct Solid {
 /// about 1e-9 of their size for ellipsoids. (Gilbert, Johnson and Keerthi's algorithm, as van den Bergen describes it.)
 double DistanceBetween(const Solid& a, const Solid& b);
 
+/// The point of a solid that is nearest to another; that point itself if the solid has it.
+Vec3 NearestPoint(const Solid& solid, const Vec3& point);
+
 /// Whether a solid has the point. (Of a ball, the outermost 0.02 % count as outside.)
 bool HasPoint(const Solid& solid, const Vec3& point);
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostics/diagnostic.h"
 #include "kernel/imagery/filter_kinds.h"
 #include "kernel/imagery/scene_command.h"
 #include "kernel/imagery/scene_lines.h"
@@ -33,10 +34,15 @@ class FilterReader {
     return filter;
   }
 
+  /// The type of the filter that could not be read, if there is no such type.
+  const std::string& unknown() const { return unknown_; }
+
  private:
   static constexpr std::size_t kDeepest = 100, kMostFilters = 10'000;
 
-  FilterParts PartsFor(Symbol owner) const { return {parts_.writer, parts_.scene, owner, {}, false, parts_.random}; }
+  FilterParts PartsFor(Symbol owner) const {
+    return {parts_.writer, parts_.scene, owner, nullptr, {}, false, parts_.random};
+  }
 
   std::unique_ptr<Filter> ReadConstant(Symbol constant) {
     if (constant.IsString()) return MakeConstant(PartsFor({}), std::string(parts_.writer.TextOf(constant)));
@@ -60,7 +66,10 @@ class FilterReader {
       }
     });
     const FilterKind* const kind = readable ? FindFilterKind(type) : nullptr;
-    if (kind == nullptr) return nullptr;
+    if (kind == nullptr) {
+      unknown_ = type;
+      return nullptr;
+    }
     FilterParts parts = PartsFor(described);
     parts.each_alone = input_type == "concat" || type == "combine_nodes";
     for (const auto& [name, value] : found) {
@@ -68,17 +77,27 @@ class FilterReader {
       if (source == nullptr) return nullptr;
       parts.parameters.push_back({name, std::move(source)});
     }
+    parts.kind = kind;
     return kind->make(std::move(parts));
   }
 
   const CommandParts& parts_;
   std::vector<Symbol> path_;
   std::size_t filters_ = 0;
+  std::string unknown_;
 };
+
+std::string HintForFilter(const std::string& type) {
+  if (type.empty()) return "each filter is an object with a ^type; svs filters lists the types";
+  std::vector<std::string_view> names;
+  for (const FilterKind& kind : FilterKinds()) names.push_back(kind.name);
+  const std::string_view near = Suggest(type, names);
+  return near.empty() ? "svs filters lists the filters" : "did you mean " + std::string(near) + "?";
+}
 
 class Extract final : public SceneCommand {
  public:
-  Extract(const CommandParts& parts, bool once) : parts_(parts), once_(once) {}
+  Extract(const CommandParts& parts, bool once) : SceneCommand(parts.id), parts_(parts), once_(once) {}
   bool writes() const override { return false; }
 
   void Update(bool look_again) override {
@@ -90,11 +109,24 @@ class Extract final : public SceneCommand {
     }
     if (filter_ == nullptr || (once_ && !first_)) return;
     if (!filter_->Update()) {
+      NoteChange();
       ForgetRecords();
       return;
     }
     Show();
     first_ = false;
+  }
+
+  const Filter* filter() const override { return filter_.get(); }
+  Symbol RecordOf(const Value& value) const override {
+    const auto found = records_.find(&value);
+    return found == records_.end() ? Symbol() : found->second.id;
+  }
+  Trouble trouble() const override {
+    if (filter_ != nullptr) return filter_->FindTrouble();
+    if (!size_) return {};
+    return {"incorrect filter syntax" + (unknown_.empty() ? "" : ": there is no filter " + unknown_),
+            HintForFilter(unknown_)};
   }
 
   void Mark(const std::function<void(Symbol)>& mark) const override {
@@ -114,8 +146,11 @@ class Extract final : public SceneCommand {
   };
 
   bool Read() {
+    NoteChange();
     ForgetRecords();
-    filter_ = FilterReader(parts_).Read(parts_.id);
+    FilterReader reader(parts_);
+    filter_ = reader.Read(parts_.id);
+    unknown_ = reader.unknown();
     if (filter_ == nullptr) {
       StatusLine(parts_.writer, parts_.id).Set("incorrect filter syntax");
       return false;
@@ -160,6 +195,7 @@ class Extract final : public SceneCommand {
       records_.erase(found);
     }
     for (Value* const changed : output.changed()) ShowValue(*changed);
+    if (output.HasChanges()) NoteChange();
     output.ClearChanges();
   }
 
@@ -248,6 +284,7 @@ class Extract final : public SceneCommand {
   bool once_ = false;
   bool first_ = true;  ///< The filter has not succeeded yet.
   std::optional<std::size_t> size_;
+  std::string unknown_;  ///< The type that is none, if the filter could not be read.
   Symbol result_;
   std::unique_ptr<Filter> filter_;
   std::unordered_map<const Value*, Record> records_;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
+#include "kernel/imagery/filter_kinds.h"
+#include "kernel/imagery/scene_command.h"
 
 namespace soarbox::kernel::imagery {
 
@@ -130,6 +132,7 @@ void Inputs::CombineEachWithEach() {
 Filter::Filter(FilterParts parts)
     : scene_(parts.scene),
       random_(parts.random),
+      kind_(parts.kind),
       status_(parts.writer, parts.owner),
       inputs_(std::move(parts.parameters), parts.each_alone) {}
 
@@ -152,6 +155,20 @@ bool Filter::Update() {
   status_.Set("success");
   inputs_.combinations().ClearChanges();
   return true;
+}
+
+Trouble Filter::Missing() const {
+  return {};
+}
+
+Trouble Filter::FindTrouble() const {
+  for (const Inputs::Parameter& parameter : inputs_.parameters()) {
+    if (Trouble deeper = parameter.source->FindTrouble(); !deeper.problem.empty()) return deeper;
+  }
+  if (kind_ == nullptr || status() == "success") return Missing();
+  const std::string name(kind_->name);
+  return {"filter " + name + ": " + (status().empty() ? "it fails" : status()),
+          "svs filters." + name + " lists its parameters"};
 }
 
 void Filter::Mark(const std::function<void(Symbol)>& mark) const {

@@ -19,6 +19,9 @@
 namespace soarbox::kernel::imagery {
 
 struct Combination;
+struct FilterKind;
+struct Trouble;
+class PlainRandom;
 
 /// What a filter can give: a number, an answer, a word, a vector, a box or a node.
 using Content = std::variant<double, std::int64_t, bool, std::string, Vec3, Box, Node*>;
@@ -46,6 +49,7 @@ class StatusLine {
   Symbol owner() const { return owner_; }
   void Set(std::string_view text);
   Symbol symbol() const { return shown_; }
+  const std::string& text() const { return text_; }
 
  private:
   MemoryWriter& writer_;
@@ -69,6 +73,7 @@ class Inputs {
 
   const std::vector<Parameter>& parameters() const { return parameters_; }
   TrackedList<Combination>& combinations() { return combinations_; }
+  const TrackedList<Combination>& combinations() const { return combinations_; }
   /// Hears of combinations of which a value changed, before they are computed again.
   std::function<void(Combination&)> on_change;
 
@@ -93,10 +98,11 @@ class Inputs {
 struct FilterParts {
   MemoryWriter& writer;
   Scene& scene;
-  Symbol owner;  ///< The identifier that describes it.
+  Symbol owner;                             ///< The identifier that describes it.
+  const struct FilterKind* kind = nullptr;  ///< Null for constants.
   std::vector<Inputs::Parameter> parameters;
   bool each_alone = false;
-  class PlainRandom& random;
+  PlainRandom& random;
 };
 
 /// A computation over a scene: it keeps the list of its values, and computes again only what depends on something that
@@ -113,6 +119,14 @@ class Filter : private SceneWatcher {
   bool Update();
   TrackedList<Value>& output() { return output_; }
   Inputs& inputs() { return inputs_; }
+  const Inputs& inputs() const { return inputs_; }
+  const TrackedList<Value>& output() const { return output_; }
+  /// Null for constants.
+  const FilterKind* kind() const { return kind_; }
+  /// "success", or what is wrong.
+  const std::string& status() const { return status_.text(); }
+  /// What is wrong with it or with a parameter of it, the deepest first; nothing if it works.
+  Trouble FindTrouble() const;
   /// Calls `mark` for each symbol that it and its parameters hold.
   void Mark(const std::function<void(Symbol)>& mark) const;
 
@@ -123,8 +137,11 @@ class Filter : private SceneWatcher {
   void OnNode(Node& node, NodeChange change, std::string_view tag) override;
   void WatchScene();
 
+  /// What it asks for that is not there, though it succeeds.
+  virtual Trouble Missing() const;
   void Fail(std::string_view status) { status_.Set(status); }
   Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
   PlainRandom& random() { return random_; }
 
   /// Parameters of one name.
@@ -151,6 +168,7 @@ class Filter : private SceneWatcher {
 
   Scene& scene_;
   PlainRandom& random_;
+  const FilterKind* kind_;
   StatusLine status_;
   Inputs inputs_;
   TrackedList<Value> output_;

@@ -10,10 +10,20 @@
 
 namespace soarbox::kernel::imagery {
 
+/// What a parameter is.
+enum class ParameterForm : std::uint8_t {
+  kWord,
+  kNodes,  ///< A filter that gives nodes.
+  kNumber,
+  kObject,  ///< An identifier with elements of its own.
+};
+
 /// A parameter of a filter or of a command, for help and checks.
 struct ParameterInfo {
   std::string_view name, meaning;
   bool required = false;
+  ParameterForm form = ParameterForm::kWord;
+  std::string_view words = {};  ///< kWord: the words that it may be, with blanks between them; empty: any.
 };
 
 /// A kind of filter.

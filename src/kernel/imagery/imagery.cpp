@@ -7,6 +7,7 @@
 #include "kernel/decide/elaboration.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/modules.h"
+#include "kernel/decide/observers.h"
 
 namespace soarbox::kernel {
 
@@ -86,6 +87,7 @@ void Imagery::MakeState(GoalLevel level) {
     const std::string name = writer_.NameOf(goal);
     scene = states_.empty() ? std::make_unique<Scene>(name) : states_.back()->scene().Clone(name);
   }
+  ++gone_;
   states_.push_back(std::make_unique<StateScene>(StateScene::Parts{writer_, random_, goal, level}, std::move(scene)));
   if (level == 1) states_.back()->Draw(true, viewer_);
 }
@@ -96,12 +98,14 @@ void Imagery::StateComplete(GoalLevel level) {
 
 void Imagery::StateEnds(GoalLevel level) {
   while (!states_.empty() && states_.back()->level() >= level) {
+    gone_ += states_.back()->version() + 1;
     if (updating_) ended_.push_back(std::move(states_.back()));
     states_.pop_back();
   }
 }
 
 void Imagery::BeforeInit() {
+  for (const auto& state : states_) gone_ += state->version() + 1;
   if (!states_.empty()) kept_ = states_.front()->TakeScene();
   states_.clear();
 }
@@ -110,6 +114,12 @@ void Imagery::AfterInit() {
   if (!enabled_) return;
   MakeStates();
   Settle();
+}
+
+std::uint64_t Imagery::version() const {
+  std::uint64_t version = gone_;
+  for (const auto& state : states_) version += state->version();
+  return version;
 }
 
 StateScene* Imagery::FindState(std::string_view name) {
@@ -141,9 +151,20 @@ void Imagery::Input() {
       state.Update(writes, look_again_);
     }
   }
+  if (look_again_ && uses_.observers.Wants(Event::kPrint)) TellTroubles();
   look_again_ = false;
   updating_ = false;
   ended_.clear();
+}
+
+void Imagery::TellTroubles() {
+  for (const auto& state : states_) {
+    state->TellTroubles([&](WmeId command, const imagery::Trouble& trouble) {
+      uses_.observers.Notify(Event::kPrint, [&](Observer& observer) {
+        observer.OnSceneProblem(uses_.agent, command, trouble.problem, trouble.hint);
+      });
+    });
+  }
 }
 
 void Imagery::Output(bool) {

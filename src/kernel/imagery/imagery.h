@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,9 +24,11 @@
 
 namespace soarbox::kernel {
 
+class Agent;
 class Elaboration;
 class GoalStack;
 class Modules;
+class Observers;
 
 namespace imagery {
 
@@ -51,7 +54,20 @@ class StateScene {
   bool NoteCommands();
   /// Input phase: carries out commands that write, or those that look.
   void Update(bool writes, bool look_again);
+  /// Reports what is wrong with commands, each thing once: the element on the command link, and what.
+  void TellTroubles(const std::function<void(WmeId, const Trouble&)>& report);
   void Mark(const std::function<void(Symbol)>& mark) const;
+
+  /// Calls visit(kind, name, element, command) for each that stands, in the order in which they are carried out.
+  template <typename Visit>
+  void ForEachCommand(Visit&& visit) const {
+    for (const Entry& entry : commands_) {
+      visit(parts_.writer.TextOf(entry.attribute), entry.name,
+            parts_.writer.ElementOf(command_link_, entry.attribute, entry.id), *entry.command);
+    }
+  }
+  /// Grows when the scene or what extracts show changes.
+  std::uint64_t version() const;
 
   // Whether viewers see it.
   bool drawn() const { return drawn_; }
@@ -66,6 +82,8 @@ class StateScene {
     std::string name;
     Symbol id;
     std::unique_ptr<SceneCommand> command;
+    Symbol attribute;
+    std::string told;  ///< The problem that was reported last.
   };
 
   Parts parts_;
@@ -76,6 +94,7 @@ class StateScene {
   bool drawn_ = false;
   std::vector<Listed> listed_;   ///< What stood on the command link when it was looked at last.
   std::vector<Entry> commands_;  ///< By name.
+  std::uint64_t gone_ = 0;       ///< Versions of commands that have gone, and how many came.
 };
 
 }  // namespace imagery
@@ -96,6 +115,8 @@ class Imagery final : public Module {
     PreferenceChanges& preferences;
     Elaboration& elaboration;
     Modules& modules;
+    const Observers& observers;
+    const Agent& agent;
   };
   explicit Imagery(const Uses& uses);
   ~Imagery() override;
@@ -121,6 +142,8 @@ class Imagery final : public Module {
   std::optional<imagery::LineError> Apply(imagery::StateScene& state, std::string_view line);
   void Clear(imagery::StateScene& state);
 
+  /// Differs when anything that states imagine has changed.
+  std::uint64_t version() const;
   /// The states that have scenes, from the top.
   std::span<const std::unique_ptr<imagery::StateScene>> states() const { return states_; }
   /// By the name of the state; null if there is none.
@@ -144,6 +167,7 @@ class Imagery final : public Module {
   void MakeStates();
   void SetHooks();
   void Settle();
+  void TellTroubles();
 
   Uses uses_;
   imagery::MemoryWriter writer_;
@@ -151,6 +175,7 @@ class Imagery final : public Module {
   bool enabled_ = false, in_substates_ = true;
   bool look_again_ = true;  ///< Something may have changed since extracts looked last.
   bool updating_ = false;
+  std::uint64_t gone_ = 0;  ///< Versions of states that have gone, and how many came.
   std::vector<std::string> lines_, refused_;
   std::vector<std::unique_ptr<imagery::StateScene>> states_, ended_;
   std::unique_ptr<imagery::Scene> kept_;  ///< The top state's, while init-soar makes a new one.

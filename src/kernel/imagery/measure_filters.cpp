@@ -253,43 +253,57 @@ std::unique_ptr<Filter> MakeTest(FilterParts parts) {
 }
 
 constexpr ParameterInfo kDistance[] = {
-    {"a", "nodes", true}, {"b", "nodes", true}, {"distance_type", "centroid (of local positions) or hull"}};
-constexpr ParameterInfo kDistanceRange[] = {{"a", "nodes", true},
-                                            {"b", "nodes", true},
-                                            {"distance_type", "centroid (of local positions) or hull"},
-                                            {"min", "the least number to select"},
-                                            {"max", "the greatest number to select"},
-                                            {"include_min", "false: more than min"},
-                                            {"include_max", "false: less than max"}};
-constexpr ParameterInfo kAxis[] = {{"a", "nodes", true},
-                                   {"b", "nodes", true},
-                                   {"axis", "x, y or z", true},
-                                   {"reference", "a node along whose axis to measure"}};
-constexpr ParameterInfo kAxisRange[] = {{"a", "nodes", true},
-                                        {"b", "nodes", true},
-                                        {"axis", "x, y or z", true},
-                                        {"reference", "a node along whose axis to measure"},
-                                        {"min", "the least number to select"},
-                                        {"max", "the greatest number to select"},
-                                        {"include_min", "false: more than min"},
-                                        {"include_max", "false: less than max"}};
-constexpr ParameterInfo kTwo[] = {{"a", "nodes", true}, {"b", "nodes", true}};
-constexpr ParameterInfo kTwoRange[] = {{"a", "nodes", true},
-                                       {"b", "nodes", true},
-                                       {"min", "the least share to select"},
-                                       {"max", "the greatest share to select"},
-                                       {"include_min", "false: more than min"},
-                                       {"include_max", "false: less than max"}};
-constexpr ParameterInfo kVolume[] = {{"a", "nodes", true}, {"volume_type", "bbox, or scale: of the node's own scale"}};
-constexpr ParameterInfo kVolumeRange[] = {{"a", "nodes", true},
-                                          {"volume_type", "bbox, or scale: of the node's own scale"},
-                                          {"min", "the least volume to select"},
-                                          {"max", "the greatest volume to select"},
-                                          {"include_min", "false: more than min"},
-                                          {"include_max", "false: less than max"}};
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"distance_type", "centroid (of local positions) or hull", false, ParameterForm::kWord, "centroid hull"}};
+constexpr ParameterInfo kDistanceRange[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"distance_type", "centroid (of local positions) or hull", false, ParameterForm::kWord, "centroid hull"},
+    {"min", "the least number to select", false, ParameterForm::kNumber},
+    {"max", "the greatest number to select", false, ParameterForm::kNumber},
+    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
+    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr ParameterInfo kAxis[] = {{"a", "nodes", true, ParameterForm::kNodes},
+                                   {"b", "nodes", true, ParameterForm::kNodes},
+                                   {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
+                                   {"reference", "a node along whose axis to measure", false, ParameterForm::kNodes}};
+constexpr ParameterInfo kAxisRange[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
+    {"reference", "a node along whose axis to measure", false, ParameterForm::kNodes},
+    {"min", "the least number to select", false, ParameterForm::kNumber},
+    {"max", "the greatest number to select", false, ParameterForm::kNumber},
+    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
+    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr ParameterInfo kTwo[] = {{"a", "nodes", true, ParameterForm::kNodes},
+                                  {"b", "nodes", true, ParameterForm::kNodes}};
+constexpr ParameterInfo kTwoRange[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"min", "the least share to select", false, ParameterForm::kNumber},
+    {"max", "the greatest share to select", false, ParameterForm::kNumber},
+    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
+    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr ParameterInfo kVolume[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"}};
+constexpr ParameterInfo kVolumeRange[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"},
+    {"min", "the least volume to select", false, ParameterForm::kNumber},
+    {"max", "the greatest volume to select", false, ParameterForm::kNumber},
+    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
+    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
 constexpr ParameterInfo kSizes[] = {
-    {"a", "nodes", true}, {"b", "nodes", true}, {"volume_type", "bbox, or scale: of the node's own scale"}};
-constexpr ParameterInfo kIntersect[] = {{"a", "nodes", true}, {"b", "nodes", true}, {"intersect_type", "bbox or hull"}};
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"}};
+constexpr ParameterInfo kIntersect[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"intersect_type", "bbox or hull", false, ParameterForm::kWord, "bbox box hull"}};
 
 }  // namespace
 

@@ -118,6 +118,35 @@ double HullDistance(const Node& a, const Node& b) {
   return InOneTree(a, b) ? 0 : DistanceOfShapes(a, b);
 }
 
+SightLine ShortestLine(const Node& a, const Node& b) {
+  constexpr int kSteps = 24;
+  const auto solids = [](const Node& node, const Vec3& centroid) {
+    std::vector<Solid> found;
+    for (const Node* const shape : ShapesOf(node)) found.push_back(SolidOf(*shape));
+    if (found.empty()) found.emplace_back().points = std::span(&centroid, 1);
+    return found;
+  };
+  const Vec3 of_a = a.Centroid(), of_b = b.Centroid();
+  SightLine best{of_a, of_b};
+  double least = -1;
+  for (const Solid& one : solids(a, of_a)) {
+    for (const Solid& other : solids(b, of_b)) {
+      const double distance = DistanceBetween(one, other);
+      if (least >= 0 && distance >= least) continue;
+      least = distance;
+      // From one body to the other and back: the line becomes shorter until it is the shortest.
+      best.from = NearestPoint(one, of_b);
+      for (int step = 0; step < kSteps; ++step) {
+        best.to = NearestPoint(other, best.from);
+        const Vec3 back = NearestPoint(one, best.to);
+        if (back == best.from) break;
+        best.from = back;
+      }
+    }
+  }
+  return best;
+}
+
 double PositionDistance(const Node& a, const Node& b) {
   return Distance(a.pose().position, b.pose().position);
 }

@@ -24,6 +24,12 @@ class PlainRandom {
 /// The least distance between the shapes of two nodes; 0 if one is in the tree of the other. A group without shapes is
 /// the point of its centroid.
 double HullDistance(const Node& a, const Node& b);
+/// A line from one point to another.
+struct SightLine {
+  Vec3 from, to;
+};
+/// From a to b, where their shapes are nearest to each other.
+SightLine ShortestLine(const Node& a, const Node& b);
 /// The distance between the local positions of two nodes.
 double PositionDistance(const Node& a, const Node& b);
 /// How far b's box is beyond a's along an axis (0, 1, 2): negative if it is below; 0 if they share a part of the axis.
@@ -40,10 +46,6 @@ double Overlap(const Node& a, const Node& b, PlainRandom& random);
 /// `reference`'s own rotation, or of the world.
 Vec3 Placement(const Node& a, const Node& b, const Node* reference, const Vec3& separation);
 
-/// A line of sight.
-struct SightLine {
-  Vec3 from, to;
-};
 /// Lines from the eye's centroid to the points of all hulls of a target.
 void AppendSightLines(const Node& target, const Node& eye, std::vector<SightLine>& lines);
 /// The share of the lines that some shape of an occluder crosses.

@@ -43,6 +43,13 @@ Symbol MemoryWriter::ValueOf(Symbol id, std::string_view attribute) const {
   return wme == WmeId::kNone ? Symbol() : memory_.wme(wme).value;
 }
 
+WmeId MemoryWriter::ElementOf(Symbol id, Symbol attribute, Symbol value) const {
+  const SlotId slot = memory_.FindSlot(id, attribute);
+  WmeId wme = slot == SlotId::kNone ? WmeId::kNone : memory_.slot(slot).wmes;
+  while (wme != WmeId::kNone && memory_.wme(wme).value != value) wme = memory_.record(wme).next;
+  return wme;
+}
+
 std::optional<std::string> MemoryWriter::TextOf(Symbol id, std::string_view attribute) const {
   const Symbol value = ValueOf(id, attribute);
   if (!value.IsString()) return std::nullopt;

@@ -46,6 +46,8 @@ class MemoryWriter {
   }
   /// The first value of an attribute, or none.
   Symbol ValueOf(Symbol id, std::string_view attribute) const;
+  /// The element itself; none if it is not there.
+  WmeId ElementOf(Symbol id, Symbol attribute, Symbol value) const;
   /// The same if it is a string.
   std::optional<std::string> TextOf(Symbol id, std::string_view attribute) const;
   /// The numbers ^x, ^y and ^z of the attribute's value; none unless all are there.

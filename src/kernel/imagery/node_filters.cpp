@@ -4,6 +4,7 @@
 
 #include "kernel/imagery/computed_filter.h"
 #include "kernel/imagery/filter_kinds.h"
+#include "kernel/imagery/scene_command.h"
 
 namespace soarbox::kernel::imagery {
 namespace {
@@ -21,9 +22,17 @@ class NodeFilter final : public ComputedFilter {
       return Verdict::kFail;
     }
     Node* const node = scene().Find(*id);
+    missing_ = node == nullptr ? *id : std::string();
     content = node;
     return node == nullptr ? Verdict::kNothing : Verdict::kValue;
   }
+  Trouble Missing() const override {
+    if (missing_.empty() || scene().Find(missing_) != nullptr) return {};
+    return {"filter node finds nothing, now and later: " + HintForNode(scene(), missing_),
+            "for what comes later, take tag_select over all_nodes, or give the command once the node is there"};
+  }
+
+  std::string missing_;  ///< What was not there when somebody looked.
 
   Slots id_ = SlotsOf("id");
 };
@@ -197,10 +206,12 @@ std::unique_ptr<Filter> Make(FilterParts parts) {
 }
 
 constexpr ParameterInfo kId[] = {{"id", "the node's id", true}};
-constexpr ParameterInfo kNodes[] = {{"a", "nodes", true}};
-constexpr ParameterInfo kRemove[] = {{"a", "nodes", true}, {"id", "the id of the node to leave out", true}};
-constexpr ParameterInfo kTag[] = {
-    {"a", "nodes", true}, {"tag_name", "the name of the tag", true}, {"tag_value", "its value", true}};
+constexpr ParameterInfo kNodes[] = {{"a", "nodes", true, ParameterForm::kNodes}};
+constexpr ParameterInfo kRemove[] = {{"a", "nodes", true, ParameterForm::kNodes},
+                                     {"id", "the id of the node to leave out", true}};
+constexpr ParameterInfo kTag[] = {{"a", "nodes", true, ParameterForm::kNodes},
+                                  {"tag_name", "the name of the tag", true},
+                                  {"tag_value", "its value", true}};
 
 }  // namespace
 

@@ -147,24 +147,27 @@ std::unique_ptr<Filter> MakeOther(FilterParts parts) {
   return std::make_unique<Kind>(std::move(parts));
 }
 
-constexpr ParameterInfo kRelation[] = {{"a", "nodes", true},
-                                       {"b", "nodes", true},
-                                       {"axis", "x, y or z", true},
-                                       {"less", "true: it holds for negative distances"},
-                                       {"aligned", "true: it holds where both share a part of the axis"},
-                                       {"greater", "true: it holds for positive distances"},
-                                       {"bottom", "the least distance, without its sign"},
-                                       {"top", "the greatest distance, without its sign"},
-                                       {"base", "a or b: from which to measure"}};
-constexpr ParameterInfo kPlacement[] = {{"a", "the node to place", true},
-                                        {"b", "the node to place it beside", true},
-                                        {"reference", "a node along whose axes to measure"},
-                                        {"x_axis_separation", "the gap along x"},
-                                        {"y_axis_separation", "the gap along y"},
-                                        {"z_axis_separation", "the gap along z"}};
-constexpr ParameterInfo kOcclusion[] = {{"a", "the node that is looked at", true},
-                                        {"b", "the nodes that may hide it", true},
-                                        {"eye", "the node from which it is looked at; the node eye if missing"}};
+constexpr ParameterInfo kRelation[] = {
+    {"a", "nodes", true, ParameterForm::kNodes},
+    {"b", "nodes", true, ParameterForm::kNodes},
+    {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
+    {"less", "true: it holds for negative distances", false, ParameterForm::kWord, "true false"},
+    {"aligned", "true: it holds where both share a part of the axis", false, ParameterForm::kWord, "true false"},
+    {"greater", "true: it holds for positive distances", false, ParameterForm::kWord, "true false"},
+    {"bottom", "the least distance, without its sign", false, ParameterForm::kNumber},
+    {"top", "the greatest distance, without its sign", false, ParameterForm::kNumber},
+    {"base", "a or b: from which to measure", false, ParameterForm::kWord, "a b"}};
+constexpr ParameterInfo kPlacement[] = {
+    {"a", "the node to place", true, ParameterForm::kNodes},
+    {"b", "the node to place it beside", true, ParameterForm::kNodes},
+    {"reference", "a node along whose axes to measure", false, ParameterForm::kNodes},
+    {"x_axis_separation", "the gap along x", false, ParameterForm::kNumber},
+    {"y_axis_separation", "the gap along y", false, ParameterForm::kNumber},
+    {"z_axis_separation", "the gap along z", false, ParameterForm::kNumber}};
+constexpr ParameterInfo kOcclusion[] = {
+    {"a", "the node that is looked at", true, ParameterForm::kNodes},
+    {"b", "the nodes that may hide it", true, ParameterForm::kNodes},
+    {"eye", "the node from which it is looked at; the node eye if missing", false, ParameterForm::kNodes}};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "diagnostics/diagnostic.h"
 #include "kernel/imagery/measures.h"
 
 namespace soarbox::kernel::imagery {
@@ -14,12 +15,20 @@ namespace {
 
 class WriteCommand : public SceneCommand {
  public:
-  explicit WriteCommand(const CommandParts& parts) : parts_(parts), status_(parts.writer, parts.id) {}
+  explicit WriteCommand(const CommandParts& parts)
+      : SceneCommand(parts.id), parts_(parts), status_(parts.writer, parts.id) {}
   bool writes() const final { return true; }
   void Update(bool) final {
     if (done_) return;
     done_ = true;
-    status_.Set(Run());
+    answer_ = Run();
+    NoteChange();
+    status_.Set(answer_);
+    // Once it is done its node may be there: look now.
+    if (answer_ != "success") hint_ = HintFor();
+  }
+  Trouble trouble() const final {
+    return answer_.empty() || answer_ == "success" ? Trouble{} : Trouble{answer_, hint_};
   }
   void Mark(const std::function<void(Symbol)>& mark) const final {
     mark(parts_.id);
@@ -79,7 +88,17 @@ class WriteCommand : public SceneCommand {
   }
 
  private:
+  /// About the first name that no node has.
+  std::string HintFor() const {
+    for (const std::string_view attribute : {"id", "source", "destination", "parent"}) {
+      const std::optional<std::string> name = Text(attribute);
+      if (name && parts_.scene.Find(*name) == nullptr) return HintForNode(parts_.scene, *name);
+    }
+    return "svs commands all lists the parameters of all commands";
+  }
+
   CommandParts parts_;
+  std::string answer_, hint_;
   StatusLine status_;
   bool done_ = false;
 };
@@ -247,22 +266,23 @@ std::unique_ptr<SceneCommand> MakeWriter(const CommandParts& parts) {
   return std::make_unique<Kind>(parts);
 }
 
-constexpr ParameterInfo kAddNode[] = {{"id", "the new node's id", true},
-                                      {"parent", "the group to put it in; world if missing"},
-                                      {"geometry", "box, point, sphere or group"},
-                                      {"position", "{^x ^y ^z}"},
-                                      {"rotation", "{^x ^y ^z}, in radians"},
-                                      {"scale", "{^x ^y ^z}"},
-                                      {"tags", "an object: its attributes become tags"}};
+constexpr ParameterInfo kAddNode[] = {
+    {"id", "the new node's id", true},
+    {"parent", "the group to put it in; world if missing"},
+    {"geometry", "box, point, sphere or group", false, ParameterForm::kWord, "box point sphere group"},
+    {"position", "{^x ^y ^z}", false, ParameterForm::kObject},
+    {"rotation", "{^x ^y ^z}, in radians", false, ParameterForm::kObject},
+    {"scale", "{^x ^y ^z}", false, ParameterForm::kObject},
+    {"tags", "an object: its attributes become tags", false, ParameterForm::kObject}};
 constexpr ParameterInfo kCopyNode[] = {
     {"id", "the new node's id", true},
     {"source", "the node to copy", true},
     {"parent", "the group to put it in; world if missing"},
-    {"position", "{^x ^y ^z}"},
-    {"rotation", "{^x ^y ^z}, in radians"},
-    {"scale", "{^x ^y ^z}"},
+    {"position", "{^x ^y ^z}", false, ParameterForm::kObject},
+    {"rotation", "{^x ^y ^z}, in radians", false, ParameterForm::kObject},
+    {"scale", "{^x ^y ^z}", false, ParameterForm::kObject},
     {"copy_tags", "true: with the tags of the source"},
-    {"tags", "an object: its attributes become tags"},
+    {"tags", "an object: its attributes become tags", false, ParameterForm::kObject},
     {"adjust", "true: shrink it until it touches nothing tagged object-source belief"}};
 constexpr ParameterInfo kCopyTransform[] = {
     {"source", "the node to copy from", true}, {"destination", "the node to copy to", true},
@@ -270,9 +290,9 @@ constexpr ParameterInfo kCopyTransform[] = {
     {"scale", "yes to copy the scale"},        {"adjust", "yes: shrink it as copy_node does"}};
 constexpr ParameterInfo kDelete[] = {{"id", "the node's id", true}};
 constexpr ParameterInfo kSetTransform[] = {{"id", "the node's id", true},
-                                           {"position", "{^x ^y ^z}"},
-                                           {"rotation", "{^x ^y ^z}, in radians"},
-                                           {"scale", "{^x ^y ^z}"}};
+                                           {"position", "{^x ^y ^z}", false, ParameterForm::kObject},
+                                           {"rotation", "{^x ^y ^z}, in radians", false, ParameterForm::kObject},
+                                           {"scale", "{^x ^y ^z}", false, ParameterForm::kObject}};
 constexpr ParameterInfo kSetTag[] = {
     {"id", "the node's id", true}, {"tag_name", "the tag's name", true}, {"tag_value", "its value", true}};
 constexpr ParameterInfo kDeleteTag[] = {{"id", "the node's id", true}, {"tag_name", "the tag's name", true}};
@@ -294,6 +314,15 @@ constexpr CommandKind kCommandKinds[] = {
 };
 
 }  // namespace
+
+std::string HintForNode(const Scene& scene, std::string_view id) {
+  std::vector<std::string_view> names;
+  scene.ForEach([&](const Node& node) { names.emplace_back(node.id()); });
+  const std::string_view near = Suggest(id, names);
+  std::string hint = "there is no node " + std::string(id);
+  if (!near.empty()) return hint + ": did you mean " + std::string(near) + "?";
+  return hint + ": svs " + scene.name() + ".scene.world lists what is there";
+}
 
 std::span<const CommandKind> CommandKinds() {
   return kCommandKinds;

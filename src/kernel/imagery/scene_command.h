@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "kernel/base/symbol.h"
@@ -14,6 +16,14 @@
 namespace soarbox::kernel::imagery {
 
 class PlainRandom;
+
+/// What is wrong with a command, and what to do about it; no problem: nothing is.
+struct Trouble {
+  std::string problem, hint;
+};
+
+/// A name that no node has: what to write instead.
+std::string HintForNode(const Scene& scene, std::string_view id);
 
 /// What a command is made with.
 struct CommandParts {
@@ -32,6 +42,27 @@ class SceneCommand {
   /// In the input phase. `look_again`: something may have changed since the last.
   virtual void Update(bool look_again) = 0;
   virtual void Mark(const std::function<void(Symbol)>& mark) const = 0;
+  // For whoever looks at what is asked.
+  Symbol id() const { return id_; }
+  /// What an extract computes; null for commands that change the scene, and if it cannot be read.
+  virtual const Filter* filter() const { return nullptr; }
+  /// The record that shows a value of the filter; none if it is not shown.
+  virtual Symbol RecordOf(const Value& value) const {
+    (void)value;
+    return {};
+  }
+  /// Grows when what it shows changes.
+  std::uint64_t version() const { return version_; }
+  /// What went wrong, or asks for what is not there.
+  virtual Trouble trouble() const = 0;
+
+ protected:
+  explicit SceneCommand(Symbol id) : id_(id) {}
+  void NoteChange() { ++version_; }
+
+ private:
+  Symbol id_;
+  std::uint64_t version_ = 0;
 };
 
 /// A kind of command.

@@ -163,7 +163,7 @@ class LineReader {
     if (mods.position) pose.position = *mods.position;
     if (mods.rotation) pose.rotation = *mods.rotation;
     if (mods.scale) pose.scale = *mods.scale;
-    scene_.Move(*node, pose);
+    if (mods.position || mods.rotation || mods.scale) scene_.Move(*node, pose);
     if (mods.points && node->shape() != Shape::kHull) {
       return Refuse(1, words_[1] + " has no points: only nodes added with v have");
     }

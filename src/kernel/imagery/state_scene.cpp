@@ -31,7 +31,11 @@ bool StateScene::NoteCommands() {
   listed_ = std::move(listed);
   std::map<std::string, Listed> live;
   for (const Listed& item : listed_) live.emplace(parts_.writer.NameOf(item.id), item);
-  std::erase_if(commands_, [&](const Entry& entry) { return !live.contains(entry.name); });
+  std::erase_if(commands_, [&](const Entry& entry) {
+    if (live.contains(entry.name)) return false;
+    gone_ += entry.command->version() + 1;
+    return true;
+  });
   bool came = false;
   for (const auto& [name, item] : live) {
     const auto place =
@@ -41,8 +45,10 @@ bool StateScene::NoteCommands() {
     const CommandKind* const kind =
         item.attribute.IsString() ? FindCommandKind(parts_.writer.TextOf(item.attribute)) : nullptr;
     if (kind == nullptr) continue;
-    commands_.insert(place, {name, item.id, kind->make({parts_.writer, *scene_, parts_.random, item.id})});
+    commands_.insert(place,
+                     {name, item.id, kind->make({parts_.writer, *scene_, parts_.random, item.id}), item.attribute, {}});
     came = true;
+    ++gone_;
   }
   return came;
 }
@@ -50,6 +56,24 @@ bool StateScene::NoteCommands() {
 void StateScene::Update(bool writes, bool look_again) {
   for (const Entry& entry : commands_) {
     if (entry.command->writes() == writes && parts_.writer.IsReached(entry.id)) entry.command->Update(look_again);
+  }
+}
+
+std::uint64_t StateScene::version() const {
+  std::uint64_t version = scene_->version() + gone_;
+  for (const Entry& entry : commands_) version += entry.command->version();
+  return version;
+}
+
+void StateScene::TellTroubles(const std::function<void(WmeId, const Trouble&)>& report) {
+  for (Entry& entry : commands_) {
+    if (!parts_.writer.IsReached(entry.id)) continue;
+    const Trouble trouble = entry.command->trouble();
+    if (trouble.problem == entry.told) continue;
+    entry.told = trouble.problem;
+    if (trouble.problem.empty()) continue;
+    const WmeId given = parts_.writer.ElementOf(command_link_, entry.attribute, entry.id);
+    if (given != WmeId::kNone) report(given, trouble);
   }
 }
 

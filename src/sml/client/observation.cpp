@@ -102,6 +102,15 @@ class LocalObservation final : public Observation, kernel::Observer {
     listener_.OnWritten(text);
     if (const std::string_view rule = agent.FiringRule(); !rule.empty()) listener_.OnActionFailed(rule, text);
   }
+  void OnSceneProblem(const kernel::Agent& agent, kernel::WmeId command, std::string_view problem,
+                      std::string_view hint) override {
+    const kernel::PreferenceId maker = agent.memory().record(command).preference;
+    if (maker == kernel::PreferenceId::kNone) return;
+    const std::string_view rule = agent.ProductionName(agent.memory().preference(maker).instantiation);
+    if (rule.empty()) return;
+    const std::string name(names_.Of(agent, agent.memory().wme(command).attribute));
+    listener_.OnActionFailed(rule, "svs: command " + name + ": " + std::string(problem) + "\n" + std::string(hint));
+  }
   void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override {
     // Of the warnings, what matters to whoever reads what rules write.
     // Once: it comes in each decision from then on.

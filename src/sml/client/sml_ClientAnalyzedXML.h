@@ -44,10 +44,8 @@ class EXPORT ClientAnalyzedXML {
   char* GenerateXMLString(bool includeChildren, bool insertNewLines = false) const;
   static void DeleteString(char* pString);
 
- protected:
-  soarxml::ElementXML answer_;
-
  private:
+  soarxml::ElementXML answer_;
   soarxml::ElementXML command_;
   soarxml::ElementXML result_;
   soarxml::ElementXML error_;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+
+namespace soarbox::explain {
+
+/// What inspectors of living minds are besides, see Inspector: what a mind imagines.
+class SceneSource {
+ public:
+  virtual ~SceneSource() = default;
+
+  /// What `svs facts` prints (cli/svs_facts.h): its first line is "version N"; of a kernel that tells nothing,
+  /// anything.
+  virtual std::string SceneFacts() = 0;
+};
+
+}  // namespace soarbox::explain

@@ -1,4 +1,0 @@
-source agent.soar
-watch 0
-run 5
-print -d 5 e1
