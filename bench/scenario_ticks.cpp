@@ -2,8 +2,9 @@
 //
 // How fast a scenario runs headless.
 //
-//   scenario_ticks SCENARIO [SECONDS [THREADS]]     SECONDS are simulated (default 10); THREADS for the minds
-//                                                   (default: one per core)
+//   scenario_ticks SCENARIO [SECONDS [THREADS [WARM]]]     SECONDS are simulated (default 10); THREADS for the minds
+//                                                          (default: one per core); WARM seconds before are not
+//                                                          measured
 //
 // Prints one line of JSON. On a machine that does other things too, what counts is the CPU time: that of all threads
 // and, because no run can be faster than it, that of the thread that runs the world.
@@ -31,7 +32,7 @@ double CpuSeconds(int whose) {
 
 /// A function of its own, so that valgrind can be told to count it alone.
 [[gnu::noinline]] void MeasuredTicks(soarbox::sim::Simulation& world, double seconds) {
-  while (world.time_s() < seconds) {
+  for (const double end_s = world.time_s() + seconds; world.time_s() < end_s;) {
     world.Tick();
     world.TakeEvents();
   }
@@ -41,7 +42,7 @@ double CpuSeconds(int whose) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fputs("usage: scenario_ticks SCENARIO [SECONDS [THREADS]]\n", stderr);
+    std::fputs("usage: scenario_ticks SCENARIO [SECONDS [THREADS [WARM]]]\n", stderr);
     return 2;
   }
   const double seconds = argc > 2 ? std::atof(argv[2]) : 10;
@@ -59,6 +60,10 @@ int main(int argc, char** argv) {
     return 1;
   }
   soarbox::sim::Simulation& world = **simulation;
+  for (const double warm_s = argc > 4 ? std::atof(argv[4]) : 0; world.time_s() < warm_s;) {
+    world.Tick();
+    world.TakeEvents();
+  }
   const double set_up_s = CpuSeconds(RUSAGE_SELF), own_before_s = CpuSeconds(RUSAGE_THREAD);
   const auto start = std::chrono::steady_clock::now();
   MeasuredTicks(world, seconds);

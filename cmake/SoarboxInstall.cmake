@@ -1,35 +1,52 @@
-# What `cmake --install` puts into a prefix: the command with its scenarios, media and documents, and the client library
-# with its headers, a CMake package (find_package(Soarbox), target Soarbox::sml) and a pkg-config file (soarbox-sml).
-# SoarboxPackage.cmake makes a Debian package of the same.
+# What `cmake --install` puts into a prefix. Each component becomes a Debian package (packaging/debian, packaging/make_debs):
+#
+# command        the command with its scenarios, lessons, media, the page for browsers, manual pages and completion
+# window         the program with the window, which needs Ogre and SDL
+# library        the client library; development: its headers, a CMake package (find_package(Soarbox), target
+#                Soarbox::sml) and a pkg-config file (soarbox-sml)
+# documentation  what a user reads
+# python, java   the library for other languages (bindings)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 if(TARGET soarbox_window)
-  install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT window)
 endif()
-install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox)
+install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command)
 # The page for browsers, where npm has built it, and a service that serves it.
-install(DIRECTORY web/dist/page DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox OPTIONAL)
-configure_file(cmake/soarbox-serve.service.in "${PROJECT_BINARY_DIR}/soarbox-serve.service" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/soarbox-serve.service" DESTINATION lib/systemd/system)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox)
+install(DIRECTORY web/dist/page DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command OPTIONAL)
+install(CODE "set(SOARBOX_BINDIR \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")
+  configure_file(\"${PROJECT_SOURCE_DIR}/cmake/soarbox-serve.service.in\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/soarbox-serve.service\" @ONLY)" COMPONENT command)
+# The manual: the help of the command and of each sub-command, as it prints it itself.
+set(manual "${PROJECT_BINARY_DIR}/man/man1")
+add_custom_command(OUTPUT "${manual}/soarbox.1" COMMAND soarbox help --pages "${manual}" DEPENDS soarbox
+  COMMENT "Writing the manual" VERBATIM)
+add_custom_target(manual ALL DEPENDS "${manual}/soarbox.1")
+install(DIRECTORY "${manual}" DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command OPTIONAL)
+install(FILES packaging/completion/soarbox.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME soarbox
+        COMPONENT command)
+install(FILES packaging/completion/_soarbox DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT licence)
 # What a user reads; the specification and the design stay with the source.
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox PATTERN spec EXCLUDE PATTERN design EXCLUDE)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation
+        PATTERN spec EXCLUDE PATTERN design EXCLUDE)
 
 if(TARGET soarbox_sml)
-  install(TARGETS soarbox_sml EXPORT SoarboxTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(FILES ${SOARBOX_SML_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml)
-  install(FILES ${SOARBOX_MIND_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml/mind)
-  install(EXPORT SoarboxTargets NAMESPACE Soarbox:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox)
+  install(TARGETS soarbox_sml EXPORT SoarboxTargets
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+  install(FILES ${SOARBOX_SML_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml COMPONENT development)
+  install(FILES ${SOARBOX_MIND_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/soarbox-sml/mind COMPONENT development)
+  install(EXPORT SoarboxTargets NAMESPACE Soarbox:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox COMPONENT development)
   configure_package_config_file(
     "${CMAKE_CURRENT_SOURCE_DIR}/cmake/SoarboxConfig.cmake.in" "${PROJECT_BINARY_DIR}/SoarboxConfig.cmake"
     INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox)
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/SoarboxConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
   install(FILES "${PROJECT_BINARY_DIR}/SoarboxConfig.cmake" "${PROJECT_BINARY_DIR}/SoarboxConfigVersion.cmake"
-          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox)
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox COMPONENT development)
   # The file finds its prefix from where it lies, so that an installed tree can be moved.
   file(RELATIVE_PATH SOARBOX_PC_TO_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/soarbox-sml.pc.in" "${PROJECT_BINARY_DIR}/soarbox-sml.pc" @ONLY)
-  install(FILES "${PROJECT_BINARY_DIR}/soarbox-sml.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES "${PROJECT_BINARY_DIR}/soarbox-sml.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endif()
-include(SoarboxPackage)

@@ -66,7 +66,7 @@ void Call::Now(Hold hold, const std::function<void()>& call) {
     call();
     return;
   }
-  if (!entry_->Enter()) throw Gone("The kernel of this object has been deleted.");
+  if (!entry_->Enter(outermost())) throw Gone("The kernel of this object has been deleted.");
   struct Leaving {
     KernelEntry& entry;
     ~Leaving() { entry.Leave(true); }

@@ -40,7 +40,7 @@ class Argument {
 
 /// What the last call of this thread returned, for the wrapper to make an object of.
 struct Returned {
-  std::string text;
+  std::shared_ptr<std::string> text;
   std::optional<Life> life;
 };
 Returned& LastReturned();
@@ -87,8 +87,8 @@ void TakeHome(T& result) {
     if (!result) return;
     Returned& returned = LastReturned();
     if constexpr (std::is_same_v<Plain, char>) {
-      returned.text = result;
-      result = returned.text.data();
+      returned.text = std::make_shared<std::string>(result);
+      result = returned.text->data();
     } else if constexpr (std::is_base_of_v<sml::WMElement, Plain>) {
       returned.life = Life::Of(static_cast<sml::WMElement*>(result));
     } else if constexpr (std::is_same_v<Plain, sml::Kernel> || std::is_same_v<Plain, sml::Agent>) {

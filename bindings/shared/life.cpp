@@ -48,9 +48,9 @@ void KernelEntry::OnAgentLeaves(sml::smlAgentEventId, void* data, sml::Agent* ag
   entry.has_leavers_ = true;
 }
 
-bool KernelEntry::Enter() {
+bool KernelEntry::Enter(bool anew) {
   const std::lock_guard lock(mutex_);
-  if (closed_) return false;
+  if (closed_ || (anew && let_go_ && !deleting_)) return false;
   ++users_;
   return true;
 }
@@ -86,6 +86,10 @@ void KernelEntry::LetGo() {
 }
 
 void KernelEntry::Delete() {
+  {
+    const std::lock_guard lock(mutex_);
+    deleting_ = true;
+  }
   kernel_->Shutdown();
   {
     std::unique_lock lock(mutex_);

@@ -28,8 +28,9 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   /// Valid between Enter and Leave.
   sml::Kernel* kernel() const { return kernel_; }
 
-  /// Keeps the kernel for a call or a handler; false if it is gone.
-  bool Enter();
+  /// Keeps the kernel for a call or a handler; false if it is gone. `anew`: nor if its owner has let it go and others
+  /// are still inside, so that they come to an end.
+  bool Enter(bool anew = false);
   /// `own_thread`: this is no thread of the program's, so it cannot delete the kernel itself.
   void Leave(bool own_thread);
   /// The owner lets the kernel go.
@@ -57,6 +58,7 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   sml::Kernel* const kernel_;
   int users_ = 0;
   bool let_go_ = false;
+  bool deleting_ = false;
   bool closed_ = false;  ///< Nobody may enter any more.
   bool has_leavers_ = false;
   std::set<unsigned long long> leavers_;

@@ -8,13 +8,10 @@
 --     game:Command(eater, "move", { direction = "north" });    -- nil, or why not
 --     game:Turn();
 --     game:Percepts(eater)                                     -- what its mind perceives
+require "GridBoard";
+
 EatersRules = {};
 EatersRules.__index = EatersRules;
-
-EatersRules.Directions = { "north", "east", "south", "west" };
-EatersRules.Steps = {
-    north = { x = 0, y = -1 }, east = { x = 1, y = 0 }, south = { x = 0, y = 1 }, west = { x = -1, y = 0 }
-};
 
 local kFoods = { "normalfood", "bonusfood" };
 -- What stands for what in a map that is given as lines of text. Digits are where eaters begin.
@@ -84,26 +81,6 @@ local function LayFood(game)
     end
 end
 
-local function ReadMap(game, lines)
-    game.height, game.width = #lines, #lines[1];
-    for y, line in ipairs(lines) do
-        if (#line ~= game.width) then
-            error("line " .. y .. " of the map has " .. #line .. " cells, and the first has " .. game.width);
-        end
-        game.cells[y] = {};
-        for x = 1, game.width do
-            local sign = line:sub(x, x);
-            local start = tonumber(sign);
-            if (start) then
-                game.starts[start] = { x = x, y = y };
-            elseif (not kSigns[sign]) then
-                error("line " .. y .. " of the map has '" .. sign .. "': a cell is # . * a digit or a space");
-            end
-            game.cells[y][x] = start and "empty" or kSigns[sign];
-        end
-    end
-end
-
 -- Random walls and food fill a board that has no map.
 local function EmptyMap(game)
     game.randomWalls, game.randomFood = true, true;
@@ -118,15 +95,9 @@ end
 -- `randomWalls` and `randomFood` add to it.
 function EatersRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, eaters = {}, turn = 0, collisions = {} }, EatersRules);
-    for name, value in pairs(EatersRules.Defaults) do
-        game[name] = value;
-    end
-    for name, value in pairs(settings or {}) do
-        game[name] = value;
-    end
-    game.random = game.random or math.random;
+    GridBoard.Settle(game, EatersRules.Defaults, settings);
     game.map = game.map or EmptyMap(game);
-    ReadMap(game, game.map);
+    GridBoard.Read(game, game.map, kSigns, "empty", "# . *");
     if (game.randomWalls) then
         BuildWalls(game);
     end
@@ -192,7 +163,7 @@ function EatersRules:Command(eater, name, parameters)
     if (name == "move" and direction == "none") then
         return nil;
     end
-    if (not EatersRules.Steps[direction]) then
+    if (not GridBoard.Steps[direction]) then
         return "no-such-direction";
     end
     if (eater.wish) then
@@ -210,7 +181,7 @@ local function Move(game, eater)
     if (not wish) then
         return;
     end
-    local step = EatersRules.Steps[wish.direction];
+    local step = GridBoard.Steps[wish.direction];
     local x, y = eater.x + wish.cells * step.x, eater.y + wish.cells * step.y;
     eater.direction = wish.direction;
     if (IsWall(game, x, y)) then
@@ -315,7 +286,7 @@ function EatersRules:Percepts(eater)
     end
     for dy = -far, far do
         for dx = -far, far do
-            for direction, step in pairs(EatersRules.Steps) do
+            for direction, step in pairs(GridBoard.Steps) do
                 local row = cells[dy + step.y];
                 cells[dy][dx][direction] = row and row[dx + step.x];
             end

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- The rules of Simple Eaters, and nothing else: one eater that goes forward or turns on a small board. Used as
 -- EatersRules.lua is. docs/eaters.md describes the game; tests/lua/SimpleEatersRulesTest.lua states each rule.
+require "GridBoard";
+
 SimpleEatersRules = {};
 SimpleEatersRules.__index = SimpleEatersRules;
 
--- Clockwise. y counts to the north here.
-local kOrientations = { "north", "east", "south", "west" };
+-- y counts to the north here.
 SimpleEatersRules.Steps = {
     north = { x = 0, y = 1 }, east = { x = 1, y = 0 }, south = { x = 0, y = -1 }, west = { x = -1, y = 0 }
 };
@@ -19,14 +20,6 @@ SimpleEatersRules.Defaults = {
     points = { red = 5, purple = 10, green = 15, blue = 20 },
     wallPenalty = 10, timePenalty = 1
 };
-
-local function Turned(orientation, quarters)
-    for i, name in ipairs(kOrientations) do
-        if (name == orientation) then
-            return kOrientations[(i - 1 + quarters) % 4 + 1];
-        end
-    end
-end
 
 -- What is at a place, counted from 0 in the south-west; beyond the edge there are walls.
 function SimpleEatersRules:ContentAt(x, y)
@@ -59,12 +52,7 @@ end
 
 function SimpleEatersRules.new(settings)
     local game = setmetatable({ cells = {}, turn = 1, score = 0, views = 0 }, SimpleEatersRules);
-    for name, value in pairs(SimpleEatersRules.Defaults) do
-        game[name] = value;
-    end
-    for name, value in pairs(settings or {}) do
-        game[name] = value;
-    end
+    GridBoard.Settle(game, SimpleEatersRules.Defaults, settings);
     ReadMap(game, game.map);
     game.x, game.y = game.start.x, game.start.y;
     return game;
@@ -111,7 +99,7 @@ function SimpleEatersRules:Turn()
     if (wish == "forward") then
         GoForward(self);
     elseif (wish == "rotate") then
-        self.orientation = Turned(self.orientation, 1);
+        self.orientation = GridBoard.Turned(self.orientation, 1);
     end
     if (wish) then
         self.score = self.score - self.timePenalty;
@@ -131,7 +119,7 @@ function SimpleEatersRules:Percepts()
                  "finish", "task" }
     };
     for side, quarters in pairs(kSides) do
-        local step = SimpleEatersRules.Steps[Turned(self.orientation, quarters)];
+        local step = SimpleEatersRules.Steps[GridBoard.Turned(self.orientation, quarters)];
         percepts[side] = self:ContentAt(self.x + step.x, self.y + step.y);
     end
     for orientation, step in pairs(SimpleEatersRules.Steps) do

@@ -130,7 +130,7 @@ local function AimMissiles()
         local shown = missiles[missile.number];
         local place = grid:PlaceOf(missile.x, missile.y, kMissileUp);
         if (not shown) then
-            local step = TankSoarRules.Steps[missile.direction];
+            local step = GridBoard.Steps[missile.direction];
             shown = { node = MissileNode(missile), to = grid:PlaceOf(missile.x - step.x, missile.y - step.y, kMissileUp) };
             missiles[missile.number] = shown;
         end

@@ -2,13 +2,11 @@
 -- The rules of TankSoar, and nothing else: no bodies, no pictures, no minds. Tanks on a board of cells fire missiles at
 -- each other. docs/tanksoar.md describes the game; tests/lua/TankSoarRulesTest.lua states each rule. It is used as
 -- EatersRules.lua is: new, Join, and in each turn Percepts, Command and Turn.
+require "GridBoard";
+
 TankSoarRules = {};
 TankSoarRules.__index = TankSoarRules;
 
-TankSoarRules.Directions = { "north", "east", "south", "west" };
-TankSoarRules.Steps = {
-    north = { x = 0, y = -1 }, east = { x = 1, y = 0 }, south = { x = 0, y = 1 }, west = { x = -1, y = 0 }
-};
 -- Quarters to the right.
 local kTurns = { forward = 0, right = 1, backward = 2, left = 3 };
 local kSigns = { ["#"] = "obstacle", [" "] = "open", ["H"] = "health", ["E"] = "energy", ["M"] = "missiles" };
@@ -40,17 +38,8 @@ TankSoarRules.Defaults = {
     mostRadar = 14, soundReach = 7, quietTurns = 100, winningScore = 50
 };
 
--- The direction so many quarters to the right.
-local function Turned(direction, quarters)
-    for i, name in ipairs(TankSoarRules.Directions) do
-        if (name == direction) then
-            return TankSoarRules.Directions[(i - 1 + quarters) % 4 + 1];
-        end
-    end
-end
-
 local function Relative(tank, side)
-    return Turned(tank.direction, kTurns[side]);
+    return GridBoard.Turned(tank.direction, kTurns[side]);
 end
 
 -- The board -----------------------------------------------------------------------------------------------------------
@@ -110,38 +99,12 @@ local function Count(game, content)
     return count;
 end
 
-local function ReadMap(game, lines)
-    game.height, game.width = #lines, #lines[1];
-    for y, line in ipairs(lines) do
-        if (#line ~= game.width) then
-            error("line " .. y .. " of the map has " .. #line .. " cells, and the first has " .. game.width);
-        end
-        game.cells[y] = {};
-        for x = 1, game.width do
-            local sign = line:sub(x, x);
-            local start = tonumber(sign);
-            if (start) then
-                game.starts[start] = { x = x, y = y };
-            elseif (not kSigns[sign]) then
-                error("line " .. y .. " of the map has '" .. sign .. "': a cell is # H E M a digit or a space");
-            end
-            game.cells[y][x] = start and "open" or kSigns[sign];
-        end
-    end
-end
-
 -- A game with these settings; TankSoarRules.Defaults are the others. `random` is like math.random.
 function TankSoarRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, tanks = {}, flying = {}, explosions = {}, turn = 0,
                                 quiet = 0, made = 0 }, TankSoarRules);
-    for name, value in pairs(TankSoarRules.Defaults) do
-        game[name] = value;
-    end
-    for name, value in pairs(settings or {}) do
-        game[name] = value;
-    end
-    game.random = game.random or math.random;
-    ReadMap(game, game.map);
+    GridBoard.Settle(game, TankSoarRules.Defaults, settings);
+    GridBoard.Read(game, game.map, kSigns, "open", "# H E M");
     for _, charger in ipairs({ "energy", "health" }) do
         if (Count(game, charger) == 0) then
             Place(game, charger);
@@ -165,7 +128,7 @@ function TankSoarRules:Join(color)
     local start = self.starts[#self.tanks + 1] or FreeCell(self);
     local tank = {
         color = color, x = start.x, y = start.y, score = 0,
-        direction = self.facing[#self.tanks + 1] or TankSoarRules.Directions[self.random(4)],
+        direction = self.facing[#self.tanks + 1] or GridBoard.Directions[self.random(4)],
         shields = false, radar = false, radarPower = 0,
         view = 0, -- Counts the times that it has looked from elsewhere.
         wish = {}
@@ -291,7 +254,7 @@ local function FindAims(game)
         tank.course = nil;
         if (side and side ~= "none") then
             tank.course = Relative(tank, side);
-            local step = TankSoarRules.Steps[tank.course];
+            local step = GridBoard.Steps[tank.course];
             local x, y = tank.x + step.x, tank.y + step.y;
             if (IsObstacle(game, x, y)) then
                 tank.course = nil;
@@ -303,7 +266,7 @@ local function FindAims(game)
     end
     for _, tank in ipairs(game.tanks) do
         local other = tank.course and game:TankAt(aims[tank].x, aims[tank].y);
-        if (other and other.course == Turned(tank.course, 2)) then
+        if (other and other.course == GridBoard.Turned(tank.course, 2)) then
             for _, one in ipairs({ tank, other }) do
                 one.course = nil;
                 aims[one] = { x = one.x, y = one.y };
@@ -400,7 +363,7 @@ local function Drive(game, tank, aim)
     end
     for i = #game.flying, 1, -1 do
         local missile = game.flying[i];
-        if (missile.x == tank.x and missile.y == tank.y and missile.direction == Turned(tank.course, 2)) then
+        if (missile.x == tank.x and missile.y == tank.y and missile.direction == GridBoard.Turned(tank.course, 2)) then
             table.remove(game.flying, i);
             Hit(game, tank, missile);
         end
@@ -411,7 +374,7 @@ end
 
 -- One cell further; false if it is gone.
 local function FlyOn(game, missile)
-    local step = TankSoarRules.Steps[missile.direction];
+    local step = GridBoard.Steps[missile.direction];
     missile.x, missile.y = missile.x + step.x, missile.y + step.y;
     local tank = game:TankAt(missile.x, missile.y);
     if (IsObstacle(game, missile.x, missile.y)) then
@@ -474,7 +437,7 @@ end
 local function BeginAgain(game, tank)
     Explode(game, tank.x, tank.y);
     local cell = FreeCell(game);
-    tank.x, tank.y, tank.direction = cell.x, cell.y, TankSoarRules.Directions[game.random(4)];
+    tank.x, tank.y, tank.direction = cell.x, cell.y, GridBoard.Directions[game.random(4)];
     tank.wasThrown = true;
     tank.onHealth, tank.onEnergy = false, false;
     Fill(game, tank);
@@ -577,12 +540,12 @@ local function LookByRadar(game, tank)
     if (not tank.radar or tank.radarPower == 0) then
         return;
     end
-    local ahead = TankSoarRules.Steps[tank.direction];
-    local back = Turned(tank.direction, 2);
-    local left, right = Turned(tank.direction, 3), Turned(tank.direction, 1);
+    local ahead = GridBoard.Steps[tank.direction];
+    local back = GridBoard.Turned(tank.direction, 2);
+    local left, right = GridBoard.Turned(tank.direction, 3), GridBoard.Turned(tank.direction, 1);
     local x, y, distance, isBlocked = tank.x, tank.y, 0, false;
     while (distance < tank.radarPower and not isBlocked) do
-        local toLeft, toRight = TankSoarRules.Steps[left], TankSoarRules.Steps[right];
+        local toLeft, toRight = GridBoard.Steps[left], GridBoard.Steps[right];
         -- A tank beside this one is seen from its side.
         Echo(game, tank, x + toLeft.x, y + toLeft.y, distance, "left", distance == 0 and right or back);
         Echo(game, tank, x + toRight.x, y + toRight.y, distance, "right", distance == 0 and left or back);
@@ -595,12 +558,12 @@ end
 -- The first tank that each missile flies at, with nothing in between.
 local function FindIncoming(game)
     for _, missile in ipairs(game.flying) do
-        local step = TankSoarRules.Steps[missile.direction];
+        local step = GridBoard.Steps[missile.direction];
         local x, y = missile.x + step.x, missile.y + step.y;
         while (not IsObstacle(game, x, y)) do
             local tank = game:TankAt(x, y);
             if (tank) then
-                tank.threatenedFrom[Turned(missile.direction, 2)] = true;
+                tank.threatenedFrom[GridBoard.Turned(missile.direction, 2)] = true;
                 break;
             end
             x, y = x + step.x, y + step.y;
@@ -628,8 +591,8 @@ local function Listen(game, tank)
     for _ = 1, game.soundReach do
         local beyond = {};
         for _, cell in ipairs(edge) do
-            for _, direction in ipairs(TankSoarRules.Directions) do
-                local step = TankSoarRules.Steps[direction];
+            for _, direction in ipairs(GridBoard.Directions) do
+                local step = GridBoard.Steps[direction];
                 local beside = { x = cell.x + step.x, y = cell.y + step.y, first = cell.first or direction };
                 local name = beside.x .. "," .. beside.y;
                 if (not seen[name] and not IsObstacle(game, beside.x, beside.y)) then
@@ -695,7 +658,7 @@ function TankSoarRules:Percepts(tank)
         scores[other.color] = other.score;
     end
     local function IsBlocked(direction)
-        local step = TankSoarRules.Steps[direction];
+        local step = GridBoard.Steps[direction];
         local x, y = tank.x + step.x, tank.y + step.y;
         return IsObstacle(self, x, y) or self:TankAt(x, y) ~= nil;
     end

@@ -10,7 +10,10 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 
+#include "app/argument_kinds.h"
+#include "app/completion.h"
 #include "app/data_folders.h"
 #include "app/editor_commands.h"
 #include "app/engine/engine_window.h"
@@ -19,6 +22,7 @@
 #include "app/kernel_server.h"
 #include "app/learn_command.h"
 #include "app/look_commands.h"
+#include "app/manual.h"
 #include "app/new_scenario.h"
 #include "app/next_run.h"
 #include "app/recording_commands.h"
@@ -29,6 +33,7 @@
 #include "app/sweep_command.h"
 #include "app/test_command.h"
 #include "app/usage_errors.h"
+#include "app/usage_text.h"
 #include "app/window.h"
 #include "sim/scenario.h"
 
@@ -38,6 +43,39 @@ namespace {
 /// No run lasts longer; its ticks are counted without loss.
 constexpr double kLongest_s = 1e7;
 
+void AddBrowser(CLI::App& command, WindowWishes& wishes) {
+  command.add_flag("--browser", wishes.browser, "Show it in the browser of this machine instead of a window");
+  command.add_option("--page", wishes.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
+}
+
+/// What is asked of a window, whoever opens it.
+void AddWindow(CLI::App& command, WindowWishes& wishes) {
+  command
+      .add_option("--detail", wishes.detail,
+                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
+      ->capture_default_str()
+      ->check(CLI::IsMember(WordsOf("--detail")));
+  command
+      .add_option("--render-scale", wishes.render_scale,
+                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
+                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
+      ->check(NumberIn(0.5, 1.0));
+  command.add_option("--panels", wishes.panels,
+                     "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
+  command.add_option("--text", wishes.text_percent, "Text size of these panels, 75 to 200 percent")
+      ->capture_default_str()
+      ->check(NumberIn(75, 200));
+  command
+      .add_option("--width", wishes.width_px,
+                  "Width of the window in pixels (default: what suits the display, or as in the recorded window; 1280 "
+                  "for a picture)")
+      ->check(NumberIn(160, 7680));
+  command.add_option("--height", wishes.height_px, "Height of the window in pixels (720 for a picture)")
+      ->check(NumberIn(120, 4320));
+  command.add_option("--ui-script", wishes.ui_script,
+                     "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
+}
+
 void AddRun(CLI::App& program, RunOptions& options) {
   CLI::App* run = program.add_subcommand("run", "Run a scenario, in a window or headless");
   run->add_option("scenario", options.scenario,
@@ -45,7 +83,8 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "a field), "
                   "or a name that `soarbox list` shows")
       ->capture_default_str();
-  run->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
+  AddBrowser(*run, options);
+  AddWindow(*run, options);
   run->add_flag("--headless", options.headless,
                 "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
   run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
@@ -57,42 +96,19 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
-  run->add_option("--rules", options.rules, "NAME=FILE: give an agent these rules instead (may be repeated)");
+  run->add_option("--rules", options.rules, "Give the agent of this name these rules instead (may be repeated)");
   CLI::Option* picture =
       run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
       ->needs(picture)
       ->capture_default_str()
       ->check(NumberIn(0, kLongest_s));
-  run->add_option("--detail", options.detail,
-                  "Detail of the picture: low, full, or auto, which is low without a graphics card")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "low", "full"}));
-  run->add_option("--render-scale", options.render_scale,
-                  "Draw the scene with this share of the picture's width and height, 0.5 to 1, and enlarge it; "
-                  "texts stay sharp (default: 1 with a graphics card, else what 30 pictures per second allow)")
-      ->check(NumberIn(0.5, 1.0));
-  run->add_option(
-         "--show", options.show,
-         "Overlays to switch on at the start, separated by commas: labels, trails, senses, paths, targets, shots, "
-         "messages, forces, belief, navigation, influence, physics")
+  run->add_option("--show", options.show,
+                  "Overlays to switch on at the start, separated by commas: " + ListedWordsOf("--show"))
       ->delimiter(',');
   run->add_option("--select", options.select, "Select this agent from the start");
   run->add_option("--camera", options.camera,
-                  "free, orbit, follow, eyes or map; all but free and map require --select");
-  run->add_option("--panels", options.panels,
-                  "Panels around the picture, for this run: default, none, or a list such as agents,mind,timeline");
-  run->add_option("--text", options.text_percent, "Text size of these panels, in percent")
-      ->capture_default_str()
-      ->check(CLI::Range(75, 200));
-  run->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
-  run->add_option("--ui-script", options.ui_script,
-                  "Play the mouse and keyboard events in this file, then end (see docs/window.md)");
-  run->add_option("--width", options.width_px,
-                  "Width of the window in pixels (default: what suits the display; 1280 for a picture)")
-      ->check(NumberIn(160, 7680));
-  run->add_option("--height", options.height_px, "Height of the window in pixels (720 for a picture)")
-      ->check(NumberIn(120, 4320));
+                  "Where to look from: " + ListedWordsOf("--camera") + "; all but free and map require --select");
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
@@ -114,15 +130,12 @@ void AddRun(CLI::App& program, RunOptions& options) {
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
   run->add_flag("--no-record", options.no_record, "Do not record; otherwise a run in a window is recorded")
       ->excludes(record);
-  run->add_option("--record-level", options.record_level, "How much to record: world, decisions or all")
-      ->capture_default_str();
+  run->add_option("--record-level", options.record_level, "How much to record")->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
                   "Megabytes at which the older half of the recording is dropped")
       ->check(NumberIn(1.0, 1e6));
-  run->add_option("--kernel", options.kernel,
-                  "HOST:PORT of a Soar kernel in another process, to use instead of Soarbox's own");
-  run->add_option("--dis", options.dis,
-                  "Join other simulations (IEEE 1278.1): ADDRESS:PORT[,SITE,APPLICATION,EXERCISE]; docs/dis.md");
+  run->add_option("--kernel", options.kernel, "Use a Soar kernel in another process instead of Soarbox's own");
+  run->add_option("--dis", options.dis, "Join other simulations (IEEE 1278.1; docs/dis.md)");
   run->add_option("--kernel-limit", options.kernel_limit_s,
                   "Seconds without an answer after which this kernel counts as gone")
       ->capture_default_str()
@@ -175,7 +188,7 @@ void AddTest(CLI::App& program, TestOptions& options) {
       program.add_subcommand("test", "Run missions: check that agents do what they should, over many seeds");
   test->add_option("paths", options.paths, "Missions, scenarios and folders (default: all below this folder)");
   test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
-  test->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`");
+  test->add_option("--rules", options.rules, "As for `soarbox run`");
   test->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
@@ -194,13 +207,13 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
-  sweep->add_option("--rules", options.rules, "NAME=FILE, as for `soarbox run`, in each variant");
+  sweep->add_option("--rules", options.rules, "As for `soarbox run`, in each variant");
   sweep->add_option("--jobs", options.jobs, "Runs at a time; 0: one per processor")
       ->capture_default_str()
       ->check(NumberIn(0, 1000));
   sweep->add_option("--on", options.on, "Where to run: here, or slurm (as a job array)")
       ->capture_default_str()
-      ->check(CLI::IsMember({"here", "slurm"}));
+      ->check(CLI::IsMember(WordsOf("--on")));
   sweep->add_option("--tasks", options.tasks, "Tasks of the job array")
       ->capture_default_str()
       ->check(NumberIn(1, 100000));
@@ -233,12 +246,9 @@ void AddLearn(CLI::App& program, LearnOptions& options) {
   learn->add_flag("--json", options.json, "Print the list as lines of JSON");
   learn->add_flag("--headless", options.headless, "Do not open the window");
   RunOptions& window = options.window;
-  learn->add_option("--detail", window.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
-  learn->add_option("--width", window.width_px, "As for `soarbox run`")->check(NumberIn(160, 7680));
-  learn->add_option("--height", window.height_px, "As for `soarbox run`")->check(NumberIn(120, 4320));
+  AddWindow(*learn, window);
   learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));
   learn->add_flag("--no-record", window.no_record, "As for `soarbox run`");
-  learn->add_option("--ui-script", window.ui_script, "Play the mouse and keyboard events in this file, then end");
 }
 
 void AddNew(CLI::App& program, NewOptions& options) {
@@ -307,6 +317,13 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--memory", engine.memory_mb);
 }
 
+void AddHelp(CLI::App& program, HelpOptions& options) {
+  CLI::App* help = program.add_subcommand("help", "Print the help of a sub-command");
+  help->add_option("command", options.command, "Which one (default: the whole program)");
+  help->add_flag("--man", options.man, "Print it as a manual page, for man -l -");
+  help->add_option("--pages", options.pages, "Write all manual pages into this folder");
+}
+
 int List() {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) {
@@ -336,23 +353,13 @@ void AddThreads(CLI::App& command, RecordingOptions& options) {
 
 void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::App* replay = program.add_subcommand("replay", "Show a recording, in the window or as text");
-  replay->add_option("--page", options.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
-  replay->add_flag("--browser", options.browser, "Show it in the browser of this machine instead of a window");
   AddRecordingFile(*replay, options);
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
   replay->add_option("--select", options.select, "Select this agent from the start");
-  replay->add_option("--panels", options.panels, "As for `soarbox run`");
-  replay->add_option("--text", options.text_percent, "As for `soarbox run`")
-      ->capture_default_str()
-      ->check(CLI::Range(75, 200));
-  replay->add_option("--detail", options.detail, "As for `soarbox run`")->check(CLI::IsMember({"auto", "low", "full"}));
-  replay->add_option("--render-scale", options.render_scale, "As for `soarbox run`")->check(NumberIn(0.5, 1.0));
-  replay->add_option("--width", options.width_px, "As for `soarbox run` (default: as in the recorded window)")
-      ->check(NumberIn(160, 7680));
-  replay->add_option("--height", options.height_px, "As for --width")->check(NumberIn(120, 4320));
-  replay->add_option("--ui-script", options.ui_script, "Play the mouse and keyboard events in this file, then end");
+  AddBrowser(*replay, options);
+  AddWindow(*replay, options);
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
   AddRecordingFile(*verify, options);
   AddThreads(*verify, options);
@@ -450,6 +457,14 @@ int Main(int argc, char** argv) {
   ServeOptions serve;
   EngineOptions engine;
   AddServe(program, serve, engine);
+  HelpOptions help;
+  AddHelp(program, help);
+  NameArguments(program);
+  AddUsageTexts(program);
+  if (argc > 1 && std::string_view(argv[1]) == "complete") {
+    PrintCandidates(program, {argv + 2, argv + argc}, std::cout);
+    return kOk;
+  }
   if (const auto problem = FindSingleDash(program, argc, argv)) {
     std::cerr << Format(*problem);
     return kUsage;
@@ -506,6 +521,7 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("mcp")) return ServeAssistant(folder);
   if (program.got_subcommand("serve")) return ServePages(serve);
   if (program.got_subcommand("engine")) return Engine(engine);
+  if (program.got_subcommand("help")) return Help(program, help, SOARBOX_VERSION);
   if (program.got_subcommand("new")) return NewScenario(made);
   return List();
 }

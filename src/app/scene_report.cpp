@@ -153,16 +153,11 @@ Json Hello(record::Reader& recording) {
           {"last_tick", recording.last_tick()}};
 }
 
-void Replace(std::string& text, std::string_view mark, std::string_view with) {
-  for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += with.size())
-    text.replace(at, mark.size(), with);
-}
-
 }  // namespace
 
 Result<std::string> ScenePage(const std::filesystem::path& file, const sim::DataFolders& data,
                               const std::string& nonce) {
-  std::optional<std::string> page = ReadText(PageFolder(data) / "report.html");
+  const std::optional<std::string> page = ReadText(PageFolder(data) / "report.html");
   if (!page) return std::string();
   Result<std::unique_ptr<record::Reader>> opened = record::Reader::Open(file);
   if (!opened) return opened.error();
@@ -188,9 +183,8 @@ Result<std::string> ScenePage(const std::filesystem::path& file, const sim::Data
         Base64(stream::Deflate(moments.TakeContents().dump(-1, ' ', false, Json::error_handler_t::replace)));
     break;
   }
-  Replace(*page, "{{nonce}}", nonce);
-  Replace(*page, "{{data}}", report::ForScriptElement(whole.dump(-1, ' ', false, Json::error_handler_t::replace)));
-  return *std::move(page);
+  const std::string text = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return report::FillIn(*page, {{"nonce", nonce}, {"data", report::ForScriptElement(text)}});
 }
 
 }  // namespace soarbox::app

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/argument_kinds.h"
 #include "app/data_folders.h"
 #include "diagnostics/problem.h"
 #include "sim/scenario.h"
@@ -24,7 +25,7 @@ std::string Quoted(std::string_view word) {
   return "'" + std::string(word) + "'";
 }
 
-std::vector<std::string> OptionsOf(const CLI::App& command) {
+std::vector<std::string> OptionNamesOf(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -42,17 +43,6 @@ std::string NearestOf(const std::string& word, const std::vector<std::string>& n
   return std::string(Suggest(word, candidates));
 }
 
-std::vector<const CLI::App*> SubCommands(const CLI::App& program) {
-  return program.get_subcommands([](const CLI::App*) { return true; });
-}
-
-/// The sub-command of this name; null: there is none.
-const CLI::App* FindCommand(const CLI::App& program, const std::string& name) {
-  for (const CLI::App* each : SubCommands(program))
-    if (each->get_name() == name) return each;
-  return nullptr;
-}
-
 /// Something that `soarbox run` takes, given without the word run.
 bool IsScenario(const std::string& word) {
   std::error_code error;
@@ -68,12 +58,12 @@ Diagnostic StrayOption(const CLI::App& program, const std::string& option) {
   Diagnostic problem;
   problem.message = "soarbox has no option " + option;
   for (const CLI::App* command : SubCommands(program)) {
-    if (!Holds(OptionsOf(*command), option)) continue;
+    if (!Holds(OptionNamesOf(*command), option)) continue;
     problem.hint = "it belongs behind a sub-command: soarbox " + command->get_name() + " " + option;
     return problem;
   }
-  std::string near = NearestOf(option, OptionsOf(program));
-  for (const std::string& name : OptionsOf(program))
+  std::string near = NearestOf(option, OptionNamesOf(program));
+  for (const std::string& name : OptionNamesOf(program))
     if (option.size() == 2 && name.starts_with("-" + option)) near = name;
   problem.hint = near.empty() ? "soarbox --help lists the sub-commands" : "did you mean " + near + "?";
   return problem;
@@ -86,9 +76,7 @@ Diagnostic UnknownCommand(const CLI::App& program, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : SubCommands(program)) names.push_back(command->get_name());
   const std::string near = NearestOf(word, names);
-  if (word == "help") {
-    problem.hint = "did you mean soarbox --help?";
-  } else if (IsScenario(word)) {
+  if (IsScenario(word)) {
     problem.hint = "did you mean soarbox run " + word + "?";
   } else if (!near.empty()) {
     problem.hint = "did you mean soarbox " + near + "?";
@@ -109,14 +97,15 @@ Diagnostic UnknownArgument(const CLI::App& program, const CLI::App& command, con
   }
   const std::string option = argument.substr(0, argument.find('='));
   problem.message = name + " has no option " + option;
-  const std::vector<std::string> mine = OptionsOf(command);
+  const std::vector<std::string> mine = OptionNamesOf(command);
   if (const std::string near = NearestOf(option, mine); !near.empty()) {
     problem.hint = "did you mean " + near + "?";
     return problem;
   }
   problem.hint = name + " --help lists its options";
   for (const CLI::App* other : SubCommands(program))
-    if (Holds(OptionsOf(*other), option)) problem.hint = "soarbox " + other->get_name() + " has it; " + problem.hint;
+    if (Holds(OptionNamesOf(*other), option))
+      problem.hint = "soarbox " + other->get_name() + " has it; " + problem.hint;
   return problem;
 }
 
@@ -179,7 +168,7 @@ std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, cons
     const bool is_word = word.size() > 2 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
     if (!is_word || (command != nullptr && command->get_name() == "soar")) continue;
     const std::string doubled = "-" + word.substr(0, word.find('='));
-    if (!Holds(OptionsOf(command == nullptr ? program : *command), doubled)) continue;
+    if (!Holds(OptionNamesOf(command == nullptr ? program : *command), doubled)) continue;
     return NewProblem("soarbox" + (command == nullptr ? "" : " " + command->get_name()) + " has no option " + word,
                       "did you mean " + doubled + "?");
   }
@@ -193,7 +182,7 @@ std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, co
     if (command == nullptr) command = FindCommand(program, word);
     if (command == nullptr || !word.starts_with("--")) continue;
     const CLI::Option* option = command->get_option_no_throw(word);
-    const bool is_followed = i + 1 < argc && Holds(OptionsOf(*command), argv[i + 1]);
+    const bool is_followed = i + 1 < argc && Holds(OptionNamesOf(*command), argv[i + 1]);
     if (option == nullptr || option->get_items_expected_min() == 0 || !is_followed) continue;
     return NewProblem("soarbox " + command->get_name() + ": " + word + " takes a value, and none is given",
                       word + ": " + option->get_description());

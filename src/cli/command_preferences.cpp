@@ -149,24 +149,19 @@ class PreferencePrinter {
   void Print(const std::string& text) { call_.stream().Print(text); }
 
  private:
-  std::string OperatorText(Symbol op) const {
-    const std::string name = OperatorName(agent_, op);
-    return SymbolText(agent_, op) + (name.empty() ? " " : " (" + name + ")");
-  }
-
   void PrintPreference(PreferenceId id, const Agent::CandidateChance* chance) {
     const Preference& preference = agent_.memory().preference(id);
     const bool is_operator = preference.slot != SlotId::kNone && agent_.memory().slot(preference.slot).is_operator;
     std::string text = "  ";
     if (is_operator) {
-      text += OperatorText(preference.value) + " " + PreferenceCharacter(preference.type);
+      text += OperatorText(agent_, preference.value) + " " + PreferenceCharacter(preference.type);
     } else {
       text += fmt::format("({} ^{} {})", SymbolText(agent_, preference.id), SymbolText(agent_, preference.attribute),
                           SymbolText(agent_, preference.value));
     }
     text += ' ';
     if (preference.referent) {
-      text += preference.referent.IsIdentifier() ? OperatorText(preference.referent)
+      text += preference.referent.IsIdentifier() ? OperatorText(agent_, preference.referent)
                                                  : SymbolText(agent_, preference.referent);
     }
     if (chance) {

@@ -38,6 +38,7 @@ bool ReadValues(std::string_view text, std::size_t& position, std::vector<std::s
       const std::size_t end = SkipQuoted(text, position, c);
       value += text.substr(position, end - position);
       position = end;
+      if (c == '|') finish();  // What follows at once is the next value.
       continue;
     }
     if (c == '\\' && position + 1 < text.size()) {  // The next character as it is, also a blank or a bracket.

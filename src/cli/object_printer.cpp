@@ -51,11 +51,11 @@ std::string ShowLinked(const Agent& agent, Symbol symbol, bool variables) {
 }
 
 /// " [0.75]" for an element, while activation of working memory is on; else nothing.
-std::string ActivationText(const Agent& agent, WmeId wme) {
+std::string ActivationText(const Agent& agent, WmeId wme, bool is_new = false) {
   const kernel::WmActivation* const module = kernel::WmActivation::Find(agent.long_term());
   if (module == nullptr || !module->settings().activation) return {};
   char digits[40];
-  std::snprintf(digits, sizeof(digits), " [%.2g]", module->Of(wme));
+  std::snprintf(digits, sizeof(digits), " [%.2g]", is_new ? module->OfNew(wme) : module->Of(wme));
   return digits;
 }
 
@@ -181,10 +181,11 @@ std::string WmeText(const Agent& agent, WmeId id, bool timetag, bool variables) 
   return text + ")";
 }
 
-std::string WmeText(const Agent& agent, const kernel::WmeInfo& wme, bool timetag) {
+std::string WmeText(const Agent& agent, const kernel::WmeInfo& wme, bool timetag, bool is_new) {
   std::string text = "(";
   if (timetag) text += std::to_string(wme.timetag) + ": ";
   text += SymbolText(agent, wme.id) + " ^" + SymbolText(agent, wme.attribute) + " " + SymbolText(agent, wme.value);
+  if (timetag) text += ActivationText(agent, wme.wme, is_new);
   if (wme.acceptable) text += " +";
   return text + ")";
 }

@@ -25,7 +25,8 @@ void PrintObject(PrintStream& stream, const kernel::Agent& agent, kernel::Symbol
 
 /// "(12: S1 ^attribute value +)"; without the time tag if `timetag` is false.
 std::string WmeText(const kernel::Agent& agent, kernel::WmeId wme, bool timetag = true, bool variables = false);
-std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool timetag = true);
+/// `is_new`: it is just entering working memory.
+std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool timetag = true, bool is_new = false);
 /// An element that a match of this level rests on, as shown where elements are asked for: in full in substates only.
 std::string MatchedText(const kernel::Agent& agent, kernel::WmeId wme, kernel::GoalLevel level);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/stack_printer.h"
 
+#include <vector>
+
 #include "cli/object_printer.h"
 
 namespace soarbox::cli {
@@ -15,6 +17,58 @@ std::string LineStart(const GoalInfo& goal, const std::string& cycle) {
   line += cycle + ": ";
   line.append(static_cast<std::size_t>(3 * (goal.level > 0 ? goal.level - 1 : 0)), ' ');
   return line;
+}
+
+/// The values of an attribute, youngest element first.
+std::vector<Symbol> ValuesOf(const Agent& agent, Symbol id, const char* attribute) {
+  const Symbol wanted = agent.symbols().FindString(attribute);
+  std::vector<Symbol> values;
+  if (!wanted) return values;
+  for (const kernel::WmeId wme : agent.memory().WmesOf(id)) {
+    const kernel::Wme& element = agent.memory().wme(wme);
+    if (element.attribute == wanted && !element.acceptable) values.push_back(element.value);
+  }
+  return values;
+}
+
+bool IsProposed(const Agent& agent, Symbol id) {
+  for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
+    for (const kernel::WmeId wme : agent.memory().WmesOf(agent.goals().at(static_cast<kernel::GoalLevel>(level)).id)) {
+      const kernel::Wme& element = agent.memory().wme(wme);
+      if (element.acceptable && element.value == id) return true;
+    }
+  }
+  return false;
+}
+
+/// An object as it is told of in a line about an operator: "P1 (pump)", "S2 (state no-change)", "red".
+std::string ObjectText(const Agent& agent, Symbol symbol, int depth);
+
+/// What stands behind an operator or another object: "(name)", with all its names, or nothing without any. An operator
+/// named evaluate-object tells of its objects instead.
+std::string Label(const Agent& agent, Symbol id, bool is_operator, int depth) {
+  const std::vector<Symbol> names = ValuesOf(agent, id, "name");
+  if (names.empty()) return {};
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  constexpr int kDeepest = 8;  // Operators may evaluate themselves.
+  if (is_operator && names.front() == agent.symbols().FindString("evaluate-object") && depth < kDeepest) {
+    for (const Symbol object : ValuesOf(agent, id, "object")) add(ObjectText(agent, object, depth + 1));
+    return "(evaluate-object " + text + ")";
+  }
+  for (const Symbol name : names) add(SymbolText(agent, name));
+  return "(" + text + ")";
+}
+
+std::string ObjectText(const Agent& agent, Symbol symbol, int depth) {
+  std::string text = SymbolText(agent, symbol);
+  if (!symbol.IsIdentifier()) return text;
+  for (std::size_t level = 1; level <= agent.goals().depth(); ++level) {
+    const GoalInfo goal = agent.Describe(agent.goals().at(static_cast<kernel::GoalLevel>(level)));
+    if (goal.goal == symbol) return text + " " + ImpasseText(goal);
+  }
+  const std::string label = Label(agent, symbol, IsProposed(agent, symbol), depth);
+  return label.empty() ? text : text + " " + label;
 }
 
 }  // namespace
@@ -45,11 +99,11 @@ std::string StateLine(const Agent& agent, const GoalInfo& goal, const std::strin
 }
 
 std::string OperatorLine(const Agent& agent, const GoalInfo& goal, const std::string& cycle) {
-  const std::string name = OperatorName(agent, goal.op);
-  return LineStart(goal, cycle) + "   O: " + SymbolText(agent, goal.op) +
-         (!name.empty()            ? " (" + name + ")"
-          : goal.op.IsIdentifier() ? " "
-                                   : "");
+  return LineStart(goal, cycle) + "   O: " + OperatorText(agent, goal.op);
+}
+
+std::string OperatorText(const Agent& agent, Symbol op) {
+  return SymbolText(agent, op) + (op.IsIdentifier() ? " " + Label(agent, op, true, 0) : "");
 }
 
 std::string OperatorName(const Agent& agent, Symbol op) {

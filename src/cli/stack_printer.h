@@ -23,7 +23,11 @@ std::string StateLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, 
 /// The line of the operator selected in a goal: "     1:    O: O1 (name)".
 std::string OperatorLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, const std::string& cycle);
 
-/// "name" of an operator, empty if it has none.
+/// An operator with its names: "O1 (name)". One named evaluate-object has its objects: "O1 (evaluate-object P1
+/// (pump))".
+std::string OperatorText(const kernel::Agent& agent, kernel::Symbol op);
+
+/// "name" of an operator, the first of several, empty if it has none.
 std::string OperatorName(const kernel::Agent& agent, kernel::Symbol op);
 
 /// The goal stack, top state first.

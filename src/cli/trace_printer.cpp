@@ -206,7 +206,7 @@ bool TracePrinter::PassesFilters(const Agent& agent, const WmeInfo& wme, bool ad
 }
 
 void TracePrinter::OnWmeAdded(const Agent& agent, const WmeInfo& wme) {
-  if (PassesFilters(agent, wme, true)) Print("=>WM: " + WmeText(agent, wme) + "\n");
+  if (PassesFilters(agent, wme, true)) Print("=>WM: " + WmeText(agent, wme, true, true) + "\n");
 }
 
 void TracePrinter::OnWmeRemoved(const Agent& agent, const WmeInfo& wme) {

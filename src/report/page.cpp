@@ -17,10 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRuns = 50;
 
-void Replace(std::string& text, std::string_view mark, std::string_view with) {
-  if (const std::size_t at = text.find(mark); at != std::string::npos) text.replace(at, mark.size(), with);
-}
-
 /// What stands on the page for readers without scripts: title, checks and key moments.
 std::string PlainBody(const Json& data) {
   std::string body =
@@ -71,6 +67,21 @@ std::string ForScriptElement(std::string_view json) {
     }
   }
   return safe;
+}
+
+std::string FillIn(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> texts) {
+  std::string filled;
+  while (!page.empty()) {
+    const std::size_t close = page.find("}}", page.find("{{"));
+    if (close == std::string_view::npos) break;
+    const std::size_t open = page.rfind("{{", close);
+    const std::string_view name = page.substr(open + 2, close - open - 2);
+    const auto text = std::ranges::find(texts, name, &std::pair<std::string_view, std::string_view>::first);
+    filled.append(page.substr(0, open))
+        .append(text != texts.end() ? text->second : page.substr(open, close + 2 - open));
+    page.remove_prefix(close + 2);
+  }
+  return filled.append(page);
 }
 
 std::string EscapeHtml(std::string_view text) {
@@ -156,17 +167,17 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
     if (!made) return made;
     scene = std::move(*made);
   }
-  Replace(page, "{{title}}", EscapeHtml(first.value("title", "Soarbox")));
-  Replace(page, "{{policy}}",
-          std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; script-src 'nonce-") +
-              nonce + "'" + (scene.empty() ? "" : "; worker-src blob:; connect-src data: blob:"));
-  Replace(page, "{{style}}", style);
-  Replace(page, "{{plain}}", PlainBody(first));
-  for (int i = 0; i < 3; ++i) Replace(page, "{{nonce}}", nonce);
-  Replace(page, "{{script}}", script);
-  Replace(page, "{{data}}", ForScriptElement(all));
-  Replace(page, "{{scene}}", ForScriptElement(Json(scene).dump()));
-  return page;
+  return FillIn(page,
+                {{"title", EscapeHtml(first.value("title", "Soarbox"))},
+                 {"policy", std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
+                                        "script-src 'nonce-") +
+                                nonce + "'" + (scene.empty() ? "" : "; worker-src blob:; connect-src data: blob:")},
+                 {"style", style},
+                 {"plain", PlainBody(first)},
+                 {"nonce", nonce},
+                 {"script", script},
+                 {"data", ForScriptElement(all)},
+                 {"scene", ForScriptElement(Json(scene).dump())}});
 }
 
 }  // namespace soarbox::report

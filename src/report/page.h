@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "diagnostics/result.h"
 #include "sim/scenario.h"
@@ -26,6 +28,8 @@ Result<std::string> SweepData(const std::filesystem::path& folder, const sim::Da
 
 /// JSON that may stand inside an HTML script element: no character of it ends the element or begins another.
 std::string ForScriptElement(std::string_view json);
+/// A template with a text in place of each {{name}}; what stands in the texts stays as it is.
+std::string FillIn(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> texts);
 /// Text that stands for itself in HTML.
 std::string EscapeHtml(std::string_view text);
 

@@ -20,16 +20,31 @@ float StepOf(const Actor& actor) {
   return actor.world().settings().step_s;
 }
 
-/// Whether a body of this width can go so far in that direction.
-bool IsFree(const Actor& actor, Vec3 direction, float ahead_m, world::EntityId through) {
-  const world::Agent& body = actor.body();
+constexpr float kHalfWidth = 1.1f;  // In radii.
+
+Vec3 FootOf(const world::Agent& body) {
   Vec3 foot = body.Position();
   foot.y += kRayHeight_m - body.Height() / 2;
+  return foot;
+}
+
+/// What a body may meet that goes so far, in whatever direction.
+world::BodiesAround InTheWay(const Actor& actor, float ahead_m) {
+  const world::Agent& body = actor.body();
+  constexpr float kSlack_m = 0.01f;
+  return actor.world().Around(FootOf(body), ahead_m + (1 + kHalfWidth) * body.Radius() + kSlack_m);
+}
+
+/// Whether a body of this width can go so far in that direction.
+bool IsFree(const Actor& actor, const world::BodiesAround& bodies, Vec3 direction, float ahead_m,
+            world::EntityId through) {
+  const world::Agent& body = actor.body();
+  const Vec3 foot = FootOf(body);
   const Vec3 side{direction.z, 0, -direction.x};
   const float reach_m = ahead_m + body.Radius();
   for (const float offset : {0.0f, 1.0f, -1.0f}) {
-    const Vec3 from = foot + side * (offset * body.Radius() * 1.1f);
-    const auto hit = actor.world().RayCast(from, from + direction * reach_m);
+    const Vec3 from = foot + side * (offset * body.Radius() * kHalfWidth);
+    const auto hit = bodies.RayCast(from, from + direction * reach_m);
     if (hit && hit->entity != through && hit->entity != body.id()) return false;
   }
   return true;
@@ -208,7 +223,8 @@ std::span<const Conduct> MovingConducts() {
 }
 
 Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::EntityId through, float& turn_deg) {
-  if (IsFree(actor, wanted, ahead_m, through)) {
+  const world::BodiesAround bodies = InTheWay(actor, ahead_m);
+  if (IsFree(actor, bodies, wanted, ahead_m, through)) {
     turn_deg = 0;
     return wanted;
   }
@@ -219,13 +235,13 @@ Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::Entity
     for (const float sign : {side, -side}) {
       for (float turn = 15; turn <= 135; turn += 15) {
         const Vec3 tried = AlongHeading(heading + sign * turn);
-        if (!IsFree(actor, tried, reach_m, through)) continue;
+        if (!IsFree(actor, bodies, tried, reach_m, through)) continue;
         const bool decided = turn_deg != 0;
         if (!decided && sign == side) {
           // Nothing chosen yet: the smaller turn of both sides.
           for (float other = 15; other < turn; other += 15) {
             const Vec3 mirrored = AlongHeading(heading - sign * other);
-            if (!IsFree(actor, mirrored, reach_m, through)) continue;
+            if (!IsFree(actor, bodies, mirrored, reach_m, through)) continue;
             turn_deg = -sign * other;
             return mirrored;
           }

@@ -34,9 +34,11 @@ void BuildThing(const ScenarioFile::Thing& thing, ScenarioBuild& build) {
                                       thing.size, thing.mass_kg};
 }
 
-/// Those of one entry stand side by side along x, in rows: the next row stands behind the one before.
+/// Those of one entry stand side by side along x, in rows, from the entry's position or the middle of the world on: the
+/// next row stands behind the one before.
 void TakePlace(const ScenarioFile::Agent& agent, int number, Options& options) {
   constexpr double kApart_m = 1.5;
+  if (!options.contains("position.1")) options["position.1"] = options["position.2"] = 0.0;
   const auto move = [&](const char* name, double by_m) {
     if (const auto at = options.find(name); at != options.end())
       if (double* value = std::get_if<double>(&at->second)) *value += by_m;

@@ -334,7 +334,7 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     made.line = static_cast<int>(table->source().begin.line);
     made.name = reader.Name(*table);
     made.rules = reader.Text(*table, "rules");
-    made.count = reader.WholeNumber(*table, "count", 1, 1000).value_or(1);
+    made.count = reader.WholeNumber(*table, "count", 1, static_cast<int>(kMostEntries)).value_or(1);
     made.across = reader.WholeNumber(*table, "across", 1, 1000).value_or(made.across);
     reader.Flatten(*table, {}, made.options);
     if (const toml::node* rules = table->get("rules"))

@@ -6,6 +6,9 @@
 
 #include <fstream>
 
+#include "sim/simulation.h"
+#include "world/world.h"
+
 namespace soarbox::sim {
 namespace {
 
@@ -70,6 +73,25 @@ TEST_F(ScenarioTest, FilesAreFoundInFolderOrderAndWithOtherCapitals) {
   EXPECT_EQ(FindInFolders("Sandbox.lua", folders), root_ / "scenarios/arena/Sandbox.lua");
   EXPECT_EQ(FindInFolders("MIXED.LUA", folders), root_ / "scenarios/thesis/mixed.lua");
   EXPECT_TRUE(FindInFolders("absent.lua", folders).empty());
+}
+
+TEST_F(ScenarioTest, AgentsOfOneEntryStandApartAlsoWithoutAPosition) {
+  std::ofstream(root_ / "many.toml") << "[[agent]]\nname = \"one\"\ncount = 6\nacross = 3\n";
+  const auto scenario = FindScenario((root_ / "many.toml").string(), {fs::path(SOARBOX_SOURCE_DIR) / "scenarios",
+                                                                      fs::path(SOARBOX_SOURCE_DIR) / "media"});
+  ASSERT_TRUE(scenario) << Format(scenario.error());
+  SimulationSettings settings;
+  settings.soar.threads = 1;
+  const auto simulation = Simulation::Create(scenario.value(), settings);
+  ASSERT_TRUE(simulation) << Format(simulation.error());
+  const world::World& world = (*simulation)->world();
+  ASSERT_EQ(world.AgentIds().size(), 6u);
+  for (const world::EntityId a : world.AgentIds()) {
+    for (const world::EntityId b : world.AgentIds()) {
+      if (a == b) continue;
+      EXPECT_GT(world::Length(world.FindAgent(a)->Position() - world.FindAgent(b)->Position()), 1);
+    }
+  }
 }
 
 }  // namespace

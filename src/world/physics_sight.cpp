@@ -4,35 +4,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "world/physics_crowd.h"
 
 namespace soarbox::world {
 namespace {
 
-/// A segment as bounding boxes are tested against it.
+/// A segment as bounding boxes are tested against it. Four numbers at a time: the fourth is no coordinate.
 class Probe {
  public:
-  Probe(const btVector3& from, const btVector3& to) : from_(from) {
+  Probe(const btVector3& from, const btVector3& to) {
     constexpr btScalar kLarge = 1e18f;
     const btVector3 along = to - from;
     for (int axis = 0; axis < 3; ++axis) inverse_[axis] = along[axis] != 0 ? 1 / along[axis] : kLarge;
+    for (int axis = 0; axis < 3; ++axis) from_[axis] = from[axis];
   }
 
   /// Whether the segment up to this share meets the box.
   bool Meets(const btDbvtVolume& box, btScalar share) const {
-    btScalar first = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const btScalar a = (box.Mins()[axis] - from_[axis]) * inverse_[axis];
-      const btScalar b = (box.Maxs()[axis] - from_[axis]) * inverse_[axis];
-      first = std::max(first, std::min(a, b));
-      share = std::min(share, std::max(a, b));
-    }
-    return first <= share;
+    const Four a = (Load(box.Mins()) - from_) * inverse_, b = (Load(box.Maxs()) - from_) * inverse_;
+    const Four enter = a < b ? a : b, leave = a < b ? b : a;
+    return std::max(std::max(enter[0], enter[1]), std::max(enter[2], btScalar{0})) <=
+           std::min(std::min(leave[0], leave[1]), std::min(leave[2], share));
   }
 
  private:
-  btVector3 from_, inverse_{0, 0, 0};
+  using Four [[gnu::vector_size(16)]] = btScalar;
+  static Four Load(const btVector3& vector) {
+    static_assert(sizeof(Four) == sizeof(btVector3));
+    Four loaded;
+    std::memcpy(&loaded, &vector, sizeof(loaded));  // Not aligned.
+    return loaded;
+  }
+
+  Four from_{}, inverse_{};
 };
 
 /// Calls visit(body) for each body whose bounding box the segment meets up to `share`, which visit may lessen. Ends
@@ -68,21 +74,57 @@ bool VisitBodies(const CrowdBroadphase& bodies, const btVector3& from, const btV
   return true;
 }
 
+/// Takes the body for the first hit if it is entered no later; of several at one point the one of the smallest owner.
+void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btVector3& to, FirstHit& first,
+                 btScalar& share) {
+  const auto entry = EntryOf(body, from, to);
+  if (!entry || entry->fraction > share) return;
+  const bool ties = first.body != nullptr && entry->fraction == share;
+  if (ties && body.getUserIndex() >= first.body->getUserIndex()) return;
+  first = {&body, *entry};
+  share = entry->fraction;
+}
+
 }  // namespace
 
 FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to) {
   FirstHit first;
   btScalar share = 1;
   VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
-    const auto entry = EntryOf(body, from, to);
-    if (!entry || entry->fraction > share) return true;
-    const bool ties = first.body != nullptr && entry->fraction == share;
-    if (ties && body.getUserIndex() >= first.body->getUserIndex()) return true;
-    first = {&body, *entry};
-    share = entry->fraction;
+    TakeIfFirst(body, from, to, first, share);
     return true;
   });
   return first;
+}
+
+FirstHit FindFirstHit(const std::vector<BoxedBody>& bodies, const btVector3& from, const btVector3& to) {
+  FirstHit first;
+  btScalar share = 1;
+  const Probe probe(from, to);
+  for (const BoxedBody& each : bodies) {
+    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
+  }
+  return first;
+}
+
+void FindInBox(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high,
+               std::vector<BoxedBody>& found) {
+  const btDbvtVolume wanted = btDbvtVolume::FromMM(low, high);
+  std::vector<const btDbvtNode*> waiting;
+  for (const btDbvt* tree : bodies.Trees()) {
+    if (tree->m_root != nullptr) waiting.push_back(tree->m_root);
+    while (!waiting.empty()) {
+      const btDbvtNode* const node = waiting.back();
+      waiting.pop_back();
+      if (!Intersect(node->volume, wanted)) continue;
+      if (node->isleaf()) {
+        const auto* proxy = static_cast<const btBroadphaseProxy*>(node->data);
+        found.push_back({node->volume, static_cast<const btCollisionObject*>(proxy->m_clientObject)});
+      } else {
+        waiting.insert(waiting.end(), {node->childs[0], node->childs[1]});
+      }
+    }
+  }
 }
 
 bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,

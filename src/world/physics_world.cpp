@@ -7,6 +7,7 @@
 #include <mutex>
 #include <new>
 
+#include "world/limits.h"
 #include "world/physics_bullet.h"
 #include "world/physics_capsule_plane.h"
 #include "world/physics_crowd.h"
@@ -506,12 +507,45 @@ const std::vector<Collision>& PhysicsWorld::Collisions() const {
   return impl_->collisions;
 }
 
-std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
+namespace {
+
+/// `bodies` is anything that FindFirstHit takes.
+std::optional<RayHit> FirstAmong(const auto& bodies, Vec3 from, Vec3 to) {
   if (from == to) return std::nullopt;
-  const FirstHit hit = FindFirstHit(impl_->broadphase, ToBullet(from), ToBullet(to));
+  const FirstHit hit = FindFirstHit(bodies, ToBullet(from), ToBullet(to));
   if (hit.body == nullptr) return std::nullopt;
   return RayHit{static_cast<EntityId>(hit.body->getUserIndex()), from + (to - from) * hit.entry.fraction,
                 FromBullet(hit.entry.normal)};
+}
+
+}  // namespace
+
+std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
+  return FirstAmong(impl_->broadphase, from, to);
+}
+
+struct BodiesAround::Bodies {
+  std::vector<BoxedBody> boxed;
+};
+
+BodiesAround::BodiesAround(std::unique_ptr<const Bodies> bodies) : bodies_(std::move(bodies)) {}
+BodiesAround::BodiesAround(BodiesAround&&) noexcept = default;
+BodiesAround& BodiesAround::operator=(BodiesAround&&) noexcept = default;
+BodiesAround::~BodiesAround() = default;
+
+std::optional<RayHit> BodiesAround::RayCast(Vec3 from, Vec3 to) const {
+  if (!IsFinite(from) || !IsFinite(to)) return std::nullopt;
+  return FirstAmong(bodies_->boxed, LimitPosition(from), LimitPosition(to));
+}
+
+BodiesAround PhysicsWorld::Around(Vec3 place, float reach_m) const {
+  auto found = std::make_unique<BodiesAround::Bodies>();
+  const Vec3 reach{reach_m, reach_m, reach_m};
+  if (IsFinite(place) && IsFinite(reach)) {
+    FindInBox(impl_->broadphase, ToBullet(LimitPosition(place - reach)), ToBullet(LimitPosition(place + reach)),
+              found->boxed);
+  }
+  return BodiesAround(std::move(found));
 }
 
 bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "world/bodies_around.h"
 #include "world/collision.h"
 #include "world/ids.h"
 #include "world/math.h"
@@ -98,6 +99,8 @@ class PhysicsWorld {
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// Those whose bounding boxes come within that reach of the place along some axis.
+  BodiesAround Around(Vec3 place, float reach_m) const;
   /// Whether nothing but these two is on the segment in front of the target's surface; either may be kNone. Much faster
   /// than RayCast where many bodies are on the way.
   bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const;

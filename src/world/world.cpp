@@ -182,6 +182,10 @@ std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
   return impl_->physics.RayCast(LimitPosition(from), LimitPosition(to));
 }
 
+BodiesAround World::Around(Vec3 place, float reach_m) const {
+  return impl_->physics.Around(place, reach_m);
+}
+
 Scene& World::scene() {
   return impl_->scene;
 }

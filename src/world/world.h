@@ -11,6 +11,7 @@
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/result.h"
 #include "world/agent.h"
+#include "world/bodies_around.h"
 #include "world/camera.h"
 #include "world/collision.h"
 #include "world/debug_draw.h"
@@ -104,6 +105,8 @@ class World {
   void PrepareForReaders();
   /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// For many such rays, all of them within that reach of the place.
+  BodiesAround Around(Vec3 place, float reach_m) const;
 
   // Navigation.
   /// Starts to build a mesh over all fixed objects of now that have looks; planes are left out. See Navigation::Create.

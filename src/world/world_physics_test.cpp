@@ -387,6 +387,37 @@ TEST(WorldPhysics, AnAgentWithoutPhysicsStaysWhereItIsPut) {
   EXPECT_EQ(world.scene().WorldPosition(agent.node()), (Vec3{7, 8, 9}));
 }
 
+TEST(WorldPhysics, RaysAmongTheBodiesAroundAPlaceHitWhatRaysOfTheWorldHit) {
+  World world;
+  RandomStream random(11, 1);
+  const auto about = [&](float reach) { return (random.Unit() * 2 - 1) * reach; };
+  world.CreatePlane(40, 40);
+  for (int i = 0; i < 60; ++i) {
+    const EntityId id = i % 2 == 0 ? world.CreateBox(0.6f, 1.5f, 0.4f) : world.CreateAgent({});
+    if (Object* object = world.FindObject(id)) object->SetPosition({about(6), 0.8f, about(6)});
+    if (Agent* agent = world.FindAgent(id)) agent->SetPosition({about(6), 0.8f, about(6)});
+  }
+  int hits = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 place{about(6), 0.5f, about(6)};
+    const BodiesAround bodies = world.Around(place, 3);
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 from = place + Vec3{about(1), about(1), about(1)}, to = place + Vec3{about(3), about(3), about(3)};
+      const auto wanted = world.RayCast(from, to), found = bodies.RayCast(from, to);
+      ASSERT_EQ(found.has_value(), wanted.has_value()) << i << " " << n;
+      if (!wanted) continue;
+      ++hits;
+      EXPECT_EQ(found->entity, wanted->entity);
+      EXPECT_EQ(found->point, wanted->point);
+      EXPECT_EQ(found->normal, wanted->normal);
+    }
+  }
+  EXPECT_GT(hits, 100);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(world.Around({nan, 0, 0}, 3).RayCast({0, 5, 0}, {0, -5, 0}));
+  EXPECT_FALSE(world.Around({0, 0, 0}, 3).RayCast({0, nan, 0}, {0, -5, 0}));
+}
+
 TEST(WorldPhysics, RemovingABodyDuringItsCollisionTakesEffectAtTheNextTick) {
   World world;
   world.CreatePlane(200, 200);

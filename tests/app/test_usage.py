@@ -21,7 +21,6 @@ class Usage(ScenarioCase):
         self.assertIn("did you mean soarbox run?", self.refused("rnu", "thesis"))
         self.assertIn("did you mean soarbox list?", self.refused("lst"))
         self.assertIn("there are: run", self.refused("xyzzy"))
-        self.assertIn("did you mean soarbox --help?", self.refused("help"))
 
     def test_suggests_run_for_a_scenario_alone(self):
         self.assertIn("did you mean soarbox run thesis?", self.refused("thesis"))

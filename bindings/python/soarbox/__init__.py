@@ -11,10 +11,14 @@ The same scenario, seed and build give the same run, here as in a window. docs/p
 without a world, import soar_sml.
 """
 from .command import CommandError
+from .environment import Environment
+from .reports import Run, record, report
 from .rules import Diagnostic, RuleError, check, check_text
-from .tables import Table, record, recording, sweep
+from .spaces import Box, Discrete
+from .tables import Table, recording, sweep
 from .values import Command, Node, Reason
 from .world import Agent, World, WorldEnded, WorldError
 
-__all__ = ["Agent", "Command", "CommandError", "Diagnostic", "Node", "Reason", "RuleError", "Table", "World", "WorldEnded",
-           "WorldError", "check", "check_text", "record", "recording", "sweep"]
+__all__ = ["Agent", "Box", "Command", "CommandError", "Diagnostic", "Discrete", "Environment", "Node", "Reason", "RuleError",
+           "Run", "Table", "World", "WorldEnded", "WorldError", "check", "check_text", "record", "recording", "report",
+           "sweep"]

@@ -82,6 +82,11 @@ class Engine:
                 elif message.get("message") == "error":
                     refused.append(": ".join(part for part in (message.get("error"), message.get("hint")) if part))
 
+    def recording(self) -> Optional[pathlib.Path]:
+        """The file that the newest run is recorded into; None if there is none."""
+        files = list(pathlib.Path(self._folder).glob("soarbox/recordings/*.soarrec"))
+        return max(files, key=lambda file: file.stat().st_mtime) if files else None
+
     def close(self) -> None:
         """Ends the process and removes its files."""
         self._socket.close()

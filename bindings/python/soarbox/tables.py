@@ -33,17 +33,13 @@ class Table(List[Dict[str, Cell]]):
         return pandas.DataFrame(list(self))
 
 
-def record(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int] = None, *,
-           level: str = "decisions") -> None:
-    """Runs a scenario for so many simulated seconds and records it into a file.
-
-    `level` is "world", "decisions" or "all" (docs/recording.md). Raises CommandError if it cannot be run.
-    """
+def record_into(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int], level: str) -> None:
+    """What soarbox.record does."""
     arguments = ["run", os.fspath(scenario), "--headless", "--seconds", str(seconds), "--record", os.fspath(file),
                  "--record-level", level]
     if seed is not None:
         arguments += ["--seed", str(seed)]
-    _run(arguments)
+    run_command(arguments)
 
 
 def recording(file: PathLike, start: Optional[float] = None, end: Optional[float] = None) -> Table:
@@ -54,7 +50,7 @@ def recording(file: PathLike, start: Optional[float] = None, end: Optional[float
         for option, value in (("--from", start), ("--to", end)):
             if value is not None:
                 arguments += [option, str(value)]
-        _run(arguments)
+        run_command(arguments)
         return _read(table)
 
 
@@ -66,11 +62,12 @@ def sweep(spec: PathLike, folder: Optional[PathLike] = None, jobs: int = 0) -> T
     """
     spec = pathlib.Path(os.fspath(spec))
     results = pathlib.Path(os.fspath(folder)) if folder is not None else spec.with_suffix(".sweep")
-    _run(["sweep", str(spec), "--folder", str(results), "--jobs", str(jobs)])
+    run_command(["sweep", str(spec), "--folder", str(results), "--jobs", str(jobs)])
     return _read(results / "results.csv")
 
 
-def _run(arguments: List[str]) -> None:
+def run_command(arguments: List[str]) -> None:
+    """Runs `soarbox` with these arguments; what it says is the text of the CommandError if it fails."""
     done = subprocess.run([find_command(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     if done.returncode != 0:

@@ -2,14 +2,19 @@
 """A world and its agents."""
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 import tempfile
 from typing import Any, Dict, Iterator, List, Optional, Union
 
+from . import reports
 from .engine import Engine, EngineGone
 from .rules import check_text
 from .values import Command, Node, Reason, reason_of
+
+
+_PANELS = ["agents", "links", "why", "memory"]
 
 
 class WorldError(RuntimeError):
@@ -51,7 +56,7 @@ class World:
                 run = os.path.abspath(run)
         self._engine = Engine(run, seed)
         try:
-            self._ask({"request": "look", "panels": ["agents", "links", "why", "memory"]})
+            self._ask({"request": "look", "panels": _PANELS})
         except WorldEnded as ended:
             self.close()
             raise WorldError(str(ended)) from None
@@ -122,6 +127,25 @@ class World:
             raise WorldError(f"there is no answer about {what or agent!r}")
         return reason_of(answer)
 
+    def report(self, file: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the report page of the run so far, up to the last whole simulated second (docs/report.md)."""
+        recorded = self._recording()
+        if recorded is None:
+            raise WorldError("nothing is recorded yet: let the world go on for a simulated second")
+        reports.report_of_live_run(recorded, file)
+
+    def _repr_html_(self) -> Optional[str]:
+        """In a notebook, a world that has gone on for a second shows itself as its report page."""
+        recorded = self._recording() if self._engine is not None else None
+        return reports.page_in_notebook(recorded, is_live=True) if recorded is not None else None
+
+    def _recording(self) -> Optional[pathlib.Path]:
+        if self._engine is None:
+            raise WorldEnded("this world is closed")
+        if self.time < 1 + self.step_s:
+            return None
+        return self._engine.recording()
+
     # The process -----------------------------------------------------------------------------------------------------
 
     def close(self) -> None:
@@ -157,6 +181,14 @@ class World:
         if self._engine is None:
             raise WorldEnded("this world is closed")
         return self._engine.contents[name]
+
+    @contextlib.contextmanager
+    def _looking_at(self, panel: str, agent: str) -> Iterator[None]:
+        """Meanwhile one more panel is looked at, about this agent."""
+        self._select(agent)
+        self._ask({"request": "look", "panels": _PANELS + [panel]})
+        yield
+        self._ask({"request": "look", "panels": _PANELS})
 
     def _select(self, agent: str) -> None:
         self[agent]  # Says which agents there are.

@@ -210,7 +210,7 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
   const Symbol object = Evaluate(action.id);
   if (!object) return;
   if (!object.IsIdentifier()) {
-    engine_.observers.Print(BadIdentifier(engine_.symbols, object, action));
+    engine_.context.PrintError(BadIdentifier(engine_.symbols, object, action));
     return;
   }
   // What an object's preference makes hangs on that object, so it begins with its level.

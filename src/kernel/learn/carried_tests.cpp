@@ -13,8 +13,8 @@ const std::vector<IdentityPlan::KeptTest>& CarriedTests::KeptTests(const Instant
   return uses_.justifier.record(instantiation.justification).tests;
 }
 
-bool CarriedTests::MayRise(const CarriedTest& test) const {
-  return !test.referent.IsIdentifier() || uses_.memory.level(test.referent) < uses_.instantiations[test.firing].level;
+bool CarriedTests::IsKnownAbove(InstantiationId firing, Symbol symbol) const {
+  return !symbol.IsIdentifier() || uses_.memory.level(symbol) < uses_.instantiations[firing].level;
 }
 
 void CarriedTests::Collect(const Explanation& explanation, std::vector<CarriedTest>& out) {

@@ -48,7 +48,9 @@ class CarriedTests {
   template <typename Visit>
   void ForEach(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit);
   /// False if the test compares with an object of the firing's own state, which the rule above cannot know.
-  bool MayRise(const CarriedTest& test) const;
+  bool MayRise(const CarriedTest& test) const { return IsKnownAbove(test.firing, test.referent); }
+  /// False if the symbol is an object of the firing's own state or of one below.
+  bool IsKnownAbove(InstantiationId firing, Symbol symbol) const;
   /// Of all conditions that tested elements of the substate, in the order in which they were visited.
   void Collect(const Explanation& explanation, std::vector<CarriedTest>& out);
 

@@ -32,22 +32,6 @@ constexpr bool IsCarried(TestKind kind) {
          kind != TestKind::kState && kind != TestKind::kImpasse;
 }
 
-/// The test with its sides exchanged.
-constexpr TestKind TurnedRound(TestKind kind) {
-  switch (kind) {
-    case TestKind::kLess:
-      return TestKind::kGreater;
-    case TestKind::kGreater:
-      return TestKind::kLess;
-    case TestKind::kLessOrEqual:
-      return TestKind::kGreaterOrEqual;
-    case TestKind::kGreaterOrEqual:
-      return TestKind::kLessOrEqual;
-    default:
-      return kind;
-  }
-}
-
 inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {
   return std::ranges::find(symbols, symbol) != symbols.end();
 }

@@ -28,29 +28,6 @@ const Test& TestOf(const Condition& condition, Field field) {
   return field == Field::kId ? condition.id : field == Field::kAttribute ? condition.attribute : condition.value;
 }
 
-std::string_view SignOf(TestKind kind) {
-  switch (kind) {
-    case TestKind::kNotEqual:
-      return "<> ";
-    case TestKind::kLess:
-      return "< ";
-    case TestKind::kGreater:
-      return "> ";
-    case TestKind::kLessOrEqual:
-      return "<= ";
-    case TestKind::kGreaterOrEqual:
-      return ">= ";
-    case TestKind::kSameType:
-      return "<=> ";
-    case TestKind::kSameLti:
-      return "@ ";
-    case TestKind::kNotSameLti:
-      return "!@ ";
-    default:
-      return "";
-  }
-}
-
 /// { part part } if there are several.
 std::string Joined(const std::vector<std::string>& parts) {
   if (parts.size() == 1) return parts.front();
@@ -167,7 +144,7 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
       values.push_back(text);
       return;
     }
-    const std::string sign(SignOf(part.kind));
+    const std::string sign(ComparisonSign(part.kind));
     texts.push_back(sign + Name(part.referent()));
     std::string referent = Name(part.referent()), of = referent;
     if (part.referent().IsVariable()) {
@@ -371,7 +348,7 @@ std::string ExplanationLog::IdentityText(const Test& test, InstantiationId firin
     if (part.kind == TestKind::kDisjunction || part.kind == TestKind::kBlank) {
       AppendTest(text, uses_.symbols, part);
     } else {
-      text = SignOf(part.kind);
+      text = ComparisonSign(part.kind);
       IdentityGraph::Node node = IdentityGraph::kNone;
       if (part.referent().IsVariable() && reader_.Rule(firing) != nullptr) {
         node = analysis_.OfClass(firing, reader_.Plan(firing).ClassOf(part.referent()));
@@ -451,7 +428,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
           if (source != nullptr) {
             ForEachTest(TestOf(*source, field), [&](const Test& test) {
               if (test.kind != TestKind::kDisjunction && IsCarried(test.kind) && !test.referent().IsVariable()) {
-                texts.push_back(std::string(SignOf(test.kind)) + Name(test.referent()));
+                texts.push_back(std::string(ComparisonSign(test.kind)) + Name(test.referent()));
               }
             });
           }
@@ -488,7 +465,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
             texts.push_back(list + " >>");
             identities.push_back(texts.back());
           } else if (IsCarried(part.kind)) {
-            const std::string sign(SignOf(part.kind));
+            const std::string sign(ComparisonSign(part.kind));
             texts.push_back(sign + Name(part.referent()));
             identities.push_back(sign + NumberOfVariable(part.referent()));
           }
@@ -518,7 +495,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
           texts.push_back(list + " >>");
         } else if (IsCarried(part.kind)) {
           const auto found = value_of_variable.find(part.referent().bits());
-          texts.push_back(std::string(SignOf(part.kind)) +
+          texts.push_back(std::string(ComparisonSign(part.kind)) +
                           Name(found != value_of_variable.end() ? found->second : part.referent()));
         }
       });
@@ -699,7 +676,7 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
     for (const CarriedTest& test : builder_.constraints()) {
       ExplainedRule::Constraint constraint;
       constraint.firing = uses_.instantiations[test.firing].serial;
-      constraint.text = Name(test.value) + " " + std::string(SignOf(test.kind)) + Name(test.referent);
+      constraint.text = Name(test.value) + " " + std::string(ComparisonSign(test.kind)) + Name(test.referent);
       constraint.placed = test.placed;
       out.constraints.push_back(std::move(constraint));
     }

@@ -76,13 +76,15 @@ class Substitution {
     return symbols_.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
   }
 
+  /// One conjunction of both, however many parts each of them has.
   TestDraft And(const TestDraft& first, const TestDraft& second) {
     TestDraft both = MakeTest(TestKind::kConjunction);
-    both.parts.Add(arena_.New(first));
-    if (second.kind != TestKind::kConjunction) {
-      both.parts.Add(arena_.New(second));
-    } else {
-      both.parts.Append(second.parts);
+    for (const TestDraft* test : {&first, &second}) {
+      if (test->kind != TestKind::kConjunction) {
+        both.parts.Add(arena_.New(*test));
+      } else {
+        both.parts.Append(test->parts);
+      }
     }
     return both;
   }

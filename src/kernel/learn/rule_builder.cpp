@@ -202,6 +202,11 @@ bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
   TestDraft* const here = PlaceOf(constraint.tested);
   TestDraft* const there = PlaceOf(constraint.referent_node);
   if (here == nullptr && (there == nullptr || constraint.kind == TestKind::kDisjunction)) return false;
+  // An object of the substate says nothing above. As in Soar, the test counts all the same.
+  if (here == nullptr || there == nullptr) {
+    const Symbol other = here == nullptr ? constraint.value : constraint.referent;
+    if (!carried_.IsKnownAbove(constraint.firing, other)) return true;
+  }
   TestDraft* const test = arena_.New<TestDraft>();
   if (here != nullptr) {
     test->kind = constraint.kind;

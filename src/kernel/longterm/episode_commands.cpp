@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -280,7 +282,6 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
     Say(output, level, outcome, command.argument);
     return;
   }
-  const auto objects = Recall(level, answer.episode, output);
   SymbolTable& symbols = uses_.symbols;
   Symbol mapping;
   std::vector<Symbol> pairs;
@@ -288,11 +289,14 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
     mapping = installer_.NewIdentifier('M', level);
     for (std::size_t n = 0; n < order.size(); ++n) pairs.push_back(installer_.NewIdentifier('N', level));
   }
+  const auto objects = Recall(level, answer.episode, output);
   const auto variable = [&](std::size_t n) { return query.positive.edge(order[n]).to; };
-  // What is said last is made first; of one attribute, what is said last is listed first.
-  for (std::size_t n = pairs.size(); n-- > 0;) {
-    const EpisodeNode node = answer.nodes[variable(n)];
-    const auto found = std::ranges::find(objects, node, [](const auto& object) { return object.first; });
+  // What is said last is made first; of one attribute, what is said last is listed first. An object that several links
+  // of the cue lead to is told of once, with the last of them.
+  std::map<EpisodeNode, std::size_t, std::greater<>> listed;
+  for (std::size_t n = 0; n < pairs.size(); ++n) listed[answer.nodes[variable(n)]] = n;
+  for (const auto& [node, n] : listed) {
+    const auto found = std::ranges::find(objects, node, &std::pair<EpisodeNode, Symbol>::first);
     output.results.push_back({pairs[n], Word("retrieved"), found->second});
   }
   Say(output, level, "present-id", symbols.Integer(store_.last() + std::int64_t{1}));

@@ -22,6 +22,8 @@ namespace soarbox::kernel {
 namespace {
 /// What an element of which no history is kept counts among those that a new one rests on: activation 1.
 constexpr double kWithoutHistory = 2.718281828459045;
+/// The activation of an element none of whose uses is entered yet.
+constexpr double kUnused = -1e9;
 }  // namespace
 
 WmActivation& WmActivation::Of(LongTerm& long_term) {
@@ -55,7 +57,8 @@ void WmActivation::SettingsChanged() {
 }
 
 std::uint64_t WmActivation::now() const {
-  return uses_.counters.decision_phases;
+  const std::uint64_t cycle = uses_.counters.decision_phases;
+  return entered_ == cycle ? cycle + 1 : cycle;
 }
 
 // Activation ----------------------------------------------------------------------------------------------------------
@@ -85,8 +88,19 @@ double WmActivation::StrengthAt(const History& history, std::uint64_t cycle) con
 }
 
 double WmActivation::Of(WmeId wme) const {
-  const History* const history = HistoryOf(wme);
-  return history == nullptr ? 1 : ActivationAt(*history, now());
+  const auto found = histories_.find(Index(wme));
+  if (found == histories_.end() || found->second.timetag != uses_.memory.wme(wme).timetag) return 1;
+  return found->second.count == 0 ? kUnused : ActivationAt(found->second, now());
+}
+
+bool WmActivation::IsForHistory(WmeId wme) const {
+  const WmeRecord& record = uses_.memory.record(wme);
+  return record.kind == WmeKind::kSlot && record.preference != PreferenceId::kNone &&
+         uses_.memory.preference(record.preference).o_supported && !uses_.memory.slot(record.slot).is_operator;
+}
+
+double WmActivation::OfNew(WmeId wme) const {
+  return IsForHistory(wme) ? kUnused : 1;
 }
 
 const WmActivation::History* WmActivation::HistoryOf(WmeId wme) const {
@@ -100,11 +114,8 @@ const WmActivation::History* WmActivation::HistoryOf(WmeId wme) const {
 void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
   const WorkingMemory& memory = uses_.memory;
   for (const WmeId wme : added) {
-    const WmeRecord& record = memory.record(wme);
-    if (!memory.wme(wme).live || record.kind != WmeKind::kSlot || record.preference == PreferenceId::kNone) continue;
-    const Preference& maker = memory.preference(record.preference);
-    const Slot& slot = memory.slot(record.slot);
-    if (!maker.o_supported || slot.is_operator) continue;
+    if (!memory.wme(wme).live || !IsForHistory(wme)) continue;
+    const Slot& slot = memory.slot(memory.record(wme).slot);
     std::uint64_t makers = 0;
     for (PreferenceId p : {slot.acceptable, slot.others}) {
       for (; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -194,7 +205,8 @@ void WmActivation::TellOfLink(WmeId wme) {
   if (!element.value.IsIdentifier() || linked[element.id.index()] == 0 || linked[element.value.index()] == 0) return;
   Module* const semantic = long_term_.module(LongTerm::ModuleKind::kSemantic);
   if (semantic == nullptr) return;
-  static_cast<SemanticMemory&>(*semantic).LinkUsed(linked[element.id.index()], linked[element.value.index()], now());
+  static_cast<SemanticMemory&>(*semantic).LinkUsed(linked[element.id.index()], linked[element.value.index()],
+                                                   uses_.counters.decision_phases);
 }
 
 /// Of what the elements of open_ rest on, calls `held` with each o-supported element, or that was one, and `other` with
@@ -346,6 +358,7 @@ void WmActivation::Output(bool) {
                            [&](Observer& o) { o.OnUses(uses_.agent, uses_.memory.wme(wme).timetag, uses); });
   }
   used_.clear();
+  entered_ = uses_.counters.decision_phases;
 }
 
 std::uint64_t WmActivation::DueOf(const History& history) const {
@@ -375,7 +388,7 @@ bool WmActivation::Forget(WmeId wme) {
 
 void WmActivation::OutputEnd() {
   if (settings_.forgetting == WmaSettings::Forgetting::kOff) return;
-  const std::uint64_t cycle = now();
+  const std::uint64_t cycle = uses_.counters.decision_phases;
   std::vector<std::uint32_t> low;
   if (settings_.forgetting == WmaSettings::Forgetting::kNaive) {
     for (const auto& [index, history] : histories_) {
@@ -406,6 +419,7 @@ void WmActivation::OutputEnd() {
 void WmActivation::AfterInit() {
   histories_.clear();
   used_.clear();
+  entered_ = kNever;
   due_.clear();
   answers_.clear();
   seen_.clear();

@@ -71,12 +71,14 @@ class WmActivation final : public Module {
   /// The elements of answers are there.
   void ForgetAnswers() { answers_.clear(); }
 
-  /// Of an element, as of now: 1 for those without a history.
+  /// Of an element, as of now: 1 for those without a history, -1e9 for those whose first use is not entered yet.
   double Of(WmeId wme) const;
+  /// The same of an element that is just entering working memory.
+  double OfNew(WmeId wme) const;
   /// Null for those without a history.
   const History* HistoryOf(WmeId wme) const;
   std::uint64_t forgotten() const { return forgotten_; }
-  /// The decision cycle that is under way.
+  /// The decision cycle that is under way. As soon as the uses of a cycle are entered, the next one is.
   std::uint64_t now() const;
 
   // Module
@@ -92,6 +94,8 @@ class WmActivation final : public Module {
 
  private:
   double ActivationAt(const History& history, std::uint64_t cycle) const;
+  /// Whether an element gets a history when it is made: o-supported ones do, but for operators.
+  bool IsForHistory(WmeId wme) const;
   /// The sum of uses * age^decay_rate.
   double StrengthAt(const History& history, std::uint64_t cycle) const;
   void Use(WmeId wme);
@@ -115,8 +119,10 @@ class WmActivation final : public Module {
   LongTerm& long_term_;
   AgentParts uses_;
   WmaSettings settings_;
-  std::unordered_map<std::uint32_t, History> histories_;               ///< By WmeId.
-  std::vector<std::uint32_t> used_;                                    ///< With uses in this cycle.
+  std::unordered_map<std::uint32_t, History> histories_;  ///< By WmeId.
+  std::vector<std::uint32_t> used_;                       ///< With uses in this cycle.
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+  std::uint64_t entered_ = kNever;                                     ///< The last cycle whose uses are entered.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: who may be forgotten then.
   struct Answer {
     InstantiationId instantiation;

@@ -12,24 +12,33 @@ void AlphaMemories::Begin(std::uint32_t alpha) {
   states_[alpha] = AlphaState();
 }
 
-// Both walk from the oldest item, so that each bucket is newest first again.
-void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
-  AlphaState& memory = states_[alpha];
+/// Makes a table of at least 2^bits buckets in place of another one, for as many items as there are.
+void AlphaMemories::MakeTable(AlphaState& memory, std::uint32_t& table, std::uint8_t& table_bits, std::uint8_t bits) {
   while (memory.count > 1u << bits) {
     ++bits;
   }
-  if (memory.id_bits != 0) {
-    tables_.Free(memory.id_table, memory.id_bits);
+  if (table_bits != 0) {
+    tables_.Free(table, table_bits);
   }
-  memory.id_table = tables_.Allocate(bits);
-  memory.id_bits = bits;
+  table = tables_.Allocate(bits);
+  table_bits = bits;
   memory.has_tables = true;
+}
+
+std::uint32_t AlphaMemories::OldestItem(const AlphaState& memory) const {
   std::uint32_t index = memory.first;
   while (index != kNil && items_[index].next != kNil) {
     index = items_[index].next;
   }
-  for (; index != kNil; index = items_[index].previous) {
-    std::uint32_t& head = tables_[memory.id_table + TablePool::Hash(items_[index].id, bits)];
+  return index;
+}
+
+// Both walk from the oldest item, so that each bucket is newest first again.
+void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
+  AlphaState& memory = states_[alpha];
+  MakeTable(memory, memory.id_table, memory.id_bits, bits);
+  for (std::uint32_t index = OldestItem(memory); index != kNil; index = items_[index].previous) {
+    std::uint32_t& head = tables_[memory.id_table + TablePool::Hash(items_[index].id, memory.id_bits)];
     items_[index].previous_in_bucket = kNil;
     items_[index].next_in_bucket = head;
     if (head != kNil) {
@@ -41,22 +50,10 @@ void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
 
 void AlphaMemories::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = states_[alpha];
-  while (memory.count > 1u << bits) {
-    ++bits;
-  }
-  if (memory.pair_bits != 0) {
-    tables_.Free(memory.pair_table, memory.pair_bits);
-  }
-  memory.pair_table = tables_.Allocate(bits);
-  memory.pair_bits = bits;
-  memory.has_tables = true;
-  std::uint32_t index = memory.first;
-  while (index != kNil && items_[index].next != kNil) {
-    index = items_[index].next;
-  }
-  for (; index != kNil; index = items_[index].previous) {
+  MakeTable(memory, memory.pair_table, memory.pair_bits, bits);
+  for (std::uint32_t index = OldestItem(memory); index != kNil; index = items_[index].previous) {
     const std::uint32_t key = PairKey(items_[index].id, items_[index].value);
-    std::uint32_t& head = tables_[memory.pair_table + TablePool::Hash(key, bits)];
+    std::uint32_t& head = tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
     items_[index].next_in_pair = head;
     head = index;
   }
@@ -64,22 +61,12 @@ void AlphaMemories::BuildPairTable(std::uint32_t alpha, std::uint8_t bits) {
 
 void AlphaMemories::BuildValueTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = states_[alpha];
-  while (memory.count > 1u << bits) {
-    ++bits;
-  }
   if (alpha >= value_tables_.size()) {
     value_tables_.resize(states_.size());
   }
-  if (memory.value_bits != 0) {
-    tables_.Free(value_tables_[alpha], memory.value_bits);
-  }
-  value_tables_[alpha] = tables_.Allocate(bits);
-  memory.value_bits = bits;
-  memory.has_tables = true;
+  MakeTable(memory, value_tables_[alpha], memory.value_bits, bits);
   for (std::uint32_t index = memory.first; index != kNil; index = items_[index].next) {
-    std::uint32_t& head = tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, bits)];
-    items_[index].next_in_value = head;
-    head = index;
+    EnterByValue(alpha, index);
   }
 }
 
@@ -89,7 +76,11 @@ void AlphaMemories::InsertByValue(std::uint32_t alpha, std::uint32_t index) {
     BuildValueTable(alpha, static_cast<std::uint8_t>(memory.value_bits + 2));
     return;
   }
-  std::uint32_t& head = tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, memory.value_bits)];
+  EnterByValue(alpha, index);
+}
+
+void AlphaMemories::EnterByValue(std::uint32_t alpha, std::uint32_t index) {
+  std::uint32_t& head = tables_[value_tables_[alpha] + TablePool::Hash(items_[index].value, states_[alpha].value_bits)];
   items_[index].next_in_value = head;
   head = index;
 }

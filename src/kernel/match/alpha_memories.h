@@ -130,6 +130,9 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
   void Drop(std::uint32_t alpha, ElementLinks & elements);
 
   /// Makes an index of 2^bits buckets, or more if there are more items.
+  void MakeTable(AlphaState & memory, std::uint32_t & table, std::uint8_t & table_bits, std::uint8_t bits);
+  std::uint32_t OldestItem(const AlphaState& memory) const;
+  void EnterByValue(std::uint32_t alpha, std::uint32_t index);
   void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
   void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
   /// The first item of the bucket of an index, which the memory must have.

@@ -11,29 +11,6 @@ namespace soarbox::kernel {
 
 namespace {
 
-std::string_view SignOf(TestKind kind) {
-  switch (kind) {
-    case TestKind::kNotEqual:
-      return "<> ";
-    case TestKind::kLess:
-      return "< ";
-    case TestKind::kGreater:
-      return "> ";
-    case TestKind::kLessOrEqual:
-      return "<= ";
-    case TestKind::kGreaterOrEqual:
-      return ">= ";
-    case TestKind::kSameType:
-      return "<=> ";
-    case TestKind::kSameLti:
-      return "@ ";
-    case TestKind::kNotSameLti:
-      return "!@ ";
-    default:
-      return "";
-  }
-}
-
 bool IsGoalTest(const Test& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
@@ -213,6 +190,29 @@ void AppendQuoted(std::string& out, std::string_view text) {
 
 }  // namespace
 
+std::string_view ComparisonSign(TestKind kind) {
+  switch (kind) {
+    case TestKind::kNotEqual:
+      return "<> ";
+    case TestKind::kLess:
+      return "< ";
+    case TestKind::kGreater:
+      return "> ";
+    case TestKind::kLessOrEqual:
+      return "<= ";
+    case TestKind::kGreaterOrEqual:
+      return ">= ";
+    case TestKind::kSameType:
+      return "<=> ";
+    case TestKind::kSameLti:
+      return "@ ";
+    case TestKind::kNotSameLti:
+      return "!@ ";
+    default:
+      return "";
+  }
+}
+
 std::string_view PreferenceSign(PreferenceType type) {
   switch (type) {
     case PreferenceType::kAcceptable:
@@ -267,7 +267,7 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
       out += '}';
       return;
     default:
-      out += SignOf(test.kind);
+      out += ComparisonSign(test.kind);
       AppendTo(out, symbols, test.referent());
       return;
   }

@@ -36,6 +36,8 @@ void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const 
 /// that.
 void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition);
 
+/// The sign of a comparison with a space behind it: "<> ", "@ "; empty for tests that have none.
+std::string_view ComparisonSign(TestKind kind);
 /// The sign of a preference: "+", ">", "=", without its referent.
 std::string_view PreferenceSign(PreferenceType type);
 

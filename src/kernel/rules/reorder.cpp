@@ -48,21 +48,6 @@ bool IsStrippable(TestKind kind) {
   }
 }
 
-TestKind TurnedRound(TestKind kind) {
-  switch (kind) {
-    case TestKind::kLess:
-      return TestKind::kGreater;
-    case TestKind::kGreater:
-      return TestKind::kLess;
-    case TestKind::kLessOrEqual:
-      return TestKind::kGreaterOrEqual;
-    case TestKind::kGreaterOrEqual:
-      return TestKind::kLessOrEqual;
-    default:
-      return kind;
-  }
-}
-
 /// The parts of a test as a list, whatever its form.
 DraftList<TestDraft> Parts(const TestDraft& test, Arena& arena) {
   if (test.kind == TestKind::kConjunction) {

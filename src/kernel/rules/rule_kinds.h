@@ -26,6 +26,22 @@ enum class TestKind : std::uint8_t {
   kIsNotLti,  ///< @+, @-
 };
 
+/// A comparison with its sides exchanged.
+constexpr TestKind TurnedRound(TestKind kind) {
+  switch (kind) {
+    case TestKind::kLess:
+      return TestKind::kGreater;
+    case TestKind::kGreater:
+      return TestKind::kLess;
+    case TestKind::kLessOrEqual:
+      return TestKind::kGreaterOrEqual;
+    case TestKind::kGreaterOrEqual:
+      return TestKind::kLessOrEqual;
+    default:
+      return kind;
+  }
+}
+
 enum class ConditionKind : std::uint8_t { kPositive, kNegative, kConjunctiveNegation };
 
 /// A field of a working memory element.

@@ -44,8 +44,10 @@ class EXPORT ClientAnalyzedXML {
   char* GenerateXMLString(bool includeChildren, bool insertNewLines = false) const;
   static void DeleteString(char* pString);
 
- private:
+ protected:
   soarxml::ElementXML answer_;
+
+ private:
   soarxml::ElementXML command_;
   soarxml::ElementXML result_;
   soarxml::ElementXML error_;

@@ -19,13 +19,46 @@ export function flowControls(run: Run): Child {
     h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
 }
 
+/** How long the slider stays where it was put while no answer comes, in milliseconds. */
+const PATIENCE_MS = 5_000;
+
+/** Where the slider was put, until the run shows that tick: each further key goes on from there, however late the answers are. */
+export class WantedTick {
+  private asked: number | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  get tick(): number | null {
+    return this.asked;
+  }
+
+  /** `late` is called if no answer came in time. */
+  ask(tick: number, late: () => void): void {
+    this.forget();
+    this.asked = tick;
+    this.timer = setTimeout(() => {
+      this.forget();
+      late();
+    }, PATIENCE_MS);
+  }
+
+  shown(tick: number | undefined): void {
+    if (tick === this.asked) this.forget();
+  }
+
+  forget(): void {
+    clearTimeout(this.timer);
+    this.asked = null;
+  }
+}
+
 /** The past: a slider over it, and the way back to now. */
-export function scrubber(run: Run, wanted: { tick: number | null }, redraw: () => void): Child {
+export function scrubber(run: Run, wanted: WantedTick, redraw: () => void): Child {
   const time = run.contents.moment?.time, { flow, hello } = run, step = time?.step_s ?? hello?.step_s ?? 1 / 30;
+  if (time?.is_live === false) wanted.shown(time.shown_tick);
   const first = time?.first_tick ?? 0, last = Math.max(time?.last_tick ?? 0, time?.is_live === false ? 0 : flow.tick), isLive = time?.is_live ?? true;
   const shown = wanted.tick ?? (isLive ? last : (time?.shown_tick ?? last)), mayAsk = hello !== null && hello.may_edit !== false;
   const seek = (tick: number): void => {
-    wanted.tick = tick;
+    wanted.ask(tick, redraw);
     run.ask("seek", { tick });
     redraw();
   };
@@ -33,14 +66,17 @@ export function scrubber(run: Run, wanted: { tick: number | null }, redraw: () =
     h("input.past", {
       value: String(shown),
       attributes: { type: "range", min: first, max: Math.max(last, first + 1), step: 1, "aria-label": "Moment that is shown", "aria-valuetext": `${clock(shown * step)} of ${clock(last * step)}`, disabled: !mayAsk || time?.can_go_back === false },
-      on: { input: (event) => seek(Number((event.target as HTMLInputElement).value)), change: () => (wanted.tick = null) },
+      on: { input: (event) => seek(Number((event.target as HTMLInputElement).value)) },
     }),
     h("span.moment", null, clock(shown * step), h("span.quiet", null, ` / ${clock(last * step)}`)),
-    !isLive && mayAsk && button([icon("resume"), h("span", null, "Go on from here")], () => run.ask("resume"), {
+    !isLive && mayAsk && button([icon("resume"), h("span", null, "Go on from here")], () => {
+      wanted.forget();
+      run.ask("resume");
+    }, {
       attributes: { disabled: time?.can_resume !== true, title: time?.can_resume === true ? "Run on from the moment that is shown; what came after it becomes the old future" : (time?.resume_refusal ?? "") },
     }),
     !(time?.is_recording === true) && button([icon("live"), h("span", null, isLive ? "Live" : "To the newest")], () => {
-      wanted.tick = null;
+      wanted.forget();
       run.ask("live");
     }, { attributes: { disabled: isLive || !mayAsk, title: "Show the newest moment (L)" } }, `button${isLive ? ".is-live" : ".primary"}`));
 }

@@ -24,7 +24,7 @@ import { whyPanel } from "../panels/why";
 import type { ContentName, Mission } from "../run/contents";
 import type { Run } from "../run/run";
 import { Dock } from "./dock";
-import { flowControls, scrubber } from "./flow_bar";
+import { flowControls, scrubber, WantedTick } from "./flow_bar";
 import { isTyping } from "./keys";
 import { splitter } from "./splitter";
 import { Stage } from "./stage";
@@ -67,7 +67,7 @@ export class RunPage {
   private docks: Dock[] = [];
   private readonly narrow = matchMedia(NARROW);
   private shape = "";
-  private readonly wanted: { tick: number | null } = { tick: null };
+  private readonly wanted = new WantedTick();
   private isChosen = false;
   private isFronted = false;
 
@@ -194,7 +194,7 @@ export class RunPage {
       case "r": case "R": return flow("begin-again");
       case "<": return flow("slower");
       case ">": return flow("faster");
-      case "l": case "L": return this.run.ask("live");
+      case "l": case "L": this.wanted.forget(); return this.run.ask("live");
       case "o": case "O": this.stage.setCamera("orbit"); return true;
       case "f": case "F": this.stage.setCamera("follow"); return true;
       case "m": case "M": this.stage.setCamera("map"); return true;

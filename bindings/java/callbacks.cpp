@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "callbacks.h"
+
+#include <atomic>
+
+#include "handles.h"
+#include "text.h"
+
+namespace soarbox::java {
+
+using bindings::KernelEntry;
+
+namespace {
+
+/// Handlers that call the library call handlers: so deep, and no deeper, since the stack of a thread of Java is small.
+constexpr int kDeepest = 24;
+
+JavaVM* machine = nullptr;
+jclass handler_class = nullptr;
+jmethodID handler_run = nullptr;
+jmethodID handler_too_deep = nullptr;
+std::atomic<bool> door_is_shut = false;
+
+/// A thread of the library's own that was in Java. It leaves the virtual machine when it ends.
+struct Attachment {
+  ~Attachment() {
+    if (attached && !door_is_shut) machine->DetachCurrentThread();
+  }
+  bool attached = false;
+};
+
+/// This thread's way into Java; null if the virtual machine lets nobody in any more.
+JNIEnv* Environment() {
+  if (door_is_shut) return nullptr;
+  void* env = nullptr;
+  if (machine->GetEnv(&env, JNI_VERSION_1_8) == JNI_OK) return static_cast<JNIEnv*>(env);
+  if (machine->AttachCurrentThreadAsDaemon(&env, nullptr) != JNI_OK) return nullptr;
+  static thread_local Attachment attachment;
+  attachment.attached = true;
+  return static_cast<JNIEnv*>(env);
+}
+
+/// An object of Java's class Handler, known to the library by its address.
+struct Callback : std::enable_shared_from_this<Callback> {
+  Callback(JNIEnv* env, jobject handler, std::shared_ptr<KernelEntry> entry)
+      : handler(env->NewGlobalRef(handler)), entry(std::move(entry)) {}
+  ~Callback() {
+    if (JNIEnv* env = Environment()) env->DeleteGlobalRef(handler);
+  }
+  Callback(const Callback&) = delete;
+  Callback& operator=(const Callback&) = delete;
+
+  const jobject handler;
+  const std::weak_ptr<KernelEntry> entry;
+};
+
+/// What a handler is given.
+struct Told {
+  int event = 0;
+  sml::Kernel* kernel = nullptr;
+  sml::Agent* agent = nullptr;
+  sml::WMElement* element = nullptr;
+  sml::ClientXML* xml = nullptr;
+  const char* agent_name = nullptr;
+  const char* first = nullptr;
+  const char* second = nullptr;
+  int number = 0;
+};
+
+/// Calls Java within a frame of references of its own.
+std::string CallHandler(JNIEnv* env, const Callback& callback, const Told& told) {
+  if (env->PushLocalFrame(8) != 0) {
+    env->ExceptionClear();
+    return {};
+  }
+  jlong object = 0;
+  if (told.agent) object = Give(told.agent, bindings::Life::Of(told.agent));
+  if (told.kernel) object = Give(told.kernel, bindings::Life::Of(told.kernel));
+  jlong other = 0;
+  if (told.element) other = Give(told.element, bindings::Life::Of(told.element));
+  if (told.xml) {
+    // The library's own piece lives until the handler returns; Java gets a copy.
+    auto* copy = new sml::ClientXML(told.xml);
+    other = Add({copy, {}, std::shared_ptr<sml::ClientXML>(copy)});
+  }
+  jstring agent_name = NewText(env, told.agent_name);
+  jstring first = NewText(env, told.first);
+  jstring second = NewText(env, told.second);
+  std::string text;
+  // Without memory for the texts, an exception is there already.
+  if (!env->ExceptionCheck()) {
+    auto answer =
+        static_cast<jstring>(env->CallStaticObjectMethod(handler_class, handler_run, callback.handler, told.event,
+                                                         object, other, agent_name, first, second, told.number));
+    if (answer && !env->ExceptionCheck()) text = TextOf(env, answer);
+  }
+  if (env->ExceptionCheck()) env->ExceptionClear();
+  env->PopLocalFrame(nullptr);
+  return text;
+}
+
+std::string Run(void* data, const Told& told) {
+  const std::shared_ptr<KernelEntry> entry = static_cast<Callback*>(data)->entry.lock();
+  if (!entry || !entry->Enter()) return {};
+  // It may be forgotten while it runs.
+  const std::shared_ptr<Callback> callback = static_cast<Callback*>(data)->shared_from_this();
+  std::string result;
+  static thread_local int depth = 0;
+  if (JNIEnv* env = Environment()) {
+    // What the call that this handler interrupts is about to return.
+    const bindings::Returned returned = bindings::LastReturned();
+    const jlong given = LastGiven();
+    if (depth < kDeepest) {
+      ++depth;
+      result = CallHandler(env, *callback, told);
+      --depth;
+    } else {
+      env->CallStaticVoidMethod(handler_class, handler_too_deep, callback->handler, kDeepest);
+      env->ExceptionClear();
+    }
+    bindings::LastReturned() = returned;
+    LastGiven() = given;
+  }
+  entry->Leave(false);
+  return result;
+}
+
+const char* NameOf(sml::Agent* agent) {
+  return agent ? agent->GetAgentName() : nullptr;
+}
+
+void RunRun(sml::smlRunEventId id, void* data, sml::Agent* agent, sml::smlPhase phase) {
+  Told told;
+  told.event = id;
+  told.agent = agent;
+  told.number = phase;
+  Run(data, told);
+}
+void RunProduction(sml::smlProductionEventId id, void* data, sml::Agent* agent, const char* rule,
+                   const char* instantiation) {
+  Told told;
+  told.event = id;
+  told.agent = agent;
+  told.first = rule;
+  told.second = instantiation;
+  Run(data, told);
+}
+void RunPrint(sml::smlPrintEventId id, void* data, sml::Agent* agent, const char* message) {
+  Told told;
+  told.event = id;
+  told.agent = agent;
+  told.first = message;
+  Run(data, told);
+}
+void RunXml(sml::smlXMLEventId id, void* data, sml::Agent* agent, sml::ClientXML* xml) {
+  Told told;
+  told.event = id;
+  told.agent = agent;
+  told.xml = xml;
+  Run(data, told);
+}
+void RunOutput(void* data, sml::Agent* agent, const char* command, sml::WMElement* element) {
+  Told told;
+  told.agent_name = NameOf(agent);
+  told.element = element;
+  told.first = command;
+  Run(data, told);
+}
+void RunOutputNotification(void* data, sml::Agent* agent) {
+  Told told;
+  told.agent = agent;
+  Run(data, told);
+}
+void RunSystem(sml::smlSystemEventId id, void* data, sml::Kernel* kernel) {
+  Told told;
+  told.event = id;
+  told.kernel = kernel;
+  Run(data, told);
+}
+void RunUpdate(sml::smlUpdateEventId id, void* data, sml::Kernel* kernel, sml::smlRunFlags flags) {
+  Told told;
+  told.event = id;
+  told.kernel = kernel;
+  told.number = flags;
+  Run(data, told);
+}
+std::string RunString(sml::smlStringEventId id, void* data, sml::Kernel* kernel, const char* text) {
+  Told told;
+  told.event = id;
+  told.kernel = kernel;
+  told.first = text;
+  return Run(data, told);
+}
+void RunAgent(sml::smlAgentEventId id, void* data, sml::Agent* agent) {
+  Told told;
+  told.event = id;
+  told.agent_name = NameOf(agent);
+  Run(data, told);
+}
+std::string RunFunction(sml::smlRhsEventId id, void* data, sml::Agent* agent, const char* name, const char* argument) {
+  Told told;
+  told.event = id;
+  told.agent_name = NameOf(agent);
+  told.first = name;
+  told.second = argument;
+  return Run(data, told);
+}
+
+/// Makes a callback, hands it to `registers`, and keeps it if that returns an id.
+template <typename Registers>
+int Register(sml::Kernel* kernel, unsigned long long agent_life, jobject handler, Registers registers) {
+  JNIEnv* env = Environment();
+  if (!env || !handler) return 0;
+  const std::shared_ptr<KernelEntry> entry = KernelEntry::Of(kernel);
+  auto callback = std::make_shared<Callback>(env, handler, entry);
+  const int id = registers(static_cast<void*>(callback.get()));
+  if (id != 0) entry->Keep(agent_life, id, std::move(callback));
+  return id;
+}
+
+void RequireEvent(bool is_one, int event, const char* kind) {
+  if (!is_one) throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+}
+
+std::recursive_mutex& Values() {
+  static auto* mutex = new std::recursive_mutex;
+  return *mutex;
+}
+
+}  // namespace
+
+void CallLibrary(bindings::Call::Hold hold, const std::function<void()>& function) {
+  bindings::Call call;
+  if (!call.entry()) {
+    const auto lock = HoldValues();
+    function();
+    return;
+  }
+  call.Now(hold, function);
+  if (call.outermost()) call.entry()->DropLeavers();
+}
+
+std::unique_lock<std::recursive_mutex> HoldValues() {
+  return std::unique_lock(Values());
+}
+
+bool Begin(JavaVM* java) {
+  machine = java;
+  JNIEnv* env = Environment();
+  jclass type = env ? env->FindClass("sml/Handler") : nullptr;
+  if (!type) return false;
+  handler_class = static_cast<jclass>(env->NewGlobalRef(type));
+  handler_run = env->GetStaticMethodID(handler_class, "run",
+                                       "(Lsml/Handler;IJJLjava/lang/String;Ljava/lang/String;Ljava/lang/String;I)"
+                                       "Ljava/lang/String;");
+  handler_too_deep = handler_run ? env->GetStaticMethodID(handler_class, "tooDeep", "(Lsml/Handler;I)V") : nullptr;
+  return handler_too_deep != nullptr;
+}
+
+void EndKernels() {
+  for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
+    if (!entry->Enter()) continue;
+    entry->kernel()->StopAllAgents();
+    entry->kernel()->Shutdown();
+    entry->Leave(false);
+  }
+}
+
+void ShutDoor() {
+  door_is_shut = true;
+}
+
+int OnRun(sml::Agent& agent, int event, jobject handler) {
+  RequireEvent(sml::IsRunEventID(event), event, "a run event (smlEVENT_BEFORE_INPUT_PHASE, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
+    return agent.RegisterForRunEvent(static_cast<sml::smlRunEventId>(event), RunRun, own);
+  });
+}
+int OnProduction(sml::Agent& agent, int event, jobject handler) {
+  RequireEvent(sml::IsProductionEventID(event), event, "a production event (smlEVENT_AFTER_PRODUCTION_FIRED, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
+    return agent.RegisterForProductionEvent(static_cast<sml::smlProductionEventId>(event), RunProduction, own);
+  });
+}
+int OnPrint(sml::Agent& agent, int event, jobject handler, bool ignore_own_echos) {
+  RequireEvent(sml::IsPrintEventID(event), event, "a print event (smlEVENT_PRINT, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
+    return agent.RegisterForPrintEvent(static_cast<sml::smlPrintEventId>(event), RunPrint, own, ignore_own_echos);
+  });
+}
+int OnXml(sml::Agent& agent, int event, jobject handler) {
+  RequireEvent(sml::IsXMLEventID(event), event, "an XML event (smlEVENT_XML_TRACE_OUTPUT, ...)");
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
+    return agent.RegisterForXMLEvent(static_cast<sml::smlXMLEventId>(event), RunXml, own);
+  });
+}
+int OnOutput(sml::Agent& agent, const char* attribute, jobject handler) {
+  return Register(agent.GetKernel(), agent.GetLife(), handler,
+                  [&](void* own) { return agent.AddOutputHandler(attribute, RunOutput, own); });
+}
+int OnOutputNotification(sml::Agent& agent, jobject handler) {
+  return Register(agent.GetKernel(), agent.GetLife(), handler,
+                  [&](void* own) { return agent.RegisterForOutputNotification(RunOutputNotification, own); });
+}
+int OnSystem(sml::Kernel& kernel, int event, jobject handler) {
+  RequireEvent(sml::IsSystemEventID(event), event, "a system event (smlEVENT_SYSTEM_START, ...)");
+  return Register(&kernel, 0, handler, [&](void* own) {
+    return kernel.RegisterForSystemEvent(static_cast<sml::smlSystemEventId>(event), RunSystem, own);
+  });
+}
+int OnUpdate(sml::Kernel& kernel, int event, jobject handler) {
+  RequireEvent(sml::IsUpdateEventID(event), event, "an update event (smlEVENT_AFTER_ALL_OUTPUT_PHASES, ...)");
+  return Register(&kernel, 0, handler, [&](void* own) {
+    return kernel.RegisterForUpdateEvent(static_cast<sml::smlUpdateEventId>(event), RunUpdate, own);
+  });
+}
+int OnString(sml::Kernel& kernel, int event, jobject handler) {
+  RequireEvent(sml::IsStringEventID(event), event, "a string event (smlEVENT_LOAD_LIBRARY, ...)");
+  return Register(&kernel, 0, handler, [&](void* own) {
+    return kernel.RegisterForStringEvent(static_cast<sml::smlStringEventId>(event), RunString, own);
+  });
+}
+int OnAgent(sml::Kernel& kernel, int event, jobject handler) {
+  RequireEvent(sml::IsAgentEventID(event), event, "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
+  return Register(&kernel, 0, handler, [&](void* own) {
+    return kernel.RegisterForAgentEvent(static_cast<sml::smlAgentEventId>(event), RunAgent, own);
+  });
+}
+int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler) {
+  return Register(&kernel, 0, handler, [&](void* own) { return kernel.AddRhsFunction(name, RunFunction, own); });
+}
+int OnClientMessage(sml::Kernel& kernel, const char* client, jobject handler) {
+  return Register(&kernel, 0, handler,
+                  [&](void* own) { return kernel.RegisterForClientMessageEvent(client, RunFunction, own); });
+}
+
+void Forget(sml::Agent& agent, int id) {
+  KernelEntry::Of(agent.GetKernel())->Drop(agent.GetLife(), id);
+}
+void Forget(sml::Kernel& kernel, int id) {
+  KernelEntry::Of(&kernel)->Drop(0, id);
+}
+
+}  // namespace soarbox::java

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-2-Clause
+package sml;
+
+import java.lang.ref.Cleaner;
+
+/** The numbers by which the library knows what objects of this package stand for. */
+final class Handles {
+  private static final Cleaner CLEANER = Cleaner.create();
+
+  private Handles() {}
+
+  /** Lets the number go when nobody can reach the object any more. */
+  static void watch(Object object, long handle) {
+    CLEANER.register(object, new Releaser(handle));
+  }
+
+  /** Lets the number go; it may have been let go already. */
+  static void release(long handle) {
+    smlJNI.release(handle);
+  }
+
+  /** An element of the class that its number says; null for 0. */
+  static WMElement element(long handle) {
+    if (handle == 0) return null;
+    switch ((int) (handle & 7)) {
+      case 1: return new StringElement(handle, true);
+      case 2: return new IntElement(handle, true);
+      case 3: return new FloatElement(handle, true);
+      case 4: return new Identifier(handle, true);
+      default: return new WMElement(handle, true);
+    }
+  }
+
+  private static final class Releaser implements Runnable {
+    private final long handle;
+
+    Releaser(long handle) {
+      this.handle = handle;
+    }
+
+    @Override
+    public void run() {
+      release(handle);
+    }
+  }
+}

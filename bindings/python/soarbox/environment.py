@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""A world as an environment to learn in: Python decides for one agent, Soar for all others."""
+from __future__ import annotations
+
+import math
+import os
+import re
+import warnings
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple, Union
+
+from .spaces import Box, Discrete, Space, array
+from .values import Command, Node
+from .world import Agent, World, WorldEnded, WorldError
+
+Parameters = Mapping[str, Union[int, float, str]]
+#: What an agent is to do: nothing, a command without parameters, or one with parameters (docs/commands.md).
+Order = Union[None, str, Tuple[str, Parameters]]
+
+#: The rule that gives the command; who looks into the mind of the agent sees it.
+RULE = "soarbox*python*decides"
+
+
+class Environment:
+    """A scenario in which Python decides for one agent, with the functions and attributes of a Gymnasium environment.
+
+    `scenario` is what World takes, and `agent` the name of an agent that has a Soar mind; its rules are removed. Without a
+    name, it is the only such agent.
+
+    `actions` are the orders to select from: `None` (nothing), a command's name, or its name and its parameters:
+    `["stop", ("move-to", {"waypoint": "north"})]`; actions are then their numbers. Or give a pair: a space, and a function
+    that makes an order of an action.
+
+    `observe` are percepts by their paths: `["self.health", "self.position.x"]`; an observation is then their numbers. Of
+    several values, the newest counts; `yes` is 1, `no` is 0, and what is not perceived is 0. Or give a pair: a space, and a
+    function of the agent that makes an observation.
+
+    `reward` is a function of the agent, called after each step; without it, rewards are 0. `ended`, the same, says whether the
+    episode is over; it is in any case when the agent is dead or the scenario has ended.
+
+    A step takes `ticks` ticks of the world, 30 to a simulated second in most scenarios. After `most_steps` steps an episode is
+    cut off. `seed` is that of the first episode; each further one takes the next, unless reset() names one.
+
+    An order that is repeated while its command is under way goes on; otherwise it is given again. The same scenario, seeds,
+    actions and build give the same observations.
+    """
+
+    metadata: Dict[str, Any] = {"render_modes": ["ansi"]}
+    spec = None
+    reward_range = (-math.inf, math.inf)
+
+    def __init__(self, scenario: Union[str, "os.PathLike[str]"], agent: Optional[str] = None, *,
+                 actions: Union[Sequence[Order], Tuple[Space, Callable[[Any], Order]]],
+                 observe: Union[Sequence[str], Tuple[Space, Callable[[Agent], Any]]],
+                 reward: Optional[Callable[[Agent], float]] = None, ended: Optional[Callable[[Agent], bool]] = None,
+                 ticks: int = 10, most_steps: Optional[int] = None, seed: Optional[int] = None,
+                 render_mode: Optional[str] = None):
+        if not isinstance(ticks, int) or isinstance(ticks, bool) or ticks < 1:
+            raise TypeError(f"ticks are a whole number from 1, not {ticks!r}")
+        if render_mode not in (None, "ansi"):
+            raise ValueError(f"render_mode is None or 'ansi', not {render_mode!r}")
+        self.render_mode = render_mode
+        self.action_space, self._order_of = _actions(actions)
+        self.observation_space, self._observe = _observations(observe)
+        self._reward, self._ended = reward, ended
+        self._scenario, self._name, self._ticks, self._most_steps = scenario, agent, ticks, most_steps
+        self._next_seed = seed
+        self._world: Optional[World] = None
+        self._begin()
+
+    @property
+    def world(self) -> World:
+        """The world of this episode. Look at it as you like, but let step() let it go on."""
+        if self._world is None:
+            raise WorldEnded("this environment is closed")
+        return self._world
+
+    @property
+    def agent(self) -> Agent:
+        """The agent that Python decides for."""
+        return Agent(self.world, self._name or "")
+
+    @property
+    def unwrapped(self) -> "Environment":
+        return self
+
+    def reset(self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Dict[str, Any]]:
+        """Begins an episode; returns the first observation, and what else is known (see step)."""
+        if seed is not None:
+            self._next_seed = seed
+        if seed is not None or not self._is_fresh:
+            self._begin()
+        self._is_fresh = False
+        self._observation = self._observe(self.agent)
+        return self._observation, self._info()
+
+    def step(self, action: Any) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
+        """Gives the agent the order of this action, and lets the world go on.
+
+        Returns the observation, the reward, whether the episode has ended, whether it was cut off, and what else is known:
+        `tick`, `time` (simulated seconds) and `command`, how the order fares ("under way", "complete" or what went wrong;
+        empty without an order).
+        """
+        world = self.world
+        if self._is_fresh:
+            raise WorldError("the episode has not begun; call reset() first")
+        if self._is_over:
+            raise WorldEnded("the episode has ended; call reset()")
+        if action not in self.action_space:
+            raise ValueError(f"{action!r} is no action: {self.action_space!r}")
+        self._steps += 1
+        reward = 0.0
+        try:
+            self._give(self._order_of(action))
+            world.step(self._ticks)
+            self._observation = self._observe(self.agent)
+            if self._reward is not None:
+                reward = float(self._reward(self.agent))
+            ended = not self.agent.alive or (self._ended is not None and bool(self._ended(self.agent)))
+            info = self._info()
+        except WorldEnded:
+            ended = True
+            info = self._known
+        self._is_over = ended or (self._most_steps is not None and self._steps >= self._most_steps)
+        return self._observation, reward, ended, self._is_over and not ended, info
+
+    def render(self) -> Optional[str]:
+        """With the render mode "ansi", why the agent does what it does, as text."""
+        return str(self.agent.why()) if self.render_mode == "ansi" else None
+
+    def close(self) -> None:
+        """Ends the world's process. May be called twice."""
+        world, self._world = self._world, None
+        if world is not None:
+            world.close()
+
+    def __enter__(self) -> "Environment":
+        return self
+
+    def __exit__(self, *ignored: object) -> None:
+        self.close()
+
+    def _repr_html_(self) -> Optional[str]:
+        return self.world._repr_html_() if self._world is not None else None
+
+    # The agent -------------------------------------------------------------------------------------------------------
+
+    def _begin(self) -> None:
+        """A new world, at tick 0, whose agent has no rules."""
+        self.close()
+        self._world = world = World(self._scenario, self._next_seed)
+        self._next_seed = world.seed + 1
+        self._steps = 0
+        self._is_fresh, self._is_over = True, False
+        self._order: Order = None
+        self._known: Dict[str, Any] = {}
+        self._vetted: Set[str] = set()
+        try:
+            if self._name is None:
+                minds = [each.name for each in world if each.has_mind]
+                if len(minds) != 1:
+                    raise WorldError(f"say for which agent Python decides: {', '.join(minds) or 'there is none with a mind'}")
+                self._name = minds[0]
+            if not world[self._name].has_mind:
+                raise WorldError(f"{self._name} has no Soar mind: a script decides for it")
+            # Without a rule that proposes anything, it waits. It has to perceive before it can be asked what.
+            self._say("excise --all", "soar wait-snc on")
+            world.step()
+        except BaseException:
+            self.close()
+            raise
+
+    def _say(self, *lines: str) -> None:
+        self.world._ask(*[{"request": "console", "agent": self._name, "line": line} for line in lines])
+
+    def _give(self, order: Order) -> None:
+        """Replaces the rule, so that its command goes and another one comes."""
+        if order == self._order and (order is None or self._status() == "under way"):
+            return
+        rule = None if order is None else rule_of(order)
+        lines = [] if self._order is None else [f"excise {RULE}"]
+        self._order = order
+        if rule is not None and rule not in self._vetted:
+            self._say(*lines)
+            self._vet(rule)
+        else:
+            self._say(*lines, *([rule] if rule is not None else []))
+
+    def _vet(self, rule: str) -> None:
+        """Gives a rule for the first time; warns of what the check says of it."""
+        self._vetted.add(rule)
+        with self.world._looking_at("console", self._name or ""):
+            before = len(self.world._contents("console")["lines"])
+            self._say(rule)
+            said = self.world._contents("console")["lines"][before:]
+        for line in said:
+            if line["kind"] in ("error", "hint"):
+                warnings.warn(f"{self._order!r}: {line['text']}", stacklevel=4)
+
+    def _status(self) -> str:
+        commands: List[Command] = self.agent.commands
+        return commands[-1].status if commands else ""
+
+    def _info(self) -> Dict[str, Any]:
+        self._known = {"tick": self.world.tick, "time": self.world.time,
+                       "command": "" if self._order is None else self._status()}
+        return self._known
+
+
+def rule_of(order: Order) -> str:
+    """The rule that gives an order, as text. Raises ValueError if it is none."""
+    name, parameters = (order, {}) if isinstance(order, str) else _pair(order)
+    attributes = "".join(f" ^{_word(attribute)} {_constant(value)}" for attribute, value in parameters.items())
+    below = f" (<c>{attributes})" if attributes else ""
+    return f"sp {{{RULE} (state <s> ^superstate nil ^io.output-link <out>) --> (<out> ^{_word(name)} <c>){below}}}"
+
+
+def _pair(order: Any) -> Tuple[str, Parameters]:
+    try:
+        name, parameters = order
+        if isinstance(name, str) and isinstance(parameters, Mapping):
+            return name, parameters
+    except (TypeError, ValueError):
+        pass
+    raise ValueError(f"an order is None, a command's name, or a pair of its name and its parameters, not {order!r}")
+
+
+def _word(text: Any) -> str:
+    if not isinstance(text, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_*-]*", text):
+        raise ValueError(f"{text!r} is no name of a command or parameter")
+    return text
+
+
+def _constant(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        if any(ord(character) < 32 for character in value):
+            raise ValueError(f"{value!r} has characters that no value may have")
+        return "|" + value.replace("\\", "\\\\").replace("|", "\\|") + "|"
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"a parameter is a number or a text, not {value!r}") from None
+    if not math.isfinite(number):
+        raise ValueError(f"a parameter is a finite number, not {value!r}")
+    return str(int(number)) if number == int(number) and abs(number) < 1e15 else format(number, ".9f")
+
+
+def _actions(actions: Any) -> Tuple[Space, Callable[[Any], Order]]:
+    if isinstance(actions, tuple) and len(actions) == 2 and hasattr(actions[0], "sample") and callable(actions[1]):
+        return actions
+    orders = list(actions)
+    if not orders:
+        raise ValueError("there must be an action")
+    for order in orders:
+        if order is not None:
+            rule_of(order)
+    return Discrete(len(orders)), lambda action: orders[int(action)]
+
+
+def _observations(observe: Any) -> Tuple[Space, Callable[[Agent], Any]]:
+    if isinstance(observe, tuple) and len(observe) == 2 and hasattr(observe[0], "sample") and callable(observe[1]):
+        return observe
+    paths = [observe] if isinstance(observe, str) else list(observe)
+    if not paths or not all(isinstance(path, str) and path for path in paths):
+        raise ValueError("observe names percepts by their paths: [\"self.health\"]")
+
+    def look(agent: Agent) -> Any:
+        percepts = agent.percepts
+        return array([_number(percepts, path) for path in paths])
+
+    return Box(-math.inf, math.inf, (len(paths),)), look
+
+
+def _number(percepts: Node, path: str) -> float:
+    value: Any = percepts
+    for attribute in path.split("."):
+        if not isinstance(value, Node) or attribute not in value:
+            return 0.0
+        value = value[attribute]
+    if value in ("yes", "no"):
+        return float(value == "yes")
+    if isinstance(value, (int, float)):
+        return float(value)
+    what = "has values of its own" if isinstance(value, Node) else f"is the word {value!r}"
+    raise ValueError(f"^{path} {what}, no number: observe it with a space and a function")

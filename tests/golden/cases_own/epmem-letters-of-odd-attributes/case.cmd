@@ -1,0 +1,4 @@
+source agent.soar
+watch 0
+run 5
+print -d 5 e1

@@ -1,0 +1,4 @@
+source agent.soar
+watch 1
+run 3
+print -d 5 e1
