@@ -50,8 +50,21 @@ struct Callback : std::enable_shared_from_this<Callback> {
   Callback(const Callback&) = delete;
   Callback& operator=(const Callback&) = delete;
 
+  /// The number of the agent or kernel that it is called for: the same each time, so that Java needs no new object.
+  template <typename T>
+  jlong NumberOf(T* object) {
+    const std::lock_guard lock(mutex_);
+    Slot slot;
+    if (!Find(number_, slot)) number_ = Give(object, bindings::Life::Of(object));
+    return number_;
+  }
+
   const jobject handler;
   const std::weak_ptr<KernelEntry> entry;
+
+ private:
+  std::mutex mutex_;
+  jlong number_ = 0;
 };
 
 /// What a handler is given.
@@ -68,18 +81,18 @@ struct Told {
 };
 
 /// Calls Java within a frame of references of its own.
-std::string CallHandler(JNIEnv* env, const Callback& callback, const Told& told) {
+std::string CallHandler(JNIEnv* env, Callback& callback, const Told& told) {
   if (env->PushLocalFrame(8) != 0) {
     env->ExceptionClear();
     return {};
   }
   jlong object = 0;
-  if (told.agent) object = Give(told.agent, bindings::Life::Of(told.agent));
-  if (told.kernel) object = Give(told.kernel, bindings::Life::Of(told.kernel));
+  if (told.agent) object = callback.NumberOf(told.agent);
+  if (told.kernel) object = callback.NumberOf(told.kernel);
   jlong other = 0;
   if (told.element) other = Give(told.element, bindings::Life::Of(told.element));
   if (told.xml) {
-    // The library's own piece lives until the handler returns; Java gets a copy.
+    // A copy; Java lets it go when the handler returns.
     auto* copy = new sml::ClientXML(told.xml);
     other = Add({copy, {}, std::shared_ptr<sml::ClientXML>(copy)});
   }

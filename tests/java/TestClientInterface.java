@@ -151,6 +151,7 @@ public class TestClientInterface {
     Map<String, String> seen = new TreeMap<>();
     Map<String, Object> own = new TreeMap<>();
     Object data = new Object();
+    ClientXML[] given = new ClientXML[1];
     ClientXML[] kept = new ClientXML[1];
     agent.RegisterForRunEvent(smlRunEventId.smlEVENT_AFTER_DECISION_CYCLE, (event, mine, who, phase) -> {
       own.put("run", mine);
@@ -167,7 +168,8 @@ public class TestClientInterface {
     }, data);
     agent.RegisterForXMLEvent(smlXMLEventId.smlEVENT_XML_TRACE_OUTPUT, (event, mine, who, xml) -> {
       own.put("xml", mine);
-      kept[0] = xml;
+      given[0] = xml;
+      kept[0] = new ClientXML(xml);
       seen.put("xml", event + " " + xml.GetTagName());
     }, data);
     agent.RegisterForOutputNotification((mine, who) -> {
@@ -219,7 +221,8 @@ public class TestClientInterface {
     expected.put("xml", "51 trace");
     Check.equal(seen, expected);
     own.forEach((family, mine) -> Check.that(mine == data, family + " gets its data"));
-    Check.that(kept[0].ConvertToTraceXML() instanceof ClientTraceXML, "XML may be kept");
+    Check.that(kept[0].ConvertToTraceXML() instanceof ClientTraceXML, "a copy of XML may be kept");
+    Check.fails(IllegalStateException.class, () -> given[0].GetTagName());
     Check.contains(agent.ExecuteCommandLine("print s1"), "^answer |7|");
   }
 
@@ -244,6 +247,16 @@ public class TestClientInterface {
     Check.that(!agent.UnregisterForRunEvent(id) && !agent.UnregisterForRunEvent(1L << 40), "once only");
     agent.RunSelf(2);
     Check.equal(calls[0], 2);
+  }
+
+  public void testAHandlerIsGivenTheSameAgentUntilThatIsDeleted() {
+    List<Agent> seen = new ArrayList<>();
+    agent.RegisterForRunEvent(smlRunEventId.smlEVENT_AFTER_DECIDE_PHASE, (event, data, who, phase) -> seen.add(who), null);
+    agent.RunSelf(2);
+    Check.that(seen.get(0) == seen.get(1), "the same");
+    seen.get(0).delete();
+    agent.RunSelf(1);
+    Check.equal(seen.get(2).GetAgentName(), "scout");
   }
 
   public void testWhatAHandlerIsGivenStaysReachable() throws Exception {

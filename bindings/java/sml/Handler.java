@@ -12,8 +12,11 @@ final class Handler {
     final String first;
     final String second;
     final int number;
+    private final Handler handler;
+    private ClientXML xml;
 
-    private Told(int event, long object, long other, String agentName, String first, String second, int number) {
+    private Told(Handler handler, int event, long object, long other, String agentName, String first, String second, int number) {
+      this.handler = handler;
       this.event = event;
       this.object = object;
       this.other = other;
@@ -24,19 +27,25 @@ final class Handler {
     }
 
     Agent agent() {
-      return object == 0 ? null : new Agent(object, true);
+      return handler.agentOf(object);
     }
 
     Kernel kernel() {
-      return object == 0 ? null : new Kernel(object, true);
+      return handler.kernelOf(object);
     }
 
     WMElement element() {
       return Handles.element(other);
     }
 
+    /** Lives until the handler returns: traces are large, and come often. */
     ClientXML xml() {
-      return other == 0 ? null : new ClientXML(other, true);
+      xml = new ClientXML(other, true);
+      return xml;
+    }
+
+    private void end() {
+      if (xml != null) xml.delete();
     }
   }
 
@@ -47,6 +56,9 @@ final class Handler {
 
   private final String what;
   private final Task task;
+  /** For whom it is called: the same each time. */
+  private Agent agent;
+  private Kernel kernel;
 
   /**
    * @param what What it handles, for messages.
@@ -58,6 +70,16 @@ final class Handler {
     this.task = task;
   }
 
+  private synchronized Agent agentOf(long number) {
+    if (agent == null || agent.swigCPtr != number) agent = new Agent(number, true);
+    return agent;
+  }
+
+  private synchronized Kernel kernelOf(long number) {
+    if (kernel == null || kernel.swigCPtr != number) kernel = new Kernel(number, true);
+    return kernel;
+  }
+
   static <T> T event(T id) {
     if (id == null) throw new NullPointerException("the event is null");
     return id;
@@ -66,11 +88,14 @@ final class Handler {
   /** Called by the library. */
   static String run(Handler handler, int event, long object, long other, String agentName, String first,
                     String second, int number) {
+    Told told = new Told(handler, event, object, other, agentName, first, second, number);
     try {
-      return handler.task.run(new Told(event, object, other, agentName, first, second, number));
+      return handler.task.run(told);
     } catch (Throwable problem) {
       handler.report(problem);
       return null;
+    } finally {
+      told.end();
     }
   }
 
