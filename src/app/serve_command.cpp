@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <map>
 #include <thread>
 
 #include "app/data_folders.h"
@@ -32,11 +33,9 @@ class ShippedCatalog final : public serve::Catalog {
  public:
   explicit ShippedCatalog(const sim::DataFolders& data) {
     std::vector<Diagnostic> problems;
-    for (const Lesson& lesson : ReadLessons(ShippedLessons(data), data, problems))
-      lessons_.push_back({lesson.name, lesson.title});
+    for (const Lesson& lesson : ReadLessons(ShippedLessons(data), data, problems)) Add(lesson, {});
     for (const std::string& course : CoursesIn(ShippedLessons(data)))
-      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems))
-        lessons_.push_back({lesson.name, lesson.title, course});
+      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems)) Add(lesson, course);
     for (const Diagnostic& problem : problems) std::cerr << Format(problem);
     for (const std::string& name : sim::ListScenarios(data))
       scenarios_.push_back({name, sim::DescribeScenario(name, data)});
@@ -45,11 +44,22 @@ class ShippedCatalog final : public serve::Catalog {
   std::vector<Scenario> Scenarios() const override { return scenarios_; }
   serve::Progress ProgressOf(const fs::path& state, const std::string& lesson) const override {
     const LessonProgress progress = LessonProgress::Below(state);
-    return {progress.IsPassed(lesson), progress.Get(lesson, "attempts"), progress.Get(lesson, "hints")};
+    serve::Progress told{progress.IsPassed(lesson), progress.Get(lesson, "attempts"), progress.Get(lesson, "hints")};
+    const auto hints = hints_.find(lesson);
+    if (told.hints > 0 && hints != hints_.end() && !hints->second.empty())
+      told.last_hint =
+          hints->second[std::min<std::size_t>(static_cast<std::size_t>(told.hints), hints->second.size()) - 1];
+    return told;
   }
 
  private:
+  void Add(const Lesson& lesson, const std::string& course) {
+    lessons_.push_back({lesson.name, lesson.title, course});
+    hints_[lesson.name] = lesson.hints;
+  }
+
   std::vector<serve::Lesson> lessons_;
+  std::map<std::string, std::vector<std::string>> hints_;  ///< By lesson.
   std::vector<Scenario> scenarios_;
 };
 

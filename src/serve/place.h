@@ -36,6 +36,8 @@ class Place {
   Place(std::string id, std::filesystem::path root, PlaceLimits limits);
 
   const std::string& id() const { return id_; }
+  /// All that belongs to it is below this folder.
+  const std::filesystem::path& root() const { return root_; }
   /// The person's own files: what a process that works for the place has for its home.
   std::filesystem::path home() const { return root_ / "home"; }
   /// What programs note for the person: $XDG_STATE_HOME of such a process.

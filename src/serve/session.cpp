@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "diagnostics/problem.h"
 #include "serve/json_text.h"
@@ -47,6 +48,11 @@ Result<void> Session::Open(const std::string& what) {
   const std::vector<std::string> words = settings_.engine(what, place_);
   if (words.empty())
     return NewProblem("there is nothing called '" + what + "' to open", "the first page lists what there is");
+  if (!lock_) {
+    Result<PlaceLock> lock = PlaceLock::Take(place_.root());
+    if (!lock) return lock.error();
+    lock_ = std::move(*lock);
+  }
   if (engine_ != nullptr) engine_->End();
   engine_.reset();
   hello_ = watcher_hello_ = flow_ = nullptr;
@@ -62,7 +68,10 @@ Result<void> Session::Open(const std::string& what) {
   };
   Result<std::shared_ptr<EngineProcess>> engine =
       EngineProcess::Start(io_, words, place_, settings_.limits, std::move(hooks));
-  if (!engine) return engine.error();
+  if (!engine) {
+    lock_.reset();
+    return engine.error();
+  }
   engine_ = std::move(*engine);
   what_ = what;
   began_ = looked_at_ = Clock::now();
@@ -83,12 +92,16 @@ void Session::Join(Viewer& viewer) {
 
 void Session::Leave(Viewer& viewer) {
   std::erase(viewers_, &viewer);
+  watched_.erase(&viewer);
   looked_at_ = Clock::now();
   TellPresence();
 }
 
 void Session::TellPresence() {
-  if (engine_ != nullptr) engine_->Send(JsonText({{"request", "presence"}, {"pages", viewers_.size()}}));
+  if (engine_ == nullptr) return;
+  std::set<std::string> watched;
+  for (const auto& [viewer, panels] : watched_) watched.insert(panels.begin(), panels.end());
+  engine_->Send(JsonText({{"request", "presence"}, {"pages", viewers_.size()}, {"watched", watched}}));
 }
 
 void Session::Take(Viewer& viewer, std::string text) {
@@ -103,6 +116,11 @@ void Session::Take(Viewer& viewer, std::string text) {
   if (!json.is_object() || request == json.end() || !request->is_string())
     return refuse(
         NewProblem("this is no request", "a request is a JSON object with the field `request` (docs/serve.md)"));
+  if (!viewer.MayAsk() && *request == "look") {
+    const Result<void> watched = Watch(viewer, text);
+    if (!watched) refuse(watched.error());
+    return;
+  }
   if (!viewer.MayAsk()) return refuse(NewProblem("you only watch this run", "the person whose run it is can do this"));
   if (*request == "presence") return refuse(NewProblem("the server itself says who is present"));
   if (*request == "open") {
@@ -114,6 +132,23 @@ void Session::Take(Viewer& viewer, std::string text) {
   if (engine_ == nullptr) return refuse(NewProblem("there is no run", "open one first"));
   engine_->Send(std::move(text));
   AwaitAnswer();
+}
+
+Result<void> Session::Watch(const Viewer& viewer, const std::string& text) {
+  constexpr std::size_t kMostPanels = 64, kMostBytes = 40;
+  const Json json = Json::parse(text, nullptr, false);
+  const auto panels = json.find("panels");
+  std::vector<std::string> words;
+  bool is_good = panels != json.end() && panels->is_array() && panels->size() <= kMostPanels;
+  if (is_good)
+    for (const Json& panel : *panels) {
+      is_good &= panel.is_string() && panel.get_ref<const std::string&>().size() <= kMostBytes;
+      if (is_good) words.push_back(panel.get<std::string>());
+    }
+  if (!is_good) return NewProblem("look needs panels", "a list of words of panels (docs/workbench.md)");
+  watched_[&viewer] = std::move(words);
+  TellPresence();
+  return {};
 }
 
 void Session::AwaitAnswer() {
@@ -189,6 +224,7 @@ void Session::OnFrame(Frame frame) {
 
 void Session::OnEnd(const std::string& last_words, bool is_good) {
   engine_.reset();
+  lock_.reset();
   std::string why = LastError(last_words);
   if (why.empty())
     why = is_good ? "The run has ended." : "The run has crashed. What you typed and the recording are kept.";
@@ -210,6 +246,7 @@ void Session::End(const std::string& why) {
   if (engine_ == nullptr) return;
   engine_->End();
   engine_.reset();
+  lock_.reset();
   NoLongerBusy();
   Tell(JsonText({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }

@@ -7,11 +7,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostics/result.h"
 #include "serve/engine_process.h"
+#include "serve/place_lock.h"
 #include "serve/settings.h"
 
 namespace soarbox::serve {
@@ -26,7 +28,7 @@ class Viewer {
   /// `key`: a message of the same key that still waits is replaced; empty: none is.
   virtual void SendText(Bytes text, const std::string& key) = 0;
   virtual void SendScene(Bytes block, bool is_full) = 0;
-  /// Whether it may ask for anything.
+  /// Whether it may ask for anything; else it may only say at which panels it looks.
   virtual bool MayAsk() const = 0;
 };
 
@@ -60,6 +62,8 @@ class Session {
   void OnEnd(const std::string& last_words, bool is_good);
   void Tell(const std::string& text, const std::string& key = {});
   void TellPresence();
+  /// At what somebody looks who may ask for nothing else.
+  Result<void> Watch(const Viewer& viewer, const std::string& text);
   void AwaitAnswer();
   void NoLongerBusy();
 
@@ -68,7 +72,9 @@ class Session {
   Place place_;
   std::string what_;
   std::shared_ptr<EngineProcess> engine_;
+  std::optional<PlaceLock> lock_;  ///< While there is an engine.
   std::vector<Viewer*> viewers_;
+  std::map<const Viewer*, std::vector<std::string>> watched_;  ///< Panels at which those look who may not ask.
   Clock::time_point began_, looked_at_;
 
   // What is told to a page that comes later.

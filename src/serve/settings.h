@@ -38,6 +38,7 @@ struct Lesson {
 struct Progress {
   bool is_passed = false;
   int attempts = 0, hints = 0;
+  std::string last_hint = {};  ///< Its text; empty: none was asked for.
 };
 
 /// What the program around the server knows of lessons and worlds.

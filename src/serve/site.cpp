@@ -317,10 +317,14 @@ WebResponse Site::Table(bool as_csv) const {
     csv += "," + CsvCell(lesson.name + " passed") + "," + CsvCell(lesson.name + " tries") + "," +
            CsvCell(lesson.name + " hints");
   }
-  csv += "\r\n";
+  csv += ",last hint\r\n";
   for (const ClassList::Learner& learner : class_.learners()) {
     const Result<Place> place = places_.Find(learner.place);
     if (!place) continue;
+    const auto session = sessions_.find(learner.place);
+    const bool is_here = session != sessions_.end() && session->second->is_running();
+    std::string last_hint;
+    bool has_open_hint = false;
     Json done = Json::object();
     csv += CsvCell(learner.name);
     for (const Lesson& lesson : lessons) {
@@ -328,14 +332,18 @@ WebResponse Site::Table(bool as_csv) const {
       done[lesson.name] = {{"is_done", progress.is_passed}, {"tries", progress.attempts}, {"hints", progress.hints}};
       csv += std::string(",") + (progress.is_passed ? "yes" : "no") + "," + std::to_string(progress.attempts) + "," +
              std::to_string(progress.hints);
+      // Of the lesson that is open now, else of the last one that is not passed.
+      const bool is_open = is_here && session->second->what() == "lesson:" + lesson.name;
+      if (!progress.last_hint.empty() && (is_open || (!has_open_hint && !progress.is_passed)))
+        last_hint = progress.last_hint;
+      has_open_hint |= is_open && !progress.last_hint.empty();
     }
-    csv += "\r\n";
-    const auto session = sessions_.find(learner.place);
-    const bool is_here = session != sessions_.end() && session->second->is_running();
+    csv += "," + CsvCell(last_hint) + "\r\n";
     learners.push_back({{"name", learner.name},
                         {"place_link", "/p/" + learner.place + "/"},
                         {"watch_link", "/p/" + learner.place + "/#watch=" + class_.key()},
                         {"done", std::move(done)},
+                        {"last_hint", last_hint},
                         {"doing", is_here ? session->second->what() : ""},
                         {"is_here", is_here && session->second->viewers() > 0}});
   }

@@ -33,8 +33,9 @@ def main():
         server = PageServer(folder)
         try:
             tests = sys.argv[1:] or sorted(str(path.relative_to(WEB)) for path in (WEB / "e2e").glob("*.mjs"))
-            done = subprocess.run(["node", "--test", "--test-concurrency=1", *tests], cwd=WEB, check=False,
-                                  env={**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORT": str(report)})
+            done = subprocess.run(["node", "--test", "--test-concurrency=2", *tests], cwd=WEB, check=False,
+                                  env={**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORT": str(report),
+                                       "SOARBOX_COMMAND": COMMAND})
         finally:
             server.kill()
     return done.returncode

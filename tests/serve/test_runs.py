@@ -42,6 +42,18 @@ class Runs(ServeCase):
         page.ask(request="flow", what="next-seed")
         self.assertEqual(page.until_message("hello")["seed"], 2)
 
+    def test_two_servers_do_not_run_the_world_of_one_place(self):
+        one, other = self.serve(), self.serve()
+        place = one.new_place()
+        self.opened(one, place, "scenario:soar_hallway", "agents")
+        late = self.page(other, place)
+        late.until_message("none")
+        late.ask(request="open", what="scenario:soar_hallway")
+        self.assertIn("another server runs a world of this place", late.until_message("error")["error"])
+        one.kill()
+        late.ask(request="open", what="scenario:soar_hallway")
+        late.until_message("hello")
+
     def test_a_lesson_is_solved_by_typing(self):
         server = self.serve()
         place = server.new_place()

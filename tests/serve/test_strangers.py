@@ -251,12 +251,27 @@ class Class(ServeCase):
         self.assertIn("only watch", watching.until_message("error")["error"])
         page.ask(request="flow", what="pause")
         watching.until(lambda message: message["message"] == "flow" and message["paused"])
+        # A teacher chooses panels; what the learner looks at stays, and words that no panel has are nobody's trouble.
+        watching.ask(request="look", panels=["rules", "nowhere"])
+        watching.until_contents("rules", lambda rules: rules["rules"])
+        for odd in ("rules", [7], ["x" * 100], ["why"] * 200):
+            watching.ask(request="look", panels=odd, id=2)
+            self.assertIn("look needs panels", watching.until_message("error")["error"])
+        watching.ask(request="select", agent="")
+        self.assertIn("only watch", watching.until_message("error")["error"])
+        page.ask(request="lesson", what="hint")
+        page.until_contents("mission", lambda mission: mission["lesson"]["hints"])
+        hint = page.contents["mission"]["lesson"]["hints"][0]
+        self.assertEqual(server.json("GET", f"/api/class/{key}")[1]["learners"][0]["last_hint"], hint)
+        self.assertEqual(server.json("GET", f"/api/class/{key}")[1]["learners"][1]["last_hint"], "")
+        self.assertNotIn("error", {message["message"] for message in page.messages})
         refused = WebSocket(server, f"/api/p/{ada}/watch?key=wrong")
         self.addCleanup(refused.close)
         self.assertEqual(refused.status, 403)
         self.assertEqual(server.json("GET", "/api/class/wrong")[0], 404)
         _, headers, csv = server.http("GET", f"/api/class/{key}.csv")
         self.assertIn("text/csv", headers["Content-Type"])
+        self.assertIn(hint[:20].encode(), csv)
         self.assertIn(b"\"'=1+1\"", csv, "a spreadsheet takes no name for a formula")
 
     def test_links_stay_the_same(self):

@@ -2,6 +2,7 @@
 // What the end-to-end tests share: a browser, the page of a running server, and what a learner does there.
 //   SOARBOX_PAGE      the server's address, http://127.0.0.1:8080 if it is not said
 //   SOARBOX_BROWSER   the browser, /usr/bin/chromium if it is not said
+//   SOARBOX_PATIENCE_S  how long a fact may take, 150 s if it is not said
 //   SOARBOX_PICTURES  a folder for pictures of what the tests saw
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -9,30 +10,34 @@ import { chromium } from "playwright-core";
 
 export const ADDRESS = (process.env.SOARBOX_PAGE ?? "http://127.0.0.1:8080").replace(/\/$/, "");
 const PICTURES = process.env.SOARBOX_PICTURES ?? "";
-export const PATIENCE_MS = 150_000;
+export const PATIENCE_MS = 1000 * Number(process.env.SOARBOX_PATIENCE_S ?? 150);
 
-let browser = null;
-export async function openBrowser() {
-  browser ??= await chromium.launch({
-    executablePath: process.env.SOARBOX_BROWSER ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
-  });
-  return browser;
+const browsers = new Map();
+/** Without `draws` it has no WebGL: what is tried are words, and nobody waits for a processor that draws. */
+export async function openBrowser({ draws = true } = {}) {
+  if (!browsers.has(draws)) {
+    browsers.set(draws, chromium.launch({
+      executablePath: process.env.SOARBOX_BROWSER ?? "/usr/bin/chromium",
+      args: ["--no-sandbox", ...(draws ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"]),
+        "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+    }));
+  }
+  return browsers.get(draws);
 }
 export async function closeBrowser() {
-  await browser?.close();
-  browser = null;
+  for (const browser of browsers.values()) await (await browser).close();
+  browsers.clear();
 }
 
-/** A page of its own, with what went wrong in it. `size`: width and height in pixels. */
-export async function openPage(path = "/", { size = [1280, 800], scheme = "light", touch = false } = {}) {
-  const context = await (await openBrowser()).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, hasTouch: touch });
+/** A page of its own, with what went wrong in it. `size`: width and height in pixels; `passed`: complaints that are expected. */
+export async function openPage(path = "/", { size = [1280, 800], scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
+  const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, hasTouch: touch });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
-  const troubles = [];
-  page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
+  const troubles = [], isExpected = (text) => passed.test(text) || (!draws && /WebGL/.test(text));
+  page.on("console", (message) => message.type() === "error" && !isExpected(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(String(error.stack ?? error)));
-  await page.goto(`${ADDRESS}${path}`);
+  await page.goto(path.startsWith("http") ? path : `${ADDRESS}${path}`);
   return { page, troubles, close: () => context.close() };
 }
 

@@ -9,7 +9,7 @@ const file = (name) => readFileSync(new URL(`../../lessons/01-a-rule/${name}`, i
 after(closeBrowser);
 
 test("lesson 1, from the first click to the next lesson", async () => {
-  const { page, troubles, close } = await openPage();
+  const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 1);
   assert.match(await page.locator(".panel.mission .task").innerText(), /Greet each visitor by name/);
   assert.doesNotMatch(await page.locator(".panel.mission .task").innerText(), /Alt\+/);

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // What needs a server of its own: one that is killed and comes back, a token, a class and its teacher, and names with markup in every place.
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { closeBrowser, openBrowser, openLesson, PATIENCE_MS, picture, show, typeRules, until } from "./browser.mjs";
+import { closeBrowser, openLesson, openPage, picture, show, typeRules, until } from "./browser.mjs";
 import { COMMAND, startServer } from "./own_server.mjs";
 
 const skip = COMMAND === "" ? "SOARBOX_COMMAND names no program" : false;
 const MARKUP = "<img src=x onerror=globalThis.hit=1>";
 after(closeBrowser);
 
-async function visit(address, troubles = []) {
-  const context = await (await openBrowser()).newContext({ viewport: { width: 1280, height: 800 } }), page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE_MS);
-  page.on("pageerror", (error) => troubles.push(String(error.stack ?? error)));
-  page.on("console", (message) => message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text()) && troubles.push(message.text()));
-  await page.goto(address);
-  return { page, troubles, close: () => context.close() };
-}
+const visit = (address, more = {}) => openPage(address, { draws: false, passed: /WebSocket|ERR_CONNECTION|401/, ...more });
 
 test("a server that was killed comes back, and with it the page and what was typed", { skip }, async () => {
   const first = await startServer([]), { page, troubles, close } = await visit(`${first.address}/`);
@@ -27,7 +20,8 @@ test("a server that was killed comes back, and with it the page and what was typ
   const link = page.url();
   await typeRules(page, "# This I typed.\n");
   await until(async () => /unsaved|•/.test(await page.locator(".panel.edit select option").allInnerTexts().then((all) => all.join(" "))), "the draft is known");
-  await page.waitForTimeout(2500);
+  const drafts = () => readdirSync(first.state, { recursive: true, withFileTypes: true }).filter((one) => one.isFile()).map((one) => readFileSync(join(one.parentPath ?? one.path, one.name), "utf8"));
+  await until(() => drafts().some((text) => text.includes("This I typed")), "the draft is on the disk");
   await first.kill();
   await page.waitForSelector(".pill.lost");
   await picture(page, "lost");
@@ -75,6 +69,17 @@ test("a teacher sees the class, and watches without a hand in it; names with mar
   assert.match(await teacher.page.locator(".head").innerText(), /You watch/);
   assert.equal(await teacher.page.locator(".panel.edit .bar button.primary").count(), 0);
   assert.equal(await teacher.page.locator(".flow-bar button:enabled").count(), 0);
+  // Each looks at what he chooses.
+  await show(learner.page, "Why");
+  await show(teacher.page, "Rules");
+  await teacher.page.waitForSelector(".panel.rules td button.rule");
+  await show(teacher.page, "Senses");
+  await teacher.page.waitForSelector(".panel.links .attribute");
+  assert.equal(await learner.page.locator("#tab-why[aria-selected=true]").count(), 1);
+  await learner.page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
+  const hint = await learner.page.locator(".hints li").first().innerText();
+  await teacher.page.goto(here(table));
+  await until(async () => (await teacher.page.locator("table.class").innerText()).includes(hint), "the last hint is in the table");
   for (const one of [learner, teacher]) {
     assert.equal(await one.page.evaluate(() => globalThis.hit), undefined);
     assert.deepEqual(one.troubles, []);
@@ -88,7 +93,7 @@ test("an agent, a world and messages called like markup are text in every place"
   mkdirSync(folder);
   for (const name of ["porter.soar", "visitor.soar"]) writeFileSync(join(folder, name), readFileSync(new URL(name, lessons)));
   writeFileSync(join(folder, "scenario.toml"), readFileSync(new URL("scenario.toml", lessons), "utf8").replace('name = "anna"', `name = "${MARKUP}"`).replace(/description = ".*"/, `description = "${MARKUP}"`));
-  const server = await startServer([folder]), { page, troubles, close } = await visit(`${server.address}/`);
+  const server = await startServer([folder]), { page, troubles, close } = await visit(`${server.address}/`, { draws: true });
   await page.waitForSelector(".run-page:not([hidden])");
   await page.waitForSelector(".agents tbody tr");
   assert.match(await page.locator(".panel.agents").innerText(), /<img src=x/);

@@ -92,8 +92,12 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
 Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   const std::string request = TextOf(json, "request");
   if (request == "presence") {
-    // The server's own: how many look.
+    // The server's own: how many look, and at what those look who only watch.
     pages_ = std::max(0, static_cast<int>(NumberOf(json, "pages")));
+    watched_ = {};
+    for (const Json& word : json.value("watched", Json::array()))
+      if (const auto panel = word.is_string() ? workbench::FindPanel(word.get<std::string>()) : std::nullopt)
+        watched_.Add(*panel);
     return {};
   }
   if (request == "scene") {
@@ -121,7 +125,10 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
       return on != json.end() && on->is_array() &&
              std::ranges::any_of(*on, [&](const Json& each) { return each == word; });
     };
-    overlay_wants_ = {has("navigation"), has("influence"), has("physics"), has("forces")};
+    const world::OverlayWants wanted{has("navigation"), has("influence"), has("physics"), has("forces")};
+    // A world that stands still is shown again, with them or without.
+    wants_full_ |= wanted != overlay_wants_;
+    overlay_wants_ = wanted;
     return {};
   }
   if (request == "language") {

@@ -47,6 +47,8 @@ class EnginePage {
   bool is_open() const { return channel_.is_open(); }
   /// Nobody looks: the world may stand still.
   bool is_alone() const { return pages_ == 0; }
+  /// The panels at which those look who only watch.
+  const workbench::PanelSet& watched() const { return watched_; }
 
   /// A run begins: whatever was known of another one is void.
   void Hello(Json about);
@@ -71,6 +73,7 @@ class EnginePage {
   EngineChannel& channel_;
   std::unique_ptr<EngineLanguage> language_;  ///< Null: there is none.
   int pages_ = 1;
+  workbench::PanelSet watched_;
   stream::SceneEncoder encoder_;
   bool wants_full_ = true;
   world::OverlayWants overlay_wants_;

@@ -34,6 +34,14 @@ bool IsStep(Flow flow) {
          flow == Flow::kStepChange;
 }
 
+/// Panels that are in one of both.
+workbench::PanelSet Either(const workbench::PanelSet& a, const workbench::PanelSet& b) {
+  workbench::PanelSet both = a;
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos)
+    if (b.Has(info.id)) both.Add(info.id);
+  return both;
+}
+
 /// What live runs and recordings have in common: panels that are looked at, and when contents are due.
 class PanelsOfPage {
  public:
@@ -41,13 +49,23 @@ class PanelsOfPage {
 
   /// Lets the desk carry out what was asked, and tells what has changed.
   void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests) {
-    for (const workbench::Request& request : requests)
-      if (const auto* look = std::get_if<workbench::LookRequest>(&request)) panels_ = look->panels;
+    bool is_told = shown_ == Either(panels_, page_.watched());
+    for (workbench::Request& request : requests) {
+      auto* const look = std::get_if<workbench::LookRequest>(&request);
+      if (look == nullptr) continue;
+      panels_ = look->panels;
+      look->panels = shown_ = Either(panels_, page_.watched());
+      is_told = true;
+    }
+    if (!is_told) {
+      shown_ = Either(panels_, page_.watched());
+      requests.emplace_back(workbench::LookRequest{shown_});
+    }
     if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
     served_ = Clock::now();
     // Where nothing was filled in again, only the moment may be another one.
     const bool is_new = desk.Serve(requests, contents_);
-    page_.ShowContents(contents_, is_new ? panels_ : workbench::PanelSet());
+    page_.ShowContents(contents_, is_new ? shown_ : workbench::PanelSet());
   }
   /// The desk is another one: what it shows is filled in anew.
   std::vector<workbench::Request> BeginAgain() {
@@ -59,7 +77,8 @@ class PanelsOfPage {
 
  private:
   EnginePage& page_;
-  workbench::PanelSet panels_;
+  workbench::PanelSet panels_;  ///< Of the person whose run it is.
+  workbench::PanelSet shown_;   ///< And of those who watch.
   workbench::Contents contents_;
   Clock::time_point served_;
 };

@@ -18,6 +18,7 @@ export const KEYS: readonly Key[] = [
   { keys: "O, F, M", does: "Orbit, follow the selected agent, map", group: "Picture" },
   { keys: "A", does: "Show everybody", group: "Picture" },
   { keys: "N", does: "Select the next agent", group: "Picture" },
+  { keys: "All keys, the mouse", does: "Over the picture, the world's scripts hear of them, too", group: "Picture" },
   { keys: "Alt and 1 to 9", does: "Show a panel below the picture", group: "Panels" },
   { keys: "Arrow keys on a tab", does: "The panel beside it", group: "Panels" },
   { keys: "Ctrl+S, Ctrl+Enter", does: "Save the rules and put them into effect", group: "Rules" },

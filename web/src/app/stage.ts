@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, type Child } from "../dom/view";
 import type { SceneView } from "../scene/scene_view";
-import { OVERLAYS, type OverlayWord } from "../scene/overlays";
+import { COSTLY, OVERLAYS, type OverlayWord } from "../scene/overlays";
+import { WorldInput } from "../scene/world_input";
 import type { CameraMode } from "../scene/camera_rig";
 import type { Run } from "../run/run";
 import { icon } from "./icons";
@@ -58,7 +59,7 @@ export class Stage {
         this.isOpen = !this.isOpen;
         this.draw();
       }, { attributes: { title: "What is drawn over the picture", "aria-label": "What is drawn over the picture", "aria-expanded": String(this.isOpen) } }, "button.tool")),
-      this.isOpen && h("div.menu", null, OVERLAYS.map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title))),
+      this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title))),
     ]);
   }
 
@@ -74,14 +75,24 @@ export class Stage {
     if (on === undefined) return;
     if (!on.delete(word)) on.add(word);
     localStorage.setItem(OVERLAYS_KEY, [...on].join());
+    this.askOverlays();
     this.view?.wake();
     this.draw();
   }
 
+  /** A live run of one's own: it takes what one does. */
+  private get mayAsk(): boolean {
+    return this.run.hello?.may_edit === true && !this.run.hello.is_recording;
+  }
+
+  private askOverlays(): void {
+    if (this.mayAsk) this.run.wantOverlays([...(this.view?.on ?? [])].filter((one) => COSTLY.has(one)).sort());
+  }
+
   /** Scripts that put boxes of text on the screen are told how large it is. */
   private tellSize(): void {
-    const { clientWidth: width, clientHeight: height } = this.element, hello = this.run.hello, told = `${width}x${height}`;
-    if (told === this.toldSize || width === 0 || hello === null || !hello.may_edit || hello.is_recording) return;
+    const { clientWidth: width, clientHeight: height } = this.element, told = `${width}x${height}`;
+    if (told === this.toldSize || width === 0 || !this.mayAsk) return;
     this.toldSize = told;
     this.run.ask("input", { kind: "screen", width, height });
   }
@@ -101,7 +112,13 @@ export class Stage {
       view.on.clear();
       for (const one of OVERLAYS) if (kept.split(",").includes(one.word)) view.on.add(one.word);
     }
+    this.askOverlays();
     listenToPointer(this.canvas, view, this.select);
+    new WorldInput(this.element, this.canvas, (input) => {
+      if (!this.mayAsk || this.run.contents.moment?.time.is_live === false) return;
+      this.tellSize();
+      this.run.ask("input", input);
+    });
     this.run.on("scene", (scene) => {
       view.take(scene);
       if (scene.components.length > 0) this.tellSize();
@@ -113,6 +130,8 @@ export class Stage {
     this.run.on("hello", () => {
       this.toldSize = "";
       view.forget();
+      this.askOverlays();
+      this.draw();
     });
     this.run.on("flow", (flow) => {
       view.isPaused = flow.paused || this.run.contents.moment?.time.is_live === false;

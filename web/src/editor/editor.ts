@@ -6,7 +6,7 @@ import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Diagnos
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
-import { completeWith, type LanguageClient } from "./language_client";
+import { completeWith, hoverWith, type LanguageClient } from "./language_client";
 import { placeOf, remedyOf, type PlacedProblem } from "./problem_place";
 import { soarColors, soarLanguage } from "./soar_language";
 
@@ -33,7 +33,7 @@ export class Editor {
         extensions: [
           lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history(), drawSelection(), indentOnInput(), indentUnit.of("   "), bracketMatching(), closeBrackets(),
           highlightActiveLine(), highlightSelectionMatches(), EditorView.lineWrapping, EditorState.tabSize.of(3),
-          autocompletion({ override: [completeWith(client)], activateOnTyping: true }),
+          hoverWith(client), autocompletion({ override: [completeWith(client)], activateOnTyping: true }),
           this.language.of([soarLanguage, soarColors]), this.readOnly.of([]),
           EditorView.contentAttributes.of({ "aria-label": "Rules", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
           keymap.of([

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
+import { hoverTooltip } from "@codemirror/view";
 import type { Run } from "../run/run";
 import type { LspDiagnostic } from "./problem_place";
 
@@ -19,6 +20,7 @@ export class LanguageClient {
   private started: Promise<boolean> | null = null;
   private uri = "";
   private version = 0;
+  private told = "";
 
   constructor(private readonly run: Run, private readonly changed: () => void) {
     run.on("language", (content) => this.take(content as Answer & { method?: string; params?: { uri?: string; diagnostics?: LspDiagnostic[] } }));
@@ -35,6 +37,7 @@ export class LanguageClient {
     if (uri !== this.uri) {
       this.uri = uri;
       this.version = 0;
+      this.told = "";
       this.diagnostics = null;
     }
     void this.tell(text);
@@ -44,6 +47,7 @@ export class LanguageClient {
   async tell(text: string): Promise<boolean> {
     if (this.uri === "" || !(await this.start())) return false;
     this.version += 1;
+    this.told = text;
     if (this.version === 1) this.send({ method: "textDocument/didOpen", params: { textDocument: { uri: this.uri, languageId: "soar", version: 1, text } } });
     else this.send({ method: "textDocument/didChange", params: { textDocument: { uri: this.uri, version: this.version }, contentChanges: [{ text }] } });
     return true;
@@ -56,6 +60,14 @@ export class LanguageClient {
     const result = answer?.result as LspItem[] | { items: LspItem[] } | null | undefined;
     if (result === null || result === undefined) return null;
     return Array.isArray(result) ? result : result.items;
+  }
+
+  /** What there is to say about the word at a place, in the protocol's simple markdown; empty: nothing. */
+  async hover(text: string, line: number, character: number): Promise<string> {
+    if (text !== this.told && !(await this.tell(text))) return "";
+    const answer = await this.ask("textDocument/hover", { textDocument: { uri: this.uri }, position: { line, character } });
+    const contents = (answer?.result as { contents?: string | { value?: string } } | null | undefined)?.contents;
+    return typeof contents === "string" ? contents : (contents?.value ?? "");
   }
 
   private take(content: Answer & { method?: string; params?: { uri?: string; diagnostics?: LspDiagnostic[] } }): void {
@@ -123,4 +135,31 @@ export function completeWith(client: LanguageClient): CompletionSource {
       }),
     };
   };
+}
+
+/** A line of the language server's words: **bold**, `code`, and text between them. */
+export function wordsOf(line: string): { text: string; kind: "bold" | "code" | "" }[] {
+  return line.split(/(\*\*[^*]+\*\*|`[^`]*`)/).filter((one) => one !== "").map((one) =>
+    one.startsWith("**") && one.length > 4 ? { text: one.slice(2, -2), kind: "bold" } : one.startsWith("`") && one.length > 1 ? { text: one.slice(1, -1), kind: "code" } : { text: one, kind: "" });
+}
+
+/** Tells about the word under the mouse. */
+export function hoverWith(client: LanguageClient): ReturnType<typeof hoverTooltip> {
+  return hoverTooltip(async (view, pos) => {
+    const line = view.state.doc.lineAt(pos), word = view.state.wordAt(pos);
+    const about = await client.hover(view.state.doc.toString(), line.number - 1, pos - line.from);
+    if (about === "" || view.state.doc.length < pos) return null;
+    return {
+      pos: word?.from ?? pos, end: word?.to ?? pos, above: true,
+      create: () => {
+        const dom = document.createElement("div");
+        dom.className = "about-word";
+        for (const one of about.split(/\s*\n/)) {
+          const row = dom.appendChild(document.createElement("div"));
+          for (const { text, kind } of wordsOf(one)) row.appendChild(document.createElement(kind === "bold" ? "b" : kind === "code" ? "code" : "span")).textContent = text;
+        }
+        return { dom };
+      },
+    };
+  }, { hoverTime: 350 });
 }

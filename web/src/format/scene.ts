@@ -103,6 +103,8 @@ export interface Component {
   /** Its top left corner; 1 px is 5 mm. */
   world: null | { place: Vec3; turn: Quat };
 }
+/** A push that a script or a command gave a body for the last step. */
+export interface Push { owner: number; place: Vec3; force: Vec3; mass: number }
 export interface NamedPlace { kind: "waypoint" | "region" | "item" | "thing"; name: string; place: Vec3 }
 
 export interface Scene {
@@ -118,6 +120,7 @@ export interface Scene {
   shots: readonly Shot[];
   speech: readonly Speech[];
   places: readonly NamedPlace[];
+  pushes: readonly Push[];
   components: readonly Component[];
   particles: readonly Particle[];
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, ByteReader } from "./byte_reader";
-import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Quat, Scene, Shot, Speech, Surroundings, Triangle, Vec3 } from "./scene";
+import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Speech, Surroundings, Triangle, Vec3 } from "./scene";
 
 const MARK = 0x53, VERSION = 1, FULL = 1, DEFLATED = 2;
 const HEAD_BYTES = 3;
@@ -106,6 +106,7 @@ export class SceneReader {
       shots: before?.shots ?? [],
       speech: before?.speech ?? [],
       places: before?.places ?? [],
+      pushes: before?.pushes ?? [],
       components: before?.components ?? [],
       particles: before?.particles ?? [],
     };
@@ -126,6 +127,7 @@ export class SceneReader {
       case 8: scene.minds = this.readMinds(input); break;
       case 9: [scene.shots, scene.speech] = this.shotsAndSpeech(input); break;
       case 10: scene.places = this.places(input); break;
+      case 11: scene.pushes = this.pushes(input); break;
       case 12: scene.overlayLines = this.lines(input); break;
       default: break;
     }
@@ -280,6 +282,10 @@ export class SceneReader {
     }));
     const speech = list(input, 4, (): Speech => ({ from: input.number(), to: input.number(), text: this.word(input), time: input.signed() / 100 }));
     return [shots, speech];
+  }
+
+  private pushes(input: ByteReader): Push[] {
+    return list(input, 20, (): Push => ({ owner: input.number(), place: whole(input, PER_METRE), force: floats(input), mass: input.float() }));
   }
 
   private places(input: ByteReader): NamedPlace[] {

@@ -28,6 +28,11 @@ export function taskText(task: string): string {
   return task.replace(/\s*New in the window: .*$/s, "");
 }
 
+/** A line of a grade without the command that shows the run in a window. */
+export function gradeText(line: string): string {
+  return line.replace(/: soarbox run .*$/, "");
+}
+
 function lessonView(context: PanelContext, lesson: Lesson): Child[] {
   const isWatching = context.run.hello?.may_edit === false;
   return [
@@ -39,7 +44,7 @@ function lessonView(context: PanelContext, lesson: Lesson): Child[] {
       lesson.hint_count > 0 && button(lesson.hints.length >= lesson.hint_count ? "No more hints" : `Hint ${lesson.hints.length + 1} of ${lesson.hint_count}`, () => context.run.ask("lesson", { what: "hint" }), { attributes: { disabled: lesson.hints.length >= lesson.hint_count } }),
       lesson.next !== "" && button("Next lesson", () => context.openWhat(`lesson:${lesson.next}`), {}, lesson.is_passed ? "button.primary" : "button")),
     lesson.hints.length > 0 && h("section", { attributes: { "aria-live": "polite" } }, h("h3", null, "Hints"), h("ol.hints", null, lesson.hints.map((one) => h("li", null, one)))),
-    lesson.grade.length > 0 && h("section.grade", { attributes: { "aria-live": "polite" } }, h("h3", null, "Grade"), lesson.grade.map((one) => h("p", null, one))),
+    lesson.grade.length > 0 && h("section.grade", { attributes: { "aria-live": "polite" } }, h("h3", null, "Grade"), lesson.grade.map((one) => h("p", null, gradeText(one)))),
   ];
 }
 

@@ -56,6 +56,14 @@ test("names with markup are text and nothing else", () => {
   }
 });
 
+test("whom another simulation moves is marked", () => {
+  const { panel } = made(agentsPanel);
+  const row = { kind: "foreign", team: "red", script: "", mind: false, alive: true, failed: false, health: 80, state: "", operator: "", last_operator: "", command: "", decisions: 0, errors: 0 };
+  const view = panel.view({ moment: MOMENT, agents: { agents: [{ name: "visitor", ...row }], activities: {} } });
+  assert.match(textOf(view), /visitor.*foreign/s);
+  assert.ok(all(view).some((one) => one.classes.includes("foreign")));
+});
+
 test("an agent's name selects it", () => {
   const { panel, asked } = made(agentsPanel);
   const row = { kind: "soar", team: "red", script: "", mind: true, alive: true, failed: false, health: 80, state: "S1", operator: "wait", last_operator: "", command: "", decisions: 1, errors: 0 };

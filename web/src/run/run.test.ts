@@ -52,7 +52,7 @@ test("what is looked at is told again to each run", () => {
   assert.deepEqual(source.sent.at(-1), { request: "look", panels: ["mind", "why"] });
 });
 
-test("whoever watches asks for nothing, and is told so", () => {
+test("whoever watches says at what he looks and asks for nothing else, and is told so", () => {
   const { run, source } = started(), remarks: string[] = [];
   run.on("remark", (remark) => remarks.push(remark.text));
   run.look(["why"]);
@@ -60,7 +60,7 @@ test("whoever watches asks for nothing, and is told so", () => {
   run.look(["mind"]);
   assert.equal(run.ask("live"), false);
   assert.match(remarks[0]!, /only the learner/);
-  assert.deepEqual(source.sent, []);
+  assert.deepEqual(source.sent, [{ request: "look", panels: ["why"] }, { request: "look", panels: ["mind"] }]);
 });
 
 test("a request that nobody takes is a remark", () => {

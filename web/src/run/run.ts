@@ -102,7 +102,7 @@ export class Run {
     const sorted = [...new Set(panels)].sort();
     if (sorted.join() === this.looked.join()) return;
     this.looked = sorted;
-    if (this.hello?.may_edit === true && this.connection === "open") this.source.send({ request: "look", panels: this.looked });
+    if (this.hello !== null && this.connection === "open") this.source.send({ request: "look", panels: this.looked });
   }
 
   wantOverlays(on: readonly string[]): void {
@@ -123,7 +123,7 @@ export class Run {
         this.opened = null;
         this.setState("running");
         this.tell("hello", message);
-        if (message.may_edit) this.source.send({ request: "look", panels: this.looked });
+        this.source.send({ request: "look", panels: this.looked });
         if (message.may_edit && this.overlays.length > 0) this.source.send({ request: "overlays", on: this.overlays });
         break;
       case "flow":

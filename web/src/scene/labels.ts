@@ -3,7 +3,7 @@ import { Vector3, type PerspectiveCamera } from "three";
 import type { NamedPlace, Scene, Vec3 } from "../format/scene";
 import { h, patch, type Child } from "../dom/view";
 import { LabelLayout, type Box } from "./label_layout";
-import { agentColor, cssColor, type Rgb } from "./looks";
+import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 
 const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, SPEECH_S = 3.5;
@@ -22,6 +22,7 @@ export function doingOf(scene: Scene, id: number): string {
   if (agent.failed) return "stopped by an error";
   if (!agent.alive) return "dead";
   const operator = mind?.operator ?? "", body = mind !== undefined && mind.doing !== "" ? mind.doing : agent.lastCommand;
+  if (operator === "" && body === "" && agent.kind === FOREIGN) return "foreign";
   if (operator === "") return shortened(body, 30);
   return body === "" || body === operator ? shortened(operator, 30) : `${shortened(operator, 24)} · ${shortened(body, 24)}`;
 }
@@ -77,7 +78,7 @@ export class Labels {
       let names = 0;
       for (const { one, point } of heads) {
         const isSmall = heads.length > 24 && point.away > 45 && one.id !== selected;
-        const doing = doingOf(scene, one.id), name = shortened(one.agent.name, 28), wide = Math.max(name.length * 7.4, doing.length * 6.4, 44) + 22;
+        const doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, wide = Math.max(name.length * 7.4, doing.length * 6.4, 44) + 22;
         const box = names < MOST_NAMES && !isSmall ? layout.place(point.x, point.y, wide, doing === "" ? 29 : 44) : null;
         if (box === null) {
           shown.push(h("div.dot", { key: `d${one.id}`, style: { left: `${point.x - 4}px`, top: `${point.y - 4}px`, background: cssColor(agentColor(one.agent)) } }));

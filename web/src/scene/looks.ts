@@ -96,6 +96,9 @@ export function cssColor(color: readonly number[], alpha = 1): string {
   return `rgb(${r ?? 0} ${g ?? 0} ${b ?? 0} / ${alpha})`;
 }
 
+/** The kind of agents that another simulation moves; they are marked by a hollow lozenge. */
+export const FOREIGN = "foreign";
+
 /** Materials that mean no more than "some texture" on an agent's body. */
 export function isJustSomeTexture(material: string): boolean {
   return ["", "Ground", "Ground2", "White", "NobiaxModular", "base_material", "base_animated_material"].includes(material);

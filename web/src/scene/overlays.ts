@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Agent, Mind, Scene, Vec3 } from "../format/scene";
 import { ink, type Ink, type LineBatch } from "./line_batch";
-import { agentColor, bright, type Rgb } from "./looks";
+import { agentColor, bright, FOREIGN, type Rgb } from "./looks";
 import { cross, length, minus, plus, times, unit } from "./meshes/mesh_data";
 
 /** What can be drawn over the scene; each is on or off. */
 export const OVERLAYS = [
   { word: "labels", title: "Names" }, { word: "trails", title: "Trails" }, { word: "senses", title: "Senses" }, { word: "goals", title: "Paths and goals" },
   { word: "shots", title: "Shots" }, { word: "belief", title: "Belief" }, { word: "places", title: "Places" },
+  { word: "forces", title: "Forces" }, { word: "navigation", title: "Navigation mesh" }, { word: "influence", title: "Influence map" }, { word: "physics", title: "Physics shapes" },
 ] as const;
 export type OverlayWord = (typeof OVERLAYS)[number]["word"];
+/** What costs the run something to tell: it is asked for while it is on, and no recording holds it. */
+export const COSTLY: ReadonlySet<OverlayWord> = new Set(["forces", "navigation", "influence", "physics"]);
 
 const TRAIL_STEP_M = 0.3, MOST_TRAIL_POINTS = 160, JUMP_M = 3;
 const TRACER_S = 0.7, HIT_MARK_S = 1.8;
 const SIGHT: Rgb = [1, 0.93, 0.55], HEARING: Rgb = [0.55, 0.85, 1], TRACER: Rgb = [1, 0.85, 0.35], HIT: Rgb = [1, 0.22, 0.12], MISS: Rgb = [0.92, 0.9, 0.85];
+const VELOCITY: Rgb = [0.35, 0.9, 1], FORCE: Rgb = [1, 0.45, 0.85];
 const UNKNOWN: Rgb = [0.6, 0.62, 0.66];
 
 /** An agent as it is drawn now: between two moments. */
@@ -72,27 +76,40 @@ const lifted = (p: Vec3, by: number): Vec3 => [p[0], p[1] + by, p[2]];
 /** Where agents were: kept from moment to moment. */
 export class Trails {
   private readonly courses = new Map<number, Vec3[]>();
+  private readonly moves = new Map<number, { place: Vec3; velocity: Vec3 }>();
   private tick = -1;
+  private time = 0;
 
   note(scene: Scene): void {
-    if (scene.tick < this.tick || scene.tick > this.tick + 300) this.courses.clear();
+    if (scene.tick < this.tick || scene.tick > this.tick + 300) this.clear();
+    const seconds = scene.time - this.time, isNew = scene.tick !== this.tick;
     this.tick = scene.tick;
+    this.time = scene.time;
     for (const id of this.courses.keys()) if (!scene.agents.has(id)) this.courses.delete(id);
     for (const [id, agent] of scene.agents) {
       const course = this.courses.get(id) ?? [], feet: Vec3 = [agent.place[0], agent.place[1] - agent.height / 2, agent.place[2]], last = course.at(-1);
       if (last === undefined || length(minus(feet, last)) >= TRAIL_STEP_M) course.push(feet);
       if (course.length > MOST_TRAIL_POINTS) course.shift();
       this.courses.set(id, course);
+      if (!isNew) continue;
+      const before = this.moves.get(id);
+      this.moves.set(id, { place: agent.place, velocity: before !== undefined && seconds > 0 ? times(minus(agent.place, before.place), 1 / seconds) : [0, 0, 0] });
     }
   }
 
   clear(): void {
     this.courses.clear();
+    this.moves.clear();
     this.tick = -1;
   }
 
   of(id: number): readonly Vec3[] {
     return this.courses.get(id) ?? [];
+  }
+
+  /** In m/s, between the last two moments that were told. */
+  velocityOf(id: number): Vec3 {
+    return this.moves.get(id)?.velocity ?? [0, 0, 0];
   }
 }
 
@@ -174,6 +191,29 @@ function paintBelief(pen: Pen, self: Placed, mind: Mind, others: ReadonlyMap<num
   return ghosts;
 }
 
+/** 10 m/s² are two metres long; collisions and impulses do not fill the picture. */
+const METRES_PER_PUSH = 0.2, LONGEST_PUSH_M = 4, LEAST_PUSH_M = 0.04, MOST_PUSHES = 12, METRES_PER_SPEED = 0.6;
+
+/** How fast bodies move and what pushes them; of several pushes their sum is the bright one. */
+function paintForces(pen: Pen, scene: Scene, placed: ReadonlyMap<number, Placed>, trails: Trails): void {
+  for (const one of placed.values()) {
+    const [x, , z] = trails.velocityOf(one.id), from = lifted(one.place, 0.1);
+    if (one.agent.alive && Math.hypot(x, z) > 0.05) pen.arrow(from, plus(from, times([x, 0, z], METRES_PER_SPEED)), ink(VELOCITY));
+  }
+  const arrow = (from: Vec3, acceleration: Vec3, alpha: number): void => {
+    const push = times(acceleration, METRES_PER_PUSH), long = length(push);
+    if (long > LEAST_PUSH_M) pen.arrow(from, plus(from, long > LONGEST_PUSH_M ? times(push, LONGEST_PUSH_M / long) : push), ink(FORCE, alpha));
+  };
+  const sums = new Map<number, { from: Vec3; acceleration: Vec3; count: number }>();
+  for (const push of scene.pushes) {
+    if (!(push.mass > 0)) continue;
+    const at = placed.get(push.owner)?.place ?? push.place, from = lifted(at, 0.25), acceleration = times(push.force, 1 / push.mass), sum = sums.get(push.owner);
+    sums.set(push.owner, { from, acceleration: plus(sum?.acceleration ?? [0, 0, 0], acceleration), count: (sum?.count ?? 0) + 1 });
+    if ((sum?.count ?? 0) < MOST_PUSHES) arrow(from, acceleration, 0.45);
+  }
+  for (const { from, acceleration } of sums.values()) arrow(from, acceleration, 1);
+}
+
 export interface OverlayScene {
   scene: Scene;
   time: number;
@@ -199,6 +239,7 @@ export function paintOverlays(out: LineBatch, { scene, time, placed, selected, o
   }
   for (const one of placed.values()) {
     if (shown.has("trails")) paintTrail(pen, one, trails.of(one.id));
+    if (shown.has("labels") && one.agent.kind === FOREIGN && one.agent.alive) pen.circle(lifted(feetOf(one), 0.06), one.agent.radius * 2, ink(agentColor(one.agent)), true);
     const mind = scene.minds.get(one.id), isSelected = one.id === selected;
     if (mind === undefined) continue;
     if (shown.has("senses") && (isSelected || selected === 0)) paintSenses(pen, one, mind, isSelected);
@@ -214,6 +255,7 @@ export function paintOverlays(out: LineBatch, { scene, time, placed, selected, o
       else pen.star(shot.to, 0.14, ink(MISS, 1 - age / HIT_MARK_S));
     }
   }
+  if (shown.has("forces")) paintForces(pen, scene, placed, trails);
   if (shown.has("places")) for (const place of scene.places) if (place.kind === "waypoint") pen.circle(lifted(place.place, 0.08), 0.5, [1, 1, 1, 0.85]);
   const chosen = placed.get(selected);
   if (chosen !== undefined) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "serve/place_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "diagnostics/problem.h"
+
+namespace soarbox::serve {
+
+Result<PlaceLock> PlaceLock::Take(const std::filesystem::path& root) {
+  const int file = open((root / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0)
+    return NewProblem(std::string("this place cannot be locked: ") + std::strerror(errno),
+                      "tell whoever runs this server");
+  PlaceLock lock(file);
+  if (flock(file, LOCK_EX | LOCK_NB) == 0) return lock;
+  if (errno == EWOULDBLOCK)
+    return NewProblem("another server runs a world of this place now",
+                      "close its page there and wait until that run has ended; whoever runs the servers can let each "
+                      "place go to one of them (docs/serve.md)");
+  // A disk that knows no locks.
+  return lock;
+}
+
+PlaceLock::~PlaceLock() {
+  if (file_ >= 0) close(file_);
+}
+
+}  // namespace soarbox::serve

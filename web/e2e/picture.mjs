@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What the picture shows over the world, keys that reach the world's scripts, and what is told about a word of a rule.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { closeBrowser, openLesson, openPage, openWorld, picture, until } from "./browser.mjs";
+
+after(closeBrowser);
+
+test("the navigation mesh is drawn while it is on, also over a world that stands still", async () => {
+  const { page, troubles, close } = await openPage("/", { size: [1000, 560] });
+  await openWorld(page, "soar_skirmish");
+  await page.waitForSelector(".labels .name");
+  await until(async () => Number.parseFloat((await page.locator(".scrubber .moment").innerText()).split("/")[0].split(":")[1]) > 1, "the world runs");
+  await page.keyboard.press("Space");
+  await page.waitForSelector(".flow-bar button[aria-label=Run]");
+  const seen = async () => (await page.locator(".stage").screenshot()).toString("base64");
+  const toggle = async (title) => {
+    await page.locator("button[aria-label='What is drawn over the picture']").click();
+    await page.locator(".menu label", { hasText: title }).locator("input").click();
+    await page.keyboard.press("Escape");
+    await page.mouse.move(2, 2);
+    await page.locator(".stage canvas").focus();
+  };
+  await page.mouse.move(2, 2);
+  await page.locator(".stage canvas").focus();
+  await until(async () => (await seen()) === (await seen()), "the picture stands still");
+  const before = await seen();
+  await toggle("Navigation mesh");
+  await until(async () => (await seen()) !== before, "the mesh is drawn");
+  await picture(page, "overlay_navigation");
+  const drawn = await seen();
+  await toggle("Navigation mesh");
+  await until(async () => (await seen()) !== drawn, "and no longer");
+  await toggle("Forces");
+  await page.keyboard.press("Space");
+  await picture(page, "overlay_forces");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("keys reach a world's scripts as in the window", async () => {
+  const { page, troubles, close } = await openPage("/", { size: [1000, 560] });
+  await openWorld(page, "thesis");
+  await page.waitForSelector(".script-ui .box");
+  const boxes = () => page.locator(".script-ui .box:visible").count();
+  const before = await boxes();
+  await page.locator(".stage canvas").focus();
+  await page.keyboard.press("F2");
+  await until(async () => (await boxes()) !== before, "F2 shows or hides the help of this world");
+  await page.keyboard.press("F2");
+  await until(async () => (await boxes()) === before, "and F2 again");
+  // What is typed into a panel is none of the world's.
+  await page.locator("[role=tab]", { hasText: /^Agents/ }).focus();
+  await page.keyboard.press("F2");
+  await page.waitForTimeout(500);
+  assert.equal(await boxes(), before);
+  await picture(page, "keys");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("a word of a rule under the mouse is explained", async () => {
+  const { page, troubles, close } = await openPage();
+  await openLesson(page, 1);
+  const word = page.locator(".cm-line", { hasText: "sp {porter" }).first().locator("span", { hasText: "porter" }).first();
+  const tooltip = page.locator(".about-word");
+  const box = await word.boundingBox();
+  await page.mouse.move(box.x + box.width / 2 - 3, box.y + box.height / 2);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await tooltip.waitFor();
+  assert.match(await tooltip.innerText(), /rule porter\*/);
+  await picture(page, "hover");
+  assert.deepEqual(troubles, []);
+  await close();
+});
