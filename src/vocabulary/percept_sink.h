@@ -13,18 +13,24 @@
 
 namespace soarbox::vocabulary {
 
+/// What std::round gives, but for the sign of zero, without a call: every percept is rounded in each look around.
+inline double Rounded(double value) {
+  constexpr double kNoFraction = 4503599627370496;  // From here on.
+  if (!(std::abs(value) < kNoFraction)) return value;
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+  const double rest = value - whole;
+  return rest >= 0.5 ? whole + 1 : rest <= -0.5 ? whole - 1 : whole;
+}
+
 /// The value as rules see it: within the row's range, rounded to its step. Nothing if it is not finite.
 inline std::optional<double> AsPerceived(const PerceptRow& row, double value) {
   if (!std::isfinite(value)) return std::nullopt;
   if (row.min != row.max) value = value < row.min ? row.min : value > row.max ? row.max : value;
-  if (row.step == 1) {
-    value = std::round(value);
+  // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
+  if (row.steps_per_unit > 0) {
+    value = Rounded(value * row.steps_per_unit) / row.steps_per_unit;
   } else if (row.step > 0) {
-    // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
-    const double per_unit = 1 / row.step;
-    const double whole = std::round(per_unit);
-    value = std::abs(per_unit - whole) < 1e-9 && whole > 0 ? std::round(value * whole) / whole
-                                                           : std::round(value / row.step) * row.step;
+    value = Rounded(value / row.step) * row.step;
   }
   return value + 0.0;  // No negative zero.
 }

@@ -20,6 +20,14 @@ enum class ValueType : std::uint8_t {
   kObject,   ///< An identifier with attributes of its own.
 };
 
+/// How many steps make 1; 0 if that is no whole number.
+constexpr double WholeStepsPerUnit(double step) {
+  if (step <= 0) return 0;
+  const double steps = 1 / step, whole = static_cast<double>(static_cast<long long>(steps + 0.5));
+  const double error = steps - whole;
+  return whole > 0 && error < 1e-9 && error > -1e-9 ? whole : 0;
+}
+
 /// One thing that an agent may perceive: an attribute below ^io.input-link.
 struct PerceptRow {
   std::string_view path;   ///< Dotted, from the input link: "self.position.x".
@@ -30,6 +38,7 @@ struct PerceptRow {
   double step = 0;              ///< Numbers are rounded to multiples of this, so that noise below it changes nothing.
   std::string_view words = {};  ///< Words only: the possible ones, separated by blanks; empty: any.
   std::string_view meaning = {};
+  double steps_per_unit = WholeStepsPerUnit(step);
 
   constexpr std::string_view Attribute() const {
     const std::size_t dot = path.rfind('.');

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <random>
 #include <set>
 
 #include "vocabulary/command_check.h"
@@ -67,6 +70,26 @@ TEST(CommandCheck, ParametersAreCheckedForPresenceTypeAndRange) {
 TEST(CommandCheck, MessagesCarryWhateverTheirAuthorPutsBesideThem) {
   EXPECT_TRUE(
       CheckCommand(Say("broadcast", {{"about", 0, std::string("enemy")}, {"where", 0, std::string("gate")}})).ok());
+}
+
+TEST(Percepts, AreRoundedAsTheStandardLibraryRounds) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> about(-50, 50);
+  for (int i = 0; i < 20'000; ++i) {
+    const double value = i % 3 == 0 ? std::round(about(random) * 4) / 2 + 0.5 : about(random);
+    EXPECT_EQ(Rounded(value), std::round(value)) << value;
+  }
+  for (const double value : {0.49999999999999994, -0.49999999999999994, 4503599627370495.5, 4503599627370496.0, 1e300,
+                             -1e300, -0.5, 0.5, 1.5, 2.5})
+    EXPECT_EQ(Rounded(value), std::round(value)) << value;
+  const auto row = [](double step) { return Number("x", "self", "m", 0, 0, step, ""); };
+  EXPECT_EQ(AsPerceived(row(0.1), 0.349), 0.3);
+  EXPECT_EQ(AsPerceived(row(0.25), -0.4), -0.5);
+  EXPECT_EQ(AsPerceived(row(1), 2.5), 3);
+  EXPECT_EQ(AsPerceived(row(5), 12.6), 15);
+  EXPECT_EQ(AsPerceived(row(0), 12.6), 12.6);
+  EXPECT_FALSE(std::signbit(*AsPerceived(row(0.1), -0.01)));
+  EXPECT_FALSE(AsPerceived(row(0.1), std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace
