@@ -64,6 +64,20 @@ TEST(Geometry, DistancesAreTheSameBothWaysAndNoLongerThanBetweenAnyPoints) {
   }
 }
 
+TEST(Geometry, TheShortestLineIsAsLongAsTheDistance) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    GeneratedScene generated(seed);
+    generated.ForEachPair([&](const Node& a, const Node& b) {
+      const double distance = HullDistance(a, b);
+      if (distance <= 0) return;
+      const SightLine line = ShortestLine(a, b);
+      // From body to body and back it comes near to the shortest, never below.
+      EXPECT_GE(Distance(line.from, line.to), distance - 1e-7) << "seed " << seed;
+      EXPECT_LE(Distance(line.from, line.to), distance * 1.05 + 1e-3) << "seed " << seed;
+    });
+  }
+}
+
 TEST(Geometry, MovingAndTurningEverythingChangesNoDistance) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     GeneratedScene generated(seed);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -127,6 +128,49 @@ TEST_F(ImageryTest, WhatCannotBeDoneIsToldAndNothingElseHappens) {
   Load("burn (state <s> ^superstate nil ^svs.command <c>) --> (<c> ^delete_node.id world)");
   Cycle(2);
   EXPECT_EQ(Top("svs.command.delete_node.status"), "the world cannot be deleted");
+}
+
+class Problems : public Observer {
+ public:
+  void OnSceneProblem(const Agent& agent, WmeId command, std::string_view problem, std::string_view hint) override {
+    const Symbol attribute = agent.memory().wme(command).attribute;
+    told.push_back(ToString(agent.symbols(), attribute, false) + ": " + std::string(problem) + "; " +
+                   std::string(hint));
+  }
+  std::vector<std::string> told;
+};
+
+TEST_F(ImageryTest, WhatRulesAskInVainIsReportedOnce) {
+  Problems problems;
+  agent_.AddObserver(problems, Mask(Event::kPrint));
+  Ask("(<x> ^type closest ^a <a> ^b <b>) (<a> ^type node ^id bal) (<b> ^type all_nodes)");
+  Load(
+      "move (state <s> ^superstate nil ^svs.command <c>) --> (<c> ^set_transform <x> ^extract_once <y>) "
+      "(<x> ^id boll) (<y> ^type closets)");
+  Send("add ball world b 1");
+  Cycle(3);
+  Send("change ball p 1 0 0");
+  Cycle(3);
+  std::sort(problems.told.begin(), problems.told.end());
+  const std::vector<std::string> expected = {
+      "extract: filter node finds nothing, now and later: there is no node bal: did you mean ball?; for what comes "
+      "later, take tag_select over all_nodes, or give the command once the node is there",
+      "extract_once: incorrect filter syntax: there is no filter closets; did you mean closest?",
+      "set_transform: Couldn't find node boll; there is no node boll: did you mean ball?"};
+  EXPECT_EQ(problems.told, expected);
+  agent_.RemoveObserver(problems);
+}
+
+TEST_F(ImageryTest, TheVersionGrowsWithWhatIsImaginedAndOnlyThen) {
+  Ask("(<x> ^type distance ^a <a> ^b <b>) (<a> ^type node ^id a) (<b> ^type node ^id b)");
+  Send("add a world b 1\nadd b world b 1 p 5 0 0");
+  Cycle(3);
+  const std::uint64_t before = agent_.imagery().version();
+  Cycle(3);
+  EXPECT_EQ(agent_.imagery().version(), before);
+  Send("change b p 3 0 0");
+  Cycle();
+  EXPECT_GT(agent_.imagery().version(), before);
 }
 
 TEST_F(ImageryTest, FiltersThatContainThemselvesAreNone) {
