@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace soarbox::kernel::imagery {
 namespace {
@@ -13,6 +14,8 @@ class Simplex {
   bool Has(const Vec3& point) const {
     return std::find(points_.begin(), points_.begin() + size_, point) != points_.begin() + size_;
   }
+  int size() const { return size_; }
+  const Vec3& At(int n) const { return points_[static_cast<std::size_t>(n)]; }
   void Add(const Vec3& point) { points_[static_cast<std::size_t>(size_++)] = point; }
   double Extent() const {
     double extent = 0;
@@ -38,7 +41,6 @@ class Simplex {
   }
 
  private:
-  const Vec3& At(int n) const { return points_[static_cast<std::size_t>(n)]; }
   void Keep(const Vec3& a) {
     points_[0] = a;
     size_ = 1;
@@ -146,27 +148,61 @@ Vec3 Solid::Support(const Vec3& direction) const {
 
 namespace {
 
-/// The shortest vector from the core of b to that of a, and the size of what was compared; none if they touch.
-bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent) {
+/// A point of the difference of two bodies, and the point of the first that it comes from.
+struct Difference {
+  Vec3 corner, of_a;
+};
+
+/// The point of a that belongs to a point of the simplex: mixed from the corners as that is.
+Vec3 PointOfFirst(const Simplex& simplex, const Vec3& nearest, std::span<const Difference> seen) {
+  const auto of_a = [&](int n) {
+    const auto found = std::find_if(seen.begin(), seen.end(),
+                                    [&](const Difference& difference) { return difference.corner == simplex.At(n); });
+    return found == seen.end() ? Vec3{} : found->of_a;
+  };
+  if (simplex.size() < 2) return of_a(0);
+  const Vec3 along = simplex.At(1) - simplex.At(0), to = nearest - simplex.At(0);
+  const double length = Dot(along, along);
+  if (simplex.size() == 2) {
+    const double share = length > 0 ? Dot(to, along) / length : 0;
+    return of_a(0) + (of_a(1) - of_a(0)) * share;
+  }
+  const Vec3 other = simplex.At(2) - simplex.At(0), normal = Cross(along, other);
+  const double area = Dot(normal, normal);
+  if (area <= 0) return of_a(0);
+  const double of_second = Dot(Cross(to, other), normal) / area, of_third = Dot(Cross(along, to), normal) / area;
+  return of_a(0) + (of_a(1) - of_a(0)) * of_second + (of_a(2) - of_a(0)) * of_third;
+}
+
+/// The shortest vector from the core of b to that of a, and the size of what was compared; false if they touch.
+/// `on_a`: where it ends on a, if somebody wants to know.
+bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent, Vec3* on_a = nullptr) {
   constexpr int kMostSteps = 200;
   Simplex simplex;
-  nearest = a.Support({1, 0, 0}) - b.Support({-1, 0, 0});
-  simplex.Add(nearest);
+  std::vector<Difference> seen;
+  const auto add = [&](const Vec3& corner, const Vec3& of_a) {
+    simplex.Add(corner);
+    if (on_a != nullptr) seen.push_back({corner, of_a});
+  };
+  const Vec3 first = a.Support({1, 0, 0});
+  nearest = first - b.Support({-1, 0, 0});
+  add(nearest, first);
   extent = Dot(nearest, nearest);
   for (int step = 0; step < kMostSteps; ++step) {
     const double square = Dot(nearest, nearest);
     // As good as touching, measured by the size of what is compared.
     if (!(square > 1e-22 * extent)) return false;
-    const Vec3 corner = a.Support(-nearest) - b.Support(nearest);
+    const Vec3 of_a = a.Support(-nearest), corner = of_a - b.Support(nearest);
     const double progress = square - Dot(nearest, corner);
     if (progress <= 1e-13 * square || simplex.Has(corner)) break;
-    simplex.Add(corner);
+    add(corner, of_a);
     extent = std::max(extent, Dot(corner, corner));
     Vec3 next;
     if (simplex.Reduce(next)) return false;
     if (!(Dot(next, next) < square)) break;  // Rounding: no nearer.
     nearest = next;
   }
+  if (on_a != nullptr) *on_a = PointOfFirst(simplex, nearest, seen);
   return true;
 }
 
@@ -180,14 +216,17 @@ double DistanceBetween(const Solid& a, const Solid& b) {
   return distance > 1e-11 * std::sqrt(extent) ? distance : 0;
 }
 
-Vec3 NearestPoint(const Solid& solid, const Vec3& point) {
-  Solid single;
-  single.points = std::span(&point, 1);
+bool ShortestBetween(const Solid& a, const Solid& b, Vec3& from, Vec3& to) {
   Vec3 nearest;
   double extent = 0;
-  if (!NearestVector(solid, single, nearest, extent)) return point;
+  if (!NearestVector(a, b, nearest, extent, &from)) return false;
+  to = from - nearest;
   const double length = Length(nearest);
-  return length <= solid.margin ? point : point + nearest * (1 - solid.margin / length);
+  if (length <= a.margin + b.margin) return false;
+  const Vec3 unit = nearest * (1 / length);
+  from = from - unit * a.margin;
+  to = to + unit * b.margin;
+  return true;
 }
 
 bool HasPoint(const Solid& solid, const Vec3& point) {

@@ -23,8 +23,8 @@ struct Solid {
 /// about 1e-9 of their size for ellipsoids. (Gilbert, Johnson and Keerthi's algorithm, as van den Bergen describes it.)
 double DistanceBetween(const Solid& a, const Solid& b);
 
-/// The point of a solid that is nearest to another; that point itself if the solid has it.
-Vec3 NearestPoint(const Solid& solid, const Vec3& point);
+/// Where two solids are nearest to each other: a point of each. False if they touch or overlap.
+bool ShortestBetween(const Solid& a, const Solid& b, Vec3& from, Vec3& to);
 
 /// Whether a solid has the point. (Of a ball, the outermost 0.02 % count as outside.)
 bool HasPoint(const Solid& solid, const Vec3& point);

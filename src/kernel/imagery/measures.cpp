@@ -119,7 +119,6 @@ double HullDistance(const Node& a, const Node& b) {
 }
 
 SightLine ShortestLine(const Node& a, const Node& b) {
-  constexpr int kSteps = 24;
   const auto solids = [](const Node& node, const Vec3& centroid) {
     std::vector<Solid> found;
     for (const Node* const shape : ShapesOf(node)) found.push_back(SolidOf(*shape));
@@ -131,17 +130,12 @@ SightLine ShortestLine(const Node& a, const Node& b) {
   double least = -1;
   for (const Solid& one : solids(a, of_a)) {
     for (const Solid& other : solids(b, of_b)) {
-      const double distance = DistanceBetween(one, other);
-      if (least >= 0 && distance >= least) continue;
-      least = distance;
-      // From one body to the other and back: the line becomes shorter until it is the shortest.
-      best.from = NearestPoint(one, of_b);
-      for (int step = 0; step < kSteps; ++step) {
-        best.to = NearestPoint(other, best.from);
-        const Vec3 back = NearestPoint(one, best.to);
-        if (back == best.from) break;
-        best.from = back;
-      }
+      SightLine line;
+      if (!ShortestBetween(one, other, line.from, line.to)) continue;
+      const double length = Distance(line.from, line.to);
+      if (least >= 0 && length >= least) continue;
+      least = length;
+      best = line;
     }
   }
   return best;
