@@ -50,7 +50,8 @@ Result<sim::DataFolders> FindDataFolders() {
 fs::path PageFolder(const sim::DataFolders& data) {
   const fs::path root = data.scenarios.parent_path();
   std::error_code error;
-  return fs::is_directory(root / "page", error) ? root / "page" : root / "web" / "dist" / "page";
+  // The source tree has it where npm builds it.
+  return fs::is_directory(root / "web", error) ? root / "web" / "dist" / "page" : root / "page";
 }
 
 }  // namespace soarbox::app

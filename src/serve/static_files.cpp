@@ -64,7 +64,8 @@ Result<StaticFiles> StaticFiles::Read(const fs::path& folder) {
     read.files_.emplace(it->path().lexically_relative(folder).generic_string(), std::move(file));
   }
   if (read.Find("index.html") == nullptr)
-    return ProblemIn(folder, "the page is not built", "./dev serve builds it and starts the server");
+    return ProblemIn(folder, "the page is not built",
+                     "in the source folder, ./dev serve builds it and starts the server, and ./dev package packs it");
   return read;
 }
 
