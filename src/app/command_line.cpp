@@ -303,6 +303,7 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
+  serve->add_flag("--dis", options.dis, "Let worlds join exercises of other simulations, as they say (docs/dis.md)");
   serve->add_option("--page", options.page, "Serve the page in this folder instead of the program's own")
       ->check(CLI::ExistingDirectory);
   // Started by the server, on a connection to it: not for people.
@@ -315,6 +316,8 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--recording", engine.recording);
   runs->add_option("--home", engine.home)->required();
   runs->add_option("--memory", engine.memory_mb);
+  runs->add_flag("--join", engine.may_join);
+  runs->add_option("--dis", engine.dis);
 }
 
 void AddHelp(CLI::App& program, HelpOptions& options) {
@@ -488,9 +491,10 @@ int Main(int argc, char** argv) {
     }
     return kUsage;
   }
-  if (program.got_subcommand("run") && run.browser) return ShowInBrowser({run.scenario, {}, run.seed, run.page});
+  if (program.got_subcommand("run") && run.browser)
+    return ShowInBrowser({run.scenario, {}, run.seed, run.page, run.dis});
   if (program.got_subcommand("replay") && recording.browser)
-    return ShowInBrowser({{}, recording.file, {}, recording.page});
+    return ShowInBrowser({{}, recording.file, {}, recording.page, {}});
   // Before anything is done that would be done twice.
   if ((program.got_subcommand("run") && !run.headless) || (program.got_subcommand("learn") && !learn.headless) ||
       (program.got_subcommand("replay") && !recording.headless && !recording.json)) {

@@ -108,16 +108,15 @@ const workbench::PanelInfo* PanelTitled(const std::string& title) {
   return at == workbench::kPanelInfos.end() ? nullptr : &*at;
 }
 
-/// "New in the window: Memory (Alt+E), Edit (Alt+D)."
-std::string NewPanels(const Lesson& lesson) {
-  std::string names;
+/// The words of the panels that a lesson is about, the most important one first.
+std::vector<std::string> NewPanels(const Lesson& lesson) {
+  std::vector<std::string> words;
   const auto add = [&](const std::string& title) {
-    if (const workbench::PanelInfo* panel = PanelTitled(title))
-      names += (names.empty() ? "" : ", ") + std::string(panel->title) + " (Alt+" + std::string(1, panel->key) + ")";
+    if (const workbench::PanelInfo* panel = PanelTitled(title)) words.emplace_back(panel->word);
   };
   add(lesson.panel);
   for (const std::string& title : lesson.also) add(title);
-  return names.empty() ? names : "\n\nNew in the window: " + names + ".";
+  return words;
 }
 
 /// "Memory: Working memory as a tree."
@@ -211,8 +210,9 @@ void LessonDesk::Fill(workbench::Contents& contents) const {
   shown.name = now->name;
   shown.title = std::to_string(parts_->at + 1) + ". " + now->title;
   shown.idea = now->idea + AboutPanel(*now);
-  shown.task = now->task + NewPanels(*now);
+  shown.task = now->task;
   shown.panel = now->panel;
+  shown.new_panels = NewPanels(*now);
   shown.hint_count = now->hints.size();
   const auto used = static_cast<std::size_t>(std::max(0, parts_->progress.Get(now->name, "hints")));
   shown.hints.assign(now->hints.begin(),

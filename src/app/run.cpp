@@ -165,7 +165,11 @@ int Run(const RunOptions& given) {
 
   Result<std::optional<dis::Settings>> exercise = ExerciseOf(options, *scenario, *data);
   if (!exercise) return Refuse(exercise.error());
-  const std::optional<dis::Settings>& joins = *exercise;
+  std::optional<dis::Settings> joins = *std::move(exercise);
+  if (joins && !options.may_join) {
+    options.warning = "This world joins no exercise of other simulations: the server was not started with --dis.";
+    joins.reset();
+  }
 
   const Result<record::Level> level = record::LevelNamed(options.record_level);
   if (!level) {

@@ -38,9 +38,11 @@ struct RunOptions : WindowWishes {
   std::string record_level = "decisions";  ///< record::LevelNamed.
   std::optional<double> record_limit_mb;   ///< None: no limit, or kUsualLimitMb in the usual file.
   std::string remark;                      ///< For the window's status bar: where the recording goes.
+  std::string warning;                     ///< For pages: what this run does not do.
   std::filesystem::path lesson;  ///< The folder of the lesson that this world belongs to; empty: looked up by name.
   bool watch = false;            ///< Edits of rules and scripts reach the running world; a window always watches.
-  std::string dis;  ///< ADDRESS:PORT[,...]: joins an exercise of other simulations; empty: as the scenario says.
+  std::string dis;       ///< ADDRESS:PORT[,...]: joins an exercise of other simulations; empty: as the scenario says.
+  bool may_join = true;  ///< Else it is on its own, whatever the scenario says.
   bool by_strangers = false;    ///< Whoever watches is not the user of this machine: what he types is fenced.
   double kernel_limit_s = 2.0;  ///< How long that kernel may be silent before it counts as gone.
 };

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "sim/foreign_bodies.h"
+#include "world/world.h"
 
 namespace soarbox::app {
 namespace {
@@ -72,6 +74,35 @@ void RunSession::SetMission(std::unique_ptr<MissionWatch> mission) {
 
 void RunSession::Join(std::unique_ptr<dis::Gateway> gateway) {
   gateway_ = std::move(gateway);
+}
+
+std::optional<workbench::ExerciseContents> RunSession::Exercise() {
+  if (gateway_ == nullptr) return std::nullopt;
+  const dis::Settings& settings = gateway_->settings();
+  const dis::Traffic& traffic = gateway_->traffic();
+  workbench::ExerciseContents contents;
+  contents.exercise = settings.exercise;
+  contents.address = settings.address + ":" + std::to_string(settings.port);
+  contents.is_of_this_machine = gateway_->IsOfThisMachine();
+  contents.as = std::to_string(settings.site) + ":" + std::to_string(settings.application);
+  contents.listens_only = settings.listens_only;
+  contents.takes_orders = settings.takes_orders;
+  contents.is_frozen = gateway_->IsFrozen();
+  contents.sent = traffic.sent;
+  contents.not_sent = traffic.unsent;
+  contents.received = traffic.received;
+  contents.sent_per_s = traffic.sent_per_s;
+  contents.received_per_s = traffic.received_per_s;
+  contents.dropped = traffic.Dropped();
+  contents.entity_count = traffic.entities;
+  const sim::Simulation& simulation = *simulation_;
+  for (dis::ForeignEntity& one : gateway_->Entities(workbench::ExerciseContents::kMostListed)) {
+    const world::EntityId body = simulation.foreign().Find(one.id);
+    const world::Agent* agent = body == world::kNoEntity ? nullptr : simulation.world().FindAgent(body);
+    contents.entities.push_back({one.id, agent == nullptr ? std::string() : agent->name(), one.marking, one.team,
+                                 one.body, one.type, static_cast<int>(one.silent_s)});
+  }
+  return contents;
 }
 
 void RunSession::Tick() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,7 @@ class RunSession final : public workbench::LiveRun {
   sim::MindDetail LeastDetail() const override {
     return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone;
   }
+  std::optional<workbench::ExerciseContents> Exercise() override;
   /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
   void Watch(OnTick on_tick) override;

@@ -84,6 +84,7 @@ std::vector<std::string> EngineFor(const std::string& what, const serve::Place& 
                                    const std::string& program, const ShippedCatalog& catalog) {
   std::vector<std::string> words = {
       program, "engine", "--home", place.home().string(), "--memory", std::to_string(options.memory_mb)};
+  if (options.dis) words.emplace_back("--join");
   const std::size_t colon = what.find(':');
   const std::string kind = what.substr(0, colon), name = colon == std::string::npos ? "" : what.substr(colon + 1);
   if (!IsPlainName(name)) return {};
@@ -232,6 +233,7 @@ int ShowInBrowser(const BrowserOptions& shown) {
   } else {
     words.insert(words.end(), {"--run", folder.empty() ? shown.run : folder.string()});
   }
+  if (!shown.dis.empty()) words.insert(words.end(), {"--dis", shown.dis});
   if (shown.seed) words.insert(words.end(), {"--seed", std::to_string(*shown.seed)});
   settings->engine = [opens = settings->opens, words](const std::string& what, const serve::Place&) {
     return what == opens ? words : std::vector<std::string>();

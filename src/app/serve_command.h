@@ -18,6 +18,7 @@ struct ServeOptions {
   std::size_t sessions = 128;
   int memory_mb = 256;
   int idle_min = 30;
+  bool dis = false;             ///< Worlds may join exercises of other simulations.
   std::filesystem::path state;  ///< Empty: where the user's other state is.
   std::filesystem::path class_list;
   std::filesystem::path page;  ///< Empty: the one that comes with the program.
@@ -32,6 +33,7 @@ struct BrowserOptions {
   std::filesystem::path recording;  ///< Or a recording.
   std::optional<std::uint64_t> seed;
   std::filesystem::path page;  ///< As for `soarbox serve`.
+  std::string dis;             ///< As for `soarbox run`.
 };
 int ShowInBrowser(const BrowserOptions& options);
 

@@ -18,6 +18,7 @@
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/problem.h"
+#include "dis/settings.h"
 #include "mission/read_mission.h"
 #include "mission/sentences.h"
 #include "mission/statistics.h"
@@ -117,6 +118,18 @@ void PrintFailures(const TestedMission& tested) {
   }
 }
 
+/// Says that a world that would join others stays alone.
+void TellOfExercise(const TestedMission& tested) {
+  const fs::path& scenario = tested.loaded.scenario.definition;
+  if (scenario.empty()) return;
+  const Result<std::optional<dis::Settings>> exercise = dis::ReadSettings(scenario, {});
+  if (!exercise || !*exercise) return;
+  Diagnostic note = ProblemIn(scenario, "a test joins no exercise of other simulations: this world runs on its own",
+                              "docs/dis.md says how to check a run that takes part");
+  note.severity = Severity::kNote;
+  std::cerr << Format(note);
+}
+
 class Tester {
  public:
   Tester(const TestOptions& options, const sim::DataFolders& data)
@@ -144,6 +157,7 @@ class Tester {
         refused = true;
         continue;
       }
+      TellOfExercise(each);
       const Result<void> done = Run(each);
       if (!done) {
         std::cerr << Format(done.error());

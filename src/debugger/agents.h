@@ -11,6 +11,7 @@
 #include "debugger/json.h"
 #include "debugger/timeline.h"
 #include "record/tick_record.h"
+#include "sim/foreign_kind.h"
 #include "sim/run_event.h"
 #include "sim/simulation.h"
 
@@ -56,6 +57,11 @@ struct AgentRow {
   std::uint64_t decisions = 0;
   double decide_us = 0;  ///< Real time that the last tick's decisions took; differs from run to run.
 };
+
+/// Whether another simulation moves it (docs/dis.md).
+inline bool IsForeign(const AgentRow& row) {
+  return row.kind == sim::kForeignKind;
+}
 
 /// All agents, in creation order.
 std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles,

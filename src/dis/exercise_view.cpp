@@ -87,6 +87,17 @@ void ExerciseView::ForgetSilent(double now_s) {
   });
 }
 
+std::vector<ForeignEntity> ExerciseView::List(double now_s, std::size_t most) const {
+  std::vector<ForeignEntity> list;
+  for (const auto& [id, heard] : heard_) {
+    if (list.size() >= most) break;
+    const EntityState& state = heard.state;
+    list.push_back({ToText(id), state.marking, settings_.TeamOf(state.force), std::string(settings_.BodyOf(state.type)),
+                    ToText(state.type), now_s - heard.at_s});
+  }
+  return list;
+}
+
 sim::ForeignBodyInput ExerciseView::ToInput(const EntityState& state) const {
   sim::ForeignBodyInput input;
   input.id = ToText(state.id);

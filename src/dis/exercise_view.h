@@ -13,6 +13,15 @@ namespace soarbox::dis {
 
 class StateSender;
 
+/// A foreign entity as lists show it.
+struct ForeignEntity {
+  std::string id;       ///< "7:8:9"
+  std::string marking;  ///< As its owner calls it; may be empty.
+  std::string team, body;
+  std::string type;     ///< "3.1.225.1.1.0.0"
+  double silent_s = 0;  ///< Real time since it was heard of last.
+};
+
 /// In the place of a site or an application: all of them.
 inline constexpr std::uint16_t kAllSites = 0xFFFF;
 
@@ -30,6 +39,8 @@ class ExerciseView {
   /// What came since the last call. `ours` knows the names of our entities.
   std::vector<sim::InputValue> TakeInputs(const StateSender& ours);
   std::size_t entities() const { return heard_.size(); }
+  /// The first `most` of them, by their ids.
+  std::vector<ForeignEntity> List(double now_s, std::size_t most) const;
 
  private:
   struct Heard {

@@ -2,11 +2,9 @@
 #include "dis/gateway.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "dis/exercise_view.h"
 #include "dis/state_sender.h"
 #include "dis/udp_socket.h"
 #include "sim/foreign_bodies.h"
@@ -27,8 +25,13 @@ double SecondsBetween(Clock::time_point from, Clock::time_point to) {
 
 }  // namespace
 
-std::uint64_t Traffic::dropped() const {
-  return std::accumulate(refused.begin(), refused.end(), foreign_exercise + too_many);
+std::vector<std::pair<std::string, std::uint64_t>> Traffic::Dropped() const {
+  std::vector<std::pair<std::string, std::uint64_t>> dropped;
+  for (std::size_t i = 0; i < refused.size(); ++i)
+    if (refused[i] > 0) dropped.emplace_back(Name(static_cast<Refusal>(i)), refused[i]);
+  if (foreign_exercise > 0) dropped.emplace_back("of other exercises", foreign_exercise);
+  if (too_many > 0) dropped.emplace_back("of too many entities", too_many);
+  return dropped;
 }
 
 struct Gateway::Impl {
@@ -75,6 +78,10 @@ void Gateway::Impl::Obey(const Management& order) {
   } else if (order.type == PduType::kStartResume) {
     frozen = false;
     answer.flag = 3;
+  } else if (order.type == PduType::kCreateEntity || order.type == PduType::kRemoveEntity) {
+    // Who is in the world the scenario alone says.
+    answer.flag = order.type == PduType::kCreateEntity ? 1 : 2;
+    answer.is_able = false;
   } else {
     return;
   }
@@ -164,6 +171,13 @@ const Traffic& Gateway::traffic() const {
   return impl_->traffic;
 }
 
+bool Gateway::IsOfThisMachine() const {
+  return impl_->socket->IsOfThisMachine();
+}
+std::vector<ForeignEntity> Gateway::Entities(std::size_t most) const {
+  return impl_->view.List(SecondsBetween(impl_->started, Clock::now()), most);
+}
+
 std::string Gateway::Describe() const {
   const Settings& s = impl_->settings;
   const Traffic& t = impl_->traffic;
@@ -173,13 +187,8 @@ std::string Gateway::Describe() const {
                      " PDUs sent, " + std::to_string(t.received) + " received, " + std::to_string(t.entities) +
                      " foreign entities";
   std::string why;
-  for (std::size_t i = 0; i < t.refused.size(); ++i)
-    if (t.refused[i] > 0)
-      why +=
-          (why.empty() ? "" : ", ") + std::to_string(t.refused[i]) + " " + std::string(Name(static_cast<Refusal>(i)));
-  if (t.foreign_exercise > 0)
-    why += (why.empty() ? "" : ", ") + std::to_string(t.foreign_exercise) + " of other exercises";
-  if (t.too_many > 0) why += (why.empty() ? "" : ", ") + std::to_string(t.too_many) + " of too many entities";
+  for (const auto& [reason, count] : t.Dropped())
+    why += (why.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
   if (!why.empty()) text += "; dropped: " + why;
   if (t.unsent > 0) text += "; " + std::to_string(t.unsent) + " could not be sent";
   return text;

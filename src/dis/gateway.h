@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "diagnostics/result.h"
+#include "dis/exercise_view.h"
 #include "dis/pdu_codec.h"
 #include "dis/settings.h"
 
@@ -27,7 +30,8 @@ struct Traffic {
   std::size_t entities = 0;                ///< Foreign ones that are there.
   double received_per_s = 0, sent_per_s = 0;
 
-  std::uint64_t dropped() const;
+  /// How many were dropped, by reason; reasons that never came are left out.
+  std::vector<std::pair<std::string, std::uint64_t>> Dropped() const;
 };
 
 /// Joins a run to an exercise of other simulations (IEEE 1278.1, Distributed Interactive Simulation).
@@ -54,6 +58,10 @@ class Gateway {
 
   const Settings& settings() const;
   const Traffic& traffic() const;
+  /// No other machine hears or is heard.
+  bool IsOfThisMachine() const;
+  /// The first `most` foreign entities that are there.
+  std::vector<ForeignEntity> Entities(std::size_t most) const;
   /// One line: where, who, and what has passed.
   std::string Describe() const;
 

@@ -138,6 +138,7 @@ struct Management {
   EntityId from, to;
   std::uint32_t request = 0;
   std::uint16_t flag = 0;   ///< Acknowledge: what is acknowledged (1 create, 2 remove, 3 start, 4 stop).
+  bool is_able = true;      ///< Acknowledge: the order is obeyed.
   std::uint8_t reason = 0;  ///< Stop/Freeze.
 };
 

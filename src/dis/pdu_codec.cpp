@@ -58,6 +58,8 @@ class Writer {
 };
 
 /// Protocol families of the kinds of PDUs.
+/// Whether who acknowledges an order can comply with it.
+constexpr std::uint16_t kAble = 1, kUnable = 2;
 constexpr std::uint8_t kEntityFamily = 1, kWarfareFamily = 2, kManagementFamily = 5;
 
 std::pair<PduType, std::uint8_t> KindOf(const Body& body) {
@@ -149,7 +151,7 @@ struct BodyWriter {
         break;
       case PduType::kAcknowledge:
         out.Unsigned(order.flag);
-        out.Unsigned(std::uint16_t{1});  // Able to comply.
+        out.Unsigned(order.is_able ? kAble : kUnable);
         break;
       default:
         break;
@@ -342,7 +344,7 @@ Management ReadManagement(Reader& in, PduType type) {
   }
   if (type == PduType::kAcknowledge) {
     order.flag = in.Unsigned<std::uint16_t>();
-    in.Skip(2);
+    order.is_able = in.Unsigned<std::uint16_t>() != kUnable;
   }
   order.request = in.Unsigned<std::uint32_t>();
   return order;

@@ -53,7 +53,7 @@ struct Settings {
   double threshold_m = 0.5;  ///< So far an entity may be from where others suppose it to be.
   double threshold_deg = 3;
   std::size_t most_entities = 1000;            ///< Foreign ones.
-  bool takes_orders = false;                   ///< Start/Resume, Stop/Freeze and Remove Entity of others are obeyed.
+  bool takes_orders = false;                   ///< Start/Resume and Stop/Freeze of others are obeyed.
   bool listens_only = false;                   ///< Sends nothing.
   std::map<std::string, std::uint8_t> forces;  ///< By team.
   std::vector<EntityRow> entities;

@@ -6,12 +6,10 @@
 #include <string>
 
 #include "sim/arena.h"
+#include "sim/foreign_kind.h"
 #include "sim/input.h"
 
 namespace soarbox::sim {
-
-/// The word in world::Agent::kind() of a body that another simulation moves.
-inline constexpr std::string_view kForeignKind = "foreign";
 
 /// Bodies that other simulations own: they are perceived, heard and hit like all others, have no mind here, and move as
 /// their owners said last.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 
+#include "sim/foreign_kind.h"
 #include "viewer/draw_colors.h"
 #include "viewer/palette.h"
 #include "world/rotation.h"
@@ -49,6 +50,7 @@ std::string StateOf(const world::AgentSnapshot& agent, const world::AgentOverlay
   if (!agent.alive) return "dead";
   const std::string mind = overlay != nullptr ? Shortened(overlay->operator_name, 24) : std::string();
   const std::string body = overlay != nullptr && !overlay->doing.empty() ? overlay->doing : agent.last_command;
+  if (mind.empty() && body.empty() && agent.kind == sim::kForeignKind) return "foreign";
   if (mind.empty()) return Shortened(body, 30);
   if (body.empty() || body == mind) return mind;
   return mind + " \xc2\xb7 " + Shortened(body, 24);
@@ -122,7 +124,8 @@ class Collector {
       item.agent = &agent;
       item.stands_out = stands_out;
       item.rank = stands_out ? -1 : distance + (agent.alive ? 0.0f : 1000.0f);
-      item.title = LabelName(agent);
+      // A hollow lozenge: somebody else moves it.
+      item.title = (agent.kind == sim::kForeignKind ? "\xe2\x97\x87 " : "") + LabelName(agent);
       if (agent.has_score) item.title += "  " + ScoreText(agent.score);
       item.text = StateOf(agent, OverlayOf(scene_.overlays, agent.id));
       item.alpha = stands_out ? 1 : std::clamp((gone_m - distance) / (gone_m - fade_m), 0.25f, 1.0f);

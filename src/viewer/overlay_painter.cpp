@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 
+#include "sim/foreign_kind.h"
 #include "viewer/half_turn.h"
 #include "viewer/interpolate.h"
 #include "viewer/palette.h"
@@ -362,6 +363,14 @@ void OverlayPainter::Paint(const OverlayScene& scene, OverlayMarks& marks) const
   Pen pen(marks);
   if (is_on(ViewerCommand::kTrails)) PaintTrails(scene, marks);
   if (is_on(ViewerCommand::kForces)) PaintForces(scene, marks);
+  // A broken ring around whom another simulation moves.
+  for (const AgentSnapshot& agent : scene.agents) {
+    if (!is_on(ViewerCommand::kLabels) || agent.kind != sim::kForeignKind || !agent.alive ||
+        !world::IsFinite(agent.position))
+      continue;
+    const Color color = agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
+    pen.Circle(agent.position - Vec3{0, agent.height_m / 2 - 0.06f, 0}, agent.radius_m * 2, color, true);
+  }
   for (const AgentOverlay& overlay : scene.overlays.agents) {
     const AgentSnapshot* agent = Find(scene, overlay.id);
     if (agent == nullptr || !world::IsFinite(agent->position)) continue;

@@ -146,6 +146,8 @@ class Viewer {
   bool panel_visible(workbench::PanelId panel) const;
   /// Opens a panel and brings it to the front.
   void ShowPanel(workbench::PanelId panel);
+  /// Opens a panel behind the others of its area, if it is not open.
+  void OfferPanel(workbench::PanelId panel);
   /// As the user has arranged it, to be remembered.
   const Layout& layout() const;
   /// The script that plays a user has come to its end, or none was given; and what went wrong with it.

@@ -106,6 +106,10 @@ void Viewer::ShowPanel(workbench::PanelId panel) {
   if (impl_->workspace) impl_->workspace->layout().Show(panel);
 }
 
+void Viewer::OfferPanel(workbench::PanelId panel) {
+  if (impl_->workspace) impl_->workspace->layout().Offer(panel);
+}
+
 const Layout& Viewer::layout() const {
   return impl_->workspace ? impl_->workspace->layout() : Nothing<Layout>();
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "debugger/agents.h"
@@ -55,8 +56,9 @@ struct CheckRow {
 /// The lesson that the world belongs to.
 struct LessonContents {
   std::string name, title, idea, task, panel;
-  std::vector<std::string> hints;  ///< Those that the learner has asked for.
-  std::size_t hint_count = 0;      ///< All that there are.
+  std::vector<std::string> new_panels;  ///< Words of the panels that this lesson is about.
+  std::vector<std::string> hints;       ///< Those that the learner has asked for.
+  std::size_t hint_count = 0;           ///< All that there are.
   bool is_passed = false;
   bool is_graded = false;          ///< Grading goes on.
   std::vector<std::string> grade;  ///< What came of it, line by line.
@@ -168,6 +170,30 @@ struct GhostBody {
   float radius_m = 0.3f, height_m = 0.6f;
 };
 
+/// The exercise of other simulations that a live run takes part in (docs/dis.md).
+struct ExerciseContents {
+  struct Entity {
+    std::string id;     ///< "7:8:9"
+    std::string agent;  ///< Its body here; empty: it has none, as it is too far away.
+    std::string marking, team, body, type;
+    int silent_s = 0;  ///< Since it was heard of last.
+  };
+  /// Of the entities so many are listed.
+  static constexpr std::size_t kMostListed = 200;
+
+  int exercise = 1;
+  std::string address;             ///< "239.1.2.3:3000"
+  bool is_of_this_machine = true;  ///< No other machine hears or is heard.
+  std::string as;                  ///< Site and application: "1:1".
+  bool listens_only = false, takes_orders = false;
+  bool is_frozen = false;  ///< By an order of the exercise's manager.
+  std::uint64_t sent = 0, not_sent = 0, received = 0;
+  double sent_per_s = 0, received_per_s = 0;
+  std::vector<std::pair<std::string, std::uint64_t>> dropped;  ///< PDUs by reason.
+  std::size_t entity_count = 0;
+  std::vector<Entity> entities;  ///< By their ids.
+};
+
 struct Contents {
   Moment moment;
   /// The agent that the panels are about; empty: none is selected.
@@ -226,6 +252,7 @@ struct Contents {
   std::vector<std::string> plottable;
   std::optional<FuturesContents> futures;
   std::vector<GhostBody> ghosts;
+  std::optional<ExerciseContents> exercise;
 
   // What grows with the run; the desk's. Null before its first tick.
   const debugger::Timeline* timeline = nullptr;

@@ -2,6 +2,7 @@
 #include "workbench/contents_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -66,23 +67,45 @@ Json ProblemJson(const ProblemRow& row) {
   return json;
 }
 
+/// With one digit behind the point.
+double Tenths(double value) {
+  return std::round(value * 10) / 10;
+}
+
+Json ExerciseJson(const ExerciseContents& exercise) {
+  Json json{{"number", exercise.exercise},
+            {"address", exercise.address},
+            {"this_machine_only", exercise.is_of_this_machine},
+            {"as", exercise.as},
+            {"listens_only", exercise.listens_only},
+            {"takes_orders", exercise.takes_orders},
+            {"is_frozen", exercise.is_frozen},
+            {"sent", exercise.sent},
+            {"sent_per_s", Tenths(exercise.sent_per_s)},
+            {"not_sent", exercise.not_sent},
+            {"received", exercise.received},
+            {"received_per_s", Tenths(exercise.received_per_s)}};
+  json["dropped"] = ListOf(exercise.dropped, [](const auto& reason) -> Json {
+    return {{"why", reason.first}, {"count", reason.second}};
+  });
+  json["entity_count"] = exercise.entity_count;
+  json["entities"] = ListOf(exercise.entities, [](const ExerciseContents::Entity& one) -> Json {
+    return {{"id", one.id},     {"agent", one.agent}, {"marking", one.marking},  {"team", one.team},
+            {"body", one.body}, {"type", one.type},   {"silent_s", one.silent_s}};
+  });
+  return json;
+}
+
 Json CheckJson(const CheckRow& row) {
   return {{"name", row.name},           {"expected", row.expected}, {"was", row.was},   {"agent", row.agent},
           {"is_marker", row.is_marker}, {"state", row.state},       {"tick", row.tick}, {"time_s", row.time_s}};
 }
 
 Json LessonJson(const LessonContents& lesson) {
-  return {{"name", lesson.name},
-          {"title", lesson.title},
-          {"idea", lesson.idea},
-          {"task", lesson.task},
-          {"panel", lesson.panel},
-          {"hints", lesson.hints},
-          {"hint_count", lesson.hint_count},
-          {"is_passed", lesson.is_passed},
-          {"is_graded", lesson.is_graded},
-          {"grade", lesson.grade},
-          {"next", lesson.next}};
+  return {{"name", lesson.name},           {"title", lesson.title},           {"idea", lesson.idea},
+          {"task", lesson.task},           {"panel", lesson.panel},           {"new_panels", lesson.new_panels},
+          {"hints", lesson.hints},         {"hint_count", lesson.hint_count}, {"is_passed", lesson.is_passed},
+          {"is_graded", lesson.is_graded}, {"grade", lesson.grade},           {"next", lesson.next}};
 }
 
 Json EditJson(const EditContents& edit) {
@@ -348,6 +371,12 @@ constexpr ContentField kFields[] = {
      }},
     {"learning", "rule", "", "the learned rule that is looked at, as `inspect --view \"learning #RULE\"` has it",
      [](const Contents& c) { return debugger::ToJson(c.learned_rule); }},
+
+    {"exercise", "exercise", "",
+     "the exercise (DIS): `number`, `address`, `this_machine_only`, `as`, `listens_only`, `takes_orders`, `is_frozen`, "
+     "PDUs `sent`, `sent_per_s`, `not_sent`, `received`, `received_per_s`, `dropped` (`why`, `count`), `entity_count`, "
+     "the first 200 `entities` (`id`, `agent`, `marking`, `team`, `body`, `type`, `silent_s`); null: none",
+     [](const Contents& c) { return c.exercise ? ExerciseJson(*c.exercise) : Json(); }},
 
     {"offers", "scenarios", "", "worlds that can be opened: `name`, `about`",
      [](const Contents& c) {

@@ -16,6 +16,7 @@ namespace {
 
 /// While the world runs, panels that look into minds follow it this often: fast enough for eyes.
 constexpr auto kRefreshEvery = std::chrono::milliseconds(120);
+constexpr auto kExerciseEvery = std::chrono::milliseconds(500);
 /// Minds of the past are rebuilt once the scrubber rests.
 constexpr auto kRest = std::chrono::milliseconds(250);
 constexpr double kRebuildSlice_s = 0.012;
@@ -100,6 +101,8 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   is_stale_ |= visible_ != refreshed_panels_ || note != refreshed_note_;
   const bool moved = past_.shown_tick() != refreshed_tick_;
   const bool is_due = Clock::now() - refreshed_at_ > kRefreshEvery;
+  // Others go on while the world stands still.
+  is_stale_ |= visible_.Has(PanelId::kExercise) && contents.exercise && Clock::now() - refreshed_at_ > kExerciseEvery;
   FillMoment(contents);
   if (!is_stale_ && !(moved && (is_due || surroundings_.IsPaused()))) return false;
   refreshed_panels_ = visible_;
@@ -193,6 +196,8 @@ void Desk::Refresh(Contents& contents) {
   FillBeside(contents, visible_.Has(PanelId::kWatch), visible_.Has(PanelId::kMinds));
   if (visible_.Has(PanelId::kAgents) || visible_.Has(PanelId::kMind)) FillActivities(contents);
   FillOffers(contents, mind.get());
+  contents.exercise.reset();
+  if (visible_.Has(PanelId::kExercise) && run_ != nullptr) contents.exercise = run_->Exercise();
   if (visible_.Has(PanelId::kWhy)) FillWhy(contents, mind.get());
   contents.long_term = {};
   contents.known_search = known_search_;

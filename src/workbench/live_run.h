@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
 #include "record/tick_record.h"
 #include "sim/simulation.h"
+#include "workbench/contents.h"
 
 namespace soarbox::workbench {
 
@@ -21,6 +23,8 @@ class LiveRun {
   /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
   using OnTick = std::function<void(const record::TickRecord&)>;
   virtual void Watch(OnTick on_tick) = 0;
+  /// The exercise of other simulations that it takes part in, as it is now; nothing: in none.
+  virtual std::optional<ExerciseContents> Exercise() { return std::nullopt; }
   /// Hears what live edits report: what was reloaded (notes), and what is wrong with a file. It takes effect in no run.
   using OnEdit = std::function<void(const Diagnostic& told)>;
   virtual void SetOnEdit(OnEdit on_edit) = 0;

@@ -30,6 +30,7 @@ enum class PanelId : std::uint8_t {
   kMission,
   kLongTerm,
   kLearning,
+  kExercise,
 };
 
 /// What is said about a panel wherever it is offered.
@@ -73,6 +74,9 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
      "What the agent knows and remembers, what it recalled and why; an episode as ghosts in the scene.", 'Y'},
     {PanelId::kLearning, "learning", "Learning",
      "Rules that the agent learned, with their reasons; values learned from reward, as numbers and curves.", 'N'},
+    {PanelId::kExercise, "exercise", "Exercise",
+     "The exercise of other simulations that the run takes part in (DIS): who is there, what passes, what is dropped.",
+     'X'},
 });
 inline constexpr std::size_t kPanelCount = kPanelInfos.size();
 
@@ -93,6 +97,11 @@ class PanelSet {
  public:
   void Add(PanelId id) { bits_ |= Bit(id); }
   bool Has(PanelId id) const { return (bits_ & Bit(id)) != 0; }
+  /// Those that are in either.
+  friend PanelSet operator|(PanelSet a, const PanelSet& b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
   friend bool operator==(const PanelSet&, const PanelSet&) = default;
 
  private:

@@ -47,8 +47,8 @@ def detonation(shooter, target, place, result=1, munition=(2, 8, 0, 2, 1, 0, 0))
 
 
 def order(kind, to, request=7):
-    """Start/Resume (13) or Stop/Freeze (14)."""
-    rest = bytes(16) if kind == 13 else bytes(12)
+    """Start/Resume (13), Stop/Freeze (14), Create Entity (11) or Remove Entity (12)."""
+    rest = {13: bytes(16), 14: bytes(12)}.get(kind, b"")
     return pdu(kind, 5, struct.pack(">HHHHHH", 9, 9, 0, *to) + rest + struct.pack(">I", request))
 
 

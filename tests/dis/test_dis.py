@@ -189,6 +189,12 @@ class Exercise(unittest.TestCase):
         self.member.say(exercise.order(13, (65535, 65535, 0)))
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
         self.assertEqual(heard[-1][24:26], b"\0\3")
+        # Who is in its world nobody else decides: it cannot comply.
+        for kind, flag in ((11, 1), (12, 2)):
+            self.member.say(exercise.order(kind, (1, 1, 1)))
+            heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
+            self.assertIsNotNone(heard[-1])
+            self.assertEqual(heard[-1][24:28], bytes([0, flag, 0, 2]))
         run.finish()
 
     def test_damaged_and_strange_datagrams_are_counted_and_dropped(self):
@@ -248,6 +254,16 @@ class Exercise(unittest.TestCase):
         told = subprocess.run([COMMAND, "replay", self.folder / "red.soarrec", "--headless"], capture_output=True,
                               text=True, check=True)
         self.assertIn("check the red team meets the enemy true", told.stdout)
+
+    def test_a_mission_is_tested_without_others_and_says_so(self):
+        (self.folder / "guard.toml").write_text(GUARD % f"port = {self.port}", encoding="utf-8")
+        (self.folder / "guard.soar").write_text(GUARD_RULES, encoding="utf-8")
+        (self.folder / "mission.toml").write_text(
+            'scenario = "guard.toml"\nseconds = 1\nseeds = "1..2"\n[[check]]\nname = "it lives"\nagent = "guard"\n'
+            'operator = "wait"\n', encoding="utf-8")
+        done = subprocess.run([COMMAND, "test", self.folder / "mission.toml"], capture_output=True, text=True, check=False)
+        self.assertIn("a test joins no exercise", done.stderr, done.stdout)
+        self.assertIsNone(self.member.hear(0.5))
 
     def test_wrong_options_are_told(self):
         for option, part in (("nowhere", "a port is missing"), ("1.2.3.4:0", "no port"),

@@ -34,14 +34,6 @@ bool IsStep(Flow flow) {
          flow == Flow::kStepChange;
 }
 
-/// Panels that are in one of both.
-workbench::PanelSet Either(const workbench::PanelSet& a, const workbench::PanelSet& b) {
-  workbench::PanelSet both = a;
-  for (const workbench::PanelInfo& info : workbench::kPanelInfos)
-    if (b.Has(info.id)) both.Add(info.id);
-  return both;
-}
-
 /// What live runs and recordings have in common: panels that are looked at, and when contents are due.
 class PanelsOfPage {
  public:
@@ -49,16 +41,16 @@ class PanelsOfPage {
 
   /// Lets the desk carry out what was asked, and tells what has changed.
   void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests) {
-    bool is_told = shown_ == Either(panels_, page_.watched());
+    bool is_told = shown_ == (panels_ | page_.watched());
     for (workbench::Request& request : requests) {
       auto* const look = std::get_if<workbench::LookRequest>(&request);
       if (look == nullptr) continue;
       panels_ = look->panels;
-      look->panels = shown_ = Either(panels_, page_.watched());
+      look->panels = shown_ = panels_ | page_.watched();
       is_told = true;
     }
     if (!is_told) {
-      shown_ = Either(panels_, page_.watched());
+      shown_ = panels_ | page_.watched();
       requests.emplace_back(workbench::LookRequest{shown_});
     }
     if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
@@ -143,7 +135,8 @@ class LiveEngine {
                  {"minds", std::move(minds)},
                  {"step_s", Step_s()},
                  {"may_edit", true},
-                 {"is_recording", false}});
+                 {"is_recording", false},
+                 {"has_exercise", session_.gateway() != nullptr}});
   }
 
   int Wait_ms() {
@@ -269,7 +262,8 @@ class ReplayEngine {
                 {"minds", minds},
                 {"step_s", step_s_},
                 {"may_edit", true},
-                {"is_recording", true}});
+                {"is_recording", true},
+                {"has_exercise", false}});
     if (!minds.empty()) panels_.Serve(desk_, {workbench::SelectRequest{minds.front().get<std::string>()}});
   }
 
@@ -331,7 +325,8 @@ class EngineWindow final : public Window {
 
   [[nodiscard]] bool CanOpen() const override { return true; }
   [[nodiscard]] std::optional<std::pair<int, int>> RoomOnDisplay() const override { return std::nullopt; }
-  int Run(RunSession& session, const RunOptions&, const sim::DataFolders&, const WindowRun& run) const override {
+  int Run(RunSession& session, const RunOptions& asked, const sim::DataFolders&, const WindowRun& run) const override {
+    if (!asked.warning.empty()) page_.Tell(asked.warning);
     return LiveEngine(session, page_, run, options_).Run();
   }
   int Replay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
@@ -363,6 +358,9 @@ int Engine(const EngineOptions& given) {
   run.threads = 1;
   run.memory_mb = options.memory_mb;
   run.by_strangers = true;
+  // What the user of this machine runs does as it says.
+  run.may_join = options.may_join || !options.run.empty();
+  run.dis = options.dis;
   constexpr double kRecording_mb = 16;
   run.record_limit_mb = kRecording_mb;
   const Result<sim::DataFolders> data = FindDataFolders();

@@ -19,7 +19,9 @@ struct EngineOptions {
   std::filesystem::path recording;  ///< Or a recording.
   std::filesystem::path home;       ///< What the learner edits may be written below this folder alone.
   int memory_mb = 256;
-  int socket = 3;  ///< Descriptor of the connection to the server.
+  bool may_join = false;  ///< An exercise of other simulations, as the scenario says, or `dis`.
+  std::string dis;        ///< As for `soarbox run`.
+  int socket = 3;         ///< Descriptor of the connection to the server.
 };
 
 /// Runs a scenario or shows a recording for pages in browsers, until the server closes the connection. Returns an

@@ -72,6 +72,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       if (info.title == lessons_.Panel()) viewer.ShowPanel(info.id);
     viewer.ShowPanel(workbench::PanelId::kMission);
   }
+  if (session.gateway() != nullptr) viewer.OfferPanel(workbench::PanelId::kExercise);
   newest_ = previous_ = session.simulation().Snapshot();
   // Without a wish, an agent with a mind: somebody new sees at once what the panels are for.
   for (const world::AgentSnapshot& agent : newest_.agents) {

@@ -15,6 +15,8 @@ namespace {
 constexpr float kLeastSize = 80, kMostSize = 4000;
 
 Area HomeOf(workbench::PanelId panel) {
+  // Few runs take part in an exercise: it is offered only then.
+  if (panel == workbench::PanelId::kExercise) return Area::kLeft;
   static const Layout home = DefaultLayout();
   for (std::size_t i = 0; i < kAreaCount; ++i) {
     const auto& panels = home.areas[i].panels;
@@ -37,8 +39,12 @@ bool Layout::IsVisible(workbench::PanelId panel) const {
   });
 }
 
-void Layout::Show(workbench::PanelId panel) {
+void Layout::Offer(workbench::PanelId panel) {
   if (!IsOpen(panel)) at(HomeOf(panel)).panels.push_back(panel);
+}
+
+void Layout::Show(workbench::PanelId panel) {
+  Offer(panel);
   for (AreaLayout& area : areas) {
     const auto found = std::find(area.panels.begin(), area.panels.end(), panel);
     if (found == area.panels.end()) continue;

@@ -44,6 +44,8 @@ struct Layout {
   bool IsOpen(workbench::PanelId panel) const;
   /// Opens the panel (where it belongs by default, if it was closed) and brings it to the front.
   void Show(workbench::PanelId panel);
+  /// Opens it behind the others of its area, if it is not open.
+  void Offer(workbench::PanelId panel);
   void Close(workbench::PanelId panel);
   void Move(workbench::PanelId panel, Area area);
   void SetText(int percent);

@@ -75,5 +75,6 @@ std::unique_ptr<Panel> MakeMindsPanel();
 std::unique_ptr<Panel> MakeMissionPanel();
 std::unique_ptr<Panel> MakeLongTermPanel();
 std::unique_ptr<Panel> MakeLearningPanel();
+std::unique_ptr<Panel> MakeExercisePanel();
 
 }  // namespace soarbox::viewer

@@ -37,6 +37,7 @@ std::string Doing(const AgentRow& row, const std::string& activity) {
   if (IsInTrouble(row)) return ImpasseOf(row);
   if (!row.alive) return "dead";
   if (!activity.empty()) return activity;
+  if (debugger::IsForeign(row)) return "foreign";
   if (!row.op.empty()) return NameAlone(row.op);
   return row.last_op.empty() ? row.command : NameAlone(row.last_op);
 }
@@ -161,8 +162,14 @@ class AgentsPanel final : public Panel {
       DrawTooltip(row);
     }
     const world::Color color = row.team.empty() ? AgentColor(row.kind) : TeamColor(row.team);
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + font * 0.45f, at.y + font * 0.55f}, font * 0.3f,
-                                                ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}));
+    const ImVec2 sign{at.x + font * 0.45f, at.y + font * 0.55f};
+    const ImU32 ink = ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1});
+    const float half = font * 0.36f;
+    if (debugger::IsForeign(row))
+      ImGui::GetWindowDrawList()->AddQuad({sign.x, sign.y - half}, {sign.x + half, sign.y}, {sign.x, sign.y + half},
+                                          {sign.x - half, sign.y}, ink, font * 0.13f);
+    else
+      ImGui::GetWindowDrawList()->AddCircleFilled(sign, font * 0.3f, ink);
     ImGui::SetCursorScreenPos({at.x + font * 1.1f, at.y});
     const bool dull = !row.alive || row.failed;
     const std::string errors = "\xe2\x9a\xa0" + std::to_string(row.errors);
@@ -210,7 +217,9 @@ class AgentsPanel final : public Panel {
     line("script", row.script);
     line("team", row.team);
     line("health", Condition(row));
-    line("state", row.has_mind ? row.state : "no Soar mind: its script decides");
+    line("state", row.has_mind               ? row.state
+                  : debugger::IsForeign(row) ? "foreign: another simulation moves it"
+                                             : "no Soar mind: its script decides");
     line("operator", row.op);
     line("command", row.command);
     if (row.decide_us > 0) line("decision", Formatted("%.0f \xc2\xb5s", row.decide_us));

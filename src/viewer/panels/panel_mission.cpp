@@ -126,9 +126,22 @@ class MissionPanel final : public Panel {
     ImGui::Dummy({size, size});
   }
 
+  /// "New in the window: Memory (Alt+E), Edit (Alt+D)."
+  static std::string NewPanels(const workbench::LessonContents& lesson) {
+    std::string names;
+    for (const std::string& word : lesson.new_panels) {
+      const std::optional<workbench::PanelId> panel = workbench::FindPanel(word);
+      if (!panel) continue;
+      const workbench::PanelInfo& info = workbench::InfoOf(*panel);
+      names += (names.empty() ? "" : ", ") + std::string(info.title) + " (Alt+" + std::string(1, info.key) + ")";
+    }
+    return names.empty() ? names : "New in the window: " + names + ".";
+  }
+
   static void DrawLesson(PanelFrame& frame, const workbench::LessonContents& lesson) {
     WrappedText(theme::kAccent, lesson.title);
     WrappedText(lesson.task);
+    if (const std::string panels = NewPanels(lesson); !panels.empty()) WrappedText(theme::kQuiet, panels);
     FoldedText("idea", lesson.idea, theme::kQuiet);
     using What = workbench::LessonRequest::What;
     const bool has_more = lesson.hints.size() < lesson.hint_count;

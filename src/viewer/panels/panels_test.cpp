@@ -165,6 +165,15 @@ class PanelStage {
     problem.excerpt_length = 3;
     problem.hint = "did you mean <target>?";
     contents.problems.push_back({problem, "walker", 12, 0.4});
+    workbench::ExerciseContents& exercise = contents.exercise.emplace();
+    exercise.exercise = 3;
+    exercise.address = "239.1.2.3:3000";
+    exercise.as = "1:7";
+    exercise.sent = 120;
+    exercise.dropped = {{"too short", 12}};
+    exercise.entity_count = 2;
+    exercise.entities = {{"7:8:9", "visitor", "visitor", "red", "soldier", "3.1.225.1.1.0.0", 0},
+                         {"7:8:10", "", "far away", "blue", "walker", "1.2.225.1.1.0.0", 9}};
     contents.checks = {{"it goes north", "walker should be at north by 30 s", "", "walker", false, "true", 5, 0.2},
                        {"it rests", "walker should stand idle for at least 2 s", "it stood idle for 0 s", "walker",
                         false, "false", 9, 0.3},
@@ -176,6 +185,7 @@ class PanelStage {
     lesson.title = "1. A rule fires once for each match";
     lesson.idea = "A rule fires once for each set of elements that it matches.";
     lesson.task = "Greet each visitor by name.";
+    lesson.new_panels = {"memory"};
     lesson.hints = {"Watch the panel Memory."};
     lesson.hint_count = 3;
     lesson.grade = {"  yes  anna is greeted", "  no   once per visit"};
@@ -497,6 +507,7 @@ TEST_F(Panels, CanBeCopied) {
       {workbench::PanelId::kMission, "it stood idle for 0 s"},
       {workbench::PanelId::kLongTerm, "no long-term memory is switched on"},
       {workbench::PanelId::kLearning, "nothing has been learned"},
+      {workbench::PanelId::kExercise, "7:8:9"},
   };
   for (const auto& [panel, text] : wanted) {
     ImGui::SetClipboardText("");
@@ -625,11 +636,14 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {workbench::PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
       {workbench::PanelId::kMinds, {"No mind is looked at.", "Add agent"}},
       {workbench::PanelId::kMission,
-       {"1. A rule fires once", "Greet each visitor", "Hint 2 of 3", "1. Watch the panel", "Check my rules",
-        "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20", "it stood idle for 0 s",
-        "a moment that others refer to", "walker should be at east by 60 s", "once per visit"}},
+       {"1. A rule fires once", "Greet each visitor", "New in the window: Memory (Alt+E)", "Hint 2 of 3",
+        "1. Watch the panel", "Check my rules", "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20",
+        "it stood idle for 0 s", "a moment that others refer to", "walker should be at east by 60 s",
+        "once per visit"}},
       {workbench::PanelId::kLongTerm, {"Known 0", "Recalled 0", "Episodes 0", "no long-term memory is switched on"}},
       {workbench::PanelId::kLearning, {"Rules 0", "Episodes 0", "No rule has been learned yet."}},
+      {workbench::PanelId::kExercise,
+       {"Exercise 3", "239.1.2.3:3000", "machine only", "1:7", "120", "12 too short", "visitor", "2 entities"}},
   };
   ASSERT_EQ(wanted.size(), workbench::kPanelCount);
   for (const auto& [panel, texts] : wanted) {

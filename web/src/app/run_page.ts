@@ -5,6 +5,7 @@ import { missionPanel } from "../lesson/mission_panel";
 import { agentsPanel } from "../panels/agents";
 import { breakpointsPanel } from "../panels/breakpoints";
 import { consolePanel } from "../panels/console";
+import { exercisePanel } from "../panels/exercise";
 import { futuresPanel } from "../panels/futures";
 import { learningPanel } from "../panels/learning";
 import { linksPanel } from "../panels/links";
@@ -49,6 +50,14 @@ const ARRANGEMENTS = {
   },
 } as const;
 
+interface Arrangement { readonly left: readonly string[]; readonly right: readonly string[]; readonly bottom: readonly string[] }
+
+/** Few runs take part in an exercise: its panel is there only then. */
+function withExercise(arranged: Arrangement, hasExercise: boolean, isNarrow: boolean): Arrangement {
+  if (!hasExercise) return arranged;
+  return isNarrow ? { ...arranged, bottom: [...arranged.bottom, "exercise"] } : { ...arranged, left: [...arranged.left, "exercise"] };
+}
+
 /** The agent whom the checks of a lesson are about: most of them. */
 export function agentOfLesson(mission: Mission, minds: readonly string[]): string {
   const counts = new Map<string, number>();
@@ -68,6 +77,7 @@ export class RunPage {
   private readonly narrow = matchMedia(NARROW);
   private shape = "";
   private readonly wanted = new WantedTick();
+  private hasExercise = false;
   private isChosen = false;
   private isFronted = false;
 
@@ -79,6 +89,7 @@ export class RunPage {
     const context: PanelContext = {
       run, openWhat,
       redraw: (word) => this.docks.forEach((dock) => dock.has(word) && dock.redraw(word)),
+      titleOf: (word) => this.panels.find((one) => one.word === word)?.title ?? word,
       reveal: (word) => this.reveal(word),
       why: (about, what) => {
         run.ask("ask", { about, ...(what === undefined ? {} : { what }) });
@@ -93,7 +104,7 @@ export class RunPage {
     this.edit = new EditPanel(context);
     this.panels = [
       missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
-      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel,
+      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel,
     ].map((make) => make(context));
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
@@ -113,10 +124,12 @@ export class RunPage {
 
   private arrange(): void {
     const hello = this.run.hello, isNarrow = this.narrow.matches, shape = this.isReport ? (isNarrow ? "narrowReport" : "report") : isNarrow ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
-    if (shape === this.shape) return;
+    const hasExercise = hello?.has_exercise === true;
+    if (shape === this.shape && hasExercise === this.hasExercise) return;
     this.shape = shape;
+    this.hasExercise = hasExercise;
     this.element.dataset["shape"] = shape;
-    const arranged = ARRANGEMENTS[shape], contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
+    const arranged = withExercise(ARRANGEMENTS[shape], hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
     const dock = (name: string, words: readonly string[]): Dock => new Dock(name, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
     const middle = document.createElement("div");
     middle.className = "middle";

@@ -23,11 +23,6 @@ export function passedOf(mission: Mission): { passed: number; of: number } {
   return { passed: counted.filter((one) => one.state === "true").length, of: counted.length };
 }
 
-/** A task as the page shows it: what it says of the window's panels and keys is left out. */
-export function taskText(task: string): string {
-  return task.replace(/\s*New in the window: .*$/s, "");
-}
-
 /** A line of a grade without the command that shows the run in a window. */
 export function gradeText(line: string): string {
   return line.replace(/: soarbox run .*$/, "");
@@ -37,8 +32,8 @@ function lessonView(context: PanelContext, lesson: Lesson): Child[] {
   const isWatching = context.run.hello?.may_edit === false;
   return [
     h("h2.title", null, lesson.title), lesson.is_passed && h("p.passed", null, icon("check"), "You have passed this lesson."),
-    h("section", null, h("h3", null, "Idea"), h("p", null, lesson.idea)), h("section.task", null, h("h3", null, "Task"), h("p", null, taskText(lesson.task))),
-    lesson.panel !== "" && h("p.quiet", null, "The panel to look at: ", h("b", null, lesson.panel)),
+    h("section", null, h("h3", null, "Idea"), h("p", null, lesson.idea)), h("section.task", null, h("h3", null, "Task"), h("p", null, lesson.task)),
+    lesson.new_panels.length > 0 && h("p.quiet", null, "New here: ", lesson.new_panels.map((word, i) => [i > 0 && ", ", button(context.titleOf(word), () => context.reveal(word), { attributes: { title: "Show this panel" } }, "button.link")])),
     !isWatching && h("div.row.actions", null,
       button(lesson.is_graded ? "Grading …" : "Grade", () => context.run.ask("lesson", { what: "grade" }), { attributes: { disabled: lesson.is_graded, title: "Runs your rules with ten seeds and says what came of it" } }, "button.primary"),
       lesson.hint_count > 0 && button(lesson.hints.length >= lesson.hint_count ? "No more hints" : `Hint ${lesson.hints.length + 1} of ${lesson.hint_count}`, () => context.run.ask("lesson", { what: "hint" }), { attributes: { disabled: lesson.hints.length >= lesson.hint_count } }),

@@ -8,6 +8,8 @@ export interface PanelContext {
   readonly run: Run;
   /** Shows the panel again, after something of its own changed. */
   redraw(word: string): void;
+  /** What stands on a panel's tab. */
+  titleOf(word: string): string;
   /** Brings a panel to the front. */
   reveal(word: string): void;
   /** Asks why something is, and shows the answer. */

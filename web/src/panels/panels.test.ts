@@ -4,7 +4,8 @@ import { test } from "node:test";
 import { textOf, type Child, type View } from "../dom/view";
 import type { Check, Contents, Mission, Stack } from "../run/contents";
 import { agentsPanel } from "./agents";
-import { missionPanel, passedOf, taskText } from "../lesson/mission_panel";
+import { exercisePanel } from "./exercise";
+import { missionPanel, passedOf } from "../lesson/mission_panel";
 import { nextLesson, sizeText } from "../lesson/start_page";
 import { memoryPanel } from "./memory";
 import { messagesPanel } from "./messages";
@@ -22,7 +23,7 @@ const MOMENT = { agent: MARKUP, has_mind: true, not_available: "", past_note: ""
 function made(make: MakePanel): { panel: ReturnType<MakePanel>; asked: [string, unknown][] } {
   const asked: [string, unknown][] = [];
   const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), true), hello: null };
-  const context = { run, redraw: () => {}, reveal: () => {}, why: (about: string, what?: string) => asked.push(["why", { about, what }]), edit: () => {}, openWhat: () => {} };
+  const context = { run, redraw: () => {}, reveal: () => {}, titleOf: (word: string) => word, why: (about: string, what?: string) => asked.push(["why", { about, what }]), edit: () => {}, openWhat: () => {} };
   return { panel: make(context as unknown as PanelContext), asked };
 }
 
@@ -37,7 +38,7 @@ const press = (child: Child, text: string): void => {
 };
 
 test("every panel says what would fill it", () => {
-  for (const make of [agentsPanel, whyPanel, mindPanel, memoryPanel, messagesPanel, problemsPanel, missionPanel]) {
+  for (const make of [agentsPanel, exercisePanel, whyPanel, mindPanel, memoryPanel, messagesPanel, problemsPanel, missionPanel]) {
     const { panel } = made(make);
     assert.ok(textOf(panel.view({})).length > 20, panel.word);
   }
@@ -54,6 +55,20 @@ test("names with markup are text and nothing else", () => {
     assert.ok(textOf(view).includes(MARKUP), panel.word);
     assert.ok(all(view).every((one) => !one.tag.includes("img")));
   }
+});
+
+test("an exercise is told with who is there, and what was dropped", () => {
+  const { panel, asked } = made(exercisePanel);
+  const entities = [{ id: "7:8:9", agent: "visitor", marking: "visitor", team: "red", body: "soldier", type: "3.1.225.1.1.0.0", silent_s: 0 }, { id: "7:8:10", agent: "", marking: MARKUP, team: "blue", body: "walker", type: "1.2.225.1.1.0.0", silent_s: 9 }];
+  const view = panel.view({ moment: MOMENT, exercise: { exercise: {
+    number: 3, address: "239.1.2.3:3000", this_machine_only: true, as: "1:7", listens_only: false, takes_orders: true, is_frozen: true, sent: 120, sent_per_s: 4.5, not_sent: 0, received: 80, received_per_s: 2,
+    dropped: [{ why: "too short", count: 12 }], entity_count: 300, entities,
+  } } });
+  assert.match(textOf(view), /Exercise 3.*Frozen.*239\.1\.2\.3:3000.*this machine only.*1:7, and take orders.*120 PDUs, 4\.5 per second.*12 too short.*300 entities of others.*The first 2/s);
+  assert.ok(textOf(view).includes(MARKUP));
+  press(view, "visitor");
+  assert.deepEqual(asked, [["select", { agent: "visitor" }]]);
+  assert.match(textOf(panel.view({ exercise: { exercise: null } })), /no exercise/);
 });
 
 test("whom another simulation moves is marked", () => {
@@ -97,17 +112,12 @@ test("checks tick off; marks do not count", () => {
 
 test("hints, grade and the next lesson are asked for", () => {
   const { panel, asked } = made(missionPanel);
-  const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", hints: ["first"], hint_count: 3, is_passed: true, is_graded: false, grade: ["all passed"], next: "02" };
+  const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", new_panels: ["memory", "edit"], hints: ["first"], hint_count: 3, is_passed: true, is_graded: false, grade: ["all passed"], next: "02" };
   const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [] } });
   press(view, "Hint 2 of 3");
   press(view, "Grade");
   assert.deepEqual(asked, [["lesson", { what: "hint" }], ["lesson", { what: "grade" }]]);
-  assert.match(textOf(view), /all passed/);
-});
-
-test("a task leaves out the window's keys", () => {
-  assert.equal(taskText("Do it. New in the window: Memory (Alt+E), Edit (Alt+D)."), "Do it.");
-  assert.equal(taskText("Do it."), "Do it.");
+  assert.match(textOf(view), /New here: memory, edit.*all passed/s);
 });
 
 test("spans lie on the lines of their level", () => {

@@ -183,6 +183,7 @@ export interface Lesson {
   idea: string;
   task: string;
   panel: string;
+  new_panels: readonly string[];
   hints: readonly string[];
   hint_count: number;
   is_passed: boolean;
@@ -212,6 +213,17 @@ export interface Learning {
   };
   episodes: readonly { first_tick: number; last_tick: number; reward: number }[];
   rule: { rule: string; why: WhyNode; fired: readonly number[]; note?: string };
+}
+export interface ForeignEntity { id: string; agent: string; marking: string; team: string; body: string; type: string; silent_s: number }
+/** The exercise of other simulations that the run takes part in. */
+export interface Exercise {
+  exercise: null | {
+    number: number; address: string; this_machine_only: boolean; as: string; listens_only: boolean; takes_orders: boolean; is_frozen: boolean;
+    sent: number; sent_per_s: number; not_sent: number; received: number; received_per_s: number;
+    dropped: readonly { why: string; count: number }[];
+    entity_count: number;
+    entities: readonly ForeignEntity[];
+  };
 }
 export interface Ghosts {
   ghosts: readonly {
@@ -243,6 +255,7 @@ export interface Contents {
   mission?: Mission;
   longterm?: LongTerm;
   learning?: Learning;
+  exercise?: Exercise;
   ghosts?: Ghosts;
 }
 export type ContentName = keyof Contents;

@@ -26,6 +26,8 @@ export interface Hello {
   step_s: number;
   may_edit: boolean;
   is_recording: boolean;
+  /** It takes part in an exercise of other simulations. */
+  has_exercise?: boolean;
 }
 export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number }
 

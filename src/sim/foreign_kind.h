@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+namespace soarbox::sim {
+
+/// The word in world::Agent::kind() of a body that another simulation moves.
+inline constexpr std::string_view kForeignKind = "foreign";
+
+}  // namespace soarbox::sim
