@@ -258,6 +258,11 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
     break;
   }
   if (failed->outcome == "ok") grade.account = AccountOf(loaded, lesson, std::move(written), failed->seed);
+  if (grade.account.empty() && grade.hint.empty()) {
+    grade.hint =
+        "This is no mistake that the lesson knows. Look at the first check that failed: which rule should make it come "
+        "true, and when does this rule fire?";
+  }
   // Slips are told with their file; everything else begins otherwise.
   grade.has_slip = !grade.account.empty() && grade.account.front().starts_with(lesson.rules + ":");
   return grade;

@@ -11,6 +11,8 @@
 namespace soarbox::mission {
 namespace {
 
+/// An agent is told to have nothing to do when it has done nothing for so long.
+constexpr double kToldAfter_s = 1;
 constexpr std::size_t kMostSlips = 3, kMostIdleReasons = 4, kMostRules = 3;
 
 std::string FileName(const std::string& path) {
@@ -28,9 +30,13 @@ void Account::See(const sim::EventList& events) {
   for (const sim::RunEvent& event : events) {
     if (event.kind == sim::EventKind::kGap && idle_.empty()) {
       idle_agent_ = event.agent;
+      idle_s_ = event.time_s - kToldAfter_s;
       idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
-      for (std::size_t i = 0; i < event.reasons.size() && i < kMostIdleReasons; ++i)
-        idle_.push_back(Trimmed(event.reasons[i]));
+      for (std::size_t i = 0; i < event.reasons.size() && idle_.size() <= kMostIdleReasons; ++i) {
+        // All that it perceives says nothing about its rules.
+        if (std::string line = Trimmed(event.reasons[i]); !line.starts_with("it perceives "))
+          idle_.push_back(std::move(line));
+      }
     }
     const Diagnostic& problem = event.diagnostic;
     if (event.kind != sim::EventKind::kDiagnostic || problem.severity == Severity::kNote ||
@@ -42,7 +48,7 @@ void Account::See(const sim::EventList& events) {
   }
 }
 
-std::vector<std::string> Account::Finish() {
+std::vector<std::string> Account::Finish(double failed_s) {
   std::vector<std::string> own, given;
   bool is_idle_one_of_them = false;
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
@@ -69,7 +75,7 @@ std::vector<std::string> Account::Finish() {
     }
   }
   std::vector<std::string> told = slips_;
-  if (is_idle_one_of_them) told.insert(told.end(), idle_.begin(), idle_.end());
+  if (is_idle_one_of_them && idle_s_ <= failed_s) told.insert(told.end(), idle_.begin(), idle_.end());
   // What another rule waits for in vain is often the fault of one's own.
   for (const std::vector<std::string>* rules : {&own, &given}) {
     if (rules == &given && !told.empty()) break;

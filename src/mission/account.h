@@ -28,14 +28,16 @@ class Account {
 
   /// Call once for each tick, with its events.
   void See(const sim::EventList& events);
-  /// Sentences, most telling first; few, and perhaps none.
-  std::vector<std::string> Finish();
+  /// Sentences, most telling first; few, and perhaps none. `failed_s`: when the first check failed. Whoever had nothing
+  /// to do only after that did not fail because of it.
+  std::vector<std::string> Finish(double failed_s);
 
  private:
   sim::Simulation& simulation_;
   AccountSettings settings_;
   std::vector<std::string> slips_;
   std::string idle_agent_;         ///< Who first had nothing to do.
+  double idle_s_ = 0;              ///< Since when.
   std::vector<std::string> idle_;  ///< Since when, and why.
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "mission/check_news.h"
@@ -137,6 +138,22 @@ class Keeper {
   bool is_good_ = true;
 };
 
+/// When the first check failed, as far as that is one moment; else infinity. (What never came true failed all the
+/// time.)
+double FirstFailure(const Mission& mission, const RunResult& result) {
+  double first_s = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < mission.checks.size() && i < result.checks.size(); ++i) {
+    const Check& check = mission.checks[i];
+    const Verdict& verdict = result.checks[i].verdict;
+    if (check.marker || verdict.state != State::kFalse) continue;
+    if (check.mode == Mode::kNever || check.mode == Mode::kAlways || check.mode == Mode::kWhenever)
+      first_s = std::min(first_s, verdict.time_s);
+    else if (check.mode == Mode::kComesTrue && check.by_s)
+      first_s = std::min(first_s, *check.by_s);
+  }
+  return first_s;
+}
+
 /// Runs it again, with everything kept, and asks the minds at the moments that were decided.
 void TellWhy(const RunSpec& spec, RunResult& result) {
   Wants wants = WantsOf(*spec.mission);
@@ -186,7 +203,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   if (simulation.StateHash() != result.state_hash)
     result.error = "the same run came to another state when it was made again: that is a fault of Soarbox";
   if (keeper && keeper->Finish()) result.recording = spec.recording.string();
-  if (!spec.account.file.empty()) result.account = account.Finish();
+  if (!spec.account.file.empty()) result.account = account.Finish(FirstFailure(*spec.mission, result));
 }
 
 }  // namespace

@@ -88,11 +88,12 @@ constexpr std::array kSentences = {
     Sentence{
         kApplied, "applied, stays selected",
         "operator {op} has been applied (rule {rule}) and stays selected: its proposal still lasts, and an operator "
-        "is applied once; let the proposal test that something is left to do"},
+        "is applied once; let the proposal test that something is left to do, and this rule change what it tests"},
     Sentence{
         kAppliedSilently, "applied without a command, stays selected",
         "operator {op} has been applied (rule {rule}), which gave no command, and stays selected: its proposal still "
-        "lasts, and an operator is applied once; let the proposal test that something is left to do"},
+        "lasts, and an operator is applied once; let the proposal test that something is left to do, and this rule "
+        "change what it tests"},
     Sentence{kNotFiredYet, "a rule that applies it matches and has not fired",
              "operator {op} is selected in {state}, and rule {rule}, which applies it, matches but has not fired"},
     Sentence{kNoApplierMatches, "operator no-change, rules that apply it do not match",
