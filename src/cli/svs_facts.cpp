@@ -22,7 +22,7 @@ using kernel::imagery::SceneCommand;
 using kernel::imagery::Shape;
 using kernel::imagery::SightLine;
 using kernel::imagery::StateScene;
-using kernel::imagery::Value;
+using ImageryValue = kernel::imagery::Value;
 using kernel::imagery::Vec3;
 
 /// So many values of an extract are told, so many lines of each, and so deep goes why.
@@ -215,7 +215,7 @@ class ExtractWriter {
   }
 
   /// The value and what it was made from.
-  void WriteValue(const Value& value, const Filter& filter, int depth) {
+  void WriteValue(const ImageryValue& value, const Filter& filter, int depth) {
     out_.Text("value", TextOf(value.content));
     if (depth >= kDeepest) return;
     out_.Name("from");
@@ -223,7 +223,7 @@ class ExtractWriter {
     const auto& parameters = filter.inputs().parameters();
     for (std::size_t n = 0; n < parameters.size(); ++n) {
       const Filter& source = *parameters[n].source;
-      const Value* const argument = value.from == nullptr ? nullptr : value.from->arguments[n];
+      const ImageryValue* const argument = value.from == nullptr ? nullptr : value.from->arguments[n];
       // A filter without combinations of its own (occlusion) has one value for all that it was given.
       if (argument == nullptr && (value.from != nullptr || source.output().entries().empty())) continue;
       out_.Begin('{');
@@ -257,7 +257,7 @@ class ExtractWriter {
   }
 
   /// What shows in the scene why the value is what it is.
-  void WriteMarks(const Value& value, const Filter& filter) {
+  void WriteMarks(const ImageryValue& value, const Filter& filter) {
     const std::string_view kind = filter.kind() == nullptr ? std::string_view() : filter.kind()->name;
     const auto& combinations = filter.inputs().combinations().entries();
     if (kind == "occlusion") {
