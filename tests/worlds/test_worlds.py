@@ -27,6 +27,7 @@ LEFT_OUT = {
     "scenarios/crowd/crowd_10000.lua": "crowd_10.lua is the same with fewer agents",
     "scenarios/soar_skirmish/skirmish_100.toml": "scenario.toml is the same with fewer agents",
     "scenarios/soar_skirmish/skirmish_200.toml": "scenario.toml is the same with fewer agents",
+    "scenarios/soar_wander/strollers_1000.toml": "scenario.toml is the same with fewer agents",
     "scenarios/soar_skirmish/joint_blue.toml": "it waits for another process (DIS)",
     "scenarios/soar_skirmish/joint_red.toml": "it waits for another process (DIS)",
     "scenarios/soar_skirmish/joint_watch.toml": "it waits for another process (DIS)",
