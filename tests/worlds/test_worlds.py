@@ -48,7 +48,7 @@ ONE_DRAWS = {
 }
 
 # A lesson may take long until its agent has learnt.
-SECONDS = {"scenarios": 10, "docs": 20, "lessons": 30}
+SECONDS = {"scenarios": 5, "docs": 10, "lessons": 20}
 
 
 def name_of(path):
