@@ -28,7 +28,7 @@ class LiveEditCase(ScenarioCase):
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         events, edited = [], False
         with tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
-            with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "4", "--seconds", "6",
+            with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "2", "--seconds", "6",
                                    "--watch"], stdout=subprocess.PIPE, stderr=errors, text=True, env=environment) as run:
                 for line in run.stdout:
                     events.append(json.loads(line))
