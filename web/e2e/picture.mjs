@@ -7,7 +7,7 @@ import { closeBrowser, openLesson, openPage, openWorld, picture, until } from ".
 after(closeBrowser);
 
 test("the navigation mesh is drawn while it is on, also over a world that stands still", async () => {
-  const { page, troubles, close } = await openPage("/", { size: [1000, 560] });
+  const { page, troubles, close } = await openPage("/", { size: [820, 420] });
   await openWorld(page, "soar_skirmish");
   await page.waitForSelector(".labels .name");
   await until(async () => Number.parseFloat((await page.locator(".scrubber .moment").innerText()).split("/")[0].split(":")[1]) > 1, "the world runs");
