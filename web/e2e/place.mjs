@@ -48,7 +48,6 @@ test("with fingers: a body is selected, the camera turns, pinches and moves, pan
   await page.waitForSelector(".labels .name, .labels .dot");
   const cdp = await page.context().newCDPSession(page);
   const touch = (type, ...points) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-  const box = await page.locator(".stage canvas").boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
   const rig = async () => (await page.locator(".stage").screenshot()).toString("base64");
   await page.locator("button[aria-label=Pause], .flow-bar button").first().tap();
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
@@ -58,13 +57,16 @@ test("with fingers: a body is selected, the camera turns, pinches and moves, pan
     await touch("touchEnd");
   };
   await until(async () => (await rig()) === (await rig()), "the picture stands still");
+  const box = await page.locator(".stage canvas").boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
   let before = await rig();
-  await drag([[x, y]], [[x + 90, y]]);
-  await until(async () => (await rig()) !== before, "one finger turns the camera");
+  const moves = async (from, to) => {
+    await drag(from, to);
+    return (await rig()) !== before;
+  };
+  await until(() => moves([[x, y]], [[x + 90, y]]), "one finger turns the camera");
   await until(async () => (await rig()) === (await rig()), "the picture stands still");
   before = await rig();
-  await drag([[x - 30, y], [x + 30, y]], [[x - 90, y], [x + 90, y]]);
-  await until(async () => (await rig()) !== before, "two fingers go nearer");
+  await until(() => moves([[x - 30, y], [x + 30, y]], [[x - 90, y], [x + 90, y]]), "two fingers go nearer");
   await page.locator("button[aria-label='Show everybody']").tap();
   // On a body, a little below its name.
   await page.locator(".labels .name").first().tap();
