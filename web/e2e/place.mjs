@@ -51,6 +51,8 @@ test("with fingers: a body is selected, the camera turns, pinches and moves, pan
   const rig = async () => (await page.locator(".stage").screenshot()).toString("base64");
   await page.locator("button[aria-label=Pause], .flow-bar button").first().tap();
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
+  // What the protocol sends as touches reaches only pages in which somebody listens to pointers everywhere.
+  await page.evaluate(() => ["pointerdown", "pointermove", "pointerup"].forEach((name) => document.addEventListener(name, () => {}, true)));
   const drag = async (from, to) => {
     await touch("touchStart", ...from);
     for (let i = 1; i <= 4; ++i) await touch("touchMove", ...from.map(([fx, fy], k) => [fx + ((to[k][0] - fx) * i) / 4, fy + ((to[k][1] - fy) * i) / 4]));
