@@ -267,7 +267,9 @@ int Learn(const LearnOptions& options) {
   if (is_verb && words.size() > 2) return Refuse("this is one word too many: " + words.back());
   const std::string which = is_verb ? (words.size() > 1 ? words[1] : "next") : first;
   const Lesson* lesson = learner.Find(which);
-  if (lesson == nullptr) return Refuse("there is no lesson '" + which + "'", "soarbox learn lists them");
+  if (lesson == nullptr)
+    return Refuse("there is no lesson '" + which + "'",
+                  "soarbox learn " + (course.empty() ? "" : course + " ") + "lists them");
   if (is_test) return learner.Test(lesson);
   if (first == "check") return learner.Check(*lesson);
   if (first == "hint") return learner.Hint(*lesson);

@@ -118,14 +118,15 @@ void PrintFailures(const TestedMission& tested) {
   }
 }
 
-/// Says that a world that would join others stays alone.
-void TellOfExercise(const TestedMission& tested) {
-  const fs::path& scenario = tested.loaded.scenario.definition;
-  if (scenario.empty()) return;
+/// Whether a mission's world, as this file describes it, takes part in an exercise of other simulations.
+bool JoinsAnExercise(const fs::path& scenario) {
+  if (scenario.empty()) return false;
   const Result<std::optional<dis::Settings>> exercise = dis::ReadSettings(scenario, {});
-  if (!exercise || !*exercise) return;
-  Diagnostic note = ProblemIn(scenario, "a test joins no exercise of other simulations: this world runs on its own",
-                              "docs/dis.md says how to check a run that takes part");
+  return exercise && exercise->has_value();
+}
+
+void TellOfExercise(const fs::path& file, std::string_view said) {
+  Diagnostic note = ProblemIn(file, std::string(said), "docs/dis.md says how to check a run that takes part");
   note.severity = Severity::kNote;
   std::cerr << Format(note);
 }
@@ -157,7 +158,8 @@ class Tester {
         refused = true;
         continue;
       }
-      TellOfExercise(each);
+      if (const fs::path& scenario = each.loaded.scenario.definition; JoinsAnExercise(scenario))
+        TellOfExercise(scenario, "a test joins no exercise of other simulations: this world runs on its own");
       const Result<void> done = Run(each);
       if (!done) {
         std::cerr << Format(done.error());
@@ -286,7 +288,13 @@ Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::Dat
                             : "there is no file, folder or scenario '" + path.string() + "'",
                         "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md");
     }
-    files.insert(files.end(), found.begin(), found.end());
+    for (fs::path& file : found) {
+      if (file != path && JoinsAnExercise(file)) {
+        TellOfExercise(file, "left out, because it takes part in an exercise of other simulations");
+      } else {
+        files.push_back(std::move(file));
+      }
+    }
   }
   return files;
 }

@@ -21,15 +21,24 @@ bool IsFile(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-/// A .toml file with checks of its own.
+/// Whether a line begins with this.
+bool HasLine(std::string_view text, std::string_view begin) {
+  for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1))
+    if (at == 0 || text[at - 1] == '\n') return true;
+  return false;
+}
+
+/// What a sweep has, and no mission.
+bool IsSweepText(std::string_view text) {
+  return HasLine(text, "[[variant]]") || HasLine(text, "[[metric]]") || HasLine(text, "[tournament]");
+}
+
+/// A .toml file with checks of its own, which is no sweep.
 bool HasChecks(const fs::path& file) {
   std::error_code error;
   if (fs::file_size(file, error) > kLargestFile || error) return false;
   const std::string text = ReadText(file).value_or("");
-  if (IsMissionText(text)) return true;
-  for (std::size_t at = text.find("[[check]]"); at != std::string::npos; at = text.find("[[check]]", at + 1))
-    if (at == 0 || text[at - 1] == '\n') return true;
-  return false;
+  return (IsMissionText(text) || HasLine(text, "[[check]]")) && !IsSweepText(text);
 }
 
 /// The files that the mission's scenario is read from.
@@ -64,7 +73,7 @@ std::vector<fs::path> FindMissionFiles(const fs::path& path, const sim::DataFold
   const auto options = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator it(folder, options, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (it->is_directory(error) && (name.starts_with('.') || name == "build")) {
+    if (it->is_directory(error) && (name.starts_with('.') || name == "build" || name.ends_with(".sweep"))) {
       it.disable_recursion_pending();
     } else if (name.ends_with(".toml") && IsFile(it->path()) && HasChecks(it->path())) {
       files.push_back(it->path());
@@ -88,6 +97,12 @@ LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, st
   const std::optional<std::string> text = ReadText(file);
   if (!text) {
     problem.message = "this mission cannot be read";
+    problems.push_back(std::move(problem));
+    return loaded;
+  }
+  if (IsSweepText(*text)) {
+    problem.message = "this is a sweep, not a mission";
+    problem.hint = "soarbox sweep " + file.string() + " runs it";
     problems.push_back(std::move(problem));
     return loaded;
   }

@@ -145,6 +145,9 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
     return MakePage(fs::path(source).replace_extension(".sweep"), data, scene_of);
   } else if (!fs::exists(source, error)) {
     return ProblemIn(source, "there is no such file or folder");
+  } else if (source.extension() == ".toml") {
+    return ProblemIn(source, "there are no results of a sweep beside this file",
+                     "soarbox sweep " + source.filename().string() + " makes them");
   } else {
     return ProblemIn(source, "this is neither a recording, nor a folder of recordings, nor a sweep",
                      "soarbox run SCENARIO --record FILE makes a recording");

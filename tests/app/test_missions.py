@@ -379,6 +379,19 @@ class Sweeps(MissionCase):
         replay = Run("run", self.folder / "sweep.sweep" / "variants" / "slow", "--headless", "--seed", "3", "--seconds", "8", "--json")
         self.assertEqual(replay.code, 0, replay.err)
 
+    def test_a_folders_missions_leave_out_sweeps_and_worlds_that_join_others(self):
+        self.mission('[[check]]\nagent = "scout"\nat = "gate"\n')
+        self.assertEqual(Run("sweep", self.write("sweep.toml", SWEEP)).code, 0)
+        own = self.folder / "scenario.toml"
+        self.write("joint.toml", own.read_text() + '\n[dis]\naddress = "127.0.0.1"\nport = 3000\n')
+        run = Run("test", self.folder, "--seeds", "1..2")
+        self.assertNotIn("error", run.err)
+        self.assertIn("joint.toml: note: left out, because it takes part in an exercise", run.err)
+        self.assertIn("\n1 mission, ", "\n" + run.out)
+        named = Run("test", self.folder / "sweep.toml")
+        self.assertEqual(named.code, 3)
+        self.assertIn("this is a sweep, not a mission", named.err)
+
     def test_what_was_killed_goes_on_and_comes_to_the_same_table(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..12"))
