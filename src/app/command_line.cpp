@@ -28,6 +28,7 @@
 #include "app/recording_commands.h"
 #include "app/report_command.h"
 #include "app/run_options.h"
+#include "app/run_session.h"
 #include "app/serve_command.h"
 #include "app/soar_shell.h"
 #include "app/sweep_command.h"
@@ -563,6 +564,7 @@ int CommandLine(int argc, char** argv, const Window* window) {
     const int code = Main(argc, argv);
     std::cout.flush();
     if (std::cout) return code;
+    if (WasInterrupted()) return 128 + SIGPIPE;
     std::cerr << "soarbox: error: standard output cannot be written; is the disk full?\n";
     return kCannotStart;
   } catch (const std::bad_alloc&) {

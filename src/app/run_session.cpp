@@ -29,6 +29,12 @@ void OnInterrupt(int signal) {
   alarm(kGrace_s);
 }
 
+/// Nobody reads what is printed any more, as after `| head`: the run ends in good order, and its recording is whole.
+/// Each further line that is printed comes here again.
+void OnBrokenPipe(int signal) {
+  if (g_interrupted == 0) OnInterrupt(signal);
+}
+
 void OnAlarm(int) {
   _exit(128 + static_cast<int>(g_interrupted));
 }
@@ -38,6 +44,7 @@ void OnAlarm(int) {
 void CatchInterrupts() {
   std::signal(SIGINT, &OnInterrupt);
   std::signal(SIGTERM, &OnInterrupt);
+  std::signal(SIGPIPE, &OnBrokenPipe);
   std::signal(SIGALRM, &OnAlarm);
 }
 

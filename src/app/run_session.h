@@ -104,7 +104,8 @@ class RunSession final : public workbench::LiveRun {
 };
 
 /// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after
-/// two seconds the process ends in any case; a second signal ends it at once. Idempotent.
+/// two seconds the process ends in any case; a second signal ends it at once. So does a reader of the output that goes
+/// away (SIGPIPE). Idempotent.
 void CatchInterrupts();
 bool WasInterrupted();
 

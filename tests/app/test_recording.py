@@ -303,6 +303,21 @@ class Usual(unittest.TestCase):
             self.assertEqual(Run("verify", folder / "run-0013.soarrec").code, 0)
 
 
+class Abandoned(unittest.TestCase):
+    def test_a_run_whose_reader_goes_away_ends_in_good_order_with_its_recording(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = pathlib.Path(folder) / "run.soarrec"
+            process = subprocess.Popen([COMMAND, "run", "thesis", "--headless", "--json", "--every-command", "--seconds", "3600", "--record", kept],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertIn(b'"begin"', process.stdout.readline())
+            process.stdout.close()
+            self.assertEqual((process.wait(timeout=240), process.stderr.read()), (128 + signal.SIGPIPE, b""))
+            process.stderr.close()
+            run = Run("verify", kept)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertTrue(run.out.startswith("equal: ticks 0 to "), run.out)
+
+
 class Damage(Recorded):
     def test_any_end_of_the_file_is_told_and_the_rest_used(self):
         content = self.file.read_bytes()
