@@ -13,7 +13,7 @@ void Backdrop::Build() {
   node_ = scene_.getRootSceneNode()->createChildSceneNode();
   const auto add = [&](const char* name, const MeshData& data) {
     Ogre::Entity* entity = scene_.createEntity(UploadMesh(std::string("Soarbox/Backdrop/") + name, data));
-    entity->setMaterial(materials_.Named(data.material).material);
+    entity->setMaterial(materials_.Named(data.material, Placing::kOne).material);
     entity->setCastShadows(false);
     node_->attachObject(entity);
   };

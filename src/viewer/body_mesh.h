@@ -7,12 +7,14 @@
 namespace soarbox::viewer {
 
 /// How much of a body is worth drawing.
-enum class BodyDetail : std::uint8_t { kFine, kMiddle, kCoarse };
+enum class BodyDetail : std::uint8_t { kFine, kMiddle, kCoarse, kTiny };
 
 /// The mesh of a body with a skeleton, in its bind pose: a soldier in full gear, or the rifle.
 SkinMesh MakeBodyMesh(world::BodyLook look, BodyDetail detail);
 
 SkinMesh MakeSoldierMesh(BodyDetail detail, bool dark);
 SkinMesh MakeRifleMesh(BodyDetail detail);
+SkinMesh MakeTinySoldierMesh(bool dark);
+SkinMesh MakeTinyRifleMesh();
 
 }  // namespace soarbox::viewer

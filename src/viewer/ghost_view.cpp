@@ -25,7 +25,7 @@ GhostView::~GhostView() {
   for (const auto& [key, batch] : batches_) batch->detachFromParent();
 }
 
-void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies) {
+void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies, BoneTexture& bones) {
   for (auto& [key, batch] : batches_) batch->Begin();
   std::size_t plain = 0;
   for (const Ghost& ghost : ghosts) {
@@ -34,13 +34,13 @@ void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies
     const int step = std::clamp(static_cast<int>(std::lround(ghost.opacity * 10)), 1, 10);
     world::Color color = ghost.color;
     color.a = static_cast<float>(step) / 10;
-    const Ogre::MaterialPtr& material = materials_.Ghost(color);
     const world::Vec3 ahead = world::Normalized(world::Vec3{ghost.forward.x, 0, ghost.forward.z});
     const float heading = std::atan2(ahead.x, ahead.z);
     if (const auto figure = bodies.FigureOf(ghost.agent_id)) {
-      std::unique_ptr<BodyBatch>& batch = batches_[{figure->look, material->getName()}];
+      const Ogre::MaterialPtr& material = materials_.Ghost(color, Placing::kBones);
+      std::unique_ptr<InstanceBatch>& batch = batches_[{figure->look, material->getName()}];
       if (!batch) {
-        batch = std::make_unique<BodyBatch>(library_.For(figure->look, BodyDetail::kMiddle));
+        batch = std::make_unique<InstanceBatch>(scene_, library_.For(figure->look, BodyDetail::kMiddle), 1);
         batch->setMaterial(material);
         batch->setCastShadows(false);
         batch->setRenderQueueGroup(Ogre::RENDER_QUEUE_7);
@@ -49,9 +49,10 @@ void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies
       }
       PosedBody body = *figure->body;
       body.place.at = {ghost.position - world::Vec3{0, ghost.height_m / 2, 0}, world::Turn({0, 1, 0}, heading)};
-      batch->Add(body, true);
+      AddBody(*batch, body, color, bones.Add(body, figure->look), InstanceBatch::Shown::kInPicture);
       continue;
     }
+    const Ogre::MaterialPtr& material = materials_.Ghost(color, Placing::kOne);
     if (plain == figures_.size()) figures_.push_back(MakeFigure());
     Figure& figure = figures_[plain++];
     if (figure.material != material->getName()) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/body_batch.h"
+#include "viewer/body_library.h"
 #include "viewer/materials.h"
 #include "viewer/ogre_headers.h"
 
@@ -25,8 +25,9 @@ class GhostView {
   GhostView(const GhostView&) = delete;
   GhostView& operator=(const GhostView&) = delete;
 
-  /// Shows these instead of the ones before: as the bodies of their agents are now, or as plain figures.
-  void Update(const std::vector<Ghost>& ghosts, const SceneView& bodies);
+  /// Shows these instead of the ones before: as the bodies of their agents are now, or as plain figures. Their bones
+  /// go into those of the frame.
+  void Update(const std::vector<Ghost>& ghosts, const SceneView& bodies, BoneTexture& bones);
 
  private:
   struct Figure {
@@ -42,7 +43,7 @@ class GhostView {
   Ogre::MeshPtr mesh_;
   std::vector<Figure> figures_;
   BodyLibrary library_;
-  std::map<std::pair<world::BodyLook, std::string>, std::unique_ptr<BodyBatch>> batches_;  ///< By material.
+  std::map<std::pair<world::BodyLook, std::string>, std::unique_ptr<InstanceBatch>> batches_;  ///< By material.
 };
 
 }  // namespace soarbox::viewer

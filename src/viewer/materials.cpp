@@ -37,7 +37,12 @@ Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
           0};
 }
 
-const std::vector<std::string> kSurfaceSamplers{"paint", "shadow_near", "shadow_far", "sky"};
+const std::vector<std::string> kSurfaceSamplers{"paint", "shadow_near", "shadow_far", "sky", "bones"};
+
+/// What keeps the variants of a material apart.
+const char* EndingOf(Placing placing) {
+  return placing == Placing::kOne ? "" : placing == Placing::kMany ? "/many" : "/bones";
+}
 
 Ogre::TexturePtr MakeTexture(const char* name, const Image& image) {
   auto texture = Ogre::TextureManager::getSingleton().createManual(
@@ -57,6 +62,12 @@ void AddTexture(Ogre::Pass& pass, const char* texture, bool repeats) {
   unit->setTextureName(texture, std::string_view(texture) == kSkyTexture ? Ogre::TEX_TYPE_CUBE_MAP : Ogre::TEX_TYPE_2D);
   unit->setTextureFiltering(Ogre::TFO_TRILINEAR);
   unit->setTextureAddressingMode(repeats ? Ogre::TextureUnitState::TAM_WRAP : Ogre::TextureUnitState::TAM_CLAMP);
+}
+
+void AddBones(Ogre::Pass& pass) {
+  Ogre::TextureUnitState* unit = pass.createTextureUnitState();
+  unit->setTextureName(kBonesTexture);
+  unit->setTextureFiltering(Ogre::TFO_NONE);
 }
 
 void AddShadowMap(Ogre::Pass& pass) {
@@ -101,16 +112,21 @@ const char* Materials::PaintTexture(Look::Paint paint) {
   return once("Soarbox/WhitePicture", WhiteImage);
 }
 
-Materials::Found Materials::Make(const std::string& name, const Look& look) {
+Materials::Found Materials::Make(const std::string& name, const Look& look, Placing placing) {
   Found found;
   Ogre::Pass& pass = NewPass("Soarbox/Look/" + name, found.material);
   AddTexture(pass, PaintTexture(look.paint), true);
   AddShadowMap(pass);
   AddShadowMap(pass);
   AddTexture(pass, kSkyTexture, false);
+  if (placing == Placing::kBones) AddBones(pass);
+  if (placing != Placing::kOne) found.material->getTechnique(0)->setShadowCasterMaterial(ShadowCaster(placing));
   const bool ground = look.paint == Look::Paint::kGround;
   const std::string fragment = ground ? "ground.frag" : "surface.frag";
-  shaders_.Use(pass, "surface.vert", further_lights_ ? Shaders::WithLights(fragment) : fragment, kSurfaceSamplers);
+  shaders_.Use(pass, Shaders::Placed("surface.vert", placing),
+               further_lights_ ? Shaders::WithLights(fragment) : fragment, kSurfaceSamplers);
+  pass.getVertexProgramParameters()->setNamedConstant("paint_trim", Four(look.trim));
+  found.trim = look.trim;
   const auto params = pass.getFragmentProgramParameters();
   params->setNamedConstant("base_colour", Four(look.base));
   params->setNamedConstant("trim_colour", Four(look.trim));
@@ -131,7 +147,7 @@ void Materials::UseFurtherLights() {
     const std::string fragment = pass.getFragmentProgramName();
     if (fragment != "surface.frag" && fragment != "ground.frag") continue;
     const Ogre::GpuProgramParametersSharedPtr before = pass.getFragmentProgramParameters();
-    shaders_.Use(pass, "surface.vert", Shaders::WithLights(fragment), kSurfaceSamplers);
+    shaders_.UseFragment(pass, Shaders::WithLights(fragment), kSurfaceSamplers);
     for (const char* value : {"base_colour", "trim_colour", "finish"}) {
       const auto* held = before->_findNamedConstantDefinition(value);
       if (held == nullptr) continue;
@@ -141,19 +157,21 @@ void Materials::UseFurtherLights() {
   }
 }
 
-const Materials::Found& Materials::Named(const std::string& name) {
-  const auto known = materials_.find(name);
+const Materials::Found& Materials::Named(const std::string& name, Placing placing) {
+  const std::string key = name + EndingOf(placing);
+  const auto known = materials_.find(key);
   if (known != materials_.end()) return known->second;
   Look look;
   const bool exists = FindLook(name, look);
   if (!exists) FindLook("Soarbox/Missing", look);
-  Found found = Make(name, look);
+  Found found = Make(key, look, placing);
   found.is_stand_in = !exists;
-  return materials_.emplace(name, std::move(found)).first->second;
+  return materials_.emplace(key, std::move(found)).first->second;
 }
 
-const Materials::Found& Materials::AgentBody(std::string_view kind, bool alive, bool failed) {
-  std::string name = "agent/" + std::string(kind) + (alive ? "" : "/dead") + (failed ? "/failed" : "");
+const Materials::Found& Materials::AgentBody(std::string_view kind, bool alive, bool failed, Placing placing) {
+  std::string name =
+      "agent/" + std::string(kind) + (alive ? "" : "/dead") + (failed ? "/failed" : "") + EndingOf(placing);
   const auto known = materials_.find(name);
   if (known != materials_.end()) return known->second;
   Look look;
@@ -164,19 +182,18 @@ const Materials::Found& Materials::AgentBody(std::string_view kind, bool alive, 
   };
   if (failed) dull(0.35f, 0.25f);
   if (!alive) dull(0.0f, 0.30f);
-  return materials_.emplace(name, Make(name, look)).first->second;
+  return materials_.emplace(name, Make(name, look, placing)).first->second;
 }
 
-const Materials::Found& Materials::Soldier(const std::string& team) {
-  const std::string name = "soldier/" + team;
+const Materials::Found& Materials::Soldier() {
+  const std::string name = "soldier/";
   const auto known = materials_.find(name);
   if (known != materials_.end()) return known->second;
   Look look;
   look.paint = Look::Paint::kCloth;
   look.base = {1, 1, 1, 1};
-  look.trim = TeamColor(team);
   look.gloss = 0.02f;
-  return materials_.emplace(name, Make(name, look)).first->second;
+  return materials_.emplace(name, Make(name, look, Placing::kBones)).first->second;
 }
 
 void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
@@ -232,15 +249,17 @@ void Materials::AdoptPanelMaterial(const Ogre::MaterialPtr& material) {
   material->load();
 }
 
-const Ogre::MaterialPtr& Materials::Ghost(world::Color color) {
+const Ogre::MaterialPtr& Materials::Ghost(world::Color color, Placing placing) {
   char name[64];
-  std::snprintf(name, sizeof name, "ghost/%.2f %.2f %.2f %.2f", static_cast<double>(color.r),
-                static_cast<double>(color.g), static_cast<double>(color.b), static_cast<double>(color.a));
+  std::snprintf(name, sizeof name, "ghost/%.2f %.2f %.2f %.2f%s", static_cast<double>(color.r),
+                static_cast<double>(color.g), static_cast<double>(color.b), static_cast<double>(color.a),
+                EndingOf(placing));
   const auto [found, is_new] = materials_.try_emplace(name);
   if (!is_new) return found->second.material;
   found->second.is_opaque = false;
   Ogre::Pass& pass = NewPass(std::string("Soarbox/Look/") + name, found->second.material);
-  shaders_.Use(pass, "surface.vert", "ghost.frag", {});
+  if (placing == Placing::kBones) AddBones(pass);
+  shaders_.Use(pass, Shaders::Placed("surface.vert", placing), "ghost.frag", {"bones"});
   pass.getFragmentProgramParameters()->setNamedConstant("base_colour", Four(color));
   pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
   pass.setDepthWriteEnabled(false);
@@ -260,10 +279,13 @@ Ogre::MaterialPtr Materials::Enlarged() {
   return material;
 }
 
-Ogre::MaterialPtr Materials::ShadowCaster() {
-  Ogre::MaterialPtr material;
-  Ogre::Pass& pass = NewPass("Soarbox/ShadowCaster", material);
-  shaders_.Use(pass, "shadow.vert", "shadow.frag", {});
+Ogre::MaterialPtr Materials::ShadowCaster(Placing placing) {
+  const std::string name = std::string("Soarbox/ShadowCaster") + EndingOf(placing);
+  Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().getByName(name, kGroup);
+  if (material) return material;
+  Ogre::Pass& pass = NewPass(name, material);
+  if (placing == Placing::kBones) AddBones(pass);
+  shaders_.Use(pass, Shaders::Placed("shadow.vert", placing), "shadow.frag", {"bones"});
   return material;
 }
 

@@ -13,6 +13,9 @@
 
 namespace soarbox::viewer {
 
+/// The texture that holds the bones of all bodies.
+inline constexpr const char* kBonesTexture = "Soarbox/Bones";
+
 /// Materials by the names that scripts use, and the textures behind them, all made here and shared.
 class Materials {
  public:
@@ -23,16 +26,17 @@ class Materials {
     Ogre::MaterialPtr material;
     bool is_opaque = true;
     bool is_stand_in = false;  ///< The name is unknown; this is the magenta checker.
+    world::Color trim;         ///< Where the paint has no colour of its own; bodies with bones bring theirs along.
   };
-  const Found& Named(const std::string& name);
+  const Found& Named(const std::string& name, Placing placing);
   /// From now on surfaces are lit by further lights than the sun.
   void UseFurtherLights();
 
   /// The body of an agent: its kind's colour, dull if it failed, grey if it died.
-  const Found& AgentBody(std::string_view kind, bool alive, bool failed);
+  const Found& AgentBody(std::string_view kind, bool alive, bool failed, Placing placing);
 
-  /// What soldiers wear; the team's colour on helmet, arms and pack. An empty team has none.
-  const Found& Soldier(const std::string& team);
+  /// What soldiers wear; the trim of each body is its team's colour, on helmet, arms and pack.
+  const Found& Soldier();
 
   /// Replaces the picture of the sky, which surfaces mirror too. Faces of other sizes are scaled.
   int sky_face_size() const { return low_detail_ ? 256 : 640; }
@@ -49,16 +53,16 @@ class Materials {
   void AdoptPanelMaterial(const Ogre::MaterialPtr& material);
 
   /// A figure that is not there; the colour's alpha says how much it shows.
-  const Ogre::MaterialPtr& Ghost(world::Color color);
+  const Ogre::MaterialPtr& Ghost(world::Color color, Placing placing);
 
   /// Shows its first texture, to be set by whoever uses it, in another size.
   Ogre::MaterialPtr Enlarged();
 
   /// Renders depth only, for shadow maps.
-  Ogre::MaterialPtr ShadowCaster();
+  Ogre::MaterialPtr ShadowCaster(Placing placing);
 
  private:
-  Found Make(const std::string& name, const Look& look);
+  Found Make(const std::string& name, const Look& look, Placing placing);
   /// The name of the texture, which is there now.
   const char* PaintTexture(Look::Paint paint);
 

@@ -2,6 +2,7 @@
 #include "viewer/mesh_library.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "viewer/figure_meshes.h"
 #include "viewer/modular_meshes.h"
@@ -108,24 +109,14 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   Found found;
   const MeshData data = Build(drawable, agent_body, found.is_stand_in);
   found.material = data.material;
-  found.mesh = UploadMesh("Soarbox/" + key, data);
+  found.levels.push_back(UploadMesh("Soarbox/" + key, data));
   if (agent_body && drawable.shape == ShapeKind::kCapsule && !IsFigure(drawable.material.value())) {
     // Crowds: further away, coarser bodies.
-    struct Level {
-      float from_m;
-      AgentDetail detail;
-      const char* suffix;
-    };
-    constexpr Level kLevels[] = {{16, AgentDetail::kMiddle, "/middle"}, {40, AgentDetail::kCoarse, "/coarse"}};
-    found.mesh->_setLodInfo(static_cast<unsigned short>(1 + std::size(kLevels)));
-    for (std::size_t i = 0; i < std::size(kLevels); ++i) {
-      Ogre::MeshLodUsage usage;
-      usage.manualName = "Soarbox/" + key + kLevels[i].suffix;
-      usage.userValue = kLevels[i].from_m;
-      usage.value = found.mesh->getLodStrategy()->transformUserValue(usage.userValue);
-      usage.manualMesh = UploadMesh(usage.manualName, AgentMesh(drawable.size.x, drawable.size.y, kLevels[i].detail));
-      found.mesh->_setLodUsage(static_cast<unsigned short>(i + 1), usage);
-    }
+    constexpr std::pair<AgentDetail, const char*> kFurther[] = {
+        {AgentDetail::kMiddle, "/middle"}, {AgentDetail::kCoarse, "/coarse"}, {AgentDetail::kTiny, "/tiny"}};
+    for (const auto& [detail, ending] : kFurther)
+      found.levels.push_back(
+          UploadMesh("Soarbox/" + key + ending, AgentMesh(drawable.size.x, drawable.size.y, detail)));
   }
   return meshes_.emplace(key, std::move(found)).first->second;
 }

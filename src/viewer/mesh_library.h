@@ -3,6 +3,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "viewer/ogre_headers.h"
 #include "viewer/shape_meshes.h"
@@ -16,9 +17,9 @@ Ogre::MeshPtr UploadMesh(const std::string& name, const MeshData& data);
 class MeshLibrary {
  public:
   struct Found {
-    Ogre::MeshPtr mesh;
-    std::string material;      ///< Its own, for drawables that name none.
-    bool is_stand_in = false;  ///< The resource name is unknown; this is a box that says so.
+    std::vector<Ogre::MeshPtr> levels;  ///< The finest first; agents have four, other things one.
+    std::string material;               ///< Its own, for drawables that name none.
+    bool is_stand_in = false;           ///< The resource name is unknown; this is a box that says so.
   };
 
   /// The mesh of a drawable; `agent_body` gives a capsule the look of an agent.

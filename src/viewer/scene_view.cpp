@@ -2,6 +2,7 @@
 #include "viewer/scene_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,11 +14,24 @@ namespace {
 using world::DrawableSnapshot;
 using world::ShapeKind;
 
-/// How near bodies are drawn in full, and in middle detail.
-constexpr float kFineUntil_m = 14, kMiddleUntil_m = 38;
+/// How high in the picture bodies are that are drawn in full, in middle and in little detail, in px; those that are
+/// smaller have the coarsest mesh. Rifles go by the height of a soldier. And the same for agents of other shapes.
+using Heights = std::array<float, 3>;
+constexpr Heights kBodyHeights_px{100, 40, 34}, kAgentHeights_px{95, 38, 20};
+constexpr float kSoldier_m = 1.75f;
 /// How many bodies and rifles at most.
 constexpr std::size_t kMostFine = 24, kMostMiddle = 64, kMostFineSlow = 6, kMostMiddleSlow = 16;
-const std::string kTeamPrefix = "team/";  // Of names of materials: own cloth, with the colour of a team.
+
+/// The level of something so high in the picture, of as many levels as there are. `before`: the last one. A little
+/// further back than forth, so that nothing flickers at the border.
+std::size_t LevelFor(const Heights& heights_px, float px, std::size_t before, std::size_t levels) {
+  std::size_t level = 0;
+  for (const float least : heights_px) {
+    if (level + 1 >= levels || px >= (before <= level ? least / 1.1f : least)) break;
+    ++level;
+  }
+  return level;
+}
 
 /// A capsule of an agent, of the size of a body rather than of something that it carries.
 bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot* agent) {
@@ -32,6 +46,7 @@ SceneView::SceneView(Ogre::SceneManager& scene, Materials& materials, float reac
 SceneView::~SceneView() {
   // Ogre's scene must not hold what we own when the engine takes it down.
   for (const auto& [key, batch] : batches_) batch->detachFromParent();
+  for (const auto& [key, batch] : body_batches_) batch->detachFromParent();
 }
 
 void SceneView::WarnOnce(const std::string& kind, const std::string& name, const std::string& instead) {
@@ -51,8 +66,14 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
     time_s_ = newest.time_s;
   }
   skeleton_lines_.clear();
+  shown_.clear();
   bodies_shown_.clear();
   agents_.clear();
+  for (const world::LightSnapshot& light : newest.lights) {
+    if (light.kind != world::LightKind::kDirectional) continue;
+    sunlight_ = light.direction;
+    break;
+  }
   for (const world::AgentSnapshot& agent : newest.agents) agents_[agent.id] = &agent;
   // Ids ascend in both.
   static const world::SharedList<DrawableSnapshot> kNothing;
@@ -72,10 +93,11 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
                                       : nullptr;
     if (body != nullptr) {
       ShowBody(thing, *body, drawable, before, blend, agent);
-      bodies_shown_.push_back(drawable.id);
+      bodies_shown_.push_back(&thing);
     } else {
       Dress(thing, drawable, agent, LooksLikeABody(drawable, agent));
       Place(thing, drawable, before, blend);
+      shown_.push_back(&thing);
     }
     thing.agent = agent != nullptr ? agent->id : 0;
   }
@@ -84,56 +106,70 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
       ++it;
       continue;
     }
-    Destroy(it->second);
+    Undress(it->second);
     it = things_.erase(it);
   }
 }
 
 void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const world::AgentSnapshot* agent,
                       bool agent_body) {
+  const bool own_color = agent_body && !IsAgentColorMaterial(drawable.material.value());
+  Clothes clothes{drawable.shape, drawable.size, drawable.texture_repeats, drawable.mesh, drawable.material, {},
+                  agent_body};
+  if (own_color) {
+    clothes.kind = agent->kind;
+    clothes.alive = agent->alive;
+    clothes.failed = agent->failed;
+  }
+  if (thing.clothes == clothes) return;
+  Undress(thing);
   const MeshLibrary::Found& mesh = meshes_.For(drawable, agent_body);
   if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares stands in for it");
-  thing.body.reset();
-  if (thing.entity == nullptr || thing.mesh_name != mesh.mesh->getName())
-    Wear(thing, mesh.mesh, drawable.shape != ShapeKind::kPlane);
-
-  const bool own_color = agent_body && !IsAgentColorMaterial(drawable.material.value());
   // "NobiaxModular" is what the pieces of the kit wear anyway.
   const bool from_mesh =
       drawable.material.empty() || (drawable.shape == ShapeKind::kMesh && drawable.material == "NobiaxModular");
   const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material.value();
-  std::string wanted = name;
-  if (own_color) wanted += agent->alive ? (agent->failed ? "/2" : "/1") : "/0";
-  if (wanted == thing.material_name) return;
-  thing.material_name = wanted;
-  const Materials::Found& found =
-      own_color ? materials_.AgentBody(agent->kind, agent->alive, agent->failed) : materials_.Named(name);
+  const auto material = [&](Placing placing) -> const Materials::Found& {
+    return own_color ? materials_.AgentBody(agent->kind, agent->alive, agent->failed, placing)
+                     : materials_.Named(name, placing);
+  };
+  const Materials::Found& found = material(Placing::kMany);
   if (found.is_stand_in) WarnOnce("material", name, "magenta squares stand in for it");
-  thing.entity->setMaterial(found.material);
-  for (std::size_t i = 0; i < thing.entity->getNumManualLodLevels(); ++i) {
-    thing.entity->getManualLodLevel(i)->setMaterial(found.material);
+  const Ogre::MeshPtr& finest = mesh.levels.front();
+  thing.radius_m = finest->getBoundingSphereRadius();
+  thing.height_m = finest->getBounds().getSize().y;
+  if (found.is_opaque) {
+    for (const Ogre::MeshPtr& level : mesh.levels)
+      thing.levels.push_back(&BatchOf(level, found, drawable.shape == ShapeKind::kPlane));
+  } else {
+    thing.node = scene_.getRootSceneNode()->createChildSceneNode();
+    thing.entity = scene_.createEntity(finest);
+    thing.entity->setMaterial(material(Placing::kOne).material);
+    thing.entity->setCastShadows(false);
+    thing.entity->setRenderQueueGroup(kClearQueue);
+    thing.node->attachObject(thing.entity);
   }
-  thing.entity->setCastShadows(found.is_opaque && drawable.shape != ShapeKind::kPlane);
-  const bool is_ground = drawable.shape == ShapeKind::kPlane;
-  thing.entity->setRenderQueueGroup(!found.is_opaque ? kClearQueue : is_ground ? kGroundQueue : kSolidQueue);
+  thing.clothes = std::move(clothes);
 }
 
-void SceneView::Wear(Thing& thing, const Ogre::MeshPtr& mesh, bool casts_shadows) {
-  Destroy(thing);
-  thing.node = scene_.getRootSceneNode()->createChildSceneNode();
-  thing.entity = scene_.createEntity(mesh);
-  thing.entity->setCastShadows(casts_shadows);
-  thing.node->attachObject(thing.entity);
-  thing.mesh_name = mesh->getName();
-  thing.material_name.clear();
+InstanceBatch& SceneView::BatchOf(const Ogre::MeshPtr& mesh, const Materials::Found& material, bool is_ground) {
+  std::unique_ptr<InstanceBatch>& batch = batches_[{mesh->getName(), material.material->getName()}];
+  if (batch) return *batch;
+  const Ogre::SubMesh& part = *mesh->getSubMesh(0);
+  batch =
+      std::make_unique<InstanceBatch>(scene_, SharedShape{part.vertexData, part.indexData}, InstanceBatch::kMostRows);
+  batch->setMaterial(material.material);
+  batch->setCastShadows(!is_ground);
+  batch->setRenderQueueGroup(is_ground ? kGroundQueue : kSolidQueue);
+  scene_.getRootSceneNode()->createChildSceneNode()->attachObject(batch.get());
+  return *batch;
 }
 
 void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const DrawableSnapshot& drawable,
                          const DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent) {
   if (!thing.body) {
-    Destroy(thing);
+    Undress(thing);
     thing.body = std::make_unique<PosedBody>();
-    thing.body->id = drawable.id;
   }
   // A soldier may change its uniform by the name of its material.
   thing.look = mesh.look;
@@ -142,8 +178,13 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
   if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
     thing.look = world::BodyLook::kDarkSoldier;
   const bool is_own = drawable.material.empty() || drawable.material.value().starts_with("SF_");
-  thing.material_name =
-      is_own ? kTeamPrefix + (agent != nullptr ? agent->team : std::string()) : drawable.material.value();
+  if (is_own) {
+    thing.material.clear();
+    thing.trim = TeamColor(agent != nullptr ? agent->team : std::string());
+  } else if (thing.material != drawable.material.value()) {
+    thing.material = drawable.material.value();
+    thing.trim = materials_.Named(thing.material, Placing::kBones).trim;
+  }
 
   PosedBody& body = *thing.body;
   body.place = {{drawable.position, drawable.orientation}, drawable.scale};
@@ -189,70 +230,112 @@ void SceneView::HoldFeet(Thing& thing, const DrawableSnapshot& drawable, const D
   feet.tick = tick_;
 }
 
-BodyBatch& SceneView::BatchFor(const Thing& thing) {
-  std::unique_ptr<BodyBatch>& batch = batches_[{thing.look, thing.detail, thing.material_name}];
+InstanceBatch& SceneView::BodiesOf(const Thing& thing, BodyDetail detail) {
+  std::unique_ptr<InstanceBatch>& batch = body_batches_[{thing.look, detail, thing.material}];
   if (batch) return *batch;
-  batch = std::make_unique<BodyBatch>(bodies_.For(thing.look, thing.detail));
-  const bool is_own = thing.material_name.starts_with(kTeamPrefix);
-  const Materials::Found& found = is_own ? materials_.Soldier(thing.material_name.substr(kTeamPrefix.size()))
-                                         : materials_.Named(thing.material_name);
-  if (found.is_stand_in) WarnOnce("material", thing.material_name, "magenta squares stand in for it");
+  batch = std::make_unique<InstanceBatch>(scene_, bodies_.For(thing.look, detail), 1);
+  const Materials::Found& found =
+      thing.material.empty() ? materials_.Soldier() : materials_.Named(thing.material, Placing::kBones);
+  if (found.is_stand_in) WarnOnce("material", thing.material, "magenta squares stand in for it");
   batch->setMaterial(found.material);
-  // On slow renderers what is far has no shadow.
-  batch->setCastShadows(found.is_opaque && (reach_ >= 1 || thing.detail != BodyDetail::kCoarse));
+  batch->setCastShadows(found.is_opaque);
   batch->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);
   scene_.getRootSceneNode()->createChildSceneNode()->attachObject(batch.get());
-  batch->Begin();
   return *batch;
 }
 
-void SceneView::PoseBodies(const world::CameraSnapshot& camera, std::uint32_t inside) {
+void SceneView::BeginFrame(const Ogre::Camera& camera, int height_px, std::uint32_t inside) {
   for (auto& [key, batch] : batches_) batch->Begin();
+  for (auto& [key, batch] : body_batches_) batch->Begin();
+  bones_.Begin();
+  const float down = std::max(0.15f, -world::Normalized(sunlight_).y);
+  const Sight sight{camera, camera.getDerivedPosition(),
+                    static_cast<float>(height_px) / (2 * std::tan(camera.getFOVy().valueRadians() / 2)), 1 / down,
+                    inside};
+  for (Thing* thing : shown_) AddThing(*thing, sight);
+  AddBodies(sight);
+}
+
+void SceneView::EndFrame() {
+  for (auto& [key, batch] : batches_) batch->End();
+  for (auto& [key, batch] : body_batches_) batch->End();
+  bones_.End();
+}
+
+void SceneView::AddThing(Thing& thing, const Sight& sight) const {
+  const bool is_shown = thing.visible && (sight.inside == 0 || thing.agent != sight.inside);
+  if (thing.node != nullptr) {
+    thing.node->setVisible(is_shown);
+    return;
+  }
+  if (!is_shown || thing.levels.empty()) return;
+  if (thing.levels.size() > 1) {
+    const float away = std::max((ToOgre(thing.position) - sight.eye).length(), 0.1f);
+    thing.detail = LevelFor(kAgentHeights_px, thing.height_m * std::abs(thing.scale.y) * sight.px_per_m / away,
+                            thing.detail, thing.levels.size());
+  } else {
+    thing.detail = 0;
+  }
+  Ogre::Matrix3 turn;
+  ToOgre(thing.orientation).ToRotationMatrix(turn);
+  const world::Vec3 p = thing.position, s = thing.scale;
+  const Ogre::Vector4 rows[3] = {{turn[0][0] * s.x, turn[0][1] * s.y, turn[0][2] * s.z, p.x},
+                                 {turn[1][0] * s.x, turn[1][1] * s.y, turn[1][2] * s.z, p.y},
+                                 {turn[2][0] * s.x, turn[2][1] * s.y, turn[2][2] * s.z, p.z}};
+  const float radius_m = thing.radius_m * std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
+  // What throws a shadow need not be as fine as what is seen.
+  const std::size_t shadow = std::min(thing.detail + 1, thing.levels.size() - 1);
+  using Shown = InstanceBatch::Shown;
+  thing.levels[thing.detail]->Add(p, radius_m, shadow == thing.detail ? Shown::kEverywhere : Shown::kInPicture, rows);
+  if (shadow != thing.detail) thing.levels[shadow]->Add(p, radius_m, Shown::kInShadow, rows);
+}
+
+bool SceneView::MattersTo(const Sight& sight, const Thing& thing) const {
+  const world::Vec3 at = thing.body->place.at.position;
+  // From its place along the light to where the light has gone down as far as the body is high, and some more.
+  constexpr float kDown_m = 4;
+  const float along = std::min(kDown_m * sight.light_per_m, 25.0f);
+  const world::Vec3 middle = at + world::Normalized(sunlight_) * (along / 2);
+  return sight.camera.isVisible(Ogre::Sphere(ToOgre(middle), kBodyReach_m + along / 2));
+}
+
+void SceneView::AddBodies(const Sight& sight) {
   // The nearest first: of many, only some are worth the finer meshes.
   std::vector<std::pair<float, Thing*>> order;
-  const float zoom = std::tan(camera.vertical_fov_deg * 0.00872665f) / std::tan(22.5f * 0.01745329f);
-  for (const std::uint32_t id : bodies_shown_) {
-    Thing& thing = things_[id];
-    if (!thing.visible || (inside != 0 && thing.agent == inside)) continue;
-    order.emplace_back(world::Distance(camera.position, thing.body->place.at.position) * zoom / reach_, &thing);
+  for (Thing* thing : bodies_shown_) {
+    if (!thing->visible || (sight.inside != 0 && thing->agent == sight.inside) || !MattersTo(sight, *thing)) continue;
+    if (thing->body->bones.size() != static_cast<std::size_t>(BodyLibrary::SkeletonOf(thing->look).count())) continue;
+    order.emplace_back((ToOgre(thing->body->place.at.position) - sight.eye).length(), thing);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const bool is_slow = reach_ < 1;
   const std::size_t most_fine = is_slow ? kMostFineSlow : kMostFine,
                     most_middle = is_slow ? kMostMiddleSlow : kMostMiddle;
+  constexpr std::size_t kLevels = 4;
   std::size_t fine = 0, middle = 0;
   for (const auto& [away, thing] : order) {
-    // A little further back than forth, so that nothing flickers at the border.
-    const auto limit = [thing = thing](float metres, BodyDetail finer) {
-      return thing->detail <= finer ? metres * 1.1f : metres;
-    };
-    if (away < limit(kFineUntil_m, BodyDetail::kFine) && fine < most_fine) {
-      thing->detail = BodyDetail::kFine;
-      ++fine;
-    } else if (away < limit(kMiddleUntil_m, BodyDetail::kMiddle) && middle < most_middle) {
-      thing->detail = BodyDetail::kMiddle;
-      ++middle;
-    } else {
-      thing->detail = BodyDetail::kCoarse;
-    }
-  }
-  // In the order of the snapshot, so that each keeps its place in its batch.
-  for (const std::uint32_t id : bodies_shown_) {
-    const Thing& thing = things_[id];
-    if (!thing.visible || (inside != 0 && thing.agent == inside)) continue;
-    BatchFor(thing).Add(*thing.body, thing.detail != BodyDetail::kCoarse);
-  }
-  for (auto& [key, batch] : batches_) batch->End();
-  for (auto& [id, thing] : things_) {
-    if (!thing.body && thing.agent != 0 && thing.agent == inside) thing.node->setVisible(false);
+    std::size_t level =
+        LevelFor(kBodyHeights_px, kSoldier_m * sight.px_per_m * reach_ / std::max(away, 0.1f), thing->detail, kLevels);
+    if (level == 0 && ++fine > most_fine) level = 1;
+    if (level == 1 && ++middle > most_middle) level = 2;
+    thing->detail = level;
+    const auto detail = static_cast<BodyDetail>(level);
+    // As with things; and on slow renderers what is far throws none.
+    const auto shadow = static_cast<BodyDetail>(std::min(level + 1, kLevels - 1));
+    const bool casts = !is_slow || level < 2;
+    const float first_row = bones_.Add(*thing->body, thing->look);
+    using Shown = InstanceBatch::Shown;
+    const bool is_same = casts && shadow == detail;
+    AddBody(BodiesOf(*thing, detail), *thing->body, thing->trim, first_row,
+            is_same ? Shown::kEverywhere : Shown::kInPicture);
+    if (casts && !is_same) AddBody(BodiesOf(*thing, shadow), *thing->body, thing->trim, first_row, Shown::kInShadow);
   }
 }
 
 std::optional<SceneView::Figure> SceneView::FigureOf(std::uint32_t agent) const {
   if (agent == 0) return std::nullopt;
-  for (const std::uint32_t id : bodies_shown_) {
-    const Thing& thing = things_.at(id);
-    if (thing.agent == agent && thing.look != world::BodyLook::kRifle) return Figure{thing.look, thing.body.get()};
+  for (const Thing* thing : bodies_shown_) {
+    if (thing->agent == agent && thing->look != world::BodyLook::kRifle) return Figure{thing->look, thing->body.get()};
   }
   return std::nullopt;
 }
@@ -279,21 +362,24 @@ void SceneView::Place(Thing& thing, const DrawableSnapshot& drawable, const Draw
     position = BetweenPositions(before->position, position, blend);
     orientation = BetweenOrientations(before->orientation, orientation, blend);
   }
-  if (!IsFinite(position) || !IsFinite(drawable.scale)) {
-    thing.node->setVisible(false);
-    return;
-  }
+  thing.visible = drawable.visible && IsFinite(position) && IsFinite(drawable.scale);
+  if (!thing.visible) return;
+  thing.position = position;
+  thing.orientation = orientation;
+  thing.scale = drawable.scale;
+  if (thing.node == nullptr) return;
   thing.node->setPosition(ToOgre(position));
   thing.node->setOrientation(ToOgre(orientation));
   thing.node->setScale(ToOgre(drawable.scale));
-  thing.node->setVisible(drawable.visible);
 }
 
-void SceneView::Destroy(Thing& thing) {
+void SceneView::Undress(Thing& thing) {
   if (thing.entity != nullptr) scene_.destroyEntity(thing.entity);
   if (thing.node != nullptr) scene_.destroySceneNode(thing.node);
   thing.entity = nullptr;
   thing.node = nullptr;
+  thing.levels.clear();
+  thing.clothes.reset();
   thing.body.reset();
 }
 

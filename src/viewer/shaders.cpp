@@ -51,10 +51,23 @@ std::string ReadShader(const fs::path& file, fs::path& missing) {
   return text.str();
 }
 
+/// The text with a name defined at its top.
+std::string WithDefinition(std::string source, const std::string& name) {
+  source.insert(source.find('\n', source.find("#version")) + 1, "#define " + name + " 1\n");
+  return source;
+}
+
+constexpr std::pair<Placing, const char*> kDefinitionOf[] = {{Placing::kMany, "BY_THING"},
+                                                             {Placing::kBones, "BY_BONES"}};
+
 void Bind(const Ogre::GpuProgramParametersSharedPtr& params) {
   params->setIgnoreMissingParams(true);
   for (const BoundValue& value : kBoundValues) params->setNamedAutoConstant(value.name, value.source, value.extra);
   params->addSharedParameters(kSceneValues);
+}
+
+void NameSamplers(Params& params, const std::vector<std::string>& samplers) {
+  for (std::size_t i = 0; i < samplers.size(); ++i) params.setNamedConstant(samplers[i], static_cast<int>(i));
 }
 
 }  // namespace
@@ -77,17 +90,21 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
   for (const File& file : kFiles) {
     fs::path missing;
     std::string source = ReadShader(folder / file.name, missing);
-    if (low_detail && missing.empty())
-      source.insert(source.find('\n', source.find("#version")) + 1, "#define LOW_DETAIL 1\n");
+    if (low_detail && missing.empty()) source = WithDefinition(std::move(source), "LOW_DETAIL");
     if (!missing.empty()) {
       return ProblemIn(missing.string(), "this shader cannot be read, so nothing can be drawn",
                        "the media folder of Soarbox belongs beside its library; name another one if it was moved");
     }
-    auto& programs = Ogre::HighLevelGpuProgramManager::getSingleton();
-    programs.createProgram(file.name, kGroup, "glsl", file.type)->setSource(source);
-    if (source.find("FURTHER_LIGHTS") == std::string::npos) continue;
-    source.insert(source.find('\n', source.find("#version")) + 1, "#define FURTHER_LIGHTS 1\n");
-    programs.createProgram(WithLights(file.name), kGroup, "glsl", file.type)->setSource(source);
+    const auto add = [&file](const std::string& name, const std::string& text) {
+      Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(name, kGroup, "glsl", file.type)->setSource(text);
+    };
+    add(file.name, source);
+    if (source.find("FURTHER_LIGHTS") != std::string::npos)
+      add(WithLights(file.name), WithDefinition(source, "FURTHER_LIGHTS"));
+    for (const auto& [placing, definition] : kDefinitionOf) {
+      if (source.find(definition) != std::string::npos)
+        add(Placed(file.name, placing), WithDefinition(source, definition));
+    }
   }
   auto values = Ogre::GpuProgramManager::getSingleton().createSharedParameters(kSceneValues);
   for (const char* name :
@@ -106,14 +123,23 @@ std::string Shaders::WithLights(const std::string& fragment) {
   return fragment + "/lights";
 }
 
+std::string Shaders::Placed(const std::string& vertex, Placing placing) {
+  return placing == Placing::kOne ? vertex : vertex + (placing == Placing::kMany ? "/things" : "/bones");
+}
+
 void Shaders::Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,
                   const std::vector<std::string>& samplers) const {
   pass.setVertexProgram(vertex);
-  pass.setFragmentProgram(fragment);
   Bind(pass.getVertexProgramParameters());
-  const auto params = pass.getFragmentProgramParameters();
-  Bind(params);
-  for (std::size_t i = 0; i < samplers.size(); ++i) params->setNamedConstant(samplers[i], static_cast<int>(i));
+  NameSamplers(*pass.getVertexProgramParameters(), samplers);
+  UseFragment(pass, fragment, samplers);
+}
+
+void Shaders::UseFragment(Ogre::Pass& pass, const std::string& fragment,
+                          const std::vector<std::string>& samplers) const {
+  pass.setFragmentProgram(fragment);
+  Bind(pass.getFragmentProgramParameters());
+  NameSamplers(*pass.getFragmentProgramParameters(), samplers);
 }
 
 }  // namespace soarbox::viewer

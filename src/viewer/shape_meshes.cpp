@@ -206,14 +206,18 @@ MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail) {
   const float r = Sane(radius_m), height = std::max(Sane(height_m), 2 * r), bottom = -height / 2, top = height / 2;
   const float neck = top - 0.36f * height;  // Where the head begins.
 
-  const bool fine = detail == AgentDetail::kFine, coarse = detail == AgentDetail::kCoarse;
-  const int arc = fine ? 10 : coarse ? 3 : 5;
+  struct Pieces {
+    int arc, foot, around, visor_across, visor_up;
+  };
+  constexpr Pieces kPieces[] = {{10, 6, kSegments, 24, 14}, {5, 3, 14, 10, 6}, {3, 2, 8, 4, 3}, {2, 1, 8, 4, 3}};
+  const Pieces& pieces = kPieces[static_cast<std::size_t>(detail)];
+  const bool coarse = detail >= AgentDetail::kCoarse;
 
   // Foot: a dark, rounded base. Torso: a slight taper. Groove: the neck. Head: a dome that fills the capsule's cap.
   std::vector<ShapeRing> profile;
-  AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, fine ? 6 : coarse ? 2 : 3);
+  AddArc(profile, 0.86f * r, 0.42f * r, bottom + 0.42f * r, -kPi / 2, 0, pieces.foot);
   for (ShapeRing& ring : profile) ring.light = 0.75f;
-  profile.push_back({0.90f * r, bottom + 0.55f * r});
+  if (detail != AgentDetail::kTiny) profile.push_back({0.90f * r, bottom + 0.55f * r});
   profile.push_back({0.95f * r, bottom + 0.85f * r});
   if (!coarse) {
     profile.push_back({0.985f * r, (bottom + 0.85f * r + neck) / 2});
@@ -226,11 +230,11 @@ MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail) {
     profile.push_back({0.965f * r, neck + 0.12f * r});
   }
   const float dome = std::max(top - r, neck + 0.20f * r);
-  AddArc(profile, r, top - dome, dome, 0, kPi / 2, arc);
+  AddArc(profile, r, top - dome, dome, 0, kPi / 2, pieces.arc);
 
-  MeshData mesh = Revolve(profile, fine ? kSegments : coarse ? 8 : 14);
+  MeshData mesh = Revolve(profile, pieces.around);
   const float low = neck + 0.26f * r, high = std::max(low + 0.3f * r, dome + 0.50f * (top - dome));
-  mesh.Append(Visor(profile, low, high, 1.05f, r, fine ? 24 : coarse ? 4 : 10, fine ? 14 : coarse ? 3 : 6));
+  mesh.Append(Visor(profile, low, high, 1.05f, r, pieces.visor_across, pieces.visor_up));
   return mesh;
 }
 

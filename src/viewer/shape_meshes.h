@@ -20,8 +20,8 @@ MeshData BoxMesh(world::Vec3 min, world::Vec3 max, const BoxStyle& style = {});
 MeshData CapsuleMesh(float radius_m, float height_m);
 
 /// The body of an agent within the same capsule: a rounded torso, a groove for a neck, a domed head, and a dark visor
-/// that faces +z. Coarse ones are for agents far away.
-enum class AgentDetail : std::uint8_t { kFine, kMiddle, kCoarse };
+/// that faces +z. Coarse ones are for agents that are small in the picture.
+enum class AgentDetail : std::uint8_t { kFine, kMiddle, kCoarse, kTiny };
 MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail = AgentDetail::kFine);
 
 /// Upright, centred on the origin, with rounded rims.

@@ -154,41 +154,25 @@ void SkinBuilder::Tube(const std::vector<Vec3>& points, float radius, int segmen
   Loft(rings, segments, ahead);
 }
 
-void MoveSkin(const SkinMesh& skin, const world::Skeleton& skeleton, const std::vector<world::BonePose>& bones,
+std::vector<world::BonePose> ToBind(const world::Skeleton& skeleton) {
+  std::vector<world::BonePose> poses;
+  for (int bone = 0; bone < skeleton.count(); ++bone) poses.push_back(Inverse(skeleton.BindInModel(bone)));
+  return poses;
+}
+
+void BoneRows(const std::vector<world::BonePose>& to_bind, const std::vector<world::BonePose>& bones,
               const SkinPlace& place, float* out) {
-  struct Matrix {
-    Vec3 x, y, z, at;
-    Vec3 Turn(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
-  };
-  // By bone: from the bind pose to where it is now. A body has few bones; those beyond do not move.
-  constexpr std::size_t kMostBones = 256;
-  Matrix matrices[kMostBones];
+  // The body's own turn and stretch, as three columns.
   const auto stretched = [&place](Vec3 v) {
     return Rotate(place.at.orientation, Vec3{v.x * place.scale.x, v.y * place.scale.y, v.z * place.scale.z});
   };
-  const std::size_t used = std::min(bones.size(), kMostBones);
-  for (std::size_t i = 0; i < used; ++i) {
-    const world::BonePose move = bones[i] * Inverse(skeleton.BindInModel(static_cast<int>(i)));
-    matrices[i] = {stretched(Rotate(move.orientation, {1, 0, 0})), stretched(Rotate(move.orientation, {0, 1, 0})),
-                   stretched(Rotate(move.orientation, {0, 0, 1})), place.at.position + stretched(move.position)};
-  }
-  const std::size_t count = skin.mesh.vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const MeshVertex& vertex = skin.mesh.vertices[i];
-    const SkinVertex& by = skin.skin[i];
-    const Matrix& a = matrices[by.bone];
-    Vec3 at = a.at + a.Turn(vertex.position), normal = a.Turn(vertex.normal);
-    if (by.share < 1) {
-      const Matrix& b = matrices[by.other];
-      at = at * by.share + (b.at + b.Turn(vertex.position)) * (1 - by.share);
-      normal = normal * by.share + b.Turn(vertex.normal) * (1 - by.share);
-    }
-    *out++ = at.x;
-    *out++ = at.y;
-    *out++ = at.z;
-    *out++ = normal.x;
-    *out++ = normal.y;
-    *out++ = normal.z;
+  const Vec3 x = stretched({1, 0, 0}), y = stretched({0, 1, 0}), z = stretched({0, 0, 1});
+  const auto placed = [&](Vec3 v) { return x * v.x + y * v.y + z * v.z; };
+  for (std::size_t i = 0; i < std::min(bones.size(), to_bind.size()); ++i) {
+    const world::BonePose move = bones[i] * to_bind[i];
+    const Vec3 a = placed(Rotate(move.orientation, {1, 0, 0})), b = placed(Rotate(move.orientation, {0, 1, 0})),
+               c = placed(Rotate(move.orientation, {0, 0, 1})), at = place.at.position + placed(move.position);
+    for (const float number : {a.x, b.x, c.x, at.x, a.y, b.y, c.y, at.y, a.z, b.z, c.z, at.z}) *out++ = number;
   }
 }
 

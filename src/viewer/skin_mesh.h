@@ -90,8 +90,12 @@ struct SkinPlace {
   friend bool operator==(const SkinPlace&, const SkinPlace&) = default;
 };
 
-/// Moves the vertices by the bones to a place: where they are (x, y, z and the normal, six floats each) into `out`.
-void MoveSkin(const SkinMesh& skin, const world::Skeleton& skeleton, const std::vector<world::BonePose>& bones,
+/// For each bone of a skeleton, what takes a point of the model in the bind pose into the bone's own space.
+std::vector<world::BonePose> ToBind(const world::Skeleton& skeleton);
+
+/// For each bone, three rows of four numbers: the matrix that takes a vertex from the bind pose to where the bone has
+/// it in the world. `out` holds twelve for each of `bones`; those beyond the skeleton's do not count.
+void BoneRows(const std::vector<world::BonePose>& to_bind, const std::vector<world::BonePose>& bones,
               const SkinPlace& place, float* out);
 
 }  // namespace soarbox::viewer

@@ -375,8 +375,9 @@ SkinMesh MakeSoldierMesh(BodyDetail detail, bool dark) {
 }
 
 SkinMesh MakeBodyMesh(world::BodyLook look, BodyDetail detail) {
-  return look == world::BodyLook::kRifle ? MakeRifleMesh(detail)
-                                         : MakeSoldierMesh(detail, look == world::BodyLook::kDarkSoldier);
+  const bool dark = look == world::BodyLook::kDarkSoldier;
+  if (look == world::BodyLook::kRifle) return detail == BodyDetail::kTiny ? MakeTinyRifleMesh() : MakeRifleMesh(detail);
+  return detail == BodyDetail::kTiny ? MakeTinySoldierMesh(dark) : MakeSoldierMesh(detail, dark);
 }
 
 }  // namespace soarbox::viewer

@@ -83,7 +83,7 @@ Result<void> Viewer::Impl::Build() {
   shaders = *loaded;
   Ogre::SceneManager& scene_manager = engine->scene();
   materials.emplace(*shaders, engine->low_detail());
-  lights.emplace(scene_manager, *shaders, materials->ShadowCaster(), engine->low_detail());
+  lights.emplace(scene_manager, *shaders, materials->ShadowCaster(Placing::kOne), engine->low_detail());
   sky.emplace(scene_manager, *materials);
   things.emplace(scene_manager, *materials, engine->low_detail() ? 0.45f : 1.0f, options.on_diagnostic);
   lines = std::make_unique<LineBatch>(materials->LineMaterial(kLineWidth_px));
@@ -266,11 +266,12 @@ bool Viewer::Impl::Frame() {
   drawn.triangles.insert(drawn.triangles.end(), triangles.begin(), triangles.end());
   lines->Update(scene.lines, marks);
   fills->Update(drawn.triangles);
-  ghost_view->Update(shown_ghosts, *things);
   skeleton_lines->Update(things->skeleton_lines(), {});
   PlaceCamera();
   watch.Lap(costs.marks_s);
-  things->PoseBodies(camera.pose(), Inside());
+  things->BeginFrame(engine->camera(), engine->height(), Inside());
+  ghost_view->Update(shown_ghosts, *things, things->bones());
+  things->EndFrame();
   watch.Lap(costs.bodies_s);
   DrawPanels(seconds);
   watch.Lap(costs.panels_s);

@@ -114,6 +114,13 @@ int Measure(Viewer& viewer, const Arguments& arguments) {
     spent_s += ProcessSeconds() - begin_s;
     wall_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
+  // A hidden window draws only what it saves.
+  if (!arguments.screenshot.empty()) {
+    if (auto saved = viewer.SaveScreenshot(arguments.screenshot); !saved) {
+      std::fputs(Format(saved.error()).c_str(), stderr);
+      return 1;
+    }
+  }
   const viewer::FrameCosts& end = viewer.costs();
   const auto ms = [&](double seconds) { return 1000 * seconds / frames; };
   std::printf("%zu agents, %dx%d, the scene at %.0f %%: %zu draw calls, %zu triangles\n", now.agents.size(),
@@ -122,12 +129,6 @@ int Measure(Viewer& viewer, const Arguments& arguments) {
               ms(spent_s), ms(end.show_s - start.show_s), ms(end.bodies_s - start.bodies_s));
   std::printf("marks %.2f, labels and panels %.2f, renderer %.2f; wall clock %.2f\n", ms(end.marks_s - start.marks_s),
               ms(end.panels_s - start.panels_s), ms(end.draw_s - start.draw_s), ms(wall_s));
-  if (!arguments.screenshot.empty()) {
-    if (auto saved = viewer.SaveScreenshot(arguments.screenshot); !saved) {
-      std::fputs(Format(saved.error()).c_str(), stderr);
-      return 1;
-    }
-  }
   return 0;
 }
 

@@ -49,7 +49,8 @@ TEST(ShapeMeshes, AllTrianglesFaceOutwards) {
 }
 
 TEST(ShapeMeshes, AgentsFillTheirCapsuleAndWearAVisorInFrontOnly) {
-  for (const AgentDetail detail : {AgentDetail::kFine, AgentDetail::kMiddle, AgentDetail::kCoarse}) {
+  for (const AgentDetail detail :
+       {AgentDetail::kFine, AgentDetail::kMiddle, AgentDetail::kCoarse, AgentDetail::kTiny}) {
     const MeshData mesh = AgentMesh(0.3f, 1.6f, detail);
     const Bounds bounds = BoundsOf(mesh);
     EXPECT_NEAR(bounds.min.y, -0.8f, 0.01f);
@@ -91,7 +92,7 @@ TEST(ModularMeshes, AllThirtyFourPiecesFillTheirBounds) {
 TEST(BodyMeshes, SoldiersAndRiflesAreWholeAtEveryDetailAndAsTallAsPeople) {
   for (const world::BodyMesh& body : world::kBodyMeshes) {
     std::size_t finer = 100'000;
-    for (const BodyDetail detail : {BodyDetail::kFine, BodyDetail::kMiddle, BodyDetail::kCoarse}) {
+    for (const BodyDetail detail : {BodyDetail::kFine, BodyDetail::kMiddle, BodyDetail::kCoarse, BodyDetail::kTiny}) {
       const SkinMesh mesh = MakeBodyMesh(body.look, detail);
       ASSERT_EQ(mesh.skin.size(), mesh.mesh.vertices.size());
       EXPECT_LT(mesh.mesh.vertices.size(), finer);
@@ -113,16 +114,23 @@ TEST(BodyMeshes, SoldiersAndRiflesAreWholeAtEveryDetailAndAsTallAsPeople) {
   }
 }
 
-TEST(BodyMeshes, TheBindPoseLeavesVerticesWhereTheyAre) {
-  const SkinMesh mesh = MakeSoldierMesh(BodyDetail::kMiddle, false);
+TEST(BodyMeshes, BonesInTheirBindPoseMoveABodyToItsPlaceAndNoFurther) {
   const world::Skeleton& skeleton = world::SoldierRig().skeleton;
   std::vector<world::BonePose> bones;
   for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
-  std::vector<float> out(6 * mesh.mesh.vertices.size());
-  MoveSkin(mesh, skeleton, bones, {}, out.data());
-  for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
-    const world::Vec3 moved{out[6 * i], out[6 * i + 1], out[6 * i + 2]};
-    ASSERT_LT(world::Distance(moved, mesh.mesh.vertices[i].position), 1e-4f);
+  SkinPlace place;
+  place.at = {{3, 0, -2}, world::Turn({0, 1, 0}, 0.5f)};
+  place.scale = {1, 2, 1};
+  std::vector<float> rows(12 * bones.size());
+  BoneRows(ToBind(skeleton), bones, place, rows.data());
+  const Vec3 vertex{0.2f, 1.5f, 0.1f};
+  const Vec3 wanted = place.at.position + Rotate(place.at.orientation, {0.2f, 3.0f, 0.1f});
+  for (std::size_t bone = 0; bone < bones.size(); ++bone) {
+    const auto along = [&](std::size_t row) {
+      const float* r = &rows[12 * bone + 4 * row];
+      return r[0] * vertex.x + r[1] * vertex.y + r[2] * vertex.z + r[3];
+    };
+    ASSERT_LT(world::Distance({along(0), along(1), along(2)}, wanted), 1e-4f) << skeleton.bones()[bone].name;
   }
 }
 

@@ -17,6 +17,7 @@
 #include "viewer/demo_scene.h"
 #include "viewer/picking.h"
 #include "viewer/viewer.h"
+#include "world/body_meshes.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -366,6 +367,87 @@ TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
   viewer->Do(ViewerCommand::kNavigation);
   EXPECT_TRUE(viewer->overlay_wants().navigation);
   EXPECT_FALSE(viewer->overlay_wants().physics);
+}
+
+/// Agents in rows on the ground of the demo, each with one drawable that `dress` completes.
+template <typename Dress>
+world::SceneSnapshot CrowdOf(std::uint32_t count, Dress&& dress) {
+  world::SceneSnapshot scene = DemoScene(0, 0, kSmallWidth, kSmallHeight).At(0);
+  scene.ui.clear();
+  scene.camera.position = {0, 30, 50};
+  scene.camera.orientation = {std::cos(0.3f), -std::sin(0.3f), 0, 0};
+  constexpr std::uint32_t kPerRow = 40;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    world::AgentSnapshot& agent = scene.agents.emplace_back();
+    agent.id = 1000000 + i;
+    agent.kind = i % 2 == 0 ? "lua" : "soar seeking";
+    agent.team = i % 2 == 0 ? "blue" : "red";
+    agent.position = {2.0f * static_cast<float>(i % kPerRow) - kPerRow, 0.9f,
+                      20 - 2.0f * static_cast<float>(i / kPerRow)};
+    world::DrawableSnapshot drawable;
+    drawable.id = drawable.owner_id = agent.id;
+    drawable.belongs_to_agent = true;
+    drawable.position = agent.position;
+    dress(drawable);
+    scene.drawables.push_back(std::move(drawable));
+  }
+  return scene;
+}
+
+TEST_F(PictureTest, ThingsThatAreAlikeAreFewDrawCallsHoweverManyTheyAre) {
+  const auto viewer = OpenHidden(kSmallWidth, kSmallHeight, Detail::kFull);
+  ASSERT_NE(viewer, nullptr);
+  const auto capsule = [](world::DrawableSnapshot& drawable) {
+    drawable.shape = world::ShapeKind::kCapsule;
+    drawable.size = {0.4f, 1.8f, 0.4f};
+  };
+  std::vector<world::BonePose> bones;
+  const world::Skeleton& skeleton = world::SoldierRig().skeleton;
+  for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
+  const world::Shared<std::vector<world::BonePose>> standing = bones;
+  const auto soldier = [&](world::DrawableSnapshot& drawable) {
+    drawable.mesh = "models/soarbox/soldier.mesh";
+    drawable.position.y = 0;
+    drawable.bones = standing;
+  };
+  // The same calls for ten times as many, in the picture and both shadow maps.
+  Draw(*viewer, CrowdOf(100, capsule));
+  const std::size_t calls = viewer->costs().draw_calls;
+  EXPECT_LT(calls, 40u);
+  Draw(*viewer, CrowdOf(1000, capsule));
+  EXPECT_LE(viewer->costs().draw_calls, calls + 4);
+  EXPECT_LT(viewer->costs().triangles, 500'000u);
+  Draw(*viewer, CrowdOf(200, soldier));
+  EXPECT_LT(viewer->costs().draw_calls, 40u);
+  EXPECT_LT(viewer->costs().triangles, 250'000u);
+  EXPECT_THAT(diagnostics_, testing::IsEmpty());
+}
+
+TEST_F(PictureTest, BodiesStandWhereTheirBonesAreInTheColoursOfTheirTeam) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  std::vector<world::BonePose> bones;
+  const world::Skeleton& skeleton = world::SoldierRig().skeleton;
+  for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
+  world::SceneSnapshot scene = CrowdOf(2, [&](world::DrawableSnapshot& drawable) {
+    drawable.mesh = "models/soarbox/soldier.mesh";
+    drawable.bones = bones;
+  });
+  for (const std::uint32_t i : {0u, 1u}) {
+    world::DrawableSnapshot& drawable = scene.drawables.Edit(scene.drawables.Find(scene.agents[i].id));
+    drawable.position = {i == 0 ? -0.8f : 0.8f, 0, 0};
+    scene.agents[i].position = drawable.position + Vec3{0, 0.9f, 0};
+  }
+  scene.camera.position = {0, 1.2f, 4.5f};
+  scene.camera.orientation = {};
+  viewer->Do(ViewerCommand::kLabels);
+  const Picture picture = Draw(*viewer, scene);
+  const auto bluish = [](Pixel p) { return p.b > p.r + 60 && p.b > p.g + 40; };
+  const auto reddish = [](Pixel p) { return p.r > p.b + 60 && p.r > p.g + 60; };
+  constexpr int kMiddle = kSmallWidth / 2, kGround = kSmallHeight * 3 / 4;
+  EXPECT_GT(picture.Count(kMiddle - 140, 60, kMiddle, kGround, bluish), 60) << "a blue one stands to the left";
+  EXPECT_GT(picture.Count(kMiddle, 60, kMiddle + 140, kGround, reddish), 60) << "a red one stands to the right";
+  EXPECT_EQ(picture.Count(kMiddle - 140, 60, kMiddle, kGround, reddish), 0);
 }
 
 TEST_F(PictureTest, GhostsStandWhereTheyAreSaidToAndAreSeenThrough) {
