@@ -18,6 +18,7 @@
 #include "debugger/json.h"
 #include "debugger/lesson.h"
 #include "debugger/why.h"
+#include "diagnostics/read_text.h"
 #include "explain/learning_facts.h"
 #include "mission/cast.h"
 #include "record/reader.h"
@@ -25,6 +26,7 @@
 #include "sim/check.h"
 #include "sim/scenario_file.h"
 #include "sim/simulation.h"
+#include "sweep/plan.h"
 
 namespace soarbox::app {
 
@@ -55,6 +57,10 @@ int Check(const CheckOptions& options) {
         // What grades a lesson stands beside its scenario.
         if (shipped != nullptr && file.filename() == "lesson.toml") {
           ReadLesson(file.has_parent_path() ? file.parent_path() : ".", *shipped, found);
+          return false;
+        }
+        if (file.extension() == ".toml" && mission::IsSweepText(ReadText(file).value_or(""))) {
+          sweep::ReadSpec(file, found);
           return false;
         }
         return mission::CheckMissionFile(file, shipped, found);

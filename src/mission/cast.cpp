@@ -254,6 +254,16 @@ void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic
   for (const Check& check : mission.mistakes) checker.Look(check, true);
 }
 
+bool HasLine(std::string_view text, std::string_view begin) {
+  for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1))
+    if (at == 0 || text[at - 1] == '\n') return true;
+  return false;
+}
+
+bool IsSweepText(std::string_view text) {
+  return HasLine(text, "[[variant]]") || HasLine(text, "[[metric]]") || HasLine(text, "[tournament]");
+}
+
 bool IsMissionText(std::string_view text) {
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {

@@ -36,5 +36,9 @@ bool CheckMissionFile(const std::filesystem::path& file, const sim::DataFolders*
                       std::vector<Diagnostic>& problems);
 /// Whether this text is a mission file, which names a scenario, and not a scenario itself.
 bool IsMissionText(std::string_view text);
+/// Whether it has what a sweep has, and no mission.
+bool IsSweepText(std::string_view text);
+/// Whether a line begins with this.
+bool HasLine(std::string_view text, std::string_view begin);
 
 }  // namespace soarbox::mission

@@ -21,18 +21,6 @@ bool IsFile(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-/// Whether a line begins with this.
-bool HasLine(std::string_view text, std::string_view begin) {
-  for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1))
-    if (at == 0 || text[at - 1] == '\n') return true;
-  return false;
-}
-
-/// What a sweep has, and no mission.
-bool IsSweepText(std::string_view text) {
-  return HasLine(text, "[[variant]]") || HasLine(text, "[[metric]]") || HasLine(text, "[tournament]");
-}
-
 /// A .toml file with checks of its own, which is no sweep.
 bool HasChecks(const fs::path& file) {
   std::error_code error;

@@ -54,6 +54,40 @@ void Actor::SetLooks(world::NodeId looks) {
   ShowBearing();
 }
 
+void Actor::Carry(CarriedThing thing) {
+  carried_.push_back(std::move(thing));
+  HoldLoad();
+}
+
+std::optional<CarriedThing> Actor::LetGo(std::string_view name) {
+  const auto at =
+      std::find_if(carried_.begin(), carried_.end(), [&](const CarriedThing& thing) { return thing.name == name; });
+  if (at == carried_.end()) return std::nullopt;
+  CarriedThing thing = std::move(*at);
+  carried_.erase(at);
+  HoldLoad();
+  return thing;
+}
+
+void Actor::HoldLoad() {
+  if (load_ == world::NodeId::kNone) own_radius_m_ = body_->Radius();
+  const auto widest = std::max_element(
+      carried_.begin(), carried_.end(),
+      [](const CarriedThing& a, const CarriedThing& b) { return a.item.HalfWidth_m() < b.item.HalfWidth_m(); });
+  const bool is_wide = widest != carried_.end() && widest->item.HalfWidth_m() > own_radius_m_;
+  if (!is_wide && load_ == world::NodeId::kNone) return;
+  world::Scene& scene = world_.scene();
+  scene.Remove(load_);
+  load_ = world::NodeId::kNone;
+  body_->SetRadius(is_wide ? widest->item.HalfWidth_m() : own_radius_m_);
+  if (!is_wide) return;
+  const Item& item = widest->item;
+  load_ = item.shape == "column" ? scene.CreateCapsule(world_.NodeOf(id_), item.size.y, item.size.x / 2)
+                                 : scene.CreateBox(world_.NodeOf(id_), item.size.x, item.size.y, item.size.z);
+  scene.SetPosition(load_, {0, (body_->Height() + item.size.y) / 2, 0});
+  if (!item.material.empty()) scene.SetMaterial(load_, item.material);
+}
+
 void Actor::SetStance(std::string_view stance) {
   stance_ = stance;
 }

@@ -141,8 +141,11 @@ class Actor {
   const std::optional<world::Weapon>& weapon() const { return weapon_; }
   world::EntityId target() const { return target_; }
   void SetTarget(world::EntityId target) { target_ = target; }
-  std::vector<CarriedThing>& carried() { return carried_; }
   const std::vector<CarriedThing>& carried() const { return carried_; }
+  /// A load that is wider than the body stands on its shoulders and makes it as wide.
+  void Carry(CarriedThing thing);
+  /// What it carries under this name is out of its hands. Nothing if it carries no such thing.
+  std::optional<CarriedThing> LetGo(std::string_view name);
   /// Where it supposes an agent to be: friends and agents in view as they are, others as last noticed. Nothing, with a
   /// reason, for agents that it never noticed or has forgotten.
   struct Sighting {
@@ -190,6 +193,7 @@ class Actor {
   /// Of a command to a place that is not there: what was most likely meant, and which places there are.
   std::string WhichPlaces(const Running& command, std::string_view reason) const;
   void Die();
+  void HoldLoad();
   void MoveBody();
   void ShowBearing();
 
@@ -213,6 +217,8 @@ class Actor {
   std::string stance_ = "standing";
   world::EntityId target_ = world::kNoEntity;
   std::vector<CarriedThing> carried_;
+  world::NodeId load_ = world::NodeId::kNone;  ///< Of the widest thing that it carries, if that is wider than the body.
+  float own_radius_m_ = 0;                     ///< Without the load.
   std::map<world::EntityId, SeenThing> things_;
   bool is_scripted_;  ///< A script moves the body; this one only perceives.
   bool dead_ = false;

@@ -10,6 +10,8 @@
 namespace soarbox::sim {
 namespace {
 
+constexpr float kHandy_m = 0.2f;  ///< Half the width of what lies wherever feet stand.
+
 StepResult PickUp(Actor& actor, Running& command) {
   Places& places = actor.arena().places();
   const std::string name = command.Word("object");
@@ -18,14 +20,15 @@ StepResult PickUp(Actor& actor, Running& command) {
   if (object == nullptr) return StepResult::Failed("no-such-object");
   const auto item = places.items.find(id);
   if (item == places.items.end()) return StepResult::Failed("not-an-item");
-  if (FlatDistance(actor.body().Position(), object->Position()) > kArmsReach_m)
-    return StepResult::Failed("out-of-reach");
+  // A wide thing is taken by its side.
+  const float reach_m = kArmsReach_m + std::max(0.0f, item->second.HalfWidth_m() - kHandy_m);
+  if (FlatDistance(actor.body().Position(), object->Position()) > reach_m) return StepResult::Failed("out-of-reach");
   if (item->second.gives == "ammunition" && actor.weapon()) {
     actor.weapon()->AddReserve(static_cast<int>(item->second.amount));
   } else if (item->second.gives == "health") {
     actor.body().SetHealth(std::min(actor.kind().health, actor.body().Health() + item->second.amount));
   } else {
-    actor.carried().push_back({name, item->second});
+    actor.Carry({name, item->second});
   }
   actor.arena().Tell(actor.id(), "takes", name);
   actor.world().RemoveObject(id);
@@ -34,29 +37,29 @@ StepResult PickUp(Actor& actor, Running& command) {
   return StepResult::Done();
 }
 
-std::vector<CarriedThing>::iterator FindCarried(Actor& actor, const std::string& name) {
-  return std::find_if(actor.carried().begin(), actor.carried().end(),
-                      [&](const CarriedThing& thing) { return thing.name == name; });
-}
-
 StepResult Drop(Actor& actor, Running& command) {
-  const auto carried = FindCarried(actor, command.Word("object"));
-  if (carried == actor.carried().end()) return StepResult::Failed("not-carried");
-  // Before its feet, or beneath them where something is in the way.
-  constexpr float kBefore_m = 0.6f;
+  std::optional<CarriedThing> carried = actor.LetGo(command.Word("object"));
+  if (!carried) return StepResult::Failed("not-carried");
+  // Before its feet; what is small, or carried between them, lies beneath them where something is in the way.
+  constexpr float kBefore_m = 0.4f;
+  const float half_m = carried->item.HalfWidth_m();
   world::Vec3 place = actor.body().Position();
-  const world::Vec3 ahead = place + actor.body().Forward() * (actor.body().Radius() + kBefore_m);
-  if (!actor.world().RayCast(place, ahead)) place = ahead;
+  const world::Vec3 ahead = place + actor.body().Forward() * (actor.body().Radius() + (kBefore_m + half_m));
+  const bool is_free = !actor.world().RayCast(place, ahead + actor.body().Forward() * (half_m - kHandy_m));
+  if (is_free) place = ahead;
   place.y -= actor.body().Height() / 2;
-  if (!actor.arena().PutDown(*carried, place)) return StepResult::Failed("no-room");
+  if ((!is_free && half_m > kHandy_m) || !actor.arena().PutDown(*carried, place)) {
+    actor.Carry(std::move(*carried));
+    return StepResult::Failed("no-room");
+  }
   actor.arena().Tell(actor.id(), "drops", carried->name);
-  actor.carried().erase(carried);
   return StepResult::Done();
 }
 
 StepResult Give(Actor& actor, Running& command) {
-  const auto carried = FindCarried(actor, command.Word("object"));
-  if (carried == actor.carried().end()) return StepResult::Failed("not-carried");
+  const std::string name = command.Word("object");
+  if (std::ranges::find(actor.carried(), name, &CarriedThing::name) == actor.carried().end())
+    return StepResult::Failed("not-carried");
   const world::EntityId id = actor.arena().FindAgentNamed(command.Word("to"));
   if (id == actor.id()) return StepResult::Failed("itself");
   Actor* other = actor.arena().Find(id);
@@ -66,9 +69,8 @@ StepResult Give(Actor& actor, Running& command) {
   const float apart_m =
       FlatDistance(actor.body().Position(), other->body().Position()) - actor.body().Radius() - other->body().Radius();
   if (apart_m > kArmsReach_m) return StepResult::Failed("out-of-reach");
-  actor.arena().Tell(actor.id(), "gives", carried->name + " to " + other->body().name());
-  other->carried().push_back(std::move(*carried));
-  actor.carried().erase(carried);
+  actor.arena().Tell(actor.id(), "gives", name + " to " + other->body().name());
+  other->Carry(std::move(*actor.LetGo(name)));
   return StepResult::Done();
 }
 

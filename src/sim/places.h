@@ -40,6 +40,8 @@ struct Item {
   std::string shape = "box", material;
   world::Vec3 size{0.4f, 0.4f, 0.4f};
   float mass_kg = 0;
+
+  float HalfWidth_m() const { return std::max(size.x, size.z) / 2; }
 };
 
 /// The named parts of a world, in the order in which the scenario names them.

@@ -251,11 +251,13 @@ void CheckSize(Reader& reader, const toml::table& table, ScenarioFile::Thing& ma
   if (made.size.y < made.size.x) reader.Problem(at, "a column is at least as high as it is wide");
 }
 
+constexpr float kLeastItem_m = 0.1f, kMostItem_m = 1.6f;
+
 void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
   for (const bool is_item : {false, true}) {
     for (const toml::table* table : reader.Tables(root, is_item ? "item" : "obstacle")) {
       if (is_item) {
-        reader.CheckKeys(*table, "an item", {"name", "position", "gives", "amount", "material"});
+        reader.CheckKeys(*table, "an item", {"name", "position", "size", "gives", "amount", "material"});
       } else {
         reader.CheckKeys(*table, "an obstacle", {"name", "shape", "position", "size", "heading", "mass", "material"});
       }
@@ -265,7 +267,10 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
       made.position = reader.Point(*table, "position").value_or(world::Vec3{});
       made.material = reader.Text(*table, "material");
       if (is_item) {
-        made.size = {0.4f, 0.4f, 0.4f};
+        made.size = reader.Point(*table, "size", true).value_or(world::Vec3{0.4f, 0.4f, 0.4f});
+        const auto [least, most] = std::minmax({made.size.x, made.size.y, made.size.z});
+        if (least < kLeastItem_m || most > kMostItem_m)
+          reader.Problem(*table->get("size"), "the sides of an item are 0.1 to 1.6 m: nobody carries more");
         made.gives = reader.Text(*table, "gives");
         if (!made.gives.empty() && made.gives != "ammunition" && made.gives != "health")
           reader.Problem(*table->get("gives"), "an item gives \"ammunition\" or \"health\"");

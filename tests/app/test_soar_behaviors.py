@@ -4,6 +4,8 @@ import collections
 import json
 import math
 import pathlib
+import re
+import tempfile
 import unittest
 
 from soarbox_command import Run, run_json
@@ -170,9 +172,42 @@ class Imagery(Behavior):
         self.assertIn("asked by rule hider*imagine*hidden", why)
 
 
+class Crates(Behavior):
+    """soar_crates: what is too wide for the door does not go through it, whatever a porter believes."""
+
+    RULES = REPOSITORY / "scenarios" / "soar_crates" / "by_percepts.soar"
+
+    def test_a_porter_that_believes_that_all_fit_is_stopped_by_the_door(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bold = pathlib.Path(folder) / "bold.soar"
+            bold.write_text(self.RULES.read_text().replace("^radius <= 1", "^radius <= 9").replace("^radius > 1", "^radius > 9")
+                            .replace("source carry.soar", f"source {self.RULES.parent / 'carry.soar'}"))
+            run = run_json("soar_crates", "--rules", f"porter={bold}", "--seconds", 60)
+        self.assertEqual([(event["agent"], event["text"]) for event in run.of("outcome") if "error" in event["text"]],
+                         [("porter", "error blocked: No progress for 4 s")])
+        taken = [event["text"] for event in run.of("news", news="takes")]
+        dropped = [event for event in run.of("news", news="drops") if event["position"][0] > 1]
+        self.assertEqual(taken[-1], "crate-2")
+        self.assertEqual({event["text"] for event in dropped}, {"crate-1", "crate-3"})
+
+    def test_imagination_suits_any_door_and_a_number_in_a_rule_the_one_that_was_measured(self):
+        for world, rules, brought in (("soar_crates", None, 2), ("soar_crates/wide.toml", None, 4),
+                                      ("soar_crates", self.RULES, 2), ("soar_crates/wide.toml", self.RULES, 2)):
+            run = run_json(world, "--seconds", 120, *(("--rules", f"porter={rules}") if rules else ()))
+            inside = [event["text"] for event in run.of("news", news="drops") if event["position"][0] > 1]
+            self.assertEqual(len(set(inside)), brought, (world, rules, inside))
+
+    def test_the_rules_that_it_learns_are_about_a_size(self):
+        learned = Run("inspect", "soar_crates", "--at", 1, "--view", "learning").out
+        for part in ("chunk*judge*return*fits", "makes ^goes-to barn", "chunk*judge*return*too-wide", "makes ^goes-to rack"):
+            self.assertIn(part, learned)
+        story = Run("why", "soar_crates", re.search(r"chunk\*judge\*return\*fits\S*", learned)[0], "--at", 1).out
+        self.assertIn("^radius 0.8", story)
+
+
 class Checked(unittest.TestCase):
     def test_all_of_them_are_free_of_slips(self):
-        for name in ("seek", "follow", "flee", "hide", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
+        for name in ("seek", "follow", "flee", "hide", "crates", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
             run = Run("check", "scenarios/soar_" + name, cwd=REPOSITORY)
             self.assertEqual((run.code, run.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), run.out)
 

@@ -61,7 +61,7 @@ def worlds():
         if (folder / "scenario.toml").exists() or (folder / "Sandbox.lua").exists():
             yield folder
         for file in sorted(folder.iterdir()):
-            if file.name in ("scenario.toml", "mission.toml", "Sandbox.lua"):
+            if file.name in ("scenario.toml", "mission.toml", "Sandbox.lua") or file.suffix == ".toml" and "[[variant]]" in file.read_text():
                 continue
             if file.suffix == ".toml" or (file.suffix == ".lua" and "function Sandbox_Initialize" in file.read_text()):
                 yield file
