@@ -87,6 +87,26 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
   return {};
 }
 
+constexpr world::Vec3 kAboveGround{0, 0.05f, 0};
+
+/// Its edge is drawn on the ground.
+void MarkRegion(const Region& region, world::Scene& scene) {
+  const world::Vec3 middle = region.center + kAboveGround;
+  if (region.half_x_m <= 0) {
+    scene.SetPosition(scene.CreateCircle(world::NodeId::kRoot, region.radius_m), middle);
+    return;
+  }
+  constexpr float kWide_m = 0.08f, kHigh_m = 0.01f;
+  for (const float side : {-1.0f, 1.0f}) {
+    const world::NodeId along_x =
+        scene.CreateBox(world::NodeId::kRoot, 2 * region.half_x_m + kWide_m, kHigh_m, kWide_m);
+    scene.SetPosition(along_x, middle + world::Vec3{0, 0, side * region.half_z_m});
+    const world::NodeId along_z =
+        scene.CreateBox(world::NodeId::kRoot, kWide_m, kHigh_m, 2 * region.half_z_m - kWide_m);
+    scene.SetPosition(along_z, middle + world::Vec3{side * region.half_x_m, 0, 0});
+  }
+}
+
 }  // namespace
 
 Result<void> BuildScenario(const ScenarioFile& file, ScenarioBuild& build) {
@@ -95,13 +115,9 @@ Result<void> BuildScenario(const ScenarioFile& file, ScenarioBuild& build) {
   places.regions = file.regions;
   for (const Waypoint& waypoint : file.waypoints) {
     const world::NodeId ring = build.world.scene().CreateCircle(world::NodeId::kRoot, 0.75f);
-    build.world.scene().SetPosition(ring, waypoint.position + world::Vec3{0, 0.05f, 0});
+    build.world.scene().SetPosition(ring, waypoint.position + kAboveGround);
   }
-  for (const Region& region : file.regions) {
-    const float radius = region.half_x_m > 0 ? std::min(region.half_x_m, region.half_z_m) : region.radius_m;
-    const world::NodeId ring = build.world.scene().CreateCircle(world::NodeId::kRoot, radius);
-    build.world.scene().SetPosition(ring, region.center + world::Vec3{0, 0.05f, 0});
-  }
+  for (const Region& region : file.regions) MarkRegion(region, build.world.scene());
   for (const ScenarioFile::Thing& thing : file.things) BuildThing(thing, build);
   if (!file.things.empty()) build.arena.BuildWays();
   build.minds.body_kinds().insert(build.minds.body_kinds().end(), file.bodies.begin(), file.bodies.end());
