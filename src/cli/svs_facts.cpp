@@ -22,6 +22,7 @@ using kernel::imagery::SceneCommand;
 using kernel::imagery::Shape;
 using kernel::imagery::SightLine;
 using kernel::imagery::StateScene;
+using kernel::imagery::TrackedList;
 using ImageryValue = kernel::imagery::Value;
 using kernel::imagery::Vec3;
 
@@ -147,8 +148,9 @@ Given GivenIn(const Filter& filter, const Combination& combination) {
   Given given;
   const auto& parameters = filter.inputs().parameters();
   for (std::size_t n = 0; n < parameters.size(); ++n) {
-    if (combination.arguments[n] == nullptr) continue;
-    const Content& content = combination.arguments[n]->content;
+    const ImageryValue* const argument = filter.inputs().ArgumentOf(combination, n);
+    if (argument == nullptr) continue;
+    const Content& content = argument->content;
     const std::string& name = parameters[n].name;
     if (Node* const* const node = std::get_if<Node*>(&content)) {
       if (*node == nullptr) continue;
@@ -196,19 +198,19 @@ class ExtractWriter {
     out_.Text("filter", filter.kind() == nullptr ? "" : filter.kind()->name);
     out_.Text("status", filter.status());
     out_.Name("count");
-    out_.Raw(std::to_string(filter.output().entries().size()));
+    out_.Raw(std::to_string(filter.output().size()));
     out_.Name("values");
     out_.Begin('[');
     std::size_t count = 0;
-    for (const auto& value : filter.output().entries()) {
+    for (const ImageryValue& value : filter.output()) {
       if (++count > kMostValues) break;
       out_.Begin('{');
-      if (const kernel::Symbol record = command.RecordOf(*value)) {
+      if (const kernel::Symbol record = command.RecordOf(value)) {
         const auto& symbols = agent_.symbols();
         out_.Text("record", symbols.Letter(record) + std::to_string(symbols.Number(record)));
       }
-      WriteValue(*value, filter, 0);
-      WriteMarks(*value, filter);
+      WriteValue(value, filter, 0);
+      WriteMarks(value, filter);
       out_.End('}');
     }
     out_.End(']');
@@ -223,9 +225,9 @@ class ExtractWriter {
     const auto& parameters = filter.inputs().parameters();
     for (std::size_t n = 0; n < parameters.size(); ++n) {
       const Filter& source = *parameters[n].source;
-      const ImageryValue* const argument = value.from == nullptr ? nullptr : value.from->arguments[n];
+      const ImageryValue* const argument = value.from == nullptr ? nullptr : filter.inputs().ArgumentOf(*value.from, n);
       // A filter without combinations of its own (occlusion) has one value for all that it was given.
-      if (argument == nullptr && (value.from != nullptr || source.output().entries().empty())) continue;
+      if (argument == nullptr && (value.from != nullptr || source.output().size() == 0)) continue;
       out_.Begin('{');
       out_.Text("name", parameters[n].name);
       if (argument != nullptr) {
@@ -243,9 +245,9 @@ class ExtractWriter {
     constexpr std::size_t kMostNamed = 8;
     std::string text;
     std::size_t count = 0;
-    for (const auto& value : filter.output().entries()) {
+    for (const ImageryValue& value : filter.output()) {
       if (++count > kMostNamed) return text + ", ...";
-      text += (text.empty() ? "" : ", ") + TextOf(value->content);
+      text += (text.empty() ? "" : ", ") + TextOf(value.content);
     }
     return text;
   }
@@ -259,7 +261,7 @@ class ExtractWriter {
   /// What shows in the scene why the value is what it is.
   void WriteMarks(const ImageryValue& value, const Filter& filter) {
     const std::string_view kind = filter.kind() == nullptr ? std::string_view() : filter.kind()->name;
-    const auto& combinations = filter.inputs().combinations().entries();
+    const auto& combinations = filter.inputs().combinations();
     if (kind == "occlusion") {
       WriteSight(filter, combinations);
       return;
@@ -299,12 +301,11 @@ class ExtractWriter {
     Line(line, false);
   }
 
-  template <typename Combinations>
-  void WriteSight(const Filter& filter, const Combinations& combinations) {
+  void WriteSight(const Filter& filter, const TrackedList<Combination>& combinations) {
     std::vector<std::pair<const Node*, const Node*>> seen;
     std::vector<const Node*> occluders;
-    for (const auto& combination : combinations) {
-      const Given given = GivenIn(filter, *combination);
+    for (const Combination& combination : combinations) {
+      const Given given = GivenIn(filter, combination);
       const Node* const eye = given.eye != nullptr ? given.eye : state_.scene().Find("eye");
       if (given.a == nullptr || given.b == nullptr || eye == nullptr) continue;
       if (std::ranges::find(seen, std::pair(given.a, eye)) == seen.end()) seen.emplace_back(given.a, eye);

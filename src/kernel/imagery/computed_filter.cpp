@@ -21,13 +21,13 @@ bool ComputedFilter::Compute() {
     Give(&combination, std::move(content));
     return true;
   };
-  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
-    if (!evaluate(**at)) return false;
+  for (Combination& fresh : combinations.fresh()) {
+    if (!evaluate(fresh)) return false;
   }
   for (Combination* const changed : combinations.changed()) {
-    if (!evaluate(*changed)) return false;
+    if (changed != nullptr && !evaluate(*changed)) return false;
   }
-  for (const auto& removed : combinations.removed()) Drop(*removed);
+  for (Combination& removed : combinations.removed()) Drop(removed);
   return true;
 }
 
@@ -39,17 +39,17 @@ bool RankFilter::Compute() {
     combination.rank = rank.value_or(0);
     return rank.has_value();
   };
-  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
-    if (!rank(**at)) return false;
+  for (Combination& fresh : combinations.fresh()) {
+    if (!rank(fresh)) return false;
   }
   for (Combination* const changed : combinations.changed()) {
-    if (!rank(*changed)) return false;
+    if (changed != nullptr && !rank(*changed)) return false;
   }
   if (!MayChange(combinations)) return true;
   Combination* best = nullptr;
-  for (const auto& combination : combinations.entries()) {
-    if (best == nullptr || (highest_ ? combination->rank > best->rank : combination->rank < best->rank)) {
-      best = combination.get();
+  for (Combination& combination : combinations) {
+    if (best == nullptr || (highest_ ? combination.rank > best->rank : combination.rank < best->rank)) {
+      best = &combination;
     }
   }
   if (best_ != nullptr && best_ != best) Drop(*best_);
@@ -61,18 +61,18 @@ bool RankFilter::Compute() {
 /// Whether another combination may be the best now: the best has changed or gone, or one that came or changed is as
 /// good.
 bool RankFilter::MayChange(TrackedList<Combination>& combinations) const {
-  if (best_ == nullptr || best_->changed) return true;
+  if (best_ == nullptr || best_->changed != 0) return true;
   const auto rivals = [this](const Combination& combination) {
     return highest_ ? combination.rank >= best_->rank : combination.rank <= best_->rank;
   };
-  for (const auto& gone : combinations.removed()) {
-    if (gone.get() == best_) return true;
+  for (const Combination& gone : combinations.removed()) {
+    if (&gone == best_) return true;
   }
-  for (auto at = combinations.FirstFresh(); at != combinations.entries().end(); ++at) {
-    if (rivals(**at)) return true;
+  for (Combination& fresh : combinations.fresh()) {
+    if (rivals(fresh)) return true;
   }
   return std::any_of(combinations.changed().begin(), combinations.changed().end(),
-                     [&](const Combination* changed) { return rivals(*changed); });
+                     [&](const Combination* changed) { return changed != nullptr && rivals(*changed); });
 }
 
 void RankFilter::ClearOutput() {

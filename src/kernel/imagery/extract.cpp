@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The commands extract and extract_once: a filter whose values stand in working memory.
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <optional>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "kernel/base/known_symbols.h"
 #include "kernel/imagery/filter_kinds.h"
+#include "kernel/imagery/filter_pool.h"
 #include "kernel/imagery/scene_command.h"
 #include "kernel/imagery/scene_lines.h"
 
@@ -19,17 +21,18 @@ namespace {
 /// Builds the filter that an identifier describes, with all filters that its parameters are.
 class FilterReader {
  public:
-  explicit FilterReader(const CommandParts& parts) : parts_(parts) {}
+  /// `alone`: shares nothing.
+  FilterReader(const CommandParts& parts, bool alone) : parts_(parts), alone_(alone) {}
 
   /// Null if something in it is no filter.
-  std::unique_ptr<Filter> Read(Symbol described) {
+  std::unique_ptr<FilterUse> Read(Symbol described) {
     if (!described.IsIdentifier()) return ReadConstant(described);
     if (path_.size() >= kDeepest || ++filters_ > kMostFilters) return nullptr;
     for (const Symbol above : path_) {
       if (above == described) return nullptr;  // It contains itself.
     }
     path_.push_back(described);
-    std::unique_ptr<Filter> filter = ReadFilter(described);
+    std::unique_ptr<FilterUse> filter = ReadFilter(described);
     path_.pop_back();
     return filter;
   }
@@ -40,18 +43,33 @@ class FilterReader {
  private:
   static constexpr std::size_t kDeepest = 100, kMostFilters = 10'000;
 
-  FilterParts PartsFor(Symbol owner) const {
-    return {parts_.writer, parts_.scene, owner, nullptr, {}, false, parts_.random};
+  FilterParts Parts() const { return {parts_.scene, parts_.filters, parts_.random}; }
+
+  std::unique_ptr<FilterUse> Use(Symbol owner, std::shared_ptr<Filter> filter,
+                                 std::vector<std::unique_ptr<FilterUse>> parameters = {}) const {
+    return std::make_unique<FilterUse>(parts_.writer, owner, std::move(filter), std::move(parameters));
   }
 
-  std::unique_ptr<Filter> ReadConstant(Symbol constant) {
-    if (constant.IsString()) return MakeConstant(PartsFor({}), std::string(parts_.writer.TextOf(constant)));
-    if (constant.IsInteger()) return MakeConstant(PartsFor({}), parts_.writer.IntegerOf(constant));
-    if (constant.IsFloat()) return MakeConstant(PartsFor({}), parts_.writer.NumberOf(constant));
-    return nullptr;
+  std::unique_ptr<FilterUse> ReadConstant(Symbol constant) {
+    const MemoryWriter& writer = parts_.writer;
+    Content content;
+    std::string description;
+    if (constant.IsString()) {
+      content = std::string(writer.TextOf(constant));
+      description = "|" + std::string(writer.TextOf(constant));
+    } else if (constant.IsInteger()) {
+      content = writer.IntegerOf(constant);
+      description = "i" + std::to_string(writer.IntegerOf(constant));
+    } else if (constant.IsFloat()) {
+      content = writer.NumberOf(constant);
+      description = "f" + std::to_string(std::bit_cast<std::uint64_t>(writer.NumberOf(constant)));
+    } else {
+      return nullptr;
+    }
+    return Use({}, parts_.filters.Share(description, [&] { return MakeConstant(Parts(), content); }));
   }
 
-  std::unique_ptr<Filter> ReadFilter(Symbol described) {
+  std::unique_ptr<FilterUse> ReadFilter(Symbol described) {
     std::string type, input_type;
     bool readable = true;
     std::vector<std::pair<std::string, Symbol>> found;
@@ -70,18 +88,26 @@ class FilterReader {
       unknown_ = type;
       return nullptr;
     }
-    FilterParts parts = PartsFor(described);
+    FilterParts parts = Parts();
     parts.each_alone = input_type == "concat" || type == "combine_nodes";
+    std::string description = "(" + type + (parts.each_alone ? "+" : "");
+    std::vector<std::unique_ptr<FilterUse>> uses;
     for (const auto& [name, value] : found) {
-      std::unique_ptr<Filter> source = Read(value);
-      if (source == nullptr) return nullptr;
-      parts.parameters.push_back({name, std::move(source)});
+      std::unique_ptr<FilterUse> use = Read(value);
+      if (use == nullptr) return nullptr;
+      description += " " + std::to_string(name.size()) + name + std::to_string(use->filter().serial());
+      parts.parameters.push_back({name, use->shared()});
+      uses.push_back(std::move(use));
     }
     parts.kind = kind;
-    return kind->make(std::move(parts));
+    const auto make = [&] { return std::shared_ptr<Filter>(kind->make(std::move(parts))); };
+    if (alone_ || kind->sharing == Sharing::kNever) return Use(described, make(), std::move(uses));
+    if (kind->sharing == Sharing::kSameLook) description += ")" + std::to_string(parts_.filters.look());
+    return Use(described, parts_.filters.Share(description, make), std::move(uses));
   }
 
   const CommandParts& parts_;
+  bool alone_;
   std::vector<Symbol> path_;
   std::size_t filters_ = 0;
   std::string unknown_;
@@ -107,9 +133,11 @@ class Extract final : public SceneCommand {
       size_ = size;
       if (!Read()) return;
     }
-    if (filter_ == nullptr || (once_ && !first_)) return;
-    if (!filter_->Update()) {
+    if (use_ == nullptr || (once_ && !first_)) return;
+    if (!use_->filter().Update()) {
+      use_->Tell();
       NoteChange();
+      expected_ = 0;
       ForgetRecords();
       return;
     }
@@ -117,13 +145,12 @@ class Extract final : public SceneCommand {
     first_ = false;
   }
 
-  const Filter* filter() const override { return filter_.get(); }
+  const Filter* filter() const override { return use_ == nullptr ? nullptr : &use_->filter(); }
   Symbol RecordOf(const Value& value) const override {
-    const auto found = records_.find(&value);
-    return found == records_.end() ? Symbol() : found->second.id;
+    return value.slot < records_.size() ? records_[value.slot].id : Symbol();
   }
   Trouble trouble() const override {
-    if (filter_ != nullptr) return filter_->FindTrouble();
+    if (use_ != nullptr) return use_->filter().FindTrouble();
     if (!size_) return {};
     return {"incorrect filter syntax" + (unknown_.empty() ? "" : ": there is no filter " + unknown_),
             HintForFilter(unknown_)};
@@ -132,9 +159,9 @@ class Extract final : public SceneCommand {
   void Mark(const std::function<void(Symbol)>& mark) const override {
     mark(parts_.id);
     if (result_) mark(result_);
-    if (filter_ != nullptr) filter_->Mark(mark);
-    for (const auto& [value, record] : records_) {
-      mark(record.id);
+    if (use_ != nullptr) use_->Mark(mark);
+    for (const Record& record : records_) {
+      if (record.id) mark(record.id);
       if (record.params) mark(record.params);
     }
   }
@@ -142,25 +169,21 @@ class Extract final : public SceneCommand {
  private:
   struct Record {
     Symbol id, params;
-    std::uint64_t number = 0;  ///< In order of making.
+    std::uint32_t number = 0;  ///< In order of making.
   };
 
   bool Read() {
     NoteChange();
     ForgetRecords();
-    FilterReader reader(parts_);
-    filter_ = reader.Read(parts_.id);
+    FilterReader reader(parts_, once_);
+    use_ = reader.Read(parts_.id);
     unknown_ = reader.unknown();
-    if (filter_ == nullptr) {
+    if (use_ == nullptr) {
       StatusLine(parts_.writer, parts_.id).Set("incorrect filter syntax");
       return false;
     }
-    filter_->inputs().on_change = [this](Combination& combination) {
-      if (const auto found = records_.find(combination.output); found != records_.end()) {
-        ShowParams(found->second.params, combination);
-      }
-    };
     first_ = true;
+    expected_ = 0;
     return true;
   }
 
@@ -186,43 +209,71 @@ class Extract final : public SceneCommand {
   }
 
   void Show() {
-    TrackedList<Value>& output = filter_->output();
-    for (auto at = output.FirstFresh(); at != output.entries().end(); ++at) ShowValue(**at);
-    for (const auto& gone : output.removed()) {
-      const auto found = records_.find(gone.get());
-      if (found == records_.end()) continue;  // It came and went unseen.
-      parts_.writer.Remove(result_, "record", found->second.id);
-      records_.erase(found);
+    const Filter& filter = use_->filter();
+    const TrackedList<Value>& output = filter.output();
+    use_->TellParameters();
+    const bool anew = expected_ != filter.cleared();
+    expected_ = filter.cleared() + 1;
+    if (anew) {
+      use_->Tell();
+      ForgetRecords();
+      records_.resize(output.slots());
+      for (const Value& value : output) ShowValue(value);
+      NoteChange();
+      return;
     }
-    for (Value* const changed : output.changed()) ShowValue(*changed);
-    if (output.HasChanges()) NoteChange();
-    output.ClearChanges();
+    for (const Inputs::Rewritten& rewritten : filter.inputs().rewritten()) {
+      if (rewritten.output == nullptr || rewritten.output->slot >= records_.size()) continue;
+      const Record& record = records_[rewritten.output->slot];
+      if (record.id) ShowParams(record.params, *rewritten.combination);
+    }
+    use_->Tell();
+    if (!output.HasChanges()) return;
+    records_.resize(output.slots());
+    for (const Value& value : output.fresh()) ShowValue(value);
+    for (const Value& gone : output.removed()) {
+      Record& record = records_[gone.slot];
+      if (!record.id) continue;  // It came and went unseen.
+      parts_.writer.Remove(result_, "record", record.id);
+      record = {};
+    }
+    for (const Value* const changed : output.changed()) {
+      if (changed != nullptr) ShowValue(*changed);
+    }
+    NoteChange();
   }
 
-  void ShowValue(Value& value) {
-    if (const auto found = records_.find(&value); found != records_.end()) {
-      if (value.rewritten) {
-        parts_.writer.RemoveAll(found->second.id, "value");
-        Write(found->second.id, "value", value.content);
+  void ShowValue(const Value& value) {
+    MemoryWriter& writer = parts_.writer;
+    Record& record = records_[value.slot];
+    if (record.id) {
+      if (!value.rewritten) return;
+      if (const std::optional<Symbol> constant = ConstantOf(value.content)) {
+        writer.Replace(record.id, words::kValue, *constant);
+      } else {
+        writer.RemoveAll(record.id, "value");
+        WriteObject(record.id, "value", value.content);
       }
-    } else if (const Symbol id = parts_.writer.AddObject(result_, "record")) {
-      Write(id, "value", value.content);
-      const Symbol params = parts_.writer.AddObject(id, "params");
-      if (value.from != nullptr) ShowParams(params, *value.from);
-      records_.emplace(&value, Record{id, params, ++last_record_});
+      return;
     }
-    value.rewritten = false;
+    record.id = writer.AddObject(result_, "record");
+    if (!record.id) return;
+    record.number = ++last_record_;
+    Write(record.id, "value", value.content);
+    record.params = writer.AddObject(record.id, "params");
+    if (value.from != nullptr) ShowParams(record.params, *value.from);
   }
 
   void ShowParams(Symbol params, const Combination& combination) {
-    const std::vector<Inputs::Parameter>& parameters = filter_->inputs().parameters();
-    for (std::size_t n = 0; n < parameters.size(); ++n) {
-      const Value* const argument = combination.arguments[n];
+    const Inputs& inputs = use_->filter().inputs();
+    for (std::size_t n = 0; n < inputs.parameters().size(); ++n) {
+      const Value* const argument = inputs.ArgumentOf(combination, n);
       if (argument == nullptr) continue;
-      const Symbol shown = parts_.writer.ValueOf(params, parameters[n].name);
+      const std::string& name = inputs.parameters()[n].name;
+      const Symbol shown = parts_.writer.ValueOf(params, name);
       if (shown && Says(shown, argument->content)) continue;
-      if (shown) parts_.writer.Remove(params, parameters[n].name, shown);
-      Write(params, parameters[n].name, argument->content);
+      if (shown) parts_.writer.Remove(params, name, shown);
+      Write(params, name, argument->content);
     }
   }
 
@@ -233,51 +284,61 @@ class Extract final : public SceneCommand {
     if (const auto* number = std::get_if<std::int64_t>(&content)) {
       return symbol.IsInteger() && parts_.writer.IntegerOf(symbol) == *number;
     }
-    const std::optional<std::string> text = WordOf(content);
+    const std::optional<std::string_view> text = WordOf(content);
     return text && symbol.IsString() && parts_.writer.TextOf(symbol) == *text;
   }
 
-  static std::optional<std::string> WordOf(const Content& content) {
+  static std::optional<std::string_view> WordOf(const Content& content) {
     if (const bool* const answer = std::get_if<bool>(&content)) return *answer ? "true" : "false";
     if (const auto* text = std::get_if<std::string>(&content)) return *text;
     if (Node* const* const node = std::get_if<Node*>(&content)) return (*node)->id();
     return std::nullopt;
   }
 
+  /// What shows a value; none for vectors and boxes, which are objects.
+  std::optional<Symbol> ConstantOf(const Content& content) const {
+    if (const auto* number = std::get_if<double>(&content)) return parts_.writer.Float(*number);
+    if (const auto* integer = std::get_if<std::int64_t>(&content)) return parts_.writer.Integer(*integer);
+    if (const std::optional<std::string_view> word = WordOf(content)) return parts_.writer.Text(*word);
+    return std::nullopt;
+  }
+
   void Write(Symbol id, std::string_view attribute, const Content& content) {
-    MemoryWriter& writer = parts_.writer;
-    if (const auto* number = std::get_if<double>(&content)) {
-      writer.Add(id, attribute, writer.Float(*number));
-    } else if (const auto* integer = std::get_if<std::int64_t>(&content)) {
-      writer.Add(id, attribute, writer.Integer(*integer));
-    } else if (const std::optional<std::string> word = WordOf(content)) {
-      writer.Add(id, attribute, writer.Text(*word));
-    } else if (const Symbol object = writer.AddObject(id, attribute)) {
-      // Of numbers within objects only 6 digits count.
-      const auto add = [&](std::string_view name, double value) {
-        writer.Add(object, name, writer.Float(std::strtod(NumberText(value).c_str(), nullptr)));
-      };
-      if (const auto* vector = std::get_if<Vec3>(&content)) {
-        add("x", vector->x);
-        add("y", vector->y);
-        add("z", vector->z);
-      } else if (const auto* box = std::get_if<Box>(&content)) {
-        add("max-x", box->high.x);
-        add("max-y", box->high.y);
-        add("max-z", box->high.z);
-        add("min-x", box->low.x);
-        add("min-y", box->low.y);
-        add("min-z", box->low.z);
-      }
+    if (const std::optional<Symbol> constant = ConstantOf(content)) {
+      parts_.writer.Add(id, attribute, *constant);
+    } else {
+      WriteObject(id, attribute, content);
+    }
+  }
+
+  void WriteObject(Symbol id, std::string_view attribute, const Content& content) {
+    const Symbol object = parts_.writer.AddObject(id, attribute);
+    if (!object) return;
+    // Of numbers within objects only 6 digits count.
+    const auto add = [&](std::string_view name, double value) {
+      parts_.writer.Add(object, name, parts_.writer.Float(std::strtod(NumberText(value).c_str(), nullptr)));
+    };
+    if (const auto* vector = std::get_if<Vec3>(&content)) {
+      add("x", vector->x);
+      add("y", vector->y);
+      add("z", vector->z);
+    } else if (const auto* box = std::get_if<Box>(&content)) {
+      add("max-x", box->high.x);
+      add("max-y", box->high.y);
+      add("max-z", box->high.z);
+      add("min-x", box->low.x);
+      add("min-y", box->low.y);
+      add("min-z", box->low.z);
     }
   }
 
   void ForgetRecords() {
     std::vector<Record> records;
-    for (const auto& [value, record] : records_) records.push_back(record);
+    for (const Record& record : std::exchange(records_, {})) {
+      if (record.id) records.push_back(record);
+    }
     std::sort(records.begin(), records.end(), [](const Record& a, const Record& b) { return a.number < b.number; });
     for (const Record& record : records) parts_.writer.Remove(result_, "record", record.id);
-    records_.clear();
   }
 
   CommandParts parts_;
@@ -286,9 +347,10 @@ class Extract final : public SceneCommand {
   std::optional<std::size_t> size_;
   std::string unknown_;  ///< The type that is none, if the filter could not be read.
   Symbol result_;
-  std::unique_ptr<Filter> filter_;
-  std::unordered_map<const Value*, Record> records_;
-  std::uint64_t last_record_ = 0;
+  std::unique_ptr<FilterUse> use_;
+  std::uint64_t expected_ = 0;   ///< Filter::cleared() if no change was missed.
+  std::vector<Record> records_;  ///< By slot of the value.
+  std::uint32_t last_record_ = 0;
 };
 
 }  // namespace

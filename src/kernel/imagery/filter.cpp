@@ -1,160 +1,67 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/imagery/filter.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "kernel/base/known_symbols.h"
 #include "kernel/imagery/filter_kinds.h"
+#include "kernel/imagery/filter_pool.h"
 #include "kernel/imagery/scene_command.h"
 
 namespace soarbox::kernel::imagery {
 
-// Status --------------------------------------------------------------------------------------------------------------
-
-StatusLine::StatusLine(MemoryWriter& writer, Symbol owner)
-    : writer_(writer), owner_(owner), shown_(owner ? writer.ValueOf(owner, "status") : Symbol()) {}
-
-void StatusLine::Set(std::string_view text) {
-  if (text_ == text) return;
-  text_ = text;
-  if (!owner_) return;
-  if (shown_) writer_.Remove(owner_, "status", shown_);
-  shown_ = writer_.Text(text);
-  writer_.Add(owner_, "status", shown_);
-}
-
-// Inputs --------------------------------------------------------------------------------------------------------------
-
-std::string_view Inputs::Update() {
-  std::size_t product = 1;
-  for (const Parameter& parameter : parameters_) {
-    if (!parameter.source->Update()) {
-      Forget();
-      return "Errors in input";
-    }
-    const std::size_t values = parameter.source->output().entries().size();
-    product = product > kMostCombinations || values > kMostCombinations ? kMostCombinations + 1 : product * values;
-  }
-  if (!each_alone_ && product > kMostCombinations) {
-    Forget();
-    return "too many combinations of values (2000000 at most)";
-  }
-  for (const Parameter& parameter : parameters_) {
-    for (const auto& gone : parameter.source->output().removed()) DropUsersOf(*gone);
-  }
-  for (const Parameter& parameter : parameters_) {
-    for (Value* const changed : parameter.source->output().changed()) NoteChanges(*changed);
-  }
-  if (each_alone_) {
-    for (std::size_t n = 0; n < parameters_.size(); ++n) {
-      const TrackedList<Value>& values = parameters_[n].source->output();
-      for (auto at = values.FirstFresh(); at != values.entries().end(); ++at) {
-        std::vector<Value*> arguments(parameters_.size(), nullptr);
-        arguments[n] = at->get();
-        Add(std::move(arguments));
-      }
-    }
-  } else {
-    CombineEachWithEach();
-  }
-  for (const Parameter& parameter : parameters_) parameter.source->output().ClearChanges();
-  return {};
-}
-
-void Inputs::Forget() {
-  combinations_.Clear();
-  for (const Parameter& parameter : parameters_) {
-    for (const auto& value : parameter.source->output().entries()) value->users.clear();
-    parameter.source->output().Restart();
-  }
-}
-
-void Inputs::DropUsersOf(Value& gone) {
-  for (Combination* const user : std::exchange(gone.users, {})) {
-    for (Value* const argument : user->arguments) {
-      if (argument != nullptr && argument != &gone) std::erase(argument->users, user);
-    }
-    combinations_.Remove(*user);
-  }
-}
-
-void Inputs::NoteChanges(Value& changed) {
-  for (Combination* const user : changed.users) {
-    if (user->fresh || user->changed) continue;
-    combinations_.Change(*user);
-    if (on_change) on_change(*user);
-  }
-}
-
-void Inputs::Add(std::vector<Value*> arguments) {
-  auto combination = std::make_unique<Combination>();
-  combination->arguments = std::move(arguments);
-  Combination& added = combinations_.Add(std::move(combination));
-  for (Value* const argument : added.arguments) {
-    if (argument != nullptr) argument->users.push_back(&added);
-  }
-}
-
-/// For each parameter in turn: the old values of those before it, its new ones, and all of those behind it. So each new
-/// combination comes once.
-void Inputs::CombineEachWithEach() {
-  using At = TrackedList<Value>::List::const_iterator;
-  const std::size_t count = parameters_.size();
-  std::vector<At> begin(count), end(count), at(count);
-  for (std::size_t turn = 0; turn < count; ++turn) {
-    bool empty = false;
-    for (std::size_t n = 0; n < count && !empty; ++n) {
-      const TrackedList<Value>& values = parameters_[n].source->output();
-      begin[n] = n == turn ? values.FirstFresh() : values.entries().begin();
-      end[n] = n < turn ? values.FirstFresh() : values.entries().end();
-      empty = begin[n] == end[n];
-    }
-    if (empty) continue;
-    at = begin;
-    for (bool done = false; !done;) {
-      std::vector<Value*> arguments;
-      arguments.reserve(count);
-      for (const At& value : at) arguments.push_back(value->get());
-      Add(std::move(arguments));
-      std::size_t n = 0;
-      while (n < count && ++at[n] == end[n]) {
-        at[n] = begin[n];
-        ++n;
-      }
-      done = n == count;
-    }
-  }
-}
-
-// Filters -------------------------------------------------------------------------------------------------------------
-
 Filter::Filter(FilterParts parts)
     : scene_(parts.scene),
+      pool_(parts.pool),
       random_(parts.random),
       kind_(parts.kind),
-      status_(parts.writer, parts.owner),
-      inputs_(std::move(parts.parameters), parts.each_alone) {}
+      inputs_(std::move(parts.parameters), parts.each_alone),
+      serial_(parts.pool.Enter(*this)) {}
 
 Filter::~Filter() {
+  pool_.Leave(*this);
   if (watches_) scene_.Unwatch(*this);
+  for (const Value& value : output_) {
+    if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Release(**node, *this, value.slot);
+  }
 }
 
 bool Filter::Update() {
+  if (look_ == pool_.look()) return works_;
+  look_ = pool_.look();
+  pool_.NoteUpdate(*this);
+  works_ = false;
   if (const std::string_view error = inputs_.Update(); !error.empty()) {
-    status_.Set(error);
+    Fail(error);
     ClearOutput();
     return false;
   }
   if (!Compute()) {
-    for (const auto& combination : inputs_.combinations().entries()) combination->output = nullptr;
+    for (Combination& combination : inputs_.combinations()) combination.output = nullptr;
     inputs_.combinations().Restart();
     ClearOutput();
     return false;
   }
-  status_.Set("success");
+  Fail("success");
   inputs_.combinations().ClearChanges();
+  works_ = true;
   return true;
+}
+
+void Filter::ClearChanges() {
+  for (Value& value : output_.fresh()) value.rewritten = false;
+  for (Value* const value : output_.changed()) {
+    if (value != nullptr) value->rewritten = false;
+  }
+  output_.ClearChanges();
+  inputs_.ClearRewritten();
+  said_.clear();
+  ++cleared_;
+}
+
+void Filter::Fail(std::string_view status) {
+  if (status_ == status) return;
+  status_ = status;
+  said_.push_back(status_);
 }
 
 Trouble Filter::Missing() const {
@@ -171,11 +78,11 @@ Trouble Filter::FindTrouble() const {
           "svs filters." + name + " lists its parameters"};
 }
 
-void Filter::Mark(const std::function<void(Symbol)>& mark) const {
-  if (status_.owner()) mark(status_.owner());
-  if (status_.symbol()) mark(status_.symbol());
-  for (const Inputs::Parameter& parameter : inputs_.parameters()) parameter.source->Mark(mark);
+std::size_t Filter::MemoryBytes() const {
+  return sizeof(Filter) + output_.MemoryBytes() + inputs_.MemoryBytes();
 }
+
+// The scene -----------------------------------------------------------------------------------------------------------
 
 void Filter::WatchScene() {
   if (watches_) return;
@@ -183,18 +90,17 @@ void Filter::WatchScene() {
   scene_.Watch(*this);
 }
 
-void Filter::OnNode(Node& node, NodeChange change, std::string_view) {
-  const auto found = nodes_.find(&node);
-  if (found == nodes_.end()) return;
+void Filter::OnNode(Node&, NodeChange, std::string_view) {}
+
+void Filter::OnHeld(std::uint32_t slot, NodeChange change) {
+  Value& value = output_.At(slot);
   if (change != NodeChange::kRemoved) {
-    for (Value* const value : found->second) output_.Change(*value);
+    output_.Change(value);
     return;
   }
-  for (Value* const value : std::exchange(found->second, {})) {
-    if (value->from != nullptr) value->from->output = nullptr;
-    output_.Remove(*value);
-  }
-  nodes_.erase(&node);
+  if (value.from != nullptr) value.from->output = nullptr;
+  value.content = static_cast<Node*>(nullptr);
+  output_.Remove(value);
 }
 
 // Arguments -----------------------------------------------------------------------------------------------------------
@@ -209,7 +115,7 @@ Filter::Slots Filter::SlotsOf(std::string_view name) const {
 
 const Value* Filter::Argument(const Combination& combination, const Slots& slots) const {
   for (const std::size_t slot : slots) {
-    if (combination.arguments[slot] != nullptr) return combination.arguments[slot];
+    if (const Value* const value = inputs_.ArgumentOf(combination, slot)) return value;
   }
   return nullptr;
 }
@@ -258,15 +164,11 @@ Value& Filter::Give(Combination* combination, Content content) {
     }
     Drop(*combination);
   }
-  auto made = std::make_unique<Value>();
-  made->content = std::move(content);
-  made->from = combination;
-  Value& value = output_.Add(std::move(made));
+  Value& value = output_.Add();
+  value.content = std::move(content);
+  value.from = combination;
   if (combination != nullptr) combination->output = &value;
-  if (Node* const* const node = std::get_if<Node*>(&value.content)) {
-    WatchScene();
-    nodes_[*node].push_back(&value);
-  }
+  if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Hold(**node, *this, value.slot);
   return value;
 }
 
@@ -282,19 +184,15 @@ void Filter::Drop(Combination& combination) {
 }
 
 void Filter::Drop(Value& value) {
-  if (Node* const* const node = std::get_if<Node*>(&value.content)) {
-    const auto found = nodes_.find(*node);
-    if (found != nodes_.end()) {
-      std::erase(found->second, &value);
-      if (found->second.empty()) nodes_.erase(found);
-    }
-  }
+  if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Release(**node, *this, value.slot);
   output_.Remove(value);
 }
 
 /// The combinations that the values came from may have gone already.
 void Filter::ClearOutput() {
-  nodes_.clear();
+  for (const Value& value : output_) {
+    if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Release(**node, *this, value.slot);
+  }
   output_.Clear();
 }
 

@@ -2,26 +2,24 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <variant>
 #include <vector>
 
-#include "kernel/base/symbol.h"
-#include "kernel/imagery/memory_writer.h"
 #include "kernel/imagery/scene.h"
 #include "kernel/imagery/tracked_list.h"
 
 namespace soarbox::kernel::imagery {
 
+class Filter;
+class FilterPool;
+class PlainRandom;
 struct Combination;
 struct FilterKind;
 struct Trouble;
-class PlainRandom;
 
 /// What a filter can give: a number, an answer, a word, a vector, a box or a node.
 using Content = std::variant<double, std::int64_t, bool, std::string, Vec3, Box, Node*>;
@@ -29,35 +27,16 @@ using Content = std::variant<double, std::int64_t, bool, std::string, Vec3, Box,
 /// One value that a filter gave.
 struct Value : Tracked<Value> {
   Content content;
-  Combination* from = nullptr;      ///< What it was computed from; null for constants and the like.
-  std::vector<Combination*> users;  ///< Of the filter that reads it.
-  bool rewritten = true;            ///< The content changed since it was shown last.
+  Combination* from = nullptr;  ///< What it was computed from; null for constants and the like.
+  bool rewritten = true;        ///< The content changed since the changes were cleared.
 };
 
-/// One input of a filter: a value per parameter, null where it has none.
+/// One input of a filter: a value per parameter (Inputs::ArgumentOf).
 struct Combination : Tracked<Combination> {
-  std::vector<Value*> arguments;
   Value* output = nullptr;  ///< What the filter made of it, if anything.
   double rank = 0;          ///< For filters that choose the best.
+  bool told = false;        ///< Is among Inputs::rewritten().
 };
-
-/// A ^status on an identifier, which changes only when its text does.
-class StatusLine {
- public:
-  StatusLine(MemoryWriter& writer, Symbol owner);
-  /// The identifier; none for filters that rules cannot see.
-  Symbol owner() const { return owner_; }
-  void Set(std::string_view text);
-  Symbol symbol() const { return shown_; }
-  const std::string& text() const { return text_; }
-
- private:
-  MemoryWriter& writer_;
-  Symbol owner_, shown_;
-  std::string text_;
-};
-
-class Filter;
 
 /// The parameters of a filter, and their values combined: each with each, the first parameter fastest, or each alone.
 /// Only what is new is combined.
@@ -65,48 +44,80 @@ class Inputs {
  public:
   struct Parameter {
     std::string name;
-    std::unique_ptr<Filter> source;
+    std::shared_ptr<Filter> source;
+  };
+  /// A combination of which a value was replaced by another, with what stood for it before it was computed again.
+  struct Rewritten {
+    Combination* combination;
+    const Value* output;
   };
 
-  Inputs(std::vector<Parameter> parameters, bool each_alone)
-      : parameters_(std::move(parameters)), each_alone_(each_alone) {}
+  Inputs(std::vector<Parameter> parameters, bool each_alone);
 
   const std::vector<Parameter>& parameters() const { return parameters_; }
   TrackedList<Combination>& combinations() { return combinations_; }
   const TrackedList<Combination>& combinations() const { return combinations_; }
-  /// Hears of combinations of which a value changed, before they are computed again.
-  std::function<void(Combination&)> on_change;
+  /// Until the changes of the filter are cleared.
+  const std::vector<Rewritten>& rewritten() const { return rewritten_; }
+  void ClearRewritten();
+  /// The value of a parameter in a combination; null where it has none.
+  const Value* ArgumentOf(const Combination& combination, std::size_t parameter) const;
 
   /// Brings the parameters up to date. Returns what is wrong, or nothing: if one of them failed, or there are too many
   /// combinations; then none is left.
   std::string_view Update();
   static constexpr std::size_t kMostCombinations = 2'000'000;
+  std::size_t MemoryBytes() const;
 
  private:
+  /// A parameter whose value may differ from one combination to the next.
+  struct Column {
+    std::size_t parameter;
+    std::uint64_t expected = 0;         ///< Filter::cleared() if no change was missed.
+    std::vector<std::uint32_t> chains;  ///< By slot of a value: its first combination, from 1.
+  };
+  /// A combination's value in a column, and its neighbours among the combinations with the same value, from 1.
+  struct Link {
+    Value* value = nullptr;
+    std::uint32_t previous = 0, next = 0;
+  };
+  static constexpr std::size_t kNoColumn = ~std::size_t{0};
+
+  Link& LinkOf(std::uint32_t combination, std::size_t column) { return links_[combination * columns_.size() + column]; }
+  Filter& SourceOf(const Column& column) const { return *parameters_[column.parameter].source; }
+  bool MissedChanges() const;
   void Forget();
-  void DropUsersOf(Value& gone);
-  void NoteChanges(Value& changed);
-  void CombineEachWithEach();
-  void Add(std::vector<Value*> arguments);
+  void DropUsersOf(std::size_t column, const Value& gone);
+  void NoteChanges(std::size_t column, const Value& changed);
+  void CombineEachAlone(bool anew);
+  void CombineEachWithEach(bool anew);
+  /// Of a value per column, null for none.
+  void Add(const std::vector<Value*>& values);
+  void Chain(std::uint32_t combination, std::size_t column, Value* value);
+  void Unchain(std::uint32_t combination, std::size_t column);
 
   std::vector<Parameter> parameters_;
   bool each_alone_ = false;
+  std::vector<Column> columns_;
+  std::vector<std::size_t> column_of_;  ///< By parameter.
   TrackedList<Combination> combinations_;
+  std::vector<Link> links_;  ///< By slot of a combination, then by column.
+  std::vector<Rewritten> rewritten_;
 };
 
 /// What a filter is made with.
 struct FilterParts {
-  MemoryWriter& writer;
   Scene& scene;
-  Symbol owner;                             ///< The identifier that describes it.
-  const struct FilterKind* kind = nullptr;  ///< Null for constants.
-  std::vector<Inputs::Parameter> parameters;
-  bool each_alone = false;
+  FilterPool& pool;
   PlainRandom& random;
+  const FilterKind* kind = nullptr;  ///< Null for constants.
+  std::vector<Inputs::Parameter> parameters = {};
+  bool each_alone = false;
 };
 
 /// A computation over a scene: it keeps the list of its values, and computes again only what depends on something that
-/// changed. It lives no longer than its scene.
+/// changed. Whoever reads it calls Update first; what changed can be read until the look ends (FilterPool). It lives no
+/// longer than its scene and its pool.
 class Filter : private SceneWatcher {
  public:
   explicit Filter(FilterParts parts);
@@ -114,21 +125,30 @@ class Filter : private SceneWatcher {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Brings the values up to date, those of its parameters first. False if it failed: its status tells why, and it has
-  /// no values.
+  /// Brings the values up to date, those of its parameters first, once in a look. False if it failed: its status tells
+  /// why, and it has no values.
   bool Update();
+  /// Whether the last update succeeded.
+  bool works() const { return works_; }
   TrackedList<Value>& output() { return output_; }
+  const TrackedList<Value>& output() const { return output_; }
   Inputs& inputs() { return inputs_; }
   const Inputs& inputs() const { return inputs_; }
-  const TrackedList<Value>& output() const { return output_; }
   /// Null for constants.
   const FilterKind* kind() const { return kind_; }
+  bool is_constant() const { return kind_ == nullptr; }
   /// "success", or what is wrong.
-  const std::string& status() const { return status_.text(); }
+  const std::string& status() const { return status_; }
+  /// What the status was in turn in this look; empty if it stayed.
+  const std::vector<std::string>& said() const { return said_; }
+  /// How often changes have been cleared, from 1. A reader that finds another number than it expects has missed some.
+  std::uint64_t cleared() const { return cleared_; }
+  void ClearChanges();
+  /// Different for all filters of a pool.
+  std::uint64_t serial() const { return serial_; }
   /// What is wrong with it or with a parameter of it, the deepest first; nothing if it works.
   Trouble FindTrouble() const;
-  /// Calls `mark` for each symbol that it and its parameters hold.
-  void Mark(const std::function<void(Symbol)>& mark) const;
+  std::size_t MemoryBytes() const;
 
  protected:
   /// Turns the changes of the inputs into changes of the output. False: it failed, and has set a status.
@@ -139,7 +159,7 @@ class Filter : private SceneWatcher {
 
   /// What it asks for that is not there, though it succeeds.
   virtual Trouble Missing() const;
-  void Fail(std::string_view status) { status_.Set(status); }
+  void Fail(std::string_view status);
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
   PlainRandom& random() { return random_; }
@@ -164,16 +184,20 @@ class Filter : private SceneWatcher {
   virtual void ClearOutput();
 
  private:
+  void OnHeld(std::uint32_t slot, NodeChange change) override;
   void TellWrongType(std::string_view name);
 
   Scene& scene_;
+  FilterPool& pool_;
   PlainRandom& random_;
   const FilterKind* kind_;
-  StatusLine status_;
+  std::string status_;
+  std::vector<std::string> said_;
   Inputs inputs_;
   TrackedList<Value> output_;
-  std::unordered_map<const Node*, std::vector<Value*>> nodes_;  ///< Values that are nodes.
-  bool watches_ = false;
+  std::uint64_t serial_, cleared_ = 1;
+  std::uint64_t look_ = 0;  ///< The last in which it was updated.
+  bool watches_ = false, works_ = false;
 };
 
 }  // namespace soarbox::kernel::imagery

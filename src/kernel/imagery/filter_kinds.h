@@ -26,11 +26,19 @@ struct ParameterInfo {
   std::string_view words = {};  ///< kWord: the words that it may be, with blanks between them; empty: any.
 };
 
+/// When one computation serves several extracts.
+enum class Sharing : std::uint8_t {
+  kSameLook,  ///< If they begin in the same look: what it finds depends on when it was first computed.
+  kAlways,
+  kNever,  ///< It draws random numbers.
+};
+
 /// A kind of filter.
 struct FilterKind {
   std::string_view name, meaning;
   std::span<const ParameterInfo> parameters;
   std::unique_ptr<Filter> (*make)(FilterParts parts);
+  Sharing sharing = Sharing::kSameLook;
 };
 
 /// All kinds, sorted by name.

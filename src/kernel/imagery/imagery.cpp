@@ -225,7 +225,7 @@ void Imagery::Mark(const std::function<void(Symbol)>& mark) {
 
 std::size_t Imagery::MemoryBytes() const {
   std::size_t bytes = sizeof(Imagery);
-  for (const auto& state : states_) bytes += state->scene().MemoryBytes();
+  for (const auto& state : states_) bytes += state->MemoryBytes();
   return bytes;
 }
 

@@ -14,6 +14,7 @@
 #include "kernel/base/ids.h"
 #include "kernel/base/symbol.h"
 #include "kernel/decide/module.h"
+#include "kernel/imagery/filter_pool.h"
 #include "kernel/imagery/measures.h"
 #include "kernel/imagery/memory_writer.h"
 #include "kernel/imagery/scene.h"
@@ -68,6 +69,7 @@ class StateScene {
   }
   /// Grows when the scene or what extracts show changes.
   std::uint64_t version() const;
+  std::size_t MemoryBytes() const { return scene_->MemoryBytes() + filters_.MemoryBytes(); }
 
   // Whether viewers see it.
   bool drawn() const { return drawn_; }
@@ -92,6 +94,7 @@ class StateScene {
   std::unique_ptr<SceneView> view_;
   std::unique_ptr<SceneFeed> feed_;
   bool drawn_ = false;
+  FilterPool filters_;
   std::vector<Listed> listed_;   ///< What stood on the command link when it was looked at last.
   std::vector<Entry> commands_;  ///< By name.
   std::uint64_t gone_ = 0;       ///< Versions of commands that have gone, and how many came.

@@ -108,6 +108,25 @@ void MemoryWriter::Remove(Symbol id, std::string_view attribute, Symbol value) {
   }
 }
 
+void MemoryWriter::Replace(Symbol id, Symbol attribute, Symbol value) {
+  if (!memory_.identifier(id).live) return;
+  const bool reached = IsReached(id);
+  const SlotId slot = reached ? memory_.FindOrMakeSlot(id, attribute, false) : memory_.FindSlot(id, attribute);
+  if (slot == SlotId::kNone) return;
+  bool there = false;
+  WmeId next;
+  for (WmeId wme = memory_.slot(slot).wmes; wme != WmeId::kNone; wme = next) {
+    next = memory_.record(wme).next;
+    if (memory_.record(wme).preference == PreferenceId::kNone) {
+      changes_.Lose(wme);
+    } else {
+      there |= memory_.wme(wme).value == value;
+    }
+  }
+  if (reached && !there) changes_.Add(WmeKind::kSlot, id, attribute, value, slot);
+  if (memory_.SlotIsEmpty(slot)) preferences_.empty_slots().push_back(slot);
+}
+
 void MemoryWriter::RemoveAll(Symbol id, std::string_view attribute) {
   const SlotId slot = FindSlot(id, attribute);
   if (slot == SlotId::kNone) return;

@@ -61,6 +61,8 @@ class MemoryWriter {
   void Remove(Symbol id, std::string_view attribute, Symbol value);
   /// Removes all elements of an attribute that no rule supports.
   void RemoveAll(Symbol id, std::string_view attribute);
+  /// The same, and adds one.
+  void Replace(Symbol id, Symbol attribute, Symbol value);
 
  private:
   SlotId FindSlot(Symbol id, std::string_view attribute) const;

@@ -52,8 +52,7 @@ class AllNodesFilter final : public Filter {
     });
     return true;
   }
-  void OnNode(Node& node, NodeChange change, std::string_view tag) override {
-    Filter::OnNode(node, change, tag);
+  void OnNode(Node& node, NodeChange change, std::string_view) override {
     if (change == NodeChange::kAdded) Give(nullptr, &node);
   }
 
@@ -94,7 +93,8 @@ class CombineNodesFilter final : public ComputedFilter {
 
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
-    for (const Value* const argument : combination.arguments) {
+    for (std::size_t n = 0; n < inputs().parameters().size(); ++n) {
+      const Value* const argument = inputs().ArgumentOf(combination, n);
       if (argument == nullptr) continue;
       Node* const* const node = std::get_if<Node*>(&argument->content);
       if (node == nullptr) break;
@@ -179,8 +179,7 @@ class MonitorFilter final : public ComputedFilter {
     content = compare_(known_.try_emplace(a, now).first->second, now);
     return Verdict::kValue;
   }
-  void OnNode(Node& node, NodeChange change, std::string_view tag) override {
-    ComputedFilter::OnNode(node, change, tag);
+  void OnNode(Node& node, NodeChange change, std::string_view) override {
     if (change == NodeChange::kRemoved) known_.erase(&node);
   }
 
@@ -219,7 +218,7 @@ void AppendNodeFilters(std::vector<FilterKind>& kinds) {
   kinds.insert(
       kinds.end(),
       {{"node", "the node of an id, if it is there when the filter is first computed", kId, Make<NodeFilter>},
-       {"all_nodes", "all nodes but world, now and later", {}, Make<AllNodesFilter>},
+       {"all_nodes", "all nodes but world, now and later", {}, Make<AllNodesFilter>, Sharing::kAlways},
        {"remove_node", "nodes without one of them", kRemove, Make<RemoveNodeFilter>},
        {"combine_nodes", "all nodes of several sets", kNodes, Make<CombineNodesFilter>},
        {"tag_select", "the nodes with a tag", kTag, Make<TagFilter>},

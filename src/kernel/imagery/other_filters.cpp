@@ -92,13 +92,13 @@ class OcclusionFilter final : public Filter {
     std::vector<SightLine> lines;
     std::vector<const Node*> occluders;
     std::vector<std::pair<const Node*, const Node*>> seen;
-    for (const auto& combination : combinations.entries()) {
-      const Node* const a = NodeOf(*combination, a_, "a");
+    for (const Combination& combination : combinations) {
+      const Node* const a = NodeOf(combination, a_, "a");
       if (a == nullptr) return Refuse("expecting parameter a");
-      const Node* eye = NodeOf(*combination, eye_, "eye");
+      const Node* eye = NodeOf(combination, eye_, "eye");
       if (eye == nullptr) eye = scene().Find("eye");
       if (eye == nullptr) return Refuse("expecting parameter eye");
-      const Node* const b = NodeOf(*combination, b_, "b");
+      const Node* const b = NodeOf(combination, b_, "b");
       if (b == nullptr) return Refuse("expecting parameter b");
       if (std::find(seen.begin(), seen.end(), std::pair(a, eye)) == seen.end()) {
         seen.emplace_back(a, eye);

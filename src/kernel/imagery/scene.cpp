@@ -2,6 +2,7 @@
 #include "kernel/imagery/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soarbox::kernel::imagery {
 
@@ -113,7 +114,8 @@ std::size_t Scene::MemoryBytes() const {
   std::size_t bytes = sizeof(Scene) + index_.size() * 64;
   ForEach([&](const Node& node) {
     bytes += sizeof(Node) + (node.spec_.points.capacity() + node.world_points_.capacity()) * sizeof(Vec3) +
-             node.children_.capacity() * sizeof(void*) + node.tags_.size() * 128;
+             node.children_.capacity() * sizeof(void*) +
+             node.holds_.capacity() * sizeof(Node::Hold) + node.tags_.size() * 128;
   });
   return bytes;
 }
@@ -225,6 +227,18 @@ void Scene::Unwatch(SceneWatcher& watcher) {
 void Scene::Tell(Node& node, NodeChange change, std::string_view tag) {
   ++version_;
   for (SceneWatcher* const watcher : watchers_) watcher->OnNode(node, change, tag);
+  if (change == NodeChange::kRemoved) {
+    for (const Node::Hold& hold : std::exchange(node.holds_, {})) hold.watcher->OnHeld(hold.number, change);
+  } else {
+    for (const Node::Hold& hold : node.holds_) hold.watcher->OnHeld(hold.number, change);
+  }
+}
+
+void Scene::Release(Node& node, SceneWatcher& watcher, std::uint32_t number) {
+  const auto found = std::find(node.holds_.begin(), node.holds_.end(), Node::Hold{&watcher, number});
+  if (found == node.holds_.end()) return;
+  *found = node.holds_.back();
+  node.holds_.pop_back();
 }
 
 void Scene::TellReshaped(Node* node) {

@@ -32,10 +32,19 @@ struct NodeSpec {
   Pose pose;
 };
 
+class SceneWatcher;
+
 /// An object of a scene: a shape and a pose in its parent's frame. What follows from the poses above it is worked out
 /// when somebody asks, and kept until something moves. Only its scene changes it.
 class Node {
  public:
+  /// Somebody who hears what happens to the node, and a number of their own for it.
+  struct Hold {
+    SceneWatcher* watcher;
+    std::uint32_t number;
+    friend bool operator==(const Hold&, const Hold&) = default;
+  };
+
   /// Groups within groups, down to here.
   static constexpr int kDeepest = 200;
 
@@ -71,6 +80,7 @@ class Node {
   int depth_ = 0;
   std::vector<std::unique_ptr<Node>> children_;
   Node *previous_ = nullptr, *next_ = nullptr;  ///< In the scene's order.
+  std::vector<Hold> holds_;
   mutable bool world_known_ = false, points_known_ = false, bounds_known_ = false;
   mutable Transform world_;
   mutable std::vector<Vec3> world_points_;
@@ -92,6 +102,11 @@ class SceneWatcher {
   virtual ~SceneWatcher() = default;
   /// `tag`: the name of the tag that came, changed or went.
   virtual void OnNode(Node& node, NodeChange change, std::string_view tag) = 0;
+  /// What happens to a node that it holds under a number. One that is removed is held no longer.
+  virtual void OnHeld(std::uint32_t number, NodeChange change) {
+    (void)number;
+    (void)change;
+  }
 };
 
 /// A tree of nodes below the group "world". Ids are unique; nodes are listed in the order in which they came.
@@ -134,6 +149,9 @@ class Scene {
   /// A watcher goes before it dies.
   void Watch(SceneWatcher& watcher) { watchers_.push_back(&watcher); }
   void Unwatch(SceneWatcher& watcher);
+  /// Whoever holds a node hears of that node alone. They release it before they die.
+  void Hold(Node& node, SceneWatcher& watcher, std::uint32_t number) { node.holds_.push_back({&watcher, number}); }
+  void Release(Node& node, SceneWatcher& watcher, std::uint32_t number);
   /// Grows with every change.
   std::uint64_t version() const { return version_; }
 

@@ -9,6 +9,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "kernel/imagery/measures.h"
+#include "kernel/imagery/status_line.h"
 
 namespace soarbox::kernel::imagery {
 namespace {

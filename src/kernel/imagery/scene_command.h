@@ -15,6 +15,7 @@
 
 namespace soarbox::kernel::imagery {
 
+class FilterPool;
 class PlainRandom;
 
 /// What is wrong with a command, and what to do about it; no problem: nothing is.
@@ -29,6 +30,7 @@ std::string HintForNode(const Scene& scene, std::string_view id);
 struct CommandParts {
   MemoryWriter& writer;
   Scene& scene;
+  FilterPool& filters;
   PlainRandom& random;
   Symbol id;  ///< Its identifier.
 };

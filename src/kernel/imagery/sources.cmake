@@ -3,7 +3,9 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   imagery/convex.cpp
   imagery/extract.cpp
   imagery/filter.cpp
+  imagery/filter_inputs.cpp
   imagery/filter_kinds.cpp
+  imagery/filter_pool.cpp
   imagery/imagery.cpp
   imagery/measure_filters.cpp
   imagery/measures.cpp

@@ -46,7 +46,7 @@ bool StateScene::NoteCommands() {
         item.attribute.IsString() ? FindCommandKind(parts_.writer.TextOf(item.attribute)) : nullptr;
     if (kind == nullptr) continue;
     commands_.insert(place,
-                     {name, item.id, kind->make({parts_.writer, *scene_, parts_.random, item.id}), item.attribute, {}});
+                     {name, item.id, kind->make({parts_.writer, *scene_, filters_, parts_.random, item.id}), item.attribute, {}});
     came = true;
     ++gone_;
   }
@@ -57,6 +57,7 @@ void StateScene::Update(bool writes, bool look_again) {
   for (const Entry& entry : commands_) {
     if (entry.command->writes() == writes && parts_.writer.IsReached(entry.id)) entry.command->Update(look_again);
   }
+  if (!writes) filters_.EndLook();
 }
 
 std::uint64_t StateScene::version() const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <list>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace soarbox::kernel::imagery {
@@ -11,69 +12,147 @@ namespace soarbox::kernel::imagery {
 /// What a TrackedList knows of each of its entries; entries derive from it.
 template <typename Entry>
 struct Tracked {
-  bool fresh = true;     ///< Came since the changes were cleared.
-  bool changed = false;  ///< Is on the list of those that changed since.
-  typename std::list<std::unique_ptr<Entry>>::iterator place;
+  Entry *previous = nullptr, *next = nullptr;  ///< In the list, or among those that went.
+  std::uint32_t slot = 0;                      ///< The entry's number: it is used again once the entry is forgotten.
+  std::uint32_t changed = 0;                   ///< Its place among those that changed, from 1; 0: it did not.
+  bool fresh = true;                           ///< Came since the changes were cleared.
 };
 
-/// A list in order of arrival that remembers what came, changed and went since its one reader looked last.
+/// A list in order of arrival that remembers what came, changed and went until the changes are cleared. Entries do not
+/// move; the room of those that went is used again.
 template <typename Entry>
 class TrackedList {
  public:
-  using List = std::list<std::unique_ptr<Entry>>;
+  class Iterator {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = Entry;
+    using difference_type = std::ptrdiff_t;
+    using pointer = Entry*;
+    using reference = Entry&;
 
-  const List& entries() const { return entries_; }
-  /// Those that came stand at the end, from here on.
-  typename List::const_iterator FirstFresh() const { return first_fresh_; }
-  const std::vector<Entry*>& changed() const { return changed_; }
-  /// Gone, and still to be read until the changes are cleared. A fresh entry that went is here, too.
-  const List& removed() const { return removed_; }
-  bool HasChanges() const { return first_fresh_ != entries_.end() || !changed_.empty() || !removed_.empty(); }
+    Iterator() = default;
+    explicit Iterator(Entry* entry) : entry_(entry) {}
+    Entry& operator*() const { return *entry_; }
+    Entry* operator->() const { return entry_; }
+    Iterator& operator++() {
+      entry_ = entry_->next;
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    Entry* entry_ = nullptr;
+  };
+  struct Range {
+    Entry* first = nullptr;
+    Iterator begin() const { return Iterator(first); }
+    Iterator end() const { return {}; }
+  };
 
   TrackedList() = default;
   TrackedList(const TrackedList&) = delete;
   TrackedList& operator=(const TrackedList&) = delete;
 
-  Entry& Add(std::unique_ptr<Entry> entry) {
-    entries_.push_back(std::move(entry));
-    Entry& added = *entries_.back();
-    added.place = std::prev(entries_.end());
-    if (first_fresh_ == entries_.end()) first_fresh_ = added.place;
+  std::size_t size() const { return size_; }
+  Iterator begin() const { return Iterator(first_); }
+  Iterator end() const { return {}; }
+  /// Those that came stand at the end.
+  Range fresh() const { return {first_fresh_}; }
+  /// Null where one that changed has gone.
+  const std::vector<Entry*>& changed() const { return changed_; }
+  /// Gone, and still to be read until the changes are cleared. A fresh entry that went is here, too.
+  Range removed() const { return {removed_}; }
+  bool HasChanges() const { return first_fresh_ != nullptr || !changed_.empty() || removed_ != nullptr; }
+  /// Slots are below this.
+  std::uint32_t slots() const { return used_; }
+  Entry& At(std::uint32_t slot) {
+    return slot < kFirst ? chunks_[0][slot] : chunks_[1 + (slot - kFirst) / kMore][(slot - kFirst) % kMore];
+  }
+
+  /// A new entry with its default contents, at the end.
+  Entry& Add() {
+    std::uint32_t slot = used_;
+    if (!free_.empty()) {
+      slot = free_.back();
+      free_.pop_back();
+    } else {
+      if (used_ == 0) chunks_.push_back(std::make_unique<Entry[]>(kFirst));
+      if (used_ >= kFirst && (used_ - kFirst) % kMore == 0) chunks_.push_back(std::make_unique<Entry[]>(kMore));
+      ++used_;
+    }
+    Entry& added = At(slot);
+    added = Entry();
+    added.slot = slot;
+    added.previous = last_;
+    (last_ == nullptr ? first_ : last_->next) = &added;
+    last_ = &added;
+    if (first_fresh_ == nullptr) first_fresh_ = &added;
+    ++size_;
     return added;
   }
   void Change(Entry& entry) {
-    if (entry.fresh || entry.changed) return;
-    entry.changed = true;
+    if (entry.fresh || entry.changed != 0) return;
     changed_.push_back(&entry);
+    entry.changed = static_cast<std::uint32_t>(changed_.size());
   }
   void Remove(Entry& entry) {
-    if (entry.changed) std::erase(changed_, &entry);
-    if (first_fresh_ == entry.place) ++first_fresh_;
-    removed_.splice(removed_.end(), entries_, entry.place);
+    if (entry.changed != 0) changed_[entry.changed - 1] = nullptr;
+    if (first_fresh_ == &entry) first_fresh_ = entry.next;
+    (entry.previous == nullptr ? first_ : entry.previous->next) = entry.next;
+    (entry.next == nullptr ? last_ : entry.next->previous) = entry.previous;
+    entry.previous = last_removed_;
+    entry.next = nullptr;
+    (last_removed_ == nullptr ? removed_ : last_removed_->next) = &entry;
+    last_removed_ = &entry;
+    --size_;
   }
   void ClearChanges() {
-    for (auto at = first_fresh_; at != entries_.end(); ++at) (*at)->fresh = false;
-    first_fresh_ = entries_.end();
-    for (Entry* const entry : changed_) entry->changed = false;
+    for (Entry* at = first_fresh_; at != nullptr; at = at->next) at->fresh = false;
+    first_fresh_ = nullptr;
+    for (Entry* const entry : changed_) {
+      if (entry != nullptr) entry->changed = 0;
+    }
     changed_.clear();
-    removed_.clear();
+    ForgetRemoved();
   }
-  /// The reader begins anew: everything is fresh.
+  /// Everything is fresh.
   void Restart() {
     ClearChanges();
-    first_fresh_ = entries_.begin();
-    for (const auto& entry : entries_) entry->fresh = true;
+    first_fresh_ = first_;
+    for (Entry& entry : *this) entry.fresh = true;
   }
   void Clear() {
+    ForgetRemoved();
+    for (Entry* at = first_; at != nullptr; at = at->next) free_.push_back(at->slot);
     changed_.clear();
-    removed_.clear();
-    entries_.clear();
-    first_fresh_ = entries_.end();
+    first_ = last_ = first_fresh_ = nullptr;
+    size_ = 0;
+  }
+  std::size_t MemoryBytes() const {
+    const std::size_t room = chunks_.empty() ? 0 : kFirst + (chunks_.size() - 1) * kMore;
+    return room * sizeof(Entry) + changed_.capacity() * sizeof(void*) + free_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
-  List entries_, removed_;
-  typename List::iterator first_fresh_ = entries_.end();
+  static constexpr std::uint32_t kFirst = 4, kMore = 64;
+
+  void ForgetRemoved() {
+    for (Entry* at = removed_; at != nullptr; at = at->next) free_.push_back(at->slot);
+    removed_ = last_removed_ = nullptr;
+  }
+
+  std::vector<std::unique_ptr<Entry[]>> chunks_;  ///< The first small: most lists have few entries.
+  std::vector<std::uint32_t> free_;
+  std::uint32_t used_ = 0;
+  std::size_t size_ = 0;
+  Entry *first_ = nullptr, *last_ = nullptr, *first_fresh_ = nullptr;
+  Entry *removed_ = nullptr, *last_removed_ = nullptr;
   std::vector<Entry*> changed_;
 };
 
