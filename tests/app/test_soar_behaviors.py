@@ -171,6 +171,30 @@ class Imagery(Behavior):
         self.assertIn("imagined by extract ", why)
         self.assertIn("asked by rule hider*imagine*hidden", why)
 
+    def test_a_recording_tells_what_was_imagined(self):
+        with tempfile.TemporaryDirectory() as folder:
+            recording = pathlib.Path(folder) / "hide.soarrec"
+            run = Run("run", "soar_hide", "--headless", "--seconds", 11, "--record", recording)
+            self.assertEqual(run.code, 0, run.err)
+
+            def recorded(*arguments):
+                told = Run("inspect", recording, "--agent", "hider", *arguments)
+                self.assertEqual(told.code, 0, told.err)
+                return told.out
+
+            places = set()
+            for at in (3, 7, 10):
+                scene = recorded("--view", "imagery", "--at", at, "--json")
+                self.assertEqual(scene, self.view("imagery", "--at", at, "--json"))
+                places.add(str(next(n["at"] for n in json.loads(scene)["scenes"][0]["nodes"] if n["name"] == "searcher")))
+            self.assertEqual(len(places), 3, "the searcher walks on, in the scene, too")
+            self.assertEqual(recorded("--view", "why", "--at", 10), self.view("why", "--at", 10))
+            why = Run("why", recording, "--agent", "hider", "--at", 10)
+            self.assertEqual(why.code, 0, why.err)
+            self.assertIn("imagined by extract ", why.out)
+            self.assertIn("is not recorded. Soarbox can tell once it has simulated this moment again.",
+                          recorded("--view", "imagery", "--at", 10, "--recorded"))
+
 
 class Crates(Behavior):
     """soar_crates: what is too wide for the door does not go through it, whatever a porter believes."""

@@ -76,6 +76,86 @@ TEST_F(ImageryTest, NodesThatComeMeetAllOthers) {
   EXPECT_EQ(Records(), 9u);
 }
 
+TEST_F(ImageryTest, FiltersThatAreAlikeAreOne) {
+  const auto room = [&] { return agent_.imagery().MemoryBytes(); };
+  const std::string filter =
+      "(<x> ^type distance ^a <a> ^b <b>) (<a> ^type node ^id n1) (<b> ^type tag_select ^a <all> ^tag_name t "
+      "^tag_value yes) (<all> ^type all_nodes)";
+  std::string lines;
+  for (int n = 0; n < 300; ++n) {
+    const std::string name = "n" + std::to_string(n);
+    lines += "add " + name + " world b 1 p " + std::to_string(n) + " 0 0\ntag add " + name + " t yes\n";
+  }
+  Send(lines);
+  Cycle();
+  const std::size_t scene = room();
+  const auto ask = [&](const std::string& name) {
+    Load(name + " (state <s> ^superstate nil ^svs.command <c>) --> (<c> ^extract <x>) (<x> ^about " + name + ") " +
+         filter);
+  };
+  ask("first");
+  ask("second");
+  ask("third");
+  Cycle(2);
+  const std::size_t three = room() - scene;
+  ask("later");
+  Cycle(2);
+  // The later one shares no more than the list of nodes: others may have begun with what is not there any more.
+  const std::size_t four = room() - scene;
+  EXPECT_LT(three, (four - three) * 2);
+  // Each has its own records and statuses, which follow the scene.
+  Send("change n7 p 8 0 0\ntag delete n8 t\ndelete n9");
+  Cycle();
+  std::size_t extracts = 0;
+  for (const WmeId element : agent_.memory().WmesOf(At(agent_.goals().top().id, "svs.command"))) {
+    const Symbol extract = agent_.memory().wme(element).value;
+    if (!extract.IsIdentifier()) continue;
+    ++extracts;
+    EXPECT_EQ(Text(At(extract, "status")), "success");
+    EXPECT_EQ(Text(At(extract, "b.a.status")), "success");
+    std::size_t records = 0;
+    for (const WmeId record : agent_.memory().WmesOf(At(extract, "result"))) {
+      ++records;
+      const Symbol id = agent_.memory().wme(record).value;
+      if (Text(At(id, "params.b")) == "n7") EXPECT_EQ(Text(At(id, "value")), "7.000000");
+    }
+    EXPECT_EQ(records, 298u);
+  }
+  EXPECT_EQ(extracts, 4u);
+}
+
+TEST_F(ImageryTest, OneNodeListForTwoParametersKeepsItsPairs) {
+  // Both parameters are the same computation: what leaves it leaves every pair once.
+  Ask("(<x> ^type distance ^a <all> ^b <all>) (<all> ^type all_nodes)");
+  Send("add a world b 1\nadd b world b 1 p 5 0 0\nadd c world b 1 p 9 0 0");
+  Cycle(2);
+  EXPECT_EQ(Records(), 9u);
+  Send("delete b\nadd d world b 1 p 1 1 1\nchange a p 1 0 0");
+  Cycle();
+  EXPECT_EQ(Records(), 9u);
+  Send("delete a\ndelete c\ndelete d");
+  Cycle();
+  EXPECT_EQ(Records(), 0u);
+}
+
+TEST_F(ImageryTest, WhatCannotBeComputedIsComputedAgainWhenItCan) {
+  Ask("(<x> ^type distance ^a <a> ^b <b>) (<a> ^type node ^id a) (<b> ^type remove_node ^id b ^a <all>) "
+      "(<all> ^type all_nodes)");
+  Send("add a world b 1\nadd c world b 1 p 2 0 0");
+  Cycle(2);
+  EXPECT_EQ(Extract("status"), "Errors in input");
+  EXPECT_EQ(Extract("b.status"), "The given node doesn't exist");
+  EXPECT_EQ(Records(), 0u);
+  Send("add b world b 1 p 3 0 0");
+  Cycle();
+  EXPECT_EQ(Extract("status"), "success");
+  EXPECT_EQ(Records(), 2u);
+  Send("delete b\nchange c p 4 0 0");
+  Cycle();
+  EXPECT_EQ(Extract("b.status"), "The given node doesn't exist");
+  EXPECT_EQ(Records(), 0u);
+}
+
 TEST_F(ImageryTest, OcclusionFollowsTheEyeAndTheTarget) {
   Ask("(<x> ^type occlusion ^a <a> ^b <b> ^eye <e>) (<a> ^type node ^id spot) (<b> ^type node ^id wall)"
       " (<e> ^type node ^id eye)");

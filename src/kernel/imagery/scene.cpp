@@ -114,8 +114,8 @@ std::size_t Scene::MemoryBytes() const {
   std::size_t bytes = sizeof(Scene) + index_.size() * 64;
   ForEach([&](const Node& node) {
     bytes += sizeof(Node) + (node.spec_.points.capacity() + node.world_points_.capacity()) * sizeof(Vec3) +
-             node.children_.capacity() * sizeof(void*) +
-             node.holds_.capacity() * sizeof(Node::Hold) + node.tags_.size() * 128;
+             node.children_.capacity() * sizeof(void*) + node.holds_.capacity() * sizeof(Node::Hold) +
+             node.tags_.size() * 128;
   });
   return bytes;
 }

@@ -45,8 +45,9 @@ bool StateScene::NoteCommands() {
     const CommandKind* const kind =
         item.attribute.IsString() ? FindCommandKind(parts_.writer.TextOf(item.attribute)) : nullptr;
     if (kind == nullptr) continue;
-    commands_.insert(place,
-                     {name, item.id, kind->make({parts_.writer, *scene_, filters_, parts_.random, item.id}), item.attribute, {}});
+    commands_.insert(
+        place,
+        {name, item.id, kind->make({parts_.writer, *scene_, filters_, parts_.random, item.id}), item.attribute, {}});
     came = true;
     ++gone_;
   }

@@ -55,9 +55,8 @@ void SemanticMemory::Parse() {
   SemanticCommand& command = command_;
   const WorkingMemory& memory = uses_.memory;
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
-  int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0, depths = 0, links = 0,
-      new_links = 0;
-  bool bad = false;
+  int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0;
+  bool bad = false, link_to_new = false;
   for (const WmeId id : command.wmes) {
     const Wme& wme = memory.wme(id);
     if (wme.id != link) continue;
@@ -87,24 +86,23 @@ void SemanticMemory::Parse() {
       command.stored.push_back(value);
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kDepth) {
-      ++depths;
       bad = bad || !value.IsInteger();
       if (value.IsInteger()) command.depth = uses_.symbols.IntegerValue(value);
     } else if (wme.attribute == words::kLinkToLtm && (value == words::kYes || value == words::kNo)) {
-      ++links;
+      // It may stand beside a store that is read later, which it does not concern.
+      bad = bad || stores + new_stores > 0;
       command.link = value == words::kYes;
     } else if (wme.attribute == words::kLinkToNewLtm && (value == words::kYes || value == words::kNo)) {
-      ++new_links;
-      command.link = value == words::kYes;
+      bad = bad || stores + retrieves + queries > 0;
+      link_to_new = value == words::kYes;
     } else {
       bad = true;
     }
   }
   const int kinds = (retrieves > 0) + (queries > 0) + (stores > 0) + (new_stores > 0);
-  bad = bad || kinds != 1 || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1 || depths > 1 || links > 1;
+  bad = bad || kinds != 1 || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1;
   bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || !command.prohibited.empty()));
-  bad = bad || (queries + retrieves == 0 && (depths > 0 || links > 0)) || (new_stores == 0 && new_links > 0);
-  if (new_stores > 0 && new_links == 0) command.link = false;
+  if (new_stores > 0) command.link = link_to_new;
   command.kind = command.wmes.empty() ? SemanticCommand::Kind::kNone
                  : bad                ? SemanticCommand::Kind::kBad
                  : stores > 0         ? SemanticCommand::Kind::kStore
@@ -143,9 +141,10 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
       return true;
     }
     case SemanticCommand::Kind::kStore:
-      // Stored once; a change of what stood beside it only takes the answer back.
-      if (store_changed) AnswerStore(level, command);
-      return store_changed || had;
+      // Stored once alone, and again with each change of what stands beside it; when that has gone, so does the answer.
+      if (!store_changed && command.other.count == 0) return had;
+      AnswerStore(level, command);
+      return true;
     case SemanticCommand::Kind::kStoreNew:
       AnswerStore(level, command);
       return true;
