@@ -213,7 +213,7 @@ class Extract final : public SceneCommand {
     const TrackedList<Value>& output = filter.output();
     use_->TellParameters();
     const bool anew = expected_ != filter.cleared();
-    expected_ = filter.cleared() + 1;
+    expected_ = filter.will_be_cleared();
     if (anew) {
       use_->Tell();
       ForgetRecords();

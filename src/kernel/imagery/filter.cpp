@@ -52,10 +52,10 @@ void Filter::ClearChanges() {
   for (Value* const value : output_.changed()) {
     if (value != nullptr) value->rewritten = false;
   }
+  cleared_ = will_be_cleared();
   output_.ClearChanges();
   inputs_.ClearRewritten();
   said_.clear();
-  ++cleared_;
 }
 
 void Filter::Fail(std::string_view status) {
@@ -194,6 +194,7 @@ void Filter::ClearOutput() {
     if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Release(**node, *this, value.slot);
   }
   output_.Clear();
+  ++cleared_;
 }
 
 }  // namespace soarbox::kernel::imagery

@@ -143,6 +143,8 @@ class Filter : private SceneWatcher {
   const std::vector<std::string>& said() const { return said_; }
   /// How often changes have been cleared, from 1. A reader that finds another number than it expects has missed some.
   std::uint64_t cleared() const { return cleared_; }
+  /// What a reader who has read all of this look expects in the next.
+  std::uint64_t will_be_cleared() const { return cleared_ + (output_.HasChanges() ? 1 : 0); }
   void ClearChanges();
   /// Different for all filters of a pool.
   std::uint64_t serial() const { return serial_; }

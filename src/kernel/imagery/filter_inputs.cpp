@@ -60,7 +60,7 @@ std::string_view Inputs::Update() {
   }
   for (Column& column : columns_) {
     column.chains.resize(SourceOf(column).output().slots(), 0);
-    column.expected = SourceOf(column).cleared() + 1;
+    column.expected = SourceOf(column).will_be_cleared();
   }
   if (each_alone_) {
     CombineEachAlone(anew);

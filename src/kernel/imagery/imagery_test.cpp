@@ -117,7 +117,9 @@ TEST_F(ImageryTest, FiltersThatAreAlikeAreOne) {
     for (const WmeId record : agent_.memory().WmesOf(At(extract, "result"))) {
       ++records;
       const Symbol id = agent_.memory().wme(record).value;
-      if (Text(At(id, "params.b")) == "n7") EXPECT_EQ(Text(At(id, "value")), "7.000000");
+      if (Text(At(id, "params.b")) == "n7") {
+        EXPECT_EQ(Text(At(id, "value")), "7.000000");
+      }
     }
     EXPECT_EQ(records, 298u);
   }
