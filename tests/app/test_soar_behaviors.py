@@ -183,11 +183,11 @@ class Imagery(Behavior):
                 return told.out
 
             places = set()
-            for at in (3, 7, 10):
+            for at in (1, 3, 10):
                 scene = recorded("--view", "imagery", "--at", at, "--json")
                 self.assertEqual(scene, self.view("imagery", "--at", at, "--json"))
-                places.add(str(next(n["at"] for n in json.loads(scene)["scenes"][0]["nodes"] if n["name"] == "searcher")))
-            self.assertEqual(len(places), 3, "the searcher walks on, in the scene, too")
+                places.add(str(next(n["at"] for n in json.loads(scene)["scenes"][0]["nodes"] if n["name"] == "self")))
+            self.assertEqual(len(places), 3, "it walks, in its scene, too")
             self.assertEqual(recorded("--view", "why", "--at", 10), self.view("why", "--at", 10))
             why = Run("why", recording, "--agent", "hider", "--at", 10)
             self.assertEqual(why.code, 0, why.err)
@@ -227,6 +227,30 @@ class Crates(Behavior):
             self.assertIn(part, learned)
         story = Run("why", "soar_crates", re.search(r"chunk\*judge\*return\*fits\S*", learned)[0], "--at", 1).out
         self.assertIn("^radius 0.8", story)
+
+
+class ImageryExample(unittest.TestCase):
+    """The whole example of docs/imagery.md, as it is printed there."""
+
+    def test_the_porter_puts_the_lamp_where_it_imagined_it(self):
+        text = (REPOSITORY / "docs" / "imagery.md").read_text(encoding="utf-8")
+        section = text[text.index("## A whole example"):text.index("## What to know")]
+        with tempfile.TemporaryDirectory() as folder:
+            for language, name in (("toml", "scenario.toml"), ("soar", "porter.soar")):
+                block = section[section.index(f"```{language}\n") + len(language) + 4:]
+                (pathlib.Path(folder) / name).write_text(block[:block.index("```")], encoding="utf-8")
+            check = Run("check", folder)
+            self.assertEqual((check.code, check.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), check.out)
+            run = run_json(folder, "--seconds", 20)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual([event["command"] for event in run.of("command", agent="porter")],
+                             ["move-to", "pick-up", "move-to", "drop"])
+            self.assertEqual(run.diagnostics(), [])
+            seen = Run("inspect", folder, "--at", 15, "--view", "imagery", "--json")
+            self.assertEqual(seen.code, 0, seen.err)
+            nodes = {node["name"]: node["at"] for node in json.loads(seen.out)["scenes"][0]["nodes"]}
+            # Half the barn, the gap, half the lamp; it drops the lamp before its feet.
+            self.assertLess(flat(nodes["lamp"], (8 - 2 - 1 - 0.2, 0, 6)), 0.9)
 
 
 class Checked(unittest.TestCase):
