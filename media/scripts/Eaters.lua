@@ -4,18 +4,16 @@
 --     require "Eaters";
 --     Eaters.Settings = { map = { "#.*#", "1..2" } };
 require "EaterBody";
+require "EatersMaps";
 require "EatersRules";
 require "GridGame";
 require "MapFile";
 
 Eaters = { Settings = {} };
 
--- What map files of Soar2D call the cells of ours.
-local kMapFileSigns = {
-    ["-"] = " ", w = "#", n = ".", b = "*", known = "w, n, b and - (wall, food, bonus food, nothing)"
-};
 local game, grid;
 local food = {};      -- Node by place.
+local lids = {};      -- Of the boxes that are closed: node by box.
 local players = {};   -- By agent id.
 
 local function PlaceName(x, y)
@@ -30,20 +28,39 @@ local function ShowCell(x, y)
         grid:PutBox(x, y, Vector.new(1.5, 1, 1.5), "Soarbox/Hedge");
     elseif (content == "normalfood") then
         food[PlaceName(x, y)] = grid:PutBall(x, y, 0.24, "BlueGlow", 0.45);
-    elseif (content == "bonusfood") then
+    elseif (content ~= "empty") then
         local node = grid:PutBox(x, y, Vector.new(0.46, 0.46, 0.46), "RedGlow", 0.25);
         food[PlaceName(x, y)] = node;
     end
 end
 
+-- A box is open once its lid is gone. Treats lie flat: they stay.
+local function ShowBoxes()
+    for _, box in ipairs(game.boxes) do
+        local material = GridGame.Materials[box.color] or "Soarbox/Ammunition";
+        grid:PutBox(box.x, box.y, Vector.new(1.1, 0.5, 1.1), material);
+        lids[box] = grid:PutBox(box.x, box.y, Vector.new(1.2, 0.14, 1.2), "Soarbox/Stone", 0.52);
+    end
+    for _, treat in ipairs(game.treats) do
+        grid:PutBox(treat.x, treat.y, Vector.new(0.8, 0.12, 0.8), "Soarbox/Purple", 0.02);
+    end
+end
+
+local function TakeLidsOff()
+    for box, lid in pairs(lids) do
+        if (box.isOpen) then
+            Core.SetVisible(lid, false);
+            lids[box] = nil;
+        end
+    end
+end
+
 local function HideEatenFood()
-    for y = 1, game.height do
-        for x = 1, game.width do
-            local node = food[PlaceName(x, y)];
-            if (node and game:ContentAt(x, y) == "empty") then
-                Core.SetVisible(node, false);
-                food[PlaceName(x, y)] = nil;
-            end
+    for _, place in ipairs(game.cleared) do
+        local name = PlaceName(place.x, place.y);
+        if (food[name]) then
+            Core.SetVisible(food[name], false);
+            food[name] = nil;
         end
     end
 end
@@ -70,13 +87,12 @@ end
 -- Turns ---------------------------------------------------------------------------------------------------------------
 
 local function ShowScores(sandbox)
-    local count, points = game:FoodLeft();
-    local lines = { string.format("turn %-4d food %d, worth %d", game.turn, count, points) };
+    local lines = { string.format("turn %-4d food %d, worth %d", game.turn, game.foodLeft, game.pointsLeft) };
     for _, agent in ipairs(Sandbox.GetAgents(sandbox)) do
         local eater = players[agent:GetId()];
         if (eater) then
             agent:SetScore(eater.score);
-            lines[#lines + 1] = string.format("%-8s %6d", eater.color, eater.score);
+            lines[#lines + 1] = GridGame.NameRow(eater.color) .. string.format("%6d", eater.score);
         end
     end
     grid:ShowTable(lines);
@@ -89,14 +105,15 @@ local function Play(sandbox)
     end
     game:Turn();
     HideEatenFood();
+    TakeLidsOff();
     ShowScores(sandbox);
     if (game.isOver) then
-        Sandbox.End(sandbox, "all is eaten");
+        Sandbox.End(sandbox, #game.boxes > 0 and "all boxes are open" or "all is eaten");
     end
 end
 
 function Sandbox_Initialize(sandbox)
-    game = EatersRules.new(MapFile.Settings(sandbox, Eaters.Settings, "eaters", kMapFileSigns));
+    game = EatersRules.new(MapFile.Settings(sandbox, Eaters.Settings, EatersMaps));
     grid = GridGame.new(sandbox, game.width, game.height);
     grid:BuildBoard("Soarbox/BoardLight", "Soarbox/BoardDark", "Soarbox/Stone");
     for y = 1, game.height do
@@ -104,6 +121,7 @@ function Sandbox_Initialize(sandbox)
             ShowCell(x, y);
         end
     end
+    ShowBoxes();
     grid:LookAtBoard();
 end
 

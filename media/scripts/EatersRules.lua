@@ -8,37 +8,52 @@
 --     game:Command(eater, "move", { direction = "north" });    -- nil, or why not
 --     game:Turn();
 --     game:Percepts(eater)                                     -- what its mind perceives
+require "EatersBoxes";
 require "GridBoard";
 
 EatersRules = {};
 EatersRules.__index = EatersRules;
 
-local kFoods = { "normalfood", "bonusfood" };
--- What stands for what in a map that is given as lines of text. Digits are where eaters begin.
-local kSigns = { ["#"] = "wall", ["."] = "normalfood", ["*"] = "bonusfood", [" "] = "empty" };
-
 EatersRules.Defaults = {
-    width = 15, height = 15,                -- Cells, without the walls around them.
-    vision = 2,                             -- How many cells away an eater sees.
-    points = { normalfood = 5, bonusfood = 10 },
+    width = 15, height = 15,                 -- Cells, without the walls around them.
+    vision = 2,                              -- How many cells away an eater sees.
+    -- What can be eaten: the sign in a map, how it looks to eaters (its name, unless `content` says otherwise), what it
+    -- is worth, and how much less that is after each turn.
+    foods = { { name = "normalfood", sign = ".", points = 5 }, { name = "bonusfood", sign = "*", points = 10 } },
+    points = {},                             -- Other points, by the name of a food.
     wallPenalty = 5, jumpPenalty = 5,
-    aloneChance = 0.25, besideChance = 0.75 -- That a cell becomes a wall: without, and with, one beside it.
+    aloneChance = 0.25, besideChance = 0.75, -- That a cell becomes a wall: without, and with, one beside it.
+    boxes = {}, treats = {}                  -- EatersBoxes.lua.
+};
+
+local kFour = { "north", "east", "south", "west" };
+EatersRules.Commands = {
+    move = { direction = { "north", "east", "south", "west", "none" } }, jump = { direction = kFour },
+    ["dont-eat"] = {}, open = {}
 };
 
 -- The board -----------------------------------------------------------------------------------------------------------
 
--- What lies at a place: "wall", "empty", or a food. Beyond the edge there are walls.
+-- What lies at a place: "wall", "empty", or what a food looks like. Beyond the edge there are walls.
 function EatersRules:ContentAt(x, y)
     local row = self.cells[y];
-    return row and row[x] or "wall";
+    local content = row and row[x] or "wall";
+    return self.foodOf[content] and self.foodOf[content].content or content;
 end
 
 local function Set(game, x, y, content)
     game.cells[y][x] = content;
 end
 
+-- Takes the food from a place, and notes that: `cleared` lists where it went since the last turn began.
+local function Clear(game, x, y)
+    Set(game, x, y, "empty");
+    game.cleared[#game.cleared + 1] = { x = x, y = y };
+end
+
 local function IsWall(game, x, y)
-    return game:ContentAt(x, y) == "wall";
+    local row = game.cells[y];
+    return not row or not row[x] or row[x] == "wall";
 end
 
 function EatersRules:EaterAt(x, y)
@@ -74,8 +89,8 @@ end
 local function LayFood(game)
     for y = 1, game.height do
         for x = 1, game.width do
-            if (game:ContentAt(x, y) == "empty") then
-                Set(game, x, y, kFoods[game.random(#kFoods)]);
+            if (game.cells[y][x] == "empty" and not EatersBoxes.At(game, x, y)) then
+                Set(game, x, y, game.foods[game.random(#game.foods)].name);
             end
         end
     end
@@ -91,13 +106,30 @@ local function EmptyMap(game)
     return lines;
 end
 
+-- What stands for what in a map that is given as lines of text. Digits are where eaters begin.
+local function ReadFoods(game)
+    local signs, known = { ["#"] = "wall", [" "] = "empty" }, { "#" };
+    game.foodOf = {};
+    for _, food in ipairs(game.foods) do
+        local points = game.points[food.content or food.name] or food.points;
+        game.foodOf[food.name] = { content = food.content or food.name, points = points, decay = food.decay or 0 };
+        game.decays = game.decays or (food.decay or 0) > 0;
+        signs[food.sign] = food.name;
+        known[#known + 1] = food.sign;
+    end
+    return signs, table.concat(known, " ");
+end
+
 -- A game with these settings; EatersRules.Defaults are the others. `random` is like math.random. `map`: lines of text;
 -- `randomWalls` and `randomFood` add to it.
 function EatersRules.new(settings)
-    local game = setmetatable({ cells = {}, starts = {}, eaters = {}, turn = 0, collisions = {} }, EatersRules);
+    local game = setmetatable({ cells = {}, starts = {}, eaters = {}, turn = 0, collisions = {}, cleared = {} },
+                              EatersRules);
     GridBoard.Settle(game, EatersRules.Defaults, settings);
     game.map = game.map or EmptyMap(game);
-    GridBoard.Read(game, game.map, kSigns, "empty", "# . *");
+    local signs, known = ReadFoods(game);
+    GridBoard.Read(game, game.map, signs, "empty", known);
+    EatersBoxes.Place(game);
     if (game.randomWalls) then
         BuildWalls(game);
     end
@@ -107,12 +139,18 @@ function EatersRules.new(settings)
     return game;
 end
 
+-- What the food at a place is worth now; nil where there is none.
+function EatersRules:WorthAt(x, y)
+    local food = self.foodOf[self.cells[y][x]];
+    return food and food.points - food.decay * self.turn;
+end
+
 -- How much food is left, and how many points that is.
 function EatersRules:FoodLeft()
     local count, points = 0, 0;
     for y = 1, self.height do
         for x = 1, self.width do
-            local worth = self.points[self.cells[y][x]];
+            local worth = self:WorthAt(x, y);
             if (worth) then
                 count, points = count + 1, points + worth;
             end
@@ -121,18 +159,34 @@ function EatersRules:FoodLeft()
     return count, points;
 end
 
-local function FreeCell(game)
-    local free = {};
+-- An eater can jump from here: somebody who learns to jump should not have to begin between walls.
+local function LeadsOn(game, x, y)
+    for _, direction in ipairs(GridBoard.Directions) do
+        local step = GridBoard.Steps[direction];
+        if (not IsWall(game, x + 2 * step.x, y + 2 * step.y)) then
+            return true;
+        end
+    end
+    return false;
+end
+
+-- `isStart`: one that leads on, if there are any.
+local function FreeCell(game, isStart)
+    local free, good = {}, {};
     for y = 1, game.height do
         for x = 1, game.width do
             if (not IsWall(game, x, y) and not game:EaterAt(x, y)) then
                 free[#free + 1] = { x = x, y = y };
+                if (isStart and LeadsOn(game, x, y)) then
+                    good[#good + 1] = free[#free];
+                end
             end
         end
     end
     if (#free == 0) then
         error("the board has no free cell for another eater");
     end
+    free = #good > 0 and good or free;
     return free[game.random(#free)];
 end
 
@@ -140,37 +194,32 @@ end
 
 -- Puts an eater on the board; the food in its cell is gone, and nobody gets points for it.
 function EatersRules:Join(color)
-    local start = self.starts[#self.eaters + 1] or FreeCell(self);
+    local start = self.starts[#self.eaters + 1] or FreeCell(self, true);
     local eater = {
         color = color, x = start.x, y = start.y, score = 0, direction = "north",
         hasMoved = true -- Since its mind perceived the last time.
     };
-    Set(self, eater.x, eater.y, "empty");
+    Clear(self, eater.x, eater.y);
     self.eaters[#self.eaters + 1] = eater;
     return eater;
 end
 
--- Takes a command for this turn. Nil if it is one that an eater can do, otherwise a word that says why not.
-function EatersRules:Command(eater, name, parameters)
-    if (name == "dont-eat") then
+-- Takes a command for this turn. Nil if it is one that an eater can do, otherwise why not, as Sandbox_Command says it.
+function EatersRules:Command(eater, said, parameters)
+    local name, direction, details = GridBoard.Understand(EatersRules.Commands, said, parameters);
+    if (not name) then
+        return direction, details;
+    elseif (name == "dont-eat") then
         eater.fasts = true;
-        return nil;
+    elseif (name == "open") then
+        eater.opens = true;
+        eater.code = tonumber(parameters.code);
+    elseif (direction ~= "none") then
+        if (eater.wish) then
+            return "one-move-a-turn", { text = "it has given a move or a jump in this turn" };
+        end
+        eater.wish = { direction = direction, cells = name == "jump" and 2 or 1 };
     end
-    if (name ~= "move" and name ~= "jump") then
-        return "unknown-command";
-    end
-    local direction = parameters.direction;
-    if (name == "move" and direction == "none") then
-        return nil;
-    end
-    if (not GridBoard.Steps[direction]) then
-        return "no-such-direction";
-    end
-    if (eater.wish) then
-        return "one-move-a-turn";
-    end
-    eater.wish = { direction = direction, cells = name == "jump" and 2 or 1 };
-    return nil;
 end
 
 -- A turn --------------------------------------------------------------------------------------------------------------
@@ -197,10 +246,25 @@ local function Move(game, eater)
 end
 
 local function Eat(game, eater)
-    local worth = game.points[game:ContentAt(eater.x, eater.y)];
+    local worth = game:WorthAt(eater.x, eater.y);
     if (worth and not eater.fasts) then
         eater.score = eater.score + worth;
-        Set(game, eater.x, eater.y, "empty");
+        Clear(game, eater.x, eater.y);
+    end
+end
+
+-- Food that has lost its worth is gone.
+local function Rot(game)
+    if (not game.decays) then
+        return;
+    end
+    for y = 1, game.height do
+        for x = 1, game.width do
+            local food = game.foodOf[game.cells[y][x]];
+            if (food and food.decay > 0 and game:WorthAt(x, y) <= 0) then
+                Clear(game, x, y);
+            end
+        end
     end
 end
 
@@ -241,35 +305,46 @@ local function Collide(game, group)
     end
 end
 
--- All move, all eat, in the order in which they joined; then those who are in one cell collide.
+-- All move, all eat and open boxes, in the order in which they joined; then those who are in one cell collide.
 function EatersRules:Turn()
-    self.turn = self.turn + 1;
-    self.collisions = {};
+    self.collisions, self.cleared = {}, {};
     for _, eater in ipairs(self.eaters) do
         eater.hitWall, eater.wasThrown = false, false;
         Move(self, eater);
     end
     for _, eater in ipairs(self.eaters) do
+        EatersBoxes.Take(self, eater);
         Eat(self, eater);
+        EatersBoxes.Open(self, eater);
     end
     for _, group in ipairs(FindCollisions(self)) do
         Collide(self, group);
     end
     for _, eater in ipairs(self.eaters) do
-        eater.wish, eater.fasts = nil, nil;
+        eater.wish, eater.fasts, eater.opens, eater.code = nil, nil, nil, nil;
     end
-    self.isOver = self:FoodLeft() == 0;
+    self.turn = self.turn + 1;
+    Rot(self);
+    self.foodLeft, self.pointsLeft = self:FoodLeft();
+    self.isOver = self.foodLeft == 0 and EatersBoxes.AllOpen(self);
 end
 
 -- Percepts ------------------------------------------------------------------------------------------------------------
 
-local function CellOf(game, x, y, isNew)
+local function CellOf(game, x, y, other, isNew)
     local cell = { content = game:ContentAt(x, y), _new = isNew };
-    local other = game:EaterAt(x, y);
+    local box = #game.boxes > 0 and EatersBoxes.At(game, x, y);
+    if (box and cell.content == "empty") then
+        cell.content = nil;
+    end
     if (other) then
         -- Food that nobody ate lies there besides.
-        cell.content = cell.content == "empty" and "eater" or { "eater", cell.content };
+        local lies = cell.content ~= "empty" and cell.content or nil;
+        cell.content = lies and { "eater", lies } or "eater";
         cell["eater-color"], cell["eater-score"] = other.color, other.score;
+    end
+    if (box) then
+        cell[box.id or "box"] = EatersBoxes.Percepts(box, isNew);
     end
     return cell;
 end
@@ -277,19 +352,24 @@ end
 -- What the mind of an eater perceives: itself, and the cells around it, linked by their directions. When it has moved,
 -- each cell's content is new, even where it is the same as before.
 function EatersRules:Percepts(eater)
-    local far, cells = self.vision, {};
+    local far, cells, others = self.vision, {}, {};
+    for i = #self.eaters, 1, -1 do
+        local other = self.eaters[i];
+        others[other.y * 1000 + other.x] = other;
+    end
     for dy = -far, far do
         cells[dy] = {};
         for dx = -far, far do
-            cells[dy][dx] = CellOf(self, eater.x + dx, eater.y + dy, eater.hasMoved);
+            local x, y = eater.x + dx, eater.y + dy;
+            cells[dy][dx] = CellOf(self, x, y, others[y * 1000 + x], eater.hasMoved);
         end
     end
     for dy = -far, far do
+        local row, above, below = cells[dy], cells[dy - 1], cells[dy + 1];
         for dx = -far, far do
-            for direction, step in pairs(GridBoard.Steps) do
-                local row = cells[dy + step.y];
-                cells[dy][dx][direction] = row and row[dx + step.x];
-            end
+            local cell = row[dx];
+            cell.north, cell.south = above and above[dx], below and below[dx];
+            cell.east, cell.west = row[dx + 1], row[dx - 1];
         end
     end
     eater.hasMoved = false;

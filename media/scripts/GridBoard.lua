@@ -17,6 +17,66 @@ function GridBoard.Turned(direction, quarters)
     end
 end
 
+-- Commands ------------------------------------------------------------------------------------------------------------
+
+local function SortedNames(list)
+    local names = {};
+    for name in pairs(list) do
+        names[#names + 1] = name;
+    end
+    table.sort(names);
+    return names;
+end
+
+-- What stands below a command instead of what it takes.
+local function OtherParameter(parameters)
+    for _, name in ipairs(SortedNames(parameters)) do
+        if (name ~= "status" and name ~= "reason" and name ~= "parameter") then
+            return name;
+        end
+    end
+end
+
+-- What is said below a command: its name and the value of its parameter as the game writes them (old agents write
+-- capitals), or nil and what Sandbox_Command returns then. `commands`: by their names, what each takes:
+--     { move = { direction = { "north", "south" } }, power = { setting = "number" }, wait = {} }
+function GridBoard.Understand(commands, said, parameters)
+    local name = said:lower();
+    if (not commands[name]) then
+        return nil, "unknown-command",
+               { text = "there is no command ^" .. said, given = said, known = SortedNames(commands) };
+    end
+    local parameter, words = next(commands[name]);
+    if (not parameter) then
+        return name;
+    end
+    local reason, value = "no-such-" .. parameter, parameters[parameter];
+    local isNumber = words == "number";
+    if (value == nil) then
+        local other = OtherParameter(parameters);
+        return nil, reason, { text = "^" .. name .. " requires ^" .. parameter .. " ("
+            .. (isNumber and "a whole number" or table.concat(words, ", ")) .. ")"
+            .. (other and ", and has ^" .. other or "") };
+    end
+    local at = "^" .. parameter .. " of ^" .. name .. " is ";
+    if (isNumber) then
+        local number = tonumber(value);
+        if (not number or number ~= math.floor(number)) then
+            return nil, reason, { text = at .. tostring(value) .. ": it takes a whole number" };
+        end
+        return name, number;
+    end
+    for _, word in ipairs(words) do
+        if (type(value) == "string" and value:lower() == word) then
+            return name, word;
+        end
+    end
+    value = type(value) == "table" and "an identifier" or tostring(value);
+    return nil, reason, { text = at .. value, given = value, known = words };
+end
+
+-- Boards --------------------------------------------------------------------------------------------------------------
+
 -- Gives a game these settings, and for those that are not named the defaults.
 function GridBoard.Settle(game, defaults, settings)
     for name, value in pairs(defaults) do

@@ -5,7 +5,8 @@ GridGame = {};
 GridGame.__index = GridGame;
 
 GridGame.Cell = 1.5;       -- Metres.
-GridGame.TicksPerTurn = 10;
+-- The scenario says how many (`turn = 10`).
+GridGame.TicksPerTurn = (Sandbox_TurnTicks or 1) > 1 and Sandbox_TurnTicks or 10;
 
 -- The colours of players, in the order in which they join, and what shows them.
 GridGame.Colors = { "red", "blue", "yellow", "purple", "orange", "green", "black" };
@@ -71,25 +72,40 @@ end
 
 -- Scores --------------------------------------------------------------------------------------------------------------
 
+-- The colours of players as text on a dark panel, in the order of GridGame.Colors.
+local kTextColors = { { 1, 0.5, 0.45 }, { 0.5, 0.72, 1 }, { 1, 0.9, 0.35 }, { 0.82, 0.6, 1 }, { 1, 0.68, 0.3 },
+                      { 0.5, 0.92, 0.5 }, { 0.75, 0.75, 0.75 } };
+
 local function Panel(sandbox)
+    Sandbox.SetMarkupColor(sandbox, 0, 1, 1, 1);
+    for i, color in ipairs(kTextColors) do
+        Sandbox.SetMarkupColor(sandbox, i, color[1], color[2], color[3]);
+    end
     local panel = Sandbox.CreateUIComponent(sandbox, 2);
-    UI.SetFont(panel, "medium_mono");
-    UI.SetFontColor(panel, 1, 1, 1);
     UI.SetBackgroundColor(panel, 0.07, 0.09, 0.12, 0.72);
     UI.SetTextMargin(panel, 8, 12);
     return panel;
 end
 
--- Shows lines of text in the corner.
+-- The beginning of a row: a player's colour, in that colour.
+function GridGame.NameRow(color)
+    for i, name in ipairs(GridGame.Colors) do
+        if (name == color) then
+            return "%" .. i .. string.format("%-9s", color) .. "%0 ";
+        end
+    end
+end
+
+-- Shows lines of text in the corner; they may have the markup of NameRow.
 function GridGame:ShowTable(lines)
     self.panel = self.panel or Panel(self.sandbox);
     local widest = 0;
     for _, line in ipairs(lines) do
-        widest = math.max(widest, #line);
+        widest = math.max(widest, #line:gsub("%%%d", ""));
     end
     UI.SetPosition(self.panel, 16, 56);
     UI.SetDimensions(self.panel, 26 + 11 * widest, 20 + 22 * #lines);
-    UI.SetText(self.panel, table.concat(lines, "\n"));
+    UI.SetMarkupText(self.panel, "%@141%" .. table.concat(lines, "\n"));
 end
 
 -- Bodies --------------------------------------------------------------------------------------------------------------

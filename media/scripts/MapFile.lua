@@ -1,127 +1,54 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Reads the map files (.txt) and configuration files (.cnf) of Soar2D, the program that Eaters and TankSoar were played
+-- Reads the maps (.txt, .emap, .tmap) and configurations (.cnf) of Soar2D, the program that Eaters and TankSoar were played
 -- with, so that its boards can be played here. docs/eaters.md says what of them counts.
+--
+-- MapFileConfig.lua and MapFileXml.lua read the two forms of a map, each into
+--     { name, size, sizeLine, randomWalls, randomFood, order = { ids }, objects = { [id] = object }, rows = { row } }
+-- where an object holds its properties as words, and a row { line, lines, cells } the ids of what is in each cell. Lines
+-- are for messages: of the row, and of its cells where they have lines of their own.
+require "MapFileConfig";
+require "MapFileXml";
+
 MapFile = {};
 
-local kDeepest, kLargest = 20, 102;
+local kLargest = 102;
 
-local function Fail(reader, what)
-    error(reader.name .. ":" .. reader.line .. ": " .. what, 0);
+local function Fail(map, line, what)
+    error(map.name .. ":" .. (line or 1) .. ": " .. what, 0);
 end
 
--- Text ----------------------------------------------------------------------------------------------------------------
-
-local function SkipSpace(reader)
-    while (true) do
-        local first, last = reader.text:find("^%s+", reader.at);
-        if (not first) then
-            first, last = reader.text:find("^#[^\n]*", reader.at);
-        end
-        if (not first) then
-            return;
-        end
-        reader.line = reader.line + select(2, reader.text:sub(first, last):gsub("\n", ""));
-        reader.at = last + 1;
+-- What the object is here: game.Sort(object, id, foods) returns { sign, food, other }, where `food` is what the sign
+-- stands for, and `other` something that is kept beside the signs. Nil if these rules have no such thing.
+local function Sort(map, id, line, game, known)
+    local object = map.objects[id];
+    if (not object) then
+        Fail(map, line, "the object '" .. id .. "' is not described");
     end
-end
-
--- What the pattern matches here, or nil.
-local function Take(reader, pattern)
-    SkipSpace(reader);
-    local first, last = reader.text:find("^" .. pattern, reader.at);
-    if (first) then
-        reader.at = last + 1;
-        return reader.text:sub(first, last);
-    end
-end
-
-local function Expect(reader, sign)
-    if (not Take(reader, "%" .. sign)) then
-        local found = Take(reader, "[^%s]");
-        Fail(reader, "expected " .. sign .. " and found " .. (found and ("'" .. found .. "'") or "the end of the file"));
-    end
-end
-
-local function TakeWord(reader)
-    local quoted = Take(reader, '"[^"\n]*"');
-    return quoted and quoted:sub(2, -2) or Take(reader, "[%w_%.%-/:]+");
-end
-
-local function ReadValue(reader)
-    if (not Take(reader, "%[")) then
-        return TakeWord(reader) or Fail(reader, "expected a value");
-    end
-    local list = { line = reader.line };
-    while (not Take(reader, "%]")) do
-        list[#list + 1] = TakeWord(reader) or Fail(reader, "expected ] at the end of the list");
-        if (not Take(reader, ",")) then
-            Expect(reader, "]");
-            break;
+    if (known[id] == nil) then
+        known[id] = game.Sort(object, id, known.foods) or false;
+        if (known[id] and known[id].food) then
+            table.insert(known.foods, known[id].food);
         end
     end
-    return list;
+    return known[id];
 end
 
--- All that is set between two braces, by its whole name ("cells.size").
-local function ReadBlock(reader, prefix, found, depth)
-    if (depth > kDeepest) then
-        Fail(reader, "more than " .. kDeepest .. " braces within each other");
-    end
-    while (true) do
-        local name = TakeWord(reader);
-        if (not name) then
-            return;
-        end
-        name = prefix .. name;
-        if (Take(reader, "{")) then
-            ReadBlock(reader, name .. ".", found, depth + 1);
-            Expect(reader, "}");
-        else
-            Expect(reader, "=");
-            local line = reader.line;
-            found[name] = { value = ReadValue(reader), line = line };
-            Expect(reader, ";");
+-- The sign of a cell, and what is in it besides.
+local function ReadCell(map, line, ids, game, known)
+    local sign, others = nil, {};
+    for _, id in ipairs(ids) do
+        local own = Sort(map, id, line, game, known)
+            or Fail(map, line, "the object '" .. id .. "' is nothing that these rules have: " .. game.known);
+        if (own.other) then
+            others[#others + 1] = own.other;
+        elseif (own.sign ~= " ") then
+            if (sign) then
+                Fail(map, line, "two things in one cell, '" .. table.concat(ids, "-") .. "', where these rules have one");
+            end
+            sign = own.sign;
         end
     end
-end
-
-local function Parse(text, name)
-    local reader = { text = text, name = name, at = 1, line = 1 };
-    local found = {};
-    ReadBlock(reader, "", found, 1);
-    SkipSpace(reader);
-    if (reader.at <= #text) then
-        Fail(reader, "expected a name and found '" .. text:sub(reader.at, reader.at) .. "'");
-    end
-    return found;
-end
-
--- Maps ----------------------------------------------------------------------------------------------------------------
-
--- The sign of our maps for a cell of theirs, such as "w" or "g-h". `signs`: by their names.
-local function SignOf(cell, signs)
-    local sign = signs["-"];
-    for part in cell:gmatch("[^%-]+") do
-        local own = signs[part];
-        if (not own or (sign ~= signs["-"] and own ~= signs["-"])) then
-            return nil;
-        end
-        sign = own ~= signs["-"] and own or sign;
-    end
-    return sign;
-end
-
-local function ReadRow(map, row, size, signs)
-    local at = map.name .. ":" .. row.line .. ": ";
-    if (type(row.value) ~= "table" or #row.value ~= size) then
-        error(at .. "a row is a list of " .. size .. " cells, as cells.size says", 0);
-    end
-    local line = {};
-    for x, cell in ipairs(row.value) do
-        line[x] = SignOf(cell, signs) or
-            error(at .. "the cell '" .. cell .. "' is nothing that these rules have: " .. signs.known, 0);
-    end
-    return table.concat(line);
+    return sign or " ", others;
 end
 
 -- Boards have walls around them here, too, but they are no part of a map.
@@ -140,68 +67,80 @@ local function WithoutEdge(map, lines)
     return inner;
 end
 
-local function ReadMap(map, signs)
-    local settings = {};
-    for _, name in ipairs({ "random_walls", "random_food" }) do
-        local given = map.found["cells." .. name];
-        settings[name == "random_walls" and "randomWalls" or "randomFood"] = given and given.value == "true" or nil;
-    end
-    local objects = map.found.objects;
-    for _, object in ipairs(settings.randomFood and objects and type(objects.value) == "table" and objects.value or {}) do
-        if (not signs[object] and object ~= "x") then -- That is an explosion.
-            error(map.name .. ":" .. objects.line .. ": the object '" .. object ..
-                "' is nothing that these rules have: " .. signs.known, 0);
-        end
-    end
-    local given = map.found["cells.size"];
-    local size = given and tonumber(given.value);
-    if (not size or size % 1 ~= 0 or size < 3 or size > kLargest) then
-        error(map.name .. ":" .. (given and given.line or 1) .. ": cells.size is a whole number from 3 to " .. kLargest, 0);
-    end
+local function ReadRows(map, game, settings, known)
     local lines = {};
-    for y = 1, size do
-        local row = map.found["cells.rows." .. (y - 1)];
-        if (not row and not (settings.randomWalls and settings.randomFood)) then
+    for y = 1, map.size do
+        local row = map.rows[y];
+        if (not row) then
             error(map.name .. ": row " .. (y - 1) .. " of the map is missing", 0);
+        elseif (#row.cells ~= map.size) then
+            Fail(map, row.line, "a row has " .. map.size .. " cells, as the size of the map says, and this one has "
+                 .. #row.cells);
         end
-        lines[y] = row and ReadRow(map, row, size, signs);
+        local signs = {};
+        for x, ids in ipairs(row.cells) do
+            local sign, others = ReadCell(map, row.lines and row.lines[x] or row.line, ids, game, known);
+            signs[x] = sign;
+            for _, other in ipairs(others) do
+                game.Keep(settings, other, x - 1, y - 1);
+            end
+        end
+        lines[y] = table.concat(signs);
     end
-    if (#lines == size) then
-        settings.map = WithoutEdge(map, lines);
+    settings.map = WithoutEdge(map, lines);
+end
+
+local function Settings(map, game)
+    if (not map.size or map.size % 1 ~= 0 or map.size < 3 or map.size > kLargest) then
+        Fail(map, map.sizeLine, map.sizeName .. " is a whole number from 3 to " .. kLargest);
+    end
+    local settings = { randomWalls = map.randomWalls or nil, randomFood = map.randomFood or nil };
+    local known = { foods = {} };
+    for _, id in ipairs(map.order) do -- Random food is of these.
+        Sort(map, id, map.orderLine, game, known);
+    end
+    if (next(map.rows) or not (map.randomWalls and map.randomFood)) then
+        ReadRows(map, game, settings, known);
     else
-        settings.width, settings.height = size - 2, size - 2;
+        settings.width, settings.height = map.size - 2, map.size - 2;
     end
+    settings.foods = #known.foods > 0 and known.foods or nil;
     return settings;
 end
 
--- The settings that a file stands for. `read` returns the text of a file by its name; `game` is its name in
--- configuration files. A configuration's map is looked for beside it. Errors name file and line.
-function MapFile.Load(read, name, game, signs)
-    local map = { name = name, found = Parse(read(name), name) };
-    local mapName = map.found["general.map"];
-    if (not mapName) then
-        return ReadMap(map, signs);
+local function ReadMap(read, name, game)
+    local text = read(name);
+    local map = text:find("^%s*<") and MapFileXml.Read(text, name) or MapFileConfig.Read(text, name, read, game.objects);
+    return Settings(map, game);
+end
+
+-- The settings that a file stands for. `read` returns the text of a file by its name. `game`: its name in configurations
+-- (`name`), what objects maps have that do not describe them (`objects`), and the functions that say what they are here
+-- (Sort, Keep, known). A configuration's map is looked for in the folder of the configuration. Errors name file and line.
+function MapFile.Load(read, name, game)
+    local text = read(name);
+    local map = not text:find("^%s*<") and MapFileConfig.MapOf(text, name, game.name);
+    if (not map) then
+        return ReadMap(read, name, game);
     end
-    local played = map.found["general.game"];
-    if (played and played.value ~= game) then
-        error(name .. ":" .. played.line .. ": this is a configuration of " .. tostring(played.value) .. ", not of " .. game, 0);
+    local problem, found = MapFileConfig.Find(read, map);
+    if (not found) then
+        error(name .. ": its map: " .. problem, 0);
     end
-    local beside = tostring(mapName.value):match("[^/]+$") or "";
-    local settings = ReadMap({ name = beside, found = Parse(read(beside), beside) }, signs);
-    local score = map.found["terminals.winning_score"];
-    settings.winningScore = score and tonumber(score.value);
+    local settings = ReadMap(read, found, game);
+    MapFileConfig.AddSettings(text, name, game.numbers, settings);
     return settings;
 end
 
 -- The settings of a scenario, with those that its `mapFile` stands for where it names one.
-function MapFile.Settings(sandbox, settings, game, signs)
+function MapFile.Settings(sandbox, settings, game)
     if (not settings.mapFile) then
         return settings;
     end
     local function Read(name)
         return Sandbox.ReadText(sandbox, name);
     end
-    local all = MapFile.Load(Read, settings.mapFile, game, signs);
+    local all = MapFile.Load(Read, settings.mapFile, game);
     for name, value in pairs(settings) do
         all[name] = value;
     end

@@ -86,8 +86,8 @@ function Sandbox_Sense(sandbox, agent)
     return game:Percepts();
 end
 
-function Sandbox_Command(_, _, command)
-    return game:Command(command);
+function Sandbox_Command(_, _, command, parameters)
+    return game:Command(command, parameters);
 end
 
 function Sandbox_Update(sandbox)

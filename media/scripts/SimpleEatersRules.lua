@@ -68,12 +68,13 @@ function SimpleEatersRules:FoodLeft()
     return count;
 end
 
--- The first command of a turn counts. Nil if it can be done, otherwise a word that says why not.
-function SimpleEatersRules:Command(name)
-    if (name ~= "forward" and name ~= "rotate") then
-        return "unknown-command";
+-- The first command of a turn counts. Nil if it can be done, otherwise why not, as Sandbox_Command says it.
+function SimpleEatersRules:Command(said, parameters)
+    local name, reason, details = GridBoard.Understand({ forward = {}, rotate = {} }, said, parameters or {});
+    if (not name) then
+        return reason, details;
     elseif (self.wish) then
-        return "one-command-a-turn";
+        return "one-command-a-turn", { text = "it has given ^" .. self.wish .. " in this turn" };
     end
     self.wish = name;
 end

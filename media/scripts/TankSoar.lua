@@ -9,11 +9,6 @@ TankSoar = { Settings = {} };
 
 local kMissileUp = 0.75;
 local kRadarColor = Vector.new(0.95, 0.85, 0.25);
--- What map files of Soar2D call the cells of ours.
-local kMapFileSigns = {
-    ["-"] = " ", g = " ", r = "#", t = "#", e = "E", h = "H", m = "M",
-    known = "g, r, t, e, h, m and - (ground, rocks, trees, chargers, missiles, nothing)"
-};
 local game, grid;
 local tanks = {};     -- By agent id: the tank, its agent, its shield.
 local missiles = {};  -- By number: node, where it flies from and to.
@@ -51,7 +46,7 @@ end
 local function ShowPacks()
     for y = 1, game.height do
         for x = 1, game.width do
-            local name, isThere = x .. "," .. y, game:ContentAt(x, y) == "missiles";
+            local name, isThere = y * 1000 + x, game.cells[y][x] == "missiles";
             if (isThere and not packs[name]) then
                 packs[name] = grid:PutBox(x, y, Vector.new(0.7, 0.4, 0.5), "Soarbox/Ammunition", 0.05);
             elseif (packs[name] and not isThere) then
@@ -83,7 +78,9 @@ local function Dress(agent, color)
     Core.SetVisible(shield, false);
     local scorch = Part(agent, Core.CreateBox(agent, 0.6, 0.06, 0.4), Vector.new(0.1, -0.26, -0.38), "Soarbox/Black");
     Core.SetVisible(scorch, false);
-    return shield, scorch;
+    local fire = Part(agent, Core.CreateCapsule(agent, 0.3, 0.1), Vector.new(-0.14, 0.05, -0.3), "RedGlow");
+    Core.SetVisible(fire, false);
+    return shield, scorch, fire;
 end
 
 local function Begin(sandbox)
@@ -95,8 +92,8 @@ local function Begin(sandbox)
         local tank = game:Join(color);
         agent:SetTeam(color);
         agent:SetScore(0);
-        local shield, scorch = Dress(agent, color);
-        tanks[agent:GetId()] = { tank = tank, agent = agent, shield = shield, scorch = scorch };
+        local shield, scorch, fire = Dress(agent, color);
+        tanks[agent:GetId()] = { tank = tank, agent = agent, shield = shield, scorch = scorch, fire = fire };
         grid:AddBody(agent, tank);
     end
     game:LookAround();
@@ -110,6 +107,7 @@ local function ShowTanks()
         shown.agent:SetScore(tank.score);
         Core.SetVisible(shown.shield, tank.shields);
         Core.SetVisible(shown.scorch, tank.health <= game.mostHealth / 2);
+        Core.SetVisible(shown.fire, tank.health <= game.mostHealth / 4);
     end
 end
 
@@ -156,28 +154,35 @@ end
 local function DrawRadar()
     for _, shown in pairs(tanks) do
         for _, echo in ipairs(shown.tank.echoes or {}) do
-            Core.DrawSquare(grid:PlaceOf(echo.x, echo.y, 0.12), GridGame.Cell * 0.86, kRadarColor, echo.kind ~= "obstacle");
+            local isInside = echo.x >= 1 and echo.x <= game.width and echo.y >= 1 and echo.y <= game.height;
+            if (isInside) then
+                Core.DrawSquare(grid:PlaceOf(echo.x, echo.y, 0.12), GridGame.Cell * 0.86, kRadarColor, echo.kind ~= "obstacle");
+            end
         end
     end
 end
 
 local function DrawBlasts(share)
     for _, place in ipairs(blasts) do
-        Core.DrawSphere(grid:PlaceOf(place.x, place.y, 0.7), 0.3 + 0.7 * share, Vector.new(1, 0.45 - 0.3 * share, 0.05),
-                        true);
+        local color = Vector.new(1, 0.75 - 0.5 * share, 0.1);
+        if (share < 0.7) then
+            Core.DrawSphere(grid:PlaceOf(place.x, place.y, 0.7), 0.6 * (1 - share), color, true);
+        end
+        Core.DrawCircle(grid:PlaceOf(place.x, place.y, 0.3), 0.3 + 0.6 * share, color);
+        Core.DrawCircle(grid:PlaceOf(place.x, place.y, 0.3), 0.2 + 0.4 * share, color);
     end
 end
 
 -- Turns ---------------------------------------------------------------------------------------------------------------
 
 local function ShowScores(sandbox)
-    local lines = { string.format("turn %-4d points health energy missiles", game.turn) };
+    local lines = { string.format("turn %-5dpoints health energy missiles", game.turn) };
     for _, agent in ipairs(Sandbox.GetAgents(sandbox)) do
         local shown = tanks[agent:GetId()];
         if (shown) then
             local tank = shown.tank;
-            lines[#lines + 1] = string.format("%-9s %6d %6d %6d %8d", tank.color, tank.score, tank.health, tank.energy,
-                                              tank.missiles);
+            lines[#lines + 1] = GridGame.NameRow(tank.color)
+                .. string.format("%6d %6d %6d %8d", tank.score, tank.health, tank.energy, tank.missiles);
         end
     end
     grid:ShowTable(lines);
@@ -204,7 +209,7 @@ local function Play(sandbox)
 end
 
 function Sandbox_Initialize(sandbox)
-    game = TankSoarRules.new(MapFile.Settings(sandbox, TankSoar.Settings, "tanksoar", kMapFileSigns));
+    game = TankSoarRules.new(MapFile.Settings(sandbox, TankSoar.Settings, TankSoarMaps.file));
     grid = GridGame.new(sandbox, game.width, game.height);
     grid:BuildBoard("Soarbox/BoardLight", "Soarbox/BoardDark", "Soarbox/Stone");
     BuildCells();

@@ -3,32 +3,18 @@
 -- each other. docs/tanksoar.md describes the game; tests/lua/TankSoarRulesTest.lua states each rule. It is used as
 -- EatersRules.lua is: new, Join, and in each turn Percepts, Command and Turn.
 require "GridBoard";
+require "TankSoarMaps";
 
 TankSoarRules = {};
 TankSoarRules.__index = TankSoarRules;
 
 -- Quarters to the right.
 local kTurns = { forward = 0, right = 1, backward = 2, left = 3 };
+local kSides = { "forward", "right", "backward", "left" };
 local kSigns = { ["#"] = "obstacle", [" "] = "open", ["H"] = "health", ["E"] = "energy", ["M"] = "missiles" };
-local kMap = {
-    "              ",
-    " #  #    #  # ",
-    "              ",
-    "   ##    ##   ",
-    " #          # ",
-    "     #  #     ",
-    "  #   ##   #  ",
-    "  #   ##   #  ",
-    "     #  #     ",
-    " #          # ",
-    "   ##    ##   ",
-    "              ",
-    " #  #    #  # ",
-    "              "
-};
-
 TankSoarRules.Defaults = {
-    map = kMap, facing = {},                             -- Of each tank at its beginning; else by chance.
+    map = "clumps",                                      -- Lines, "random", or a name (TankSoarMaps.lua).
+    facing = {},                                         -- Of each tank at its beginning; else by chance.
     mostHealth = 1000, mostEnergy = 1000, missiles = 15,
     mostPacks = 3, packChance = 5, packMissiles = 7,     -- Percent in each turn.
     collisionDamage = 100, missileDamage = 400,
@@ -104,6 +90,7 @@ function TankSoarRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, tanks = {}, flying = {}, explosions = {}, turn = 0,
                                 quiet = 0, made = 0 }, TankSoarRules);
     GridBoard.Settle(game, TankSoarRules.Defaults, settings);
+    game.map = TankSoarMaps.Lines(game.map, game.random);
     GridBoard.Read(game, game.map, kSigns, "open", "# H E M");
     for _, charger in ipairs({ "energy", "health" }) do
         if (Count(game, charger) == 0) then
@@ -138,64 +125,37 @@ function TankSoarRules:Join(color)
     return tank;
 end
 
-local function Switch(parameters)
-    if (parameters.switch ~= "on" and parameters.switch ~= "off") then
-        return nil, "no-such-switch";
+local kWays, kSwitch = { "forward", "backward", "left", "right", "none" }, { "on", "off" };
+TankSoarRules.Commands = {
+    move = { direction = kWays }, rotate = { direction = { "left", "right" } }, fire = {},
+    radar = { switch = kSwitch }, shields = { switch = kSwitch }, ["radar-power"] = { setting = "number" }
+};
+local kTurnedInstead = "a tank that rotates does not move in that turn";
+
+-- Takes a command for this turn. Nil if it is one that a tank can do, otherwise why not; and what there is to say about
+-- it, as Sandbox_Command says it.
+function TankSoarRules:Command(tank, said, parameters)
+    local name, value, details = GridBoard.Understand(TankSoarRules.Commands, said, parameters);
+    local wish = tank.wish;
+    if (not name) then
+        return value, details;
+    elseif (wish[name] ~= nil) then
+        return "once-a-turn", { text = "it has given ^" .. name .. " in this turn" };
+    elseif (name == "move" and wish.rotate) then
+        return "move-or-rotate", { text = kTurnedInstead };
+    elseif (name == "radar-power" and (value < 0 or value > self.mostRadar)) then
+        wish[name] = math.max(0, math.min(self.mostRadar, value));
+        return nil, { text = "a radar's power is 0 to " .. self.mostRadar .. ": it is set to " .. wish[name] };
+    elseif (name == "fire" and tank.missiles == 0) then
+        wish.fire = true;
+        return nil, { text = "it has no missiles" };
     end
-    return parameters.switch == "on";
-end
-
--- What each command does with the wish for this turn. Returns why it cannot.
-local commands = {};
-
-function commands.move(wish, parameters)
-    if (parameters.direction ~= "none" and not kTurns[parameters.direction]) then
-        return "no-such-direction";
-    elseif (wish.rotate) then
-        return "move-or-rotate";
+    wish[name] = value or true;
+    if (name == "radar" or name == "shields") then
+        wish[name] = value == "on";
+    elseif (name == "rotate" and wish.move) then
+        return nil, { drops = "move", reason = "move-or-rotate", text = kTurnedInstead };
     end
-    wish.move = parameters.direction;
-end
-
-function commands.rotate(wish, parameters)
-    if (parameters.direction ~= "left" and parameters.direction ~= "right") then
-        return "no-such-direction";
-    end
-    wish.rotate = parameters.direction;
-end
-
-function commands.fire(wish)
-    wish.fire = true;
-end
-
-function commands.radar(wish, parameters)
-    local isOn, reason = Switch(parameters);
-    wish.radar = isOn;
-    return reason;
-end
-
-function commands.shields(wish, parameters)
-    local isOn, reason = Switch(parameters);
-    wish.shields = isOn;
-    return reason;
-end
-
-commands["radar-power"] = function(wish, parameters)
-    local setting = tonumber(parameters.setting);
-    if (not setting or setting ~= math.floor(setting)) then
-        return "no-such-setting";
-    end
-    wish["radar-power"] = setting;
-end
-
--- Takes a command for this turn. Nil if it is one that a tank can do, otherwise a word that says why not.
-function TankSoarRules:Command(tank, name, parameters)
-    if (not commands[name]) then
-        return "unknown-command";
-    elseif (tank.wish[name] ~= nil) then
-        return "once-a-turn";
-    end
-    return commands[name](tank.wish, parameters);
 end
 
 -- Damage --------------------------------------------------------------------------------------------------------------
@@ -429,7 +389,7 @@ local function Obey(game, tank)
         tank.radar = wish.radar;
     end
     if (wish["radar-power"]) then
-        tank.radarPower = math.max(0, math.min(game.mostRadar, wish["radar-power"]));
+        tank.radarPower = wish["radar-power"];
     end
     tank.hasTried = wish.move ~= nil and wish.move ~= "none";
 end
@@ -516,7 +476,7 @@ end
 
 local function ToSides(tank, isTrue, isNew)
     local sides = { _new = isNew };
-    for side in pairs(kTurns) do
+    for _, side in ipairs(kSides) do
         sides[side] = YesOrNo(isTrue(Relative(tank, side)));
     end
     return sides;
@@ -524,7 +484,7 @@ end
 
 -- What a radar shows of a cell.
 local function Echo(game, tank, x, y, distance, position, from)
-    local other = game:TankAt(x, y);
+    local other = game.places[y * 1000 + x];
     if (other) then
         other.seenFrom[from] = true;
     end
@@ -555,14 +515,16 @@ local function LookByRadar(game, tank)
     tank.radarDistance = distance;
 end
 
--- The first tank that each missile flies at, with nothing in between.
+-- The first tank that each missile flies at, with nothing in between. Nobody is told of missiles of its own.
 local function FindIncoming(game)
     for _, missile in ipairs(game.flying) do
         local step = GridBoard.Steps[missile.direction];
         local x, y = missile.x + step.x, missile.y + step.y;
         while (not IsObstacle(game, x, y)) do
-            local tank = game:TankAt(x, y);
-            if (tank) then
+            local tank = game.places[y * 1000 + x];
+            if (tank and tank == missile.owner) then
+                break;
+            elseif (tank) then
                 tank.threatenedFrom[GridBoard.Turned(missile.direction, 2)] = true;
                 break;
             end
@@ -585,19 +547,26 @@ local function Smell(game, tank)
     return nearest;
 end
 
--- The direction of the first step on a shortest way to the nearest tank that moved or turned; nil if none is near.
+-- The direction of the first step on a shortest way to the nearest tank that moved or turned; nil if none is near. Of
+-- several that are equally near, chance takes one: it says in which direction the search begins, for as long as there is a
+-- sound, so that it does not come from here and there in turn.
 local function Listen(game, tank)
-    local seen, edge = { [tank.x .. "," .. tank.y] = true }, { { x = tank.x, y = tank.y } };
+    if (#game.tanks < 2) then
+        return nil;
+    end
+    tank.ear = tank.ear or game.random(4) - 1;
+    local seen, edge = { [tank.y * 1000 + tank.x] = true }, { { x = tank.x, y = tank.y } };
     for _ = 1, game.soundReach do
         local beyond = {};
         for _, cell in ipairs(edge) do
-            for _, direction in ipairs(GridBoard.Directions) do
+            for i = 0, 3 do
+                local direction = GridBoard.Directions[(i + tank.ear) % 4 + 1];
                 local step = GridBoard.Steps[direction];
                 local beside = { x = cell.x + step.x, y = cell.y + step.y, first = cell.first or direction };
-                local name = beside.x .. "," .. beside.y;
+                local name = beside.y * 1000 + beside.x;
                 if (not seen[name] and not IsObstacle(game, beside.x, beside.y)) then
                     seen[name] = true;
-                    local other = game:TankAt(beside.x, beside.y);
+                    local other = game.places[name];
                     if (other and (other.hasMoved or other.hasRotated)) then
                         return beside.first;
                     end
@@ -607,12 +576,15 @@ local function Listen(game, tank)
         end
         edge = beyond;
     end
+    tank.ear = nil;
 end
 
 -- What all tanks sense now; called at the end of each turn, and once before the first.
 function TankSoarRules:LookAround()
+    self.places = {};
     for _, tank in ipairs(self.tanks) do
         tank.seenFrom, tank.threatenedFrom = {}, {};
+        self.places[tank.y * 1000 + tank.x] = tank;
     end
     for _, tank in ipairs(self.tanks) do
         LookByRadar(self, tank);
@@ -640,7 +612,7 @@ local function RadarPercepts(tank)
 end
 
 local function SoundOf(tank)
-    for side in pairs(kTurns) do
+    for _, side in ipairs(kSides) do
         if (tank.sound and Relative(tank, side) == tank.sound) then
             return side;
         end
@@ -676,6 +648,7 @@ function TankSoarRules:Percepts(tank)
             or { color = "none", distance = "none" },
         sound = SoundOf(tank),
         ["current-score"] = scores, ["my-color"] = tank.color,
-        clock = self.turn + 1, random = self.random(), resurrect = YesOrNo(tank.hasComeBack)
+        clock = self.turn + 1, random = self.random(), resurrect = YesOrNo(tank.hasComeBack),
+        resurrected = YesOrNo(tank.hasComeBack)
     };
 end

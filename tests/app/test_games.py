@@ -118,15 +118,58 @@ class Games(ScenarioCase):
         self.write("small.txt", rows % "b")
         played = [run_json(self.folder, "--seconds", 2, "--seed", seed) for seed in (1, 2, 3, 4)]
         self.assertTrue(any("all is eaten" in run.out for run in played), played[0].out + played[0].err)
-        self.write("small.txt", rows % "box")
+        self.write("small.txt", rows % "cake")
         refused = run_json(self.folder, "--seconds", 1)
         told = [line for line in map(json.loads, refused.out.splitlines()) if line["event"] == "diagnostic"]
         self.assertEqual(len(told), 1, refused.out)
-        self.assertIn("the cell 'box' is nothing that these rules have", told[0]["diagnostic"]["message"])
+        self.assertIn("the object 'cake' is not described", told[0]["diagnostic"]["message"])
         self.assertEqual(told[0]["diagnostic"]["line"], 5)
         (self.folder / "small.txt").unlink()
         missing = run_json(self.folder, "--seconds", 1)
         self.assertIn("small.txt", missing.out + missing.err)
+
+    def test_boards_of_tanks_are_ours_or_made_by_the_seed(self):
+        for board in ("halls", "lanes", "random"):
+            runs = [run_json(f"tanksoar/{board}", "--seconds", 20, "--seed", seed) for seed in (1, 1, 2)]
+            for run in runs:
+                self.assertEqual(run.code, 0, run.err)
+                self.assertEqual(run.diagnostics(), [])
+            self.assertEqual(runs[0].out, runs[1].out)
+            self.assertNotEqual(runs[0].out, runs[2].out)
+
+    def test_agents_open_the_boxes_of_a_map_of_xml(self):
+        self.write("scenario.toml", 'script = "Board.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "open.soar"\n')
+        self.write("Board.lua", 'require "Eaters";\nEaters.Settings = { mapFile = "boxes.emap" };\n')
+        wall = "<cell><object>wall</object></cell>"
+        self.write("boxes.emap", '<map>\n<cell-object name="wall"><property name="block" value="true"/></cell-object>\n'
+                   '<cell-object name="chest"><property name="box" value="true"/>'
+                   '<apply><property name="points" value="20"/></apply></cell-object>\n'
+                   f'<cells world-size="4">\n<row>{wall * 4}</row>\n<row>{wall}<cell/><cell><object>chest</object></cell>{wall}</row>\n'
+                   f'<row>{wall * 4}</row>\n<row>{wall * 4}</row>\n</cells></map>\n')
+        self.write("open.soar", """
+            sp {propose*open
+               (state <s> ^io.input-link.my-location.box <b>)
+               (<b> -^status open)
+            -->
+               (<s> ^operator <o> + >)
+               (<o> ^name open)}
+            sp {apply*open
+               (state <s> ^operator.name open ^io.output-link <out>)
+            -->
+               (<out> ^open <o>)}
+            sp {propose*go
+               (state <s> ^io.input-link.my-location.<way>.box <b>)
+            -->
+               (<s> ^operator <o> + =)
+               (<o> ^name go ^way <way>)}
+            sp {apply*go
+               (state <s> ^operator <o> ^io.output-link <out>)
+               (<o> ^name go ^way <way>)
+            -->
+               (<out> ^move.direction <way>)}
+            """)
+        run = run_json(self.folder, "--seconds", 5)
+        self.assertEqual([event["text"] for event in run.of("reached")], ["all boxes are open"], run.out + run.err)
 
     def test_agents_play_a_tournament(self):
         seat = '[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "still.soar"\n'

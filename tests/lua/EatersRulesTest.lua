@@ -101,6 +101,119 @@ function tests.CommandsThatAreNoneSayWhy()
     CheckEqual(nil, game:Command(red, "move", { direction = "west" }));
 end
 
+function tests.ARefusalSaysWhatIsWrongAndWhatThereIs()
+    local game, red = Game({ "1." });
+    local _, details = game:Command(red, "mvoe", { direction = "east" });
+    CheckEqual("there is no command ^mvoe", details.text);
+    CheckEqual("mvoe", details.given);
+    CheckEqual("dont-eat jump move open", table.concat(details.known, " "));
+    _, details = game:Command(red, "move", { direction = "nroth" });
+    CheckEqual("^direction of ^move is nroth", details.text);
+    CheckEqual("north east south west none", table.concat(details.known, " "));
+    _, details = game:Command(red, "jump", { dirction = "north", status = "complete" });
+    CheckEqual("^jump requires ^direction (north, east, south, west), and has ^dirction", details.text);
+    _, details = game:Command(red, "move", { direction = {} });
+    CheckEqual("^direction of ^move is an identifier", details.text);
+    CheckEqual(nil, game:Command(red, "move", { direction = "east", speed = "fast" }));
+end
+
+function tests.OldAgentsMayWriteCapitals()
+    local game, red = Game({ "1." });
+    CheckEqual(nil, Play(game, red, "Move", "EAST"));
+    CheckPlace(red, 2, 1);
+end
+
+function tests.AnEaterBeginsWhereItCanJump()
+    -- By chance it would begin in the north-west, from where no jump leads on.
+    local game = EatersRules.new({ map = { ".##..", "##...", "##..." }, random = function() return 1; end });
+    CheckPlace(game:Join("red"), 4, 1);
+    -- Where there is no such place, any will do.
+    CheckPlace(EatersRules.new({ map = { ".." }, random = function() return 2; end }):Join("red"), 2, 1);
+end
+
+-- Boxes, treats and food that decays ----------------------------------------------------------------------------------
+
+function tests.FoodThatDecaysLosesItsWorthTurnByTurnUntilItIsGone()
+    local foods = { { name = "dn", content = "normalfood", sign = ".", points = 3, decay = 1 } };
+    local game, red = Game({ "1..." }, { foods = foods });
+    CheckEqual("normalfood", game:ContentAt(3, 1));
+    Play(game, red, "move", "east");
+    CheckEqual(3, red.score);
+    Play(game, red, "move", "east");
+    CheckEqual(5, red.score);
+    game:Turn();
+    CheckEqual("empty", game:ContentAt(4, 1));
+    CheckEqual(true, game.isOver);
+end
+
+function tests.FoodMayTakePoints()
+    local foods = { { name = "nn", content = "normalfood", sign = ".", points = -1 } };
+    local game, red = Game({ "1." }, { foods = foods });
+    Play(game, red, "move", "east");
+    CheckEqual(-1, red.score);
+end
+
+function tests.ABoxBringsItsPointsOnceAndTheGameGoesOnUntilAllAreOpen()
+    local boxes = { { x = 2, y = 1, id = "box", color = "green", shape = "square", points = 20 } };
+    local game, red = Game({ "1 " }, { boxes = boxes });
+    local east = game:Percepts(red)["my-location"].east;
+    CheckEqual(nil, east.content);
+    CheckEqual("green", east.box.color);
+    CheckEqual(nil, east.box.status);
+    CheckEqual(nil, game:Command(red, "open", {}));
+    game:Turn();
+    CheckEqual(0, red.score);
+    CheckEqual(false, game.isOver);
+    game:Command(red, "open", {});
+    Play(game, red, "move", "east");
+    CheckEqual(20, red.score);
+    CheckEqual(true, game.isOver);
+    local here = game:Percepts(red)["my-location"];
+    CheckEqual("open", here.box.status);
+    CheckEqual("eater", here.content);
+    game:Command(red, "open", {});
+    game:Turn();
+    CheckEqual(20, red.score);
+end
+
+function tests.TheInfoBoxSaysWhichRewardBoxIsTheRightOne()
+    local boxes = {
+        { x = 1, y = 1, id = "box", reward = 10 }, { x = 3, y = 1, id = "box", reward = 10 },
+        { x = 2, y = 1, id = "info-box", isInfo = true, needsCode = true }
+    };
+    local game, red = Game({ " 1 " }, { boxes = boxes, random = function(most) return most and 2 or 0; end });
+    game:Command(red, "open", {});
+    game:Turn();
+    local info = game:Percepts(red)["my-location"]["info-box"];
+    CheckEqual(2, info["positive-box-id"]);
+    CheckEqual(2, info["open-code"]);
+    game:Command(red, "open", { code = "2" });
+    Play(game, red, "move", "west");
+    CheckEqual(-1, red.score);
+    CheckEqual(false, game.isOver);
+    game:Command(red, "open", { code = "2" });
+    Play(game, red, "jump", "east");
+    CheckEqual(-1 - 5 + 10, red.score);
+    CheckEqual(true, game.isOver);
+end
+
+function tests.TheRightBoxBringsOnePointWithTheWrongCode()
+    local boxes = { { x = 2, y = 1, reward = 10 }, { x = 1, y = 1, id = "info-box", isInfo = true, needsCode = true } };
+    local game, red = Game({ "1 " }, { boxes = boxes });
+    game:Command(red, "open", { code = "7" });
+    Play(game, red, "move", "east");
+    CheckEqual(1, red.score);
+end
+
+function tests.ATreatBringsPointsToEachWhoComes()
+    local game, red = Game({ "1 ." }, { treats = { { x = 2, y = 1, points = 1 } } });
+    Play(game, red, "move", "east");
+    Play(game, red, "move", "west");
+    game:Turn();
+    Play(game, red, "move", "east");
+    CheckEqual(2, red.score);
+end
+
 function tests.TwoInOneCellShareTheirPointsAndAreThrownElsewhere()
     local game, red, blue = Game({ "1.2", "   " });
     red.score, blue.score = 10, 3;
@@ -227,7 +340,7 @@ function tests.RandomWallsTouchNeitherTheEdgeNorEachOthersCorners()
                         Check(game:ContentAt(x + corner[1], y + corner[2]) ~= "wall", "walls meet at a corner");
                     end
                 else
-                    Check(game.points[game:ContentAt(x, y)], "a cell without food");
+                    Check(game:WorthAt(x, y), "a cell without food");
                 end
             end
         end

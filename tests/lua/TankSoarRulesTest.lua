@@ -494,4 +494,133 @@ function tests.AFaultyMapSaysWhere()
     Check(message:find("line 2 of the map has 1 cells", 1, true), message);
 end
 
+-- Maps and commands ---------------------------------------------------------------------------------------------------
+
+local function Reachable(game)
+    local seen, edge, count = {}, {}, 0;
+    local function Visit(x, y)
+        local name = x .. "," .. y;
+        if (game:ContentAt(x, y) ~= "obstacle" and not seen[name]) then
+            seen[name] = true;
+            count = count + 1;
+            edge[#edge + 1] = { x = x, y = y };
+        end
+    end
+    for x = 1, game.width do
+        if (count == 0) then
+            Visit(x, 1);
+        end
+    end
+    while (#edge > 0) do
+        local cell = table.remove(edge);
+        for _, step in pairs(GridBoard.Steps) do
+            Visit(cell.x + step.x, cell.y + step.y);
+        end
+    end
+    return count;
+end
+
+local function Open(game)
+    local count = 0;
+    for y = 1, game.height do
+        for x = 1, game.width do
+            count = count + (game:ContentAt(x, y) ~= "obstacle" and 1 or 0);
+        end
+    end
+    return count;
+end
+
+function tests.EachCellOfEachBoardIsInReach()
+    for name in pairs(TankSoarMaps.named) do
+        local game = TankSoarRules.new({ map = name });
+        CheckEqual(14, game.width);
+        CheckEqual(14, game.height);
+        CheckEqual(Open(game), Reachable(game));
+    end
+    for _ = 1, 20 do
+        local game = TankSoarRules.new({ map = "random" });
+        CheckEqual(Open(game), Reachable(game));
+        Check(Open(game) < 14 * 14 - 20, "a board without obstacles");
+        for y = 1, 14 do
+            for x = 1, 14 do
+                CheckEqual(game:ContentAt(x, y) == "obstacle", game:ContentAt(15 - x, 15 - y) == "obstacle");
+            end
+        end
+    end
+end
+
+function tests.TheSameChanceMakesTheSameBoard()
+    local function Seeded()
+        local state = 7;
+        return function(most)
+            state = (state * 16807) % 2147483647;
+            return most and state % most + 1 or state / 2147483647;
+        end
+    end
+    CheckEqual(table.concat(TankSoarMaps.Random(Seeded()), "|"), table.concat(TankSoarMaps.Random(Seeded()), "|"));
+end
+
+function tests.ABoardThatThereIsNotIsRefused()
+    local ok, message = pcall(TankSoarRules.new, { map = "hall" });
+    Check(not ok);
+    CheckEqual("there is no map 'hall'; there are: random, clumps, halls, lanes", message);
+end
+
+function tests.WhatIsWrongWithACommandIsSaid()
+    local game, red = Game(Wide("  1           "));
+    local reason, details = Do(game, red, "sheilds", { switch = "on" });
+    CheckEqual("unknown-command", reason);
+    CheckEqual("there is no command ^sheilds", details.text);
+    reason, details = Do(game, red, "radar", { switch = "maybe" });
+    CheckEqual("no-such-switch", reason);
+    CheckEqual("^switch of ^radar is maybe", details.text);
+    reason, details = Do(game, red, "radar-power", { setting = 2.5 });
+    CheckEqual("no-such-setting", reason);
+    CheckEqual("^setting of ^radar-power is 2.5: it takes a whole number", details.text);
+    reason, details = Do(game, red, "radar-power", { setting = 99 });
+    CheckEqual(nil, reason);
+    CheckEqual("a radar's power is 0 to 14: it is set to 14", details.text);
+    game:Turn();
+    CheckEqual(14, red.radarPower);
+    red.missiles = 0;
+    reason, details = Do(game, red, "fire", { weapon = "missile" });
+    CheckEqual(nil, reason);
+    CheckEqual("it has no missiles", details.text);
+end
+
+function tests.ATankThatRotatesDoesNotMoveHoweverItSaysSo()
+    local game, red = Game(Wide("  1           "));
+    CheckEqual(nil, Do(game, red, "move", { direction = "right" }));
+    local reason, details = Do(game, red, "rotate", { direction = "left" });
+    CheckEqual(nil, reason);
+    CheckEqual("move", details.drops);
+    CheckEqual("move-or-rotate", details.reason);
+    game:Turn();
+    CheckPlace(red, 3, 3);
+    CheckEqual("west", red.direction);
+    Do(game, red, "rotate", { direction = "left" });
+    CheckEqual("move-or-rotate", (Do(game, red, "move", { direction = "right" })));
+end
+
+function tests.NobodyIsToldOfAMissileOfItsOwn()
+    local game, red, blue = Game({ "H            E", "              ", "1             ", "              ", "2             " });
+    game.flying = { { owner = red, x = 1, y = 4, direction = "north", age = 0, number = 1 } };
+    game:LookAround();
+    CheckEqual("no", game:Percepts(red).incoming.backward);
+    game.flying[1].owner = blue;
+    game:LookAround();
+    CheckEqual("yes", game:Percepts(red).incoming.backward);
+end
+
+function tests.WhereTwoSoundsAreEquallyNearChanceTakesOne()
+    local heard = {};
+    for chance = 1, 4 do
+        local game, red, blue, yellow = Game(Wide("   2 1 3      "), { random = Always(chance), facing = { "north" } });
+        blue.hasMoved, yellow.hasMoved = true, true;
+        game:LookAround();
+        heard[game:Percepts(red).sound] = true;
+    end
+    Check(heard.left and heard.right);
+end
+
 RunTests(tests);
