@@ -106,6 +106,10 @@ bool Excise(CommandCall& call) {
   }
   std::size_t count = rules.size();
   if (parsed.Has('a')) {
+    // Templates go, too, but are not counted then.
+    count -= static_cast<std::size_t>(std::count_if(rules.begin(), rules.end(), [&](ProductionId id) {
+      return agent.production(id).type == ProductionType::kTemplate;
+    }));
     for (const kernel::ProductionPtr& rule : agent.Justifications()) {
       count += agent.ExciseJustification(rule->name) ? 1 : 0;
     }

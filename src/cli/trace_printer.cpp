@@ -301,6 +301,11 @@ void TracePrinter::OnPrint(const Agent&, std::string_view text) {
 }
 
 void TracePrinter::OnError(const Agent&, std::string_view text) {
+  // The messages of log, trace, dont-learn and force-learn begin a line; all others go on where the output stands.
+  for (const std::string_view beginning :
+       {"Error: First argument of agent's (", "Error: non-identifier (", "Error: identifier passed to "}) {
+    if (text.starts_with(beginning)) session_.stream().FreshLine();
+  }
   session_.stream().Print(text);
 }
 

@@ -103,13 +103,14 @@ Elaboration::Next Elaboration::DetermineApply(GoalLevel previous) {
 void Elaboration::Run(bool apply) {
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnElaborationBegin(engine_.agent); });
   ++count_;
-  ++engine_.counters.elaborations;
-  if (firing_ == FiringType::kPe) ++engine_.counters.pe_elaborations;
   engine_.observers.Notify(Event::kElaboration,
                            [&](Observer& o) { o.OnPreferencePhase(engine_.agent, firing_, active_); });
   PreferencePhase(apply);
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(engine_.agent, firing_); });
   ApplyWorkingMemoryChanges();
+  // Counted when they are over: what a rule asks of the statistics within one does not see it.
+  ++engine_.counters.elaborations;
+  if (firing_ == FiringType::kPe) ++engine_.counters.pe_elaborations;
   // Within one decision rules may add elements a hundred times and more, before the host looks at the agent again.
   constexpr std::uint32_t kElaborationsUntilMeasured = 4;
   if (count_ % kElaborationsUntilMeasured == 0) engine_.StopIfOutgrown();
@@ -126,7 +127,6 @@ void Elaboration::PreferencePhase(bool apply) {
     engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnInnerElaboration(engine_.agent, 0, {}); });
   }
   for (GoalLevel level = active_; level != 0; level = HighestActive(static_cast<GoalLevel>(level + 1), apply)) {
-    ++engine_.counters.inner_elaborations;
     if (engine_.observers.Wants(Event::kElaboration)) {
       const Symbol goal = engine_.goals.at(level).id;
       engine_.observers.Notify(Event::kElaboration,
@@ -134,6 +134,7 @@ void Elaboration::PreferencePhase(bool apply) {
     }
     FireLevel(level, first_pass, change_level);
     AssertNew();
+    ++engine_.counters.inner_elaborations;
     first_pass = false;
   }
   if (active_ != 0) RetractLevel(active_);

@@ -57,6 +57,9 @@ void SemanticMemory::Parse() {
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
   int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0;
   bool bad = false, link_to_new = false;
+  // Read in the order of the slots, the youngest first: a link that follows what it does not belong to is bad. One that
+  // comes before is ignored where it has no meaning, as is the depth of what is stored.
+  enum class Path { kNone, kRecall, kStoreNew, kOther } path = Path::kNone;
   for (const WmeId id : command.wmes) {
     const Wme& wme = memory.wme(id);
     if (wme.id != link) continue;
@@ -64,47 +67,55 @@ void SemanticMemory::Parse() {
     const bool is_identifier = value.IsIdentifier();
     if (wme.attribute == words::kRetrieve) {
       ++retrieves;
+      path = Path::kRecall;
       command.asked = value;
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kQuery) {
       ++queries;
+      path = Path::kRecall;
       command.asked = value;
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kNegQuery) {
       ++negatives;
+      path = Path::kRecall;
       command.negative = value;
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kMathQuery) {
       ++maths;
+      path = Path::kRecall;
       command.math = value;
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kProhibit) {
       bad = bad || !is_identifier || memory.long_term_identifiers()[value.index()] == 0;
       command.prohibited.push_back(value);
+      if (path == Path::kNone) path = Path::kOther;
     } else if (wme.attribute == words::kStore || wme.attribute == words::kStoreNew) {
       ++(wme.attribute == words::kStore ? stores : new_stores);
+      path = wme.attribute == words::kStore ? Path::kOther : Path::kStoreNew;
       command.stored.push_back(value);
       bad = bad || !is_identifier;
     } else if (wme.attribute == words::kDepth) {
       bad = bad || !value.IsInteger();
       if (value.IsInteger()) command.depth = uses_.symbols.IntegerValue(value);
     } else if (wme.attribute == words::kLinkToLtm && (value == words::kYes || value == words::kNo)) {
-      // It may stand beside a store that is read later, which it does not concern.
-      bad = bad || stores + new_stores > 0;
+      bad = bad || (path != Path::kNone && path != Path::kRecall);
       command.link = value == words::kYes;
     } else if (wme.attribute == words::kLinkToNewLtm && (value == words::kYes || value == words::kNo)) {
-      bad = bad || stores + retrieves + queries > 0;
+      bad = bad || (path != Path::kNone && path != Path::kStoreNew);
       link_to_new = value == words::kYes;
     } else {
       bad = true;
     }
   }
   const int kinds = (retrieves > 0) + (queries > 0) + (stores > 0) + (new_stores > 0);
-  bad = bad || kinds != 1 || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1;
-  bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || !command.prohibited.empty()));
+  // What is only prohibited asks for nothing, and is not answered.
+  const bool only_prohibits = kinds == 0 && !command.prohibited.empty() && negatives + maths == 0;
+  bad = bad || (kinds != 1 && !only_prohibits) || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1;
+  bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || (!command.prohibited.empty() && !only_prohibits)));
   if (new_stores > 0) command.link = link_to_new;
   command.kind = command.wmes.empty() ? SemanticCommand::Kind::kNone
                  : bad                ? SemanticCommand::Kind::kBad
+                 : only_prohibits     ? SemanticCommand::Kind::kNone
                  : stores > 0         ? SemanticCommand::Kind::kStore
                  : new_stores > 0     ? SemanticCommand::Kind::kStoreNew
                  : retrieves > 0      ? SemanticCommand::Kind::kRetrieve

@@ -62,7 +62,9 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
   hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
     LineOptions options;
     options.fenced = true;
-    return Execute(&hosted, line, options).text;
+    const cli::CommandResult result = Execute(&hosted, line, options);
+    // What a command prints ends with its line end, why it failed does not.
+    return !result.ok && result.text.ends_with('\n') ? result.text.substr(0, result.text.size() - 1) : result.text;
   });
 }
 
