@@ -265,10 +265,14 @@ void Backtracer::CollectNegations(InstantiationId firing) {
   const Instantiation& instantiation = uses_.instantiations[firing];
   if (instantiation.production == ProductionId::kNone) {
     if (instantiation.justification == Instantiation::kNoJustification) return;
-    const ProductionPtr& known = uses_.justifier.record(instantiation.justification).negations;
-    if (known == nullptr) return;
-    for (const Condition& negation : known->conditions) {
-      AddNegation(firing, nullptr, ToDraft(negation, out_->drafts));
+    const Justifier::Record& record = uses_.justifier.record(instantiation.justification);
+    if (record.negations == nullptr) return;
+    const std::span<const Condition> negations = record.negations->conditions;
+    for (std::size_t n = 0; n < negations.size(); ++n) {
+      const bool has_classes = n < record.negated_classes.size();
+      AddNegation(firing, nullptr, ToDraft(negations[n], out_->drafts),
+                  has_classes ? std::span<const std::uint16_t>(record.negated_classes[n])
+                              : std::span<const std::uint16_t>());
     }
     return;
   }
@@ -287,10 +291,11 @@ void Backtracer::CollectNegations(InstantiationId firing) {
   }
 }
 
-void Backtracer::AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal) {
+void Backtracer::AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal,
+                             std::span<const std::uint16_t> classes) {
   if (std::ranges::none_of(out_->negations,
                            [&](const Explanation::Negation& known) { return known.literal == literal; })) {
-    out_->negations.push_back({firing, source, literal});
+    out_->negations.push_back({firing, source, literal, classes});
   }
 }
 

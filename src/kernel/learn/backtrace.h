@@ -62,7 +62,8 @@ class Backtracer {
   InstantiationId SelectedProposal() const;
   void AddGround(const Explanation::Ground& ground, const Wme& wme);
   void CollectNegations(InstantiationId firing);
-  void AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal);
+  void AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal,
+                   std::span<const std::uint16_t> classes = {});
   bool MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const;
   /// Leaves the negated conditions whose objects the grounds name; the others are about the substate.
   void SortNegations();

@@ -318,6 +318,7 @@ InstantiationId Chunker::Learn(InstantiationId base) {
     making.plan = std::make_unique<IdentityPlan>(planner_.Plan(explanation_));
     making.tests = planner_.Tests(explanation_, !failed);
     making.functions = planner_.Functions(explanation_, *making.plan);
+    making.negated_classes = planner_.NegatedClasses(explanation_);
     if (log_.justifications && explained) {
       log_.Add(explanation_, explanation_number_, {making.name, nullptr, InstantiationId::kNone, goal_level, false});
     }

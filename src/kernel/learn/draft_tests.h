@@ -26,6 +26,18 @@ void ForEachTest(const Test& test, Visit&& visit) {
   for (const Test& part : test.parts()) visit(part);
 }
 
+/// Calls visit(test) for each test of a condition that stands for something, in an order that its instances share.
+template <typename Visit>
+void ForEachTest(TestDraft& test, Visit&& visit) {
+  if (test.kind != TestKind::kConjunction) visit(test);
+  for (TestDraft& part : test.parts) ForEachTest(part, visit);
+}
+template <typename Visit>
+void ForEachTest(ConditionDraft& condition, Visit&& visit) {
+  for (TestDraft* test : {&condition.id, &condition.attribute, &condition.value}) ForEachTest(*test, visit);
+  for (ConditionDraft& inner : condition.conditions) ForEachTest(inner, visit);
+}
+
 /// True for tests that ask for more than which value it is: comparisons, types, lists of values, long-term links.
 constexpr bool IsCarried(TestKind kind) {
   return kind != TestKind::kBlank && kind != TestKind::kEqual && kind != TestKind::kConjunction &&

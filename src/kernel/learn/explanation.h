@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/bump_arena.h"
@@ -56,11 +57,13 @@ struct Explanation {
   };
   std::vector<ItemTest> item_tests;
   std::vector<WmeId> items;  ///< Items of the impasse that were followed to the proposals that they rest on.
-  /// A negated condition that refers to higher states only. `source` is none in justifications.
+  /// A negated condition that refers to higher states only. `source` is none in justifications; `classes` are the classes
+  /// of what their tests name, or none.
   struct Negation {
     InstantiationId firing = InstantiationId::kNone;
     const Condition* source = nullptr;
     ConditionDraft literal;
+    std::span<const std::uint16_t> classes;
   };
   std::vector<Negation> negations;  ///< What was found last comes first.
   GoalLevel lowest_ground = 0;      ///< Of the states that grounds hang on; 0 if none hangs on a state.

@@ -145,6 +145,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   record.plan = std::move(making.plan);
   record.tests = std::move(making.tests);
   record.functions = std::move(making.functions);
+  record.negated_classes = std::move(making.negated_classes);
   record.quiescence = explanation.quiescence;
   record.instantiation = id;
   record.grounds.clear();
@@ -237,6 +238,7 @@ void Justifier::InstantiationFreed(InstantiationId id) {
   for (const WmeId ground : record.grounds) uses_.changes.DropReference(ground);
   record.grounds.clear();
   record.negations.reset();
+  record.negated_classes.clear();
   record.plan.reset();
   record.tests.clear();
   record.live = false;

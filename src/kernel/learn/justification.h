@@ -72,6 +72,7 @@ class Justifier final : public JustificationNames {
     std::unique_ptr<IdentityPlan> plan;
     std::vector<IdentityPlan::KeptTest> tests;
     ProductionPtr functions;
+    std::vector<std::vector<std::uint16_t>> negated_classes;
   };
   /// Makes the justification of results that have been traced; kNone if a live one says the same.
   InstantiationId Build(const Explanation& explanation, GoalLevel goal_level, Making making);
@@ -115,6 +116,8 @@ class Justifier final : public JustificationNames {
     std::uint32_t digest = 0;                ///< Of what it says.
     std::uint32_t next_alike = 0xFFFFFFFFu;  ///< The next record of its bucket.
     ProductionPtr negations;                 ///< A rule of the negated conditions; none if there are none.
+    /// Of each of them, if there is a plan: the classes of what its tests name, in the order of ForEachTest.
+    std::vector<std::vector<std::uint16_t>> negated_classes;
   };
   const Record& record(std::uint32_t index) const { return records_[index]; }
   /// "justify1"; valid until the next justification is made.

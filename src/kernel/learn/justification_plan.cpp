@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/decide/instantiation_table.h"
+#include "kernel/learn/draft_tests.h"
 #include "kernel/learn/learn_settings.h"
 #include "kernel/memory/working_memory.h"
 
@@ -106,6 +107,28 @@ ProductionPtr JustificationPlanner::Functions(const Explanation& explanation, co
     rule.actions.Add(action);
   }
   return any ? Production::Make(rule) : ProductionPtr();
+}
+
+std::vector<std::vector<std::uint16_t>> JustificationPlanner::NegatedClasses(const Explanation& explanation) {
+  arena_.Clear();
+  std::vector<std::vector<std::uint16_t>> all;
+  for (const Explanation::Negation& negation : explanation.negations) {
+    std::vector<std::uint16_t>& classes = all.emplace_back();
+    ConditionDraft draft =
+        negation.source != nullptr ? ToDraft(*negation.source, arena_) : Copy(negation.literal, arena_);
+    std::size_t number = 0;
+    ForEachTest(draft, [&](const TestDraft& test) {
+      std::uint16_t bound = IdentityPlan::kLiteral;
+      if (negation.source == nullptr) {
+        if (number < negation.classes.size()) bound = negation.classes[number];
+      } else if (test.referent.IsVariable()) {
+        bound = reader_.Plan(negation.firing).ClassOf(test.referent);
+      }
+      ++number;
+      classes.push_back(bound == IdentityPlan::kLiteral ? bound : ClassOf(analysis_.OfClass(negation.firing, bound)));
+    });
+  }
+  return all;
 }
 
 std::vector<IdentityPlan::KeptTest> JustificationPlanner::Tests(const Explanation& explanation, bool counts) {

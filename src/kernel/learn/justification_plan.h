@@ -34,6 +34,8 @@ class JustificationPlanner {
   IdentityPlan Plan(const Explanation& explanation);
   /// What its conditions test beside equality. `counts`: its tests are new to the statistics.
   std::vector<IdentityPlan::KeptTest> Tests(const Explanation& explanation, bool counts);
+  /// For each negated condition, the classes of what its tests name, in the order of ForEachTest.
+  std::vector<std::vector<std::uint16_t>> NegatedClasses(const Explanation& explanation);
   /// What its results are computed by, as actions of a rule; none if none is.
   ProductionPtr Functions(const Explanation& explanation, const IdentityPlan& plan);
 

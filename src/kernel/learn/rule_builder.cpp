@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
@@ -297,7 +298,21 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
     own_variables_.clear();
     ConditionDraft* const draft =
         arena_.New(negation.source != nullptr ? ToDraft(*negation.source, arena_) : Copy(negation.literal, arena_));
+    // What a justification names by a constant may be what one of its conditions binds.
+    std::vector<std::pair<TestDraft*, std::uint16_t>> bound;
+    if (!negation.classes.empty()) {
+      std::size_t number = 0;
+      ForEachTest(*draft, [&](TestDraft& test) {
+        const std::size_t here = number++;
+        const bool is_constant = test.referent && !test.referent.IsIdentifier() && !test.referent.IsVariable();
+        if (is_constant && here < negation.classes.size() && negation.classes[here] != IdentityPlan::kLiteral)
+          bound.emplace_back(&test, negation.classes[here]);
+      });
+    }
     VariablizeNegated(*draft, negation.firing);
+    for (const auto& [test, its_class] : bound) {
+      test->referent = Meaning(analysis_.OfClass(negation.firing, its_class), test->referent);
+    }
     negated_.push_back(draft);
   }
 }
