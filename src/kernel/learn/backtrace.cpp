@@ -270,9 +270,9 @@ void Backtracer::CollectNegations(InstantiationId firing) {
     const std::span<const Condition> negations = record.negations->conditions;
     for (std::size_t n = 0; n < negations.size(); ++n) {
       const bool has_classes = n < record.negated_classes.size();
-      AddNegation(firing, nullptr, ToDraft(negations[n], out_->drafts),
-                  has_classes ? std::span<const std::uint16_t>(record.negated_classes[n])
-                              : std::span<const std::uint16_t>());
+      AddNegation(
+          firing, nullptr, ToDraft(negations[n], out_->drafts),
+          has_classes ? std::span<const std::uint16_t>(record.negated_classes[n]) : std::span<const std::uint16_t>());
     }
     return;
   }

@@ -57,8 +57,8 @@ struct Explanation {
   };
   std::vector<ItemTest> item_tests;
   std::vector<WmeId> items;  ///< Items of the impasse that were followed to the proposals that they rest on.
-  /// A negated condition that refers to higher states only. `source` is none in justifications; `classes` are the classes
-  /// of what their tests name, or none.
+  /// A negated condition that refers to higher states only. `source` is none in justifications; `classes` are the
+  /// classes of what their tests name, or none.
   struct Negation {
     InstantiationId firing = InstantiationId::kNone;
     const Condition* source = nullptr;
