@@ -274,9 +274,26 @@ class Watch(MissionCase):
             time.sleep(0.05)
         self.assertGreaterEqual(self.told().count(text), times, self.told())
 
+    def wait_for_a_run(self, watch, limit_s=60):
+        """Until a run of its own process has begun."""
+        def children():
+            tables = pathlib.Path("/proc").glob("[0-9]*/stat")
+            return [table for table in tables if self.parent_in(table) == watch.pid]
+        end = time.monotonic() + limit_s
+        while not children() and time.monotonic() < end:
+            time.sleep(0.01)
+        self.assertTrue(children(), self.told())
+
+    @staticmethod
+    def parent_in(table):
+        try:
+            return int(table.read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()[1])
+        except OSError:
+            return 0  # It has ended meanwhile.
+
     def end(self, watch):
         watch.send_signal(signal.SIGINT)
-        return watch.wait(10)
+        return watch.wait(60)
 
     def test_a_saved_file_is_tested_again_until_it_is_interrupted(self):
         checks = '[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
@@ -300,8 +317,11 @@ class Watch(MissionCase):
         # A mission that was not there before is tested, too.
         self.write("second.toml", 'scenario = "scenario.toml"\n' + checks)
         self.wait_for("2 missions, all passed")
-        time.sleep(1)
-        rounds = self.told().count(waiting)
+        # What was saved while a round was under way may have asked for another.
+        rounds = -1
+        while rounds != self.told().count(waiting) or not self.told().rstrip().endswith(waiting):
+            rounds = self.told().count(waiting)
+            time.sleep(1)
         time.sleep(1.5)
         self.assertEqual(self.told().count(waiting), rounds, "nothing was saved: nothing is tested")
         self.assertEqual(self.end(watch), 0, self.told())
@@ -311,7 +331,7 @@ class Watch(MissionCase):
         self.mission('[mission]\nseeds = "1..4"\nseconds = 1500\n[[check]]\nname = "far"\nagent = "scout"\n'
                      'distance = { min = 5000 }\n')
         watch = self.begin(self.folder, "--jobs", "1")
-        time.sleep(0.3)
+        self.wait_for_a_run(watch)
         self.assertNotIn("waiting", self.told(), "the first round is under way")
         self.write("scout.soar", RULES + "# saved meanwhile\n")
         self.wait_for("1 mission, 1 failed", 2, 200)
