@@ -5,9 +5,10 @@
 //   recording_cost [SCENARIO [SECONDS]]     all levels; two runs side by side, one recorded, tick by tick in turns:
 //                                           processor time of the world's thread per tick, and
 //                                           bytes per agent and simulated second
-//   recording_cost count LEVEL SCENARIO SECONDS
+//   recording_cost count LEVEL SCENARIO SECONDS [WARM]
 //                                           one run alone, for counting instructions with valgrind in the function
-//                                           MeasuredTicks; LEVEL is off, world, decisions or all
+//                                           MeasuredTicks; LEVEL is off, world, decisions or all; WARM seconds before
+//                                           are not counted
 //   recording_cost seek [SCENARIO [SECONDS]]
 //                                           records, then goes to places of the file: how long that takes
 //
@@ -114,10 +115,10 @@ int Compare(const std::string& scenario, double seconds, record::Level level, co
 }
 
 extern "C" [[gnu::noinline]] void MeasuredTicks(Run& run, double seconds) {
-  while (run.simulation->time_s() < seconds) run.Tick();
+  for (const double end_s = run.simulation->time_s() + seconds; run.simulation->time_s() < end_s;) run.Tick();
 }
 
-int Count(const std::string& level, const std::string& scenario, double seconds, const fs::path& file) {
+int Count(const std::string& level, const std::string& scenario, double seconds, double warm_s, const fs::path& file) {
   std::optional<record::Level> wanted;
   if (level != "off") {
     const Result<record::Level> named = record::LevelNamed(level);
@@ -126,6 +127,7 @@ int Count(const std::string& level, const std::string& scenario, double seconds,
   }
   Result<Run> run = Start(scenario, wanted, file);
   if (!run) return Fail(run.error());
+  while (run->simulation->time_s() < warm_s) run->Tick();
   MeasuredTicks(*run, seconds);
   return 0;
 }
@@ -172,8 +174,8 @@ int main(int argc, char** argv) {
   const fs::path file = fs::temp_directory_path() / ("soarbox-recording-cost-" + std::to_string(getpid()));
   const std::string what = argc > 1 ? argv[1] : "";
   int code = 0;
-  if (what == "count" && argc == 5) {
-    code = Count(argv[2], argv[3], std::atof(argv[4]), file);
+  if (what == "count" && (argc == 5 || argc == 6)) {
+    code = Count(argv[2], argv[3], std::atof(argv[4]), argc > 5 ? std::atof(argv[5]) : 0, file);
   } else if (what == "seek") {
     code = Seek(argc > 2 ? argv[2] : "crowd/crowd_10.lua", argc > 3 ? std::atof(argv[3]) : 3600, file);
   } else {
