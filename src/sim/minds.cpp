@@ -308,9 +308,9 @@ void Minds::Notice() {
   constexpr std::size_t kWorthThreads = 16;
   const auto actors = arena_.actors();
   world_.PrepareForReaders();
-  const auto notice = [&](std::size_t first, std::size_t step) {
-    for (std::size_t i = first; i < actors.size(); i += step) {
-      if (!actors[i]->IsAlive()) continue;
+  const auto notice = [&](std::size_t thread, std::size_t threads) {
+    for (std::size_t i = 0; i < actors.size(); ++i) {
+      if (ThreadOf(i, threads) != thread || !actors[i]->IsAlive()) continue;
       HearOrders(*actors[i]);
       if (!IsSenseTick(*actors[i])) continue;
       NoticeOthers(*actors[i]);

@@ -13,6 +13,7 @@
 #include "diagnostics/problem.h"
 #include "explain/clarify_errors.h"
 #include "sim/vet_rules.h"
+#include "sim/worker_pool.h"
 #include "sml_Client.h"
 
 namespace soarbox::sim {
@@ -188,7 +189,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
                       "another run may be using that kernel; give this one a kernel of its own");
   }
   Loaded loaded;
-  loaded.thread = agents_made_ % threads();
+  loaded.thread = ThreadOf(agents_made_, threads());
   if (beside_world) {
     // Of four: 1 2 3 0 1 2 3.
     const std::uint64_t turn = made_beside_world_++ % (2 * threads() - 1);

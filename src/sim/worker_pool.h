@@ -11,6 +11,12 @@
 
 namespace soarbox::sim {
 
+/// Which of `threads` threads the job of this number belongs to: one after the other. Agents look around in every third
+/// tick, by their number: where that would be the same threads each time, each round of them begins one further.
+constexpr std::size_t ThreadOf(std::uint64_t number, std::size_t threads) {
+  return static_cast<std::size_t>((threads % 3 == 0 ? number + number / threads : number) % threads);
+}
+
 /// A few threads that do one job together, again and again. The thread that owns the pool is one of them.
 class WorkerPool {
  public:
