@@ -18,13 +18,17 @@ if(SOARBOX_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
+set(soarbox_first_build 0)
+if(SOARBOX_PRECOMPILE AND NOT SOARBOX_SANITIZE)
+  set(soarbox_first_build 1)
+endif()
 add_library(soarbox_options INTERFACE)
 target_include_directories(soarbox_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
 target_compile_options(soarbox_options INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
-  # Developers' builds accept no warning. A release is what users compile, with whatever compiler they have: there a
-  # warning stays a warning.
-  $<$<OR:$<NOT:$<CONFIG:Release>>,$<BOOL:${SOARBOX_CI}>>:-Werror>
+  # Developers' builds accept no warning. A release is what users compile, with whatever compiler they have, and a first
+  # build in batches has precompiled headers, for which GCC warns of more than is so: there a warning stays a warning.
+  $<$<OR:$<BOOL:${SOARBOX_CI}>,$<NOT:$<OR:$<CONFIG:Release>,${soarbox_first_build}>>>:-Werror>
   # Determinism is a public contract: no fused multiply-add, no machine-specific code.
   -ffp-contract=off
   # GCC 12 warns of impossible overlaps and sizes in std::string at -O3 (its bug 105651).
@@ -65,13 +69,14 @@ if(SOARBOX_TOML_LIBRARY AND NOT SOARBOX_SANITIZE)
 endif()
 
 # Files of a target are compiled together: reading headers is half of a build that nobody repeats for one changed file.
-# Eight at a time, in order; names that only one file uses differ from those of its neighbours all the same. Of libraries
+# Eight at a time, in order; names that only one file uses differ from those of its neighbours all the same. ALWAYS: whatever
+# the option says. Of libraries
 # that are LARGE_BATCHES a batch is as large as SOARBOX_BATCH_BYTES, and files that define a name twice get into different
 # batches (soarbox_sort_into_batches).
 option(SOARBOX_UNITY "Compile files in batches (the builds with sanitizers)" OFF)
 set(SOARBOX_BATCH_BYTES 160000 CACHE STRING "Text of a large batch, at most, if it has more than one file")
 function(soarbox_in_batches target)
-  if(SOARBOX_UNITY)
+  if(SOARBOX_UNITY OR "ALWAYS" IN_LIST ARGN)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     # GCC takes the files of a batch for headers, in which an unnamed namespace would be a slip.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
@@ -80,8 +85,8 @@ endfunction()
 
 # The same with large batches.
 function(soarbox_in_large_batches target)
-  soarbox_in_batches(${target})
-  if(SOARBOX_UNITY)
+  soarbox_in_batches(${target} ${ARGN})
+  if(SOARBOX_UNITY OR "ALWAYS" IN_LIST ARGN)
     # When the folder has named all sources; the argument would be expanded only then.
     cmake_language(EVAL CODE "cmake_language(DEFER CALL soarbox_sort_into_batches ${target})")
   endif()

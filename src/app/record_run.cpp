@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -16,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "mission/test_missions.h"
 #include "record/recorder.h"
 #include "world/world.h"
 
@@ -31,15 +31,8 @@ constexpr std::size_t kUsualFilesKept = 5;
 
 /// $XDG_STATE_HOME/soarbox/recordings, by default below ~/.local/state; empty without a home.
 fs::path UsualFolder() {
-  fs::path state;
-  if (const char* folder = std::getenv("XDG_STATE_HOME"); folder != nullptr && *folder != '\0') {
-    state = folder;
-  } else if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    state = fs::path(home) / ".local" / "state";
-  } else {
-    return {};
-  }
-  const fs::path folder = state / "soarbox" / "recordings";
+  const fs::path folder = mission::StateFolder("recordings");
+  if (folder.empty()) return {};
   std::error_code error;
   fs::create_directories(folder, error);
   return error ? fs::path{} : folder;

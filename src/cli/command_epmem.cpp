@@ -9,14 +9,13 @@
 #include "cli/episode_text.h"
 #include "cli/interpreter.h"
 #include "cli/lookup.h"
+#include "cli/memory_database.h"
 #include "cli/session.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
-#include "diagnostics/problem.h"
 #include "journal/sqlite_journal.h"
 #include "kernel/agent.h"
 #include "kernel/longterm/episodic_memory.h"
-#include "kernel/longterm/journal.h"
 #include "kernel/longterm/long_term.h"
 
 namespace soarbox::cli {
@@ -24,7 +23,7 @@ namespace {
 
 using kernel::EpisodicMemory;
 using kernel::EpisodicSettings;
-using SetResult = SettingStore::SetResult;
+constexpr LongTermMemory kEpisodic{"epmem", "epmem", "EpMem", "episodic", journal::Memory::kEpisodic};
 constexpr auto kEpmemOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kEpmemTable[] = {
@@ -70,37 +69,18 @@ bool GetEpmemParameter(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// Opens the file and takes over what it holds.
-Result<void> OpenFile(EpisodicMemory& memory, const std::string& path, const journal::OpenOptions& options) {
-  memory.SetJournal(nullptr);
-  Result<journal::OpenedJournal> opened = journal::Open(path, journal::Memory::kEpisodic, options);
-  if (!opened) return opened.error();
-  if (!memory.Load(opened->image, opened->records)) {
-    return NewProblem(path + " is damaged: its records make no sense", "use a backup; the file was not touched");
-  }
-  memory.SetJournal(std::move(opened->journal));
-  return {};
-}
-
-/// Where episodes are kept from the next opening on, with the path as it is now: folders may be changed before.
+/// Where episodes are kept from the next opening on.
 void ApplyDatabase(CommandCall& call) {
-  const SettingStore& store = call.session.settings();
-  std::string path = store.Get("epmem", "path");
-  if (store.Get("epmem", "database") != "file" || path.empty() || path == ":memory:") {
+  const Database database = DatabaseOf(call, kEpisodic);
+  if (!database.is_file || database.path.empty()) {
     Memory(call).SetOpener(nullptr, false);
     return;
   }
-  path = call.interpreter.Resolve(path).string();
-  const bool continues = store.IsOn("epmem", "append");
-  journal::OpenOptions options;
-  options.overwrite = !continues;
-  options.survive_power = store.Get("epmem", "optimization") == "safety";
-  Memory(call).SetOpener([path, options](EpisodicMemory& memory) { return OpenFile(memory, path, options); },
-                         continues);
-}
-
-bool FailWith(CommandCall& call, const Diagnostic& problem) {
-  return call.Fail(problem.hint.empty() ? problem.message : problem.message + ": " + problem.hint);
+  const auto open = [database](EpisodicMemory& memory) {
+    memory.SetJournal(nullptr);
+    return LoadFrom(memory, database, kEpisodic.kind);
+  };
+  Memory(call).SetOpener(open, !database.options.overwrite);
 }
 
 /// For commands that use the memory. False if its file cannot be opened; the command has failed then.
@@ -119,12 +99,7 @@ bool InitEpisodes(CommandCall& call) {
 bool BackUpEpisodes(CommandCall& call, const std::string& file) {
   std::filesystem::path path;
   if (!call.interpreter.ResolveForWriting(call, file, path) || !Use(call)) return false;
-  kernel::RecordWriter image;
-  Memory(call).Save(image);
-  const Result<void> written = journal::WriteCopy(path.string(), journal::Memory::kEpisodic, image.bytes());
-  if (!written) return FailWith(call, written.error());
-  call.Out("EpMem| Database backed up to " + file + "\n");
-  return true;
+  return BackUp(call, kEpisodic, Memory(call), path, file);
 }
 
 /// Hands a setting that was stored to the kernel.
@@ -164,39 +139,17 @@ bool SetEpmemParameter(CommandCall& call, const ParsedWords& parsed) {
   if (name == "exclusions") {
     Memory(call).ToggleExclusion(value);
     call.Out("exclusions is now " + value + "\n");
-    return store.Set("epmem", name, Exclusions(Memory(call))) == SetResult::kOk;
+    return store.Set("epmem", name, Exclusions(Memory(call))) == SettingStore::SetResult::kOk;
   }
-  if (name == "path" && value != ":memory:") {
-    std::filesystem::path path;
-    if (!call.interpreter.ResolveForWriting(call, value, path)) return false;
-  }
-  if (name == "database" && value == "file" && call.interpreter.fence() != nullptr) {
-    return call.Fail("The files of a scenario may not write files: the database stays in memory.");
-  }
-  const std::string before = store.Get("epmem", name);
-  switch (store.Set("epmem", name, value)) {
-    case SetResult::kUnknown:
-      return call.Fail("Invalid epmem parameter.");
-    case SetResult::kInvalid:
-      return call.Fail("Invalid setting for epmem parameter.");
-    case SetResult::kOk:
-      break;
-  }
-  constexpr std::string_view kProtected[] = {"cache-size", "page-size", "lazy-commit", "optimization"};
-  if (std::ranges::find(kProtected, name) != std::end(kProtected) && Memory(call).opened()) {
-    store.Set("epmem", name, before);
-    return call.Fail("This parameter is protected while the episodic memory database is open.");
-  }
+  constexpr std::string_view kClosedOnly[] = {"cache-size", "page-size", "lazy-commit", "optimization"};
+  if (!MayTake(call, name, value) || !Store(call, kEpisodic, name, value, Memory(call).opened(), kClosedOnly))
+    return false;
   Apply(call, name);
   call.Out(fmt::format("{} is now {}\n", name, value));
   if ((name == "path" || name == "database") && Memory(call).opened()) {
     call.Out("To finalize episodic memory database switch, issue an epmem --init command.\n");
   }
-  if (name == "append" && value == "off") {
-    call.Out(
-        "Warning: Since append mode is off, starting/reinitializing,\n"
-        "         Soar will erase the episodic memory database.\n\n");
-  }
+  if (name == "append" && value == "off") WarnOfAppend(call, kEpisodic);
   return true;
 }
 

@@ -9,14 +9,12 @@
 #include "cli/interpreter.h"
 #include "cli/knowledge_printer.h"
 #include "cli/lookup.h"
+#include "cli/memory_database.h"
 #include "cli/session.h"
 #include "cli/setting_store.h"
 #include "cli/smem_tables.h"
 #include "cli/summary.h"
-#include "diagnostics/problem.h"
-#include "journal/sqlite_journal.h"
 #include "kernel/agent.h"
-#include "kernel/longterm/journal.h"
 #include "kernel/longterm/knowledge_reader.h"
 #include "kernel/longterm/long_term.h"
 #include "kernel/longterm/semantic_memory.h"
@@ -24,7 +22,7 @@
 namespace soarbox::cli {
 namespace {
 
-using SetResult = SettingStore::SetResult;
+constexpr LongTermMemory kSemantic{"smem", "SMem", "SMem", "semantic", journal::Memory::kSemantic};
 constexpr auto kSmemOptional = OptionArgument::kOptional;
 
 constexpr OptionSpec kSmemTable[] = {
@@ -52,10 +50,6 @@ using kernel::SemanticMemory;
 
 SemanticMemory& MemoryOf(CommandCall& call) {
   return SemanticMemory::Of(call.agent().long_term());
-}
-
-bool FailWith(CommandCall& call, const Diagnostic& problem) {
-  return call.Fail(problem.hint.empty() ? problem.message : problem.message + ": " + problem.hint);
 }
 
 // Settings ------------------------------------------------------------------------------------------------------------
@@ -114,42 +108,17 @@ void Apply(CommandCall& call) {
 
 // The database --------------------------------------------------------------------------------------------------------
 
-/// How the database is to be opened, with the path that it has now: folders may be changed before it is.
-struct Database {
-  bool is_file = false;
-  std::string path;
-  journal::OpenOptions options;
-};
-
-Database DatabaseOf(CommandCall& call) {
-  const SettingStore& store = call.session.settings();
-  Database database;
-  database.path = store.Get("smem", "path");
-  database.is_file = store.Get("smem", "database") == "file" && database.path != ":memory:";
-  if (!database.path.empty()) database.path = call.interpreter.Resolve(database.path).string();
-  database.options.overwrite = !store.IsOn("smem", "append");
-  database.options.survive_power = store.Get("smem", "optimization") == "safety";
-  return database;
-}
-
 /// Opens the file and takes over what it holds.
 Result<void> OpenFile(SemanticMemory& memory, const Database& database) {
   memory.SetJournal(nullptr);
   memory.Clear();
-  Result<journal::OpenedJournal> opened = journal::Open(database.path, journal::Memory::kSemantic, database.options);
-  if (!opened) return opened.error();
-  if (!memory.Load(opened->image, opened->records)) {
-    return NewProblem(database.path + " is damaged: its records make no sense",
-                      "use a backup; the file was not touched");
-  }
-  memory.SetJournal(std::move(opened->journal));
-  return {};
+  return LoadFrom(memory, database, kSemantic.kind);
 }
 
 /// The file is opened when the memory is used first, by a command or in a run.
 void OpenLater(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
-  const Database database = DatabaseOf(call);
+  const Database database = DatabaseOf(call, kSemantic);
   if (!database.is_file || database.path.empty()) {
     memory.SetOpener(nullptr);
     return;
@@ -161,7 +130,7 @@ void OpenLater(CommandCall& call) {
 bool Use(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   if (memory.opened()) return true;
-  const Database database = DatabaseOf(call);
+  const Database database = DatabaseOf(call, kSemantic);
   memory.SetOpener(nullptr);
   memory.EnsureOpen();
   if (!database.is_file) return true;
@@ -176,7 +145,7 @@ bool Use(CommandCall& call) {
 bool Init(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   const bool was_file = memory.journal() != nullptr;
-  const Database database = DatabaseOf(call);
+  const Database database = DatabaseOf(call, kSemantic);
   memory.Keep();
   memory.SetOpener(nullptr);
   if (database.is_file) {
@@ -234,7 +203,7 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
   }
   if (name == "activation-mode" && store.IsOn("smem", "spreading")) {
     const std::string kept = store.Get("smem", name);
-    if (store.Set("smem", name, value) == SetResult::kOk) {
+    if (store.Set("smem", name, value) == SettingStore::SetResult::kOk) {
       store.Set("smem", name, kept);
       return call.Fail("activation-mode cannot be changed while spreading activation is on.");
     }
@@ -243,7 +212,7 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
     const std::int64_t number = ParseLeadingInteger(value).value_or(0);
     if (number < 1) return call.Fail("The id counter must be at least 1.");
     // Of a memory that is in use, only the numbers to come change.
-    if (!memory.opened() && store.Set("smem", name, value) != SetResult::kOk) {
+    if (!memory.opened() && store.Set("smem", name, value) != SettingStore::SetResult::kOk) {
       return call.Fail("Invalid setting for SMem parameter.");
     }
     Apply(call);
@@ -257,27 +226,10 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
     if (kept.empty()) return call.Fail("Invalid setting for SMem parameter.");
   }
   const bool is_place = name == "path" || name == "database";
-  if (name == "path" && value != ":memory:") {
-    std::filesystem::path path;
-    if (!call.interpreter.ResolveForWriting(call, value, path)) return false;
-  }
-  if (name == "database" && value == "file" && call.interpreter.fence() != nullptr) {
-    return call.Fail("The files of a scenario may not write files: the database stays in memory.");
-  }
+  if (!MayTake(call, name, value)) return false;
+  constexpr std::string_view kClosedOnly[] = {"thresh", "cache-size", "page-size", "lazy-commit", "optimization"};
   const std::string before = store.Get("smem", name);
-  switch (store.Set("smem", name, kept)) {
-    case SetResult::kUnknown:
-      return call.Fail("Invalid SMem parameter.");
-    case SetResult::kInvalid:
-      return call.Fail("Invalid setting for SMem parameter.");
-    case SetResult::kOk:
-      break;
-  }
-  constexpr std::string_view kProtected[] = {"thresh", "cache-size", "page-size", "lazy-commit", "optimization"};
-  if (std::ranges::find(kProtected, name) != std::end(kProtected) && memory.opened()) {
-    store.Set("smem", name, before);
-    return call.Fail("This parameter is protected while the semantic memory database is open.");
-  }
+  if (!Store(call, kSemantic, name, kept, memory.opened(), kClosedOnly)) return false;
   constexpr std::string_view kFixed[] = {
       "spreading-baseline",       "spreading-depth-limit",          "spreading-limit",
       "spreading-loop-avoidance", "spreading-continue-probability", "spreading-wma-source"};
@@ -295,11 +247,7 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
       call.Out("To finalize database switch, issue an smem --init command.\n");
     }
   }
-  if (name == "append" && value == "off") {
-    call.Out(
-        "Warning: Since append mode is off, starting/reinitializing,\n"
-        "         Soar will erase the semantic memory database.\n\n");
-  }
+  if (name == "append" && value == "off") WarnOfAppend(call, kSemantic);
   return true;
 }
 
@@ -382,15 +330,10 @@ bool Export(CommandCall& call, const std::string& file, const ParsedWords& parse
   return true;
 }
 
-bool Backup(CommandCall& call, const std::string& file) {
+bool BackUpKnowledge(CommandCall& call, const std::string& file) {
   std::filesystem::path path;
   if (!call.interpreter.ResolveForWriting(call, file, path) || !Use(call)) return false;
-  kernel::RecordWriter image;
-  MemoryOf(call).Save(image);
-  const Result<void> written = journal::WriteCopy(path.string(), journal::Memory::kSemantic, image.bytes());
-  if (!written) return FailWith(call, written.error());
-  call.Out("SMem| Database backed up to " + file + "\n");
-  return true;
+  return BackUp(call, kSemantic, MemoryOf(call), path, file);
 }
 
 bool History(CommandCall& call, const std::string& name) {
@@ -476,7 +419,7 @@ bool CommandSmem(CommandCall& call) {
     case 'x':
       return TextOf(call, parsed, letter, text) && Export(call, text, parsed);
     case 'b':
-      return TextOf(call, parsed, letter, text) && Backup(call, text);
+      return TextOf(call, parsed, letter, text) && BackUpKnowledge(call, text);
     case 'h':
       return TextOf(call, parsed, letter, text) && History(call, text);
     case 'S':

@@ -40,12 +40,7 @@ void Console::Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view 
 }
 
 void Console::Run(sim::Simulation& simulation, const std::string& line) {
-  place_ = history_.size();
-  typed_.clear();
   if (IsBlank(line)) return;
-  if (history_.empty() || history_.back() != line) history_.push_back(line);
-  if (history_.size() > kMostHistory) history_.erase(history_.begin());
-  place_ = history_.size();
   const std::uint64_t tick = simulation.tick();
   Keep(ConsoleLine::Kind::kInput, tick, line);
   const Result<std::string> answer = simulation.Command(agent_, line);
@@ -87,18 +82,6 @@ void Console::Add(const sim::EventList& events) {
       Keep(ConsoleLine::Kind::kOutput, event.tick, event.text);
     }
   }
-}
-
-std::string Console::Older(const std::string& typed) {
-  if (place_ == history_.size()) typed_ = typed;
-  if (place_ > 0) --place_;
-  return place_ < history_.size() ? history_[place_] : typed;
-}
-
-std::string Console::Newer(const std::string& typed) {
-  if (place_ == history_.size()) return typed;
-  ++place_;
-  return place_ < history_.size() ? history_[place_] : typed_;
 }
 
 Completion Complete(explain::Inspector& mind, std::string_view line) {

@@ -36,21 +36,13 @@ class Console {
   const std::deque<ConsoleLine>& lines() const { return lines_; }
   void Clear() { lines_.clear(); }
 
-  /// The line before in the history (older), or behind; what was being typed comes back at the newest end.
-  std::string Older(const std::string& typed);
-  std::string Newer(const std::string& typed);
-  const std::vector<std::string>& history() const { return history_; }
-
-  static constexpr std::size_t kMostLines = 5'000, kMostHistory = 500;
+  static constexpr std::size_t kMostLines = 5'000;
 
  private:
   void Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view text);
 
   std::string agent_;
   std::deque<ConsoleLine> lines_;
-  std::vector<std::string> history_;
-  std::size_t place_ = 0;  ///< In the history; its size: at the newest end.
-  std::string typed_;
   std::deque<std::string> own_;  ///< Lines of its own whose events are still to come.
 };
 

@@ -203,11 +203,6 @@ TEST_F(Debugger, TheConsoleAnswersAtOnceAndTheRunKeepsWhatWasTyped) {
   EXPECT_THAT(tick.inputs[0], HasSubstr("command \"hero\""));
   console.Add(tick.events);
   EXPECT_EQ(console.lines().size(), lines) << "its own lines come once";
-  EXPECT_EQ(console.Older("typing"), "pirnt s1");
-  EXPECT_EQ(console.Older(""), "print s1");
-  EXPECT_EQ(console.Older(""), "print s1");
-  EXPECT_EQ(console.Newer(""), "pirnt s1");
-  EXPECT_EQ(console.Newer(""), "typing");
   const Completion completion = Complete(*Mind(), "matches hero*pro");
   EXPECT_EQ(completion.common, "hero*propose*");
   EXPECT_EQ(completion.words.size(), 2u);

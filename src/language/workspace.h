@@ -31,7 +31,6 @@ class Workspace {
  public:
   /// Nothing but plain files below these folders is read; empty: any.
   explicit Workspace(std::vector<std::filesystem::path> folders = {}) : folders_(std::move(folders)) {}
-  void SetFolders(std::vector<std::filesystem::path> folders) { folders_ = std::move(folders); }
 
   void Open(const std::filesystem::path& path, std::string text);
   void Close(const std::filesystem::path& path);

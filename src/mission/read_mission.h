@@ -28,7 +28,5 @@ void CheckTimes(const Mission& mission, double seconds, std::vector<Diagnostic>&
 
 /// "1..20", "3", "1,4,7..9"; each once. Nothing if it is something else, or more than a million.
 std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text);
-/// "1..20" or "1, 4, 7".
-std::string SeedsText(const std::vector<std::uint64_t>& seeds);
 
 }  // namespace soarbox::mission

@@ -37,21 +37,4 @@ std::optional<std::vector<std::uint64_t>> ParseSeeds(std::string_view text) {
   }
 }
 
-std::string SeedsText(const std::vector<std::uint64_t>& seeds) {
-  std::string text;
-  for (std::size_t i = 0; i < seeds.size();) {
-    std::size_t end = i + 1;
-    while (end < seeds.size() && seeds[end] == seeds[end - 1] + 1) ++end;
-    if (!text.empty()) text += ", ";
-    text += std::to_string(seeds[i]);
-    if (end - i > 2) {
-      text += ".." + std::to_string(seeds[end - 1]);
-      i = end;
-    } else {
-      ++i;
-    }
-  }
-  return text;
-}
-
 }  // namespace soarbox::mission

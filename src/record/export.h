@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
@@ -13,6 +14,18 @@ struct TickRange {
   std::uint64_t first = 0;
   std::uint64_t last = ~std::uint64_t{0};
 };
+
+/// Calls `see(record)` for each tick of the range that the recording holds.
+template <typename See>
+Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
+  const std::uint64_t last = std::min(range.last, recording.last_tick());
+  for (std::uint64_t tick = std::max(range.first, recording.first_tick()); tick <= last; ++tick) {
+    const Result<const TickRecord*> record = recording.At(tick);
+    if (!record) return record.error();
+    see(**record);
+  }
+  return {};
+}
 
 /// A table with a row for each agent and tick, in the form that spreadsheets and data frames read at once: a line of
 /// names, then tick, time_s, agent, position, velocity, speed, heading, health, command, decision, and a column for

@@ -24,18 +24,6 @@ std::string Cell(std::string_view text) {
   return quoted + '"';
 }
 
-/// Calls `see(record)` for each tick of the range that the recording holds.
-template <typename See>
-Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
-  const std::uint64_t last = std::min(range.last, recording.last_tick());
-  for (std::uint64_t tick = std::max(range.first, recording.first_tick()); tick <= last; ++tick) {
-    const Result<const TickRecord*> record = recording.At(tick);
-    if (!record) return record.error();
-    see(**record);
-  }
-  return {};
-}
-
 std::string LastDecision(const mind::EventLog& events) {
   std::string last;
   mind::Event event;

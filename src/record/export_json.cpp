@@ -77,11 +77,7 @@ Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out) {
   head["first_tick"] = recording.first_tick();
   head["last_tick"] = recording.last_tick();
   out << Line(head);
-  const std::uint64_t last = std::min(range.last, recording.last_tick());
-  for (std::uint64_t tick = std::max(range.first, recording.first_tick()); tick <= last; ++tick) {
-    const Result<const TickRecord*> read = recording.At(tick);
-    if (!read) return read.error();
-    const TickRecord& record = **read;
+  return ForEachTick(recording, range, [&](const TickRecord& record) {
     Json json;
     json["tick"] = record.tick;
     json["time_s"] = record.scene.time_s;
@@ -92,8 +88,7 @@ Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out) {
     for (const sim::RunEvent& event : record.events) json["events"].push_back(OfEvent(event));
     for (const MindRecord& mind : record.minds) json["minds"].push_back(OfMind(mind));
     out << Line(json);
-  }
-  return {};
+  });
 }
 
 }  // namespace soarbox::record

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "record/export.h"
 #include "tell/mind_words.h"
 
@@ -36,11 +34,7 @@ void PrintMind(const MindRecord& mind, std::ostream& out) {
 }  // namespace
 
 Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
-  const std::uint64_t last = std::min(range.last, recording.last_tick());
-  for (std::uint64_t tick = std::max(range.first, recording.first_tick()); tick <= last; ++tick) {
-    const Result<const TickRecord*> read = recording.At(tick);
-    if (!read) return read.error();
-    const TickRecord& record = **read;
+  return ForEachTick(recording, range, [&](const TickRecord& record) {
     out << fmt::format("{:9.3f} s  tick {}  state {:016x}\n", record.scene.time_s, record.tick, record.state_hash);
     for (const std::string& input : record.inputs) out << "    input  " << input << '\n';
     for (const MindRecord& mind : record.minds) PrintMind(mind, out);
@@ -55,8 +49,7 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
         if (!reason.empty()) out << "        " << reason << '\n';
       if (!event.diagnostic.message.empty()) out << Format(event.diagnostic);
     }
-  }
-  return {};
+  });
 }
 
 }  // namespace soarbox::record

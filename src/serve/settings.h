@@ -25,7 +25,6 @@ struct Limits {
   int idle_min = 30;                 ///< A run at which nobody looks ends after so long.
   int run_hours = 12;                ///< No run is longer.
   int kept_days = 30;                ///< A place that nobody visits is removed after so long.
-  int engine_mb = 256;               ///< That one world may use.
   int engine_data_mb = 1024;         ///< That its process may have in all.
   PlaceLimits place;
 };

@@ -6,40 +6,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <new>
 
+#include "diagnostics/counted_allocations.h"
 #include "sim/simulation.h"
-
-// This program counts what it allocates, and refuses when it is told to: once, or each time from then on.
-namespace {
-constexpr std::int64_t kNever = -1;
-std::int64_t allocations_left = kNever;
-std::int64_t allocations = 0;
-}  // namespace
-
-// GCC 12 sees the inlined std::free, but not that this program's own operator new used std::malloc.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-void* operator new(std::size_t size) {
-  if (allocations_left == 0) {
-    allocations_left = kNever;
-    throw std::bad_alloc();
-  }
-  if (allocations_left > 0) --allocations_left;
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (!memory) throw std::bad_alloc();
-  ++allocations;
-  return memory;
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace soarbox::sim {
 namespace {
@@ -85,9 +57,9 @@ TEST(FailingAllocation, LeavesAWorldThatCanBeDestroyed) {
     static_cast<void>(world.Snapshot());
   };
   std::unique_ptr<Simulation> world = make();
-  const std::int64_t before = allocations;
+  const std::int64_t before = allocations::Count();
   step(*world);
-  const std::int64_t count = allocations - before;
+  const std::int64_t count = allocations::Count() - before;
   ASSERT_GT(count, 20);
   // A world takes longer to make than to step: of many allocations a part fails, from all over the step.
   constexpr std::int64_t kMostTries = 150;
@@ -96,13 +68,13 @@ TEST(FailingAllocation, LeavesAWorldThatCanBeDestroyed) {
   for (std::int64_t n = 0; n < count; n += stride) {
     ++tries;
     world = make();
-    allocations_left = n;
+    allocations::RefuseAfter(n, allocations::Refusal::kOnce);
     try {
       step(*world);
     } catch (const std::bad_alloc&) {
       ++failures;
     }
-    allocations_left = kNever;
+    allocations::Allow();
   }
   EXPECT_GT(failures, tries / 4);
   world.reset();

@@ -77,6 +77,24 @@ class SceneEncoder::Out : public mind::ByteWriter {
   }
 };
 
+/// The ids of those that were not seen in this block, which are forgotten, and then what changed; empty if nothing did.
+template <typename Known>
+std::string SceneEncoder::GoneAndChanged(std::map<std::uint32_t, Known>& known, const std::string& changed) {
+  std::vector<std::uint32_t> gone;
+  for (const auto& entry : known)
+    if (entry.second.seen != blocks_) gone.push_back(entry.first);
+  if (gone.empty() && changed.empty()) return {};
+  std::string bytes;
+  Out out(bytes);
+  out.Number(gone.size());
+  Ids ids(out);
+  for (const std::uint32_t id : gone) {
+    ids.Write(id);
+    known.erase(id);
+  }
+  return bytes + changed;
+}
+
 void SceneEncoder::Begin() {
   texts_.clear();
   sections_.clear();
@@ -211,19 +229,7 @@ std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bo
     thing.turn = turn;
     thing.bones = std::move(bones);
   }
-  std::string bytes;
-  Out whole(bytes);
-  std::vector<std::uint32_t> gone;
-  for (const auto& [id, thing] : things_)
-    if (thing.seen != blocks_) gone.push_back(id);
-  if (gone.empty() && changed.empty()) return {};
-  whole.Number(gone.size());
-  Ids gone_ids(whole);
-  for (const std::uint32_t id : gone) {
-    gone_ids.Write(id);
-    things_.erase(id);
-  }
-  return bytes + changed;
+  return GoneAndChanged(things_, changed);
 }
 
 std::string SceneEncoder::People(const world::SceneSnapshot& scene) {
@@ -266,19 +272,7 @@ std::string SceneEncoder::People(const world::SceneSnapshot& scene) {
     person.place = place;
     person.forward = forward;
   }
-  std::string bytes;
-  Out whole(bytes);
-  std::vector<std::uint32_t> gone;
-  for (const auto& [id, person] : people_)
-    if (person.seen != blocks_) gone.push_back(id);
-  if (gone.empty() && changed.empty()) return {};
-  whole.Number(gone.size());
-  Ids gone_ids(whole);
-  for (const std::uint32_t id : gone) {
-    gone_ids.Write(id);
-    people_.erase(id);
-  }
-  return bytes + changed;
+  return GoneAndChanged(people_, changed);
 }
 
 std::string SceneEncoder::Components(const world::SceneSnapshot& scene) {
@@ -463,19 +457,7 @@ std::string SceneEncoder::Minds(const world::OverlaySnapshot& overlay) {
     out.Text(bytes);
     mind.bytes = std::move(bytes);
   }
-  std::string bytes;
-  Out whole(bytes);
-  std::vector<std::uint32_t> gone;
-  for (const auto& [id, mind] : minds_)
-    if (mind.seen != blocks_) gone.push_back(id);
-  if (gone.empty() && changed.empty()) return {};
-  whole.Number(gone.size());
-  Ids gone_ids(whole);
-  for (const std::uint32_t id : gone) {
-    gone_ids.Write(id);
-    minds_.erase(id);
-  }
-  return bytes + changed;
+  return GoneAndChanged(minds_, changed);
 }
 
 /// When they were, not how long ago: that does not change from moment to moment.

@@ -76,6 +76,8 @@ class SceneEncoder {
   std::string Lines(const std::vector<world::LineSnapshot>& lines, const std::vector<world::CircleSnapshot>& circles,
                     const std::vector<world::TriangleSnapshot>& triangles);
   std::string Minds(const world::OverlaySnapshot& overlay);
+  template <typename Known>
+  std::string GoneAndChanged(std::map<std::uint32_t, Known>& known, const std::string& changed);
   std::string OneMind(const world::AgentOverlay& agent);
   std::string ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s);
   std::string Places(const world::OverlaySnapshot& overlay);

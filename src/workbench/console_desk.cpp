@@ -13,9 +13,9 @@ void ConsoleDesk::Bring(Belongings belongings) {
 void ConsoleDesk::Type(const ConsoleRequest& request) {
   sim::Simulation* const world = common_.Looked();
   ++lines_;
-  if (world == nullptr) return ConsoleOf(request.agent).Refuse(request.line, common_.past.PastNote());
+  if (world == nullptr) return ConsoleOf(request.agent).Refuse(request.line, common_.past.rebuilt().Note());
   ConsoleOf(request.agent).Run(*world, request.line);
-  if (common_.run == nullptr) common_.past.Spoil();
+  if (common_.run == nullptr) common_.past.rebuilt().Spoil();
 }
 
 void ConsoleDesk::Complete(const CompleteRequest& request) {

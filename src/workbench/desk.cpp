@@ -101,7 +101,7 @@ void Desk::Prepare() {
   if (run_ == nullptr) return;
   sim::Simulation& simulation = run_->simulation();
   breakpoints_.Prepare(simulation);
-  if (noted_agent_ == agent_ || past_.branches() > 0) return;  // Minds of another future note all.
+  if (noted_agent_ == agent_ || past_.parting() != nullptr) return;  // Minds of another future note all.
   // Breakpoints may need the one before; they ask again in each frame.
   const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, run_->LeastDetail());
   if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, least);
@@ -191,7 +191,7 @@ void Desk::FillPlots() {
 bool Desk::HasMind(const std::string& agent) {
   if (agent.empty()) return false;
   if (const sim::Simulation* live = common_.Live()) return live->HasMind(agent);
-  if (const sim::Simulation* past = past_.past()) return past->HasMind(agent);
+  if (const sim::Simulation* past = past_.rebuilt().world()) return past->HasMind(agent);
   // Until it is known, nobody is told that there is none.
   const bool is_known = HasReadOn() && recording_->header().level != record::Level::kWorld;
   return !is_known || recorded_.Find(agent) != nullptr;

@@ -21,7 +21,7 @@ struct DeskCommon {
   /// The run that is under way; null for a recording.
   sim::Simulation* Live() const { return run == nullptr ? nullptr : &run->simulation(); }
   /// The world that is looked into: the live one, or the rebuilt past; null while that is not there.
-  sim::Simulation* Looked() const { return past.is_live() ? Live() : past.past(); }
+  sim::Simulation* Looked() const { return past.is_live() ? Live() : past.rebuilt().world(); }
 };
 
 }  // namespace soarbox::workbench

@@ -96,7 +96,7 @@ void Desk::FillBeside(Contents& contents, bool watches, bool minds) {
     MindColumn& column = contents.minds.emplace_back();
     column.agent = agent;
     if (mind == nullptr) {
-      column.note = past_.is_live() ? "It has no Soar mind." : past_.PastNote();
+      column.note = past_.is_live() ? "It has no Soar mind." : past_.rebuilt().Note();
       continue;
     }
     column.stack = debugger::LookAtStack(*mind);

@@ -84,10 +84,10 @@ void Desk::LookAtAgent(Contents& contents) {
 bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   files_.ShowDraft();
   for (const Request& request : requests) Obey(request);
-  if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.Rebuild(kRebuildSlice_s);
+  if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.rebuilt().Advance(kRebuildSlice_s);
   files_.GoOn();
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
-  if (resume_at_ && past_.past() != nullptr) Resume();
+  if (resume_at_ && past_.rebuilt().world() != nullptr) Resume();
   for (Diagnostic& warning : past_.TakeWarnings()) NoteProblem(std::move(warning), {});
   if (!news_.empty()) surroundings_.Tell(std::exchange(news_, {}));
   if (Lessons* const lessons = surroundings_.lessons()) is_stale_ |= lessons->Poll();
@@ -97,7 +97,8 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   is_stale_ |= files_.TakeNews();
   LookAtAgent(contents);
 
-  const std::string note = past_.is_live() || past_.past() != nullptr ? std::string{} : past_.PastNote();
+  const std::string note =
+      past_.is_live() || past_.rebuilt().world() != nullptr ? std::string{} : past_.rebuilt().Note();
   is_stale_ |= visible_ != refreshed_panels_ || note != refreshed_note_;
   const bool moved = past_.shown_tick() != refreshed_tick_;
   const bool is_due = Clock::now() - refreshed_at_ > kRefreshEvery;
@@ -120,8 +121,9 @@ std::string Desk::NotRecorded() const {
     return "Reading the recording: " + std::to_string(100 * recorded_.last_tick() / goal) + " %";
   }
   if (recording_->header().level == record::Level::kWorld)
-    return "Minds are not recorded at this level: record with --record-level decisions or all. " + past_.PastNote();
-  return past_.PastNote();
+    return "Minds are not recorded at this level: record with --record-level decisions or all. " +
+           past_.rebuilt().Note();
+  return past_.rebuilt().Note();
 }
 
 void Desk::FillMoment(Contents& contents) {
@@ -134,10 +136,11 @@ void Desk::FillMoment(Contents& contents) {
   at.is_recording = past_.is_recording();
   at.is_live = past_.is_live();
   at.can_go_back = past_.last_tick() > past_.first_tick();
-  at.can_resume = (past_.past() != nullptr || past_.CanBeRebuilt()) && !at.is_recording;
-  at.resume_refusal = at.can_resume ? "" : past_.PastNote();
-  at.branch_tick = past_.branch_tick();
-  at.branches = past_.branches();
+  at.can_resume = (past_.rebuilt().world() != nullptr || past_.rebuilt().IsPossible()) && !at.is_recording;
+  at.resume_refusal = at.can_resume ? "" : past_.rebuilt().Note();
+  const TimeMachine::Parting* const parting = past_.parting();
+  at.branch_tick = parting != nullptr ? std::optional(parting->tick) : std::nullopt;
+  at.branches = parting != nullptr ? parting->number : 0;
 }
 
 void Desk::Refresh(Contents& contents) {
@@ -184,10 +187,10 @@ void Desk::Refresh(Contents& contents) {
   if (world == nullptr && recording_ != nullptr) {
     // What was recorded stands in for the mind until it is simulated again.
     if (HasReadOn()) mind = recorded_.Inspect(agent_);
-    contents.past_note = past_.PastNote();
+    contents.past_note = past_.rebuilt().Note();
     if (mind == nullptr) contents.not_available = NotRecorded();
   } else if (world == nullptr) {
-    contents.not_available = past_.PastNote();
+    contents.not_available = past_.rebuilt().Note();
   } else if (contents.has_mind && mind == nullptr) {
     contents.not_available = kNoKernel;
   }
@@ -307,11 +310,11 @@ void Desk::FillLearning(Contents& contents, explain::Inspector* mind) {
 }
 
 void Desk::FillFutures(Contents& contents) {
-  record::Futures* futures = past_.futures();
-  if (futures == nullptr) return;
+  TimeMachine::Parting* const parting = past_.parting();
+  if (parting == nullptr) return;
   const std::uint64_t now = past_.shown_tick();
-  const record::TickRecord* old = now >= *past_.branch_tick() ? futures->Old(now) : nullptr;
-  contents.futures = FuturesContents{*past_.branch_tick(), now, old != nullptr, futures->comparison()};
+  const record::TickRecord* old = now >= parting->tick ? parting->futures.Old(now) : nullptr;
+  contents.futures = FuturesContents{parting->tick, now, old != nullptr, parting->futures.comparison()};
   // Where everybody was at this time in the old future.
   if (old == nullptr) return;
   for (const world::AgentSnapshot& agent : old->scene.agents) {

@@ -120,13 +120,13 @@ void Desk::Obey(const Request& request) {
 void Desk::Resume() {
   // What is still being rebuilt goes on as soon as it is there.
   resume_at_.reset();
-  if (past_.past() == nullptr && !past_.is_live() && past_.CanBeRebuilt()) {
+  if (past_.rebuilt().world() == nullptr && !past_.is_live() && past_.rebuilt().IsPossible()) {
     resume_at_ = past_.shown_tick();
     return;
   }
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
   if (simulation == nullptr || run_ == nullptr) return;
-  run_->GoOnWith(std::move(simulation), past_.branch_record(), past_.Inputs());
+  run_->GoOnWith(std::move(simulation), past_.parting()->record, past_.parting()->inputs);
   noted_agent_.clear();
   hits_.clear();
   // Who goes back wants to see it happen.

@@ -72,8 +72,8 @@ void FileDesk::Apply(Open& file) {
                                ? "Nothing was changed: the previous version keeps running."
                                : "Reloaded: it takes effect in the next tick.";
   } else {
-    if (common_.past.CanBeRebuilt()) file.apply_at = common_.past.shown_tick();
-    file.contents.notice = common_.past.PastNote();
+    if (common_.past.rebuilt().IsPossible()) file.apply_at = common_.past.shown_tick();
+    file.contents.notice = common_.past.rebuilt().Note();
   }
 }
 

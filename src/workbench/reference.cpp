@@ -31,7 +31,7 @@ std::string WorkbenchReference() {
       "`src/workbench` holds what everybody who watches a run works with. **Contents** are the values that panels "
       "show. **Requests** say what\nthe user wants. A **desk** (`workbench/desk.h`) turns requests into contents, tick "
       "by tick, for a live run and for a recording. Windows\nand pages only draw contents and send requests. This page "
-      "is made from the tables in `contents_json.cpp` and `requests_json.cpp`\n(`workbench_docs > docs/workbench.md`); "
+      "is made from the tables in `contents_json.cpp` and `requests_json.cpp`\n(`reference_pages docs`); "
       "a test compares it.\n\n"
       "## Requests\n\n"
       "A request is an object with its name and its fields: `{\"request\": \"seek\", \"tick\": 120}`. Fields in "

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,11 +11,12 @@
 #include "record/history.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
+#include "workbench/rebuilt_world.h"
 
 namespace soarbox::workbench {
 
-/// The past of a live run: shows any of its ticks, rebuilds the world and its minds as they were then, and lets the run
-/// go on from there, with the old future kept for comparison. Or a recording, which has nothing but a past: there is
+/// The past of a live run: shows any of its ticks, with the world and its minds as they were then, and lets the run go
+/// on from there, with the old future kept for comparison. Or a recording, which has nothing but a past: there is
 /// always a tick of it that is shown, and nothing goes on from it.
 class TimeMachine {
  public:
@@ -25,6 +25,8 @@ class TimeMachine {
 
   /// The ticks of this range of a recording, which must live longer. Its scenario is looked for again below `data`.
   TimeMachine(record::TickSource& recording, const sim::DataFolders& data, std::uint64_t first, std::uint64_t last);
+  TimeMachine(const TimeMachine&) = delete;
+  TimeMachine& operator=(const TimeMachine&) = delete;
 
   /// The next tick of a live run.
   void Add(const record::TickRecord& tick);
@@ -51,54 +53,41 @@ class TimeMachine {
   /// The record of any tick; null if it cannot be read. Valid until the next call.
   const record::TickRecord* At(std::uint64_t tick);
 
-  /// Rebuilds the world of the tick that is shown, a slice of about this long at a time. Nothing to do while live.
-  void Rebuild(double most_s);
-  /// The rebuilt world; null while it is not there.
-  sim::Simulation* past();
-  /// Why not: how far it is, or what went wrong.
-  std::string PastNote() const;
-  /// False if something went wrong: it will not be there.
-  bool CanBeRebuilt() const { return trouble_.empty(); }
-
-  /// Somebody has changed the rebuilt world: it is made anew for the next tick that is shown.
-  void Spoil() { is_spoilt_ = true; }
+  /// The world of the tick that is shown; while live, none.
+  RebuiltWorld& rebuilt() { return rebuilt_; }
+  const RebuiltWorld& rebuilt() const { return rebuilt_; }
 
   /// Hands over the world of the tick that is shown, for the run to go on with; null if it is not there. What came
   /// after it becomes the old future.
   std::unique_ptr<sim::Simulation> Resume();
 
-  /// The old future: null before the first Resume.
-  record::Futures* futures() { return futures_ ? &*futures_ : nullptr; }
-  std::optional<std::uint64_t> branch_tick() const { return branch_tick_; }
-  /// What is recorded of that tick; nothing before the first Resume.
-  const record::TickRecord& branch_record() const { return branch_record_; }
-  /// All that has come in since the run began.
-  std::vector<record::TickInputs> Inputs() const;
-  /// How often the run went back and on.
-  std::uint32_t branches() const { return histories_.empty() ? 0 : static_cast<std::uint32_t>(histories_.size() - 1); }
+  /// Where the run went back and on the last time.
+  struct Parting {
+    std::uint32_t number = 0;                ///< How often it did.
+    std::uint64_t tick = 0;                  ///< The tick that it went back to.
+    record::TickRecord record;               ///< What is recorded of that tick.
+    std::vector<record::TickInputs> inputs;  ///< All that had come in by then.
+    record::Futures futures;                 ///< The old future.
+  };
+  /// Null before the first Resume.
+  Parting* parting() { return parting_ ? &*parting_ : nullptr; }
   /// What may make a rebuilt past differ from the recorded one; each once.
   std::vector<Diagnostic> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   record::History& history() const { return *histories_.back(); }
-  Result<std::unique_ptr<record::Branch>> Begin();
+  record::TickSource& timeline() const { return recording_ != nullptr ? *recording_ : history(); }
 
   record::TickSource* recording_ = nullptr;  ///< Null: a live run.
-  sim::DataFolders data_;
-  std::uint64_t first_ = 0, last_ = 0;  ///< Of the recording.
+  std::uint64_t first_ = 0, last_ = 0;       ///< Of the recording.
   std::vector<Diagnostic> warnings_;
-  bool has_warned_ = false, is_spoilt_ = false;
+  bool has_warned_ = false;
 
-  sim::Scenario scenario_;
-  sim::SimulationSettings settings_;
   /// The last one is that of the run; each before it is the future that was left. They refer to each other.
   std::vector<std::unique_ptr<record::History>> histories_;
   std::optional<std::uint64_t> shown_;
-  std::unique_ptr<record::Branch> branch_;
-  std::string trouble_;
-  std::optional<record::Futures> futures_;
-  std::optional<std::uint64_t> branch_tick_;
-  record::TickRecord branch_record_;
+  RebuiltWorld rebuilt_;
+  std::optional<Parting> parting_;
 };
 
 }  // namespace soarbox::workbench

@@ -33,13 +33,6 @@ BodyValue BodySize(std::string_view what, float metres) {
   return Within(what, metres, PhysicsWorld::kMinSize_m, PhysicsWorld::kMaxSize_m, "m");
 }
 
-BodyValue CapsuleHeight(float height_m, float radius_m) {
-  BodyValue taken = BodySize("height", height_m);
-  if (taken.value >= 2 * radius_m) return taken;
-  return {2 * radius_m, "a capsule of radius " + Short(radius_m) + " m cannot be " + Short(height_m) +
-                            " m high: " + Short(2 * radius_m) + " m are taken"};
-}
-
 BodyValue BodyMass(float kg) {
   return Within("mass", kg, 0, PhysicsWorld::kMaxMass_kg, "kg");
 }

@@ -14,8 +14,6 @@ struct BodyValue {
 
 /// From a millimetre to 100 km. Less, and what is no number, becomes the least. `what`: "width", "radius".
 BodyValue BodySize(std::string_view what, float metres);
-/// Of a capsule, between the ends of its caps: at least twice its radius, which fits.
-BodyValue CapsuleHeight(float height_m, float radius_m);
 /// 0 (fixed) to a million tonnes. Less, and what is no number, becomes 0.
 BodyValue BodyMass(float kg);
 

@@ -13,7 +13,6 @@ namespace {
 TEST(BodyValues, WhatABodyCanHaveIsTakenAsItIs) {
   EXPECT_EQ(BodySize("width", 2.5f).value, 2.5f);
   EXPECT_EQ(BodySize("width", 2.5f).problem, "");
-  EXPECT_EQ(CapsuleHeight(1.8f, 0.3f).problem, "");
   EXPECT_EQ(BodyMass(0).problem, "");
 }
 
@@ -22,7 +21,6 @@ TEST(BodyValues, OthersAreLimitedAndSaidToBe) {
   EXPECT_EQ(BodySize("radius", 1e9f).value, 1e5f);
   EXPECT_EQ(BodyMass(-1).problem, "a mass of -1 kg is none that a body can have: 0 kg is taken");
   EXPECT_EQ(BodyMass(std::numeric_limits<float>::quiet_NaN()).value, 0);
-  EXPECT_EQ(CapsuleHeight(1, 2).problem, "a capsule of radius 2 m cannot be 1 m high: 4 m are taken");
 }
 
 TEST(BodyValues, TheWorldTakesWhatTheySay) {

@@ -174,9 +174,9 @@ TEST(RunSession, WhatComesAfterGoingBackIsRecordedInAFileOfItsOwn) {
     run.session->simulation().Submit(sim::OrderInput{"blue-1", "hold here"});
     run.HashAfter(40);
     past.Seek(20);
-    while (past.past() == nullptr) past.Rebuild(1);
+    while (past.rebuilt().world() == nullptr) past.rebuilt().Advance(1);
     std::unique_ptr<sim::Simulation> simulation = past.Resume();
-    run.session->GoOnWith(std::move(simulation), past.branch_record(), past.Inputs());
+    run.session->GoOnWith(std::move(simulation), past.parting()->record, past.parting()->inputs);
     EXPECT_EQ(told, "recording to " + other.string());
     run.HashAfter(10);
     run.session->Watch({});

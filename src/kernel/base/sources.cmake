@@ -1,2 +1,5 @@
 list(APPEND SOARBOX_KERNEL_SOURCES base/forkable_room.cpp base/random.cpp base/symbol_table.cpp base/symbol_text.cpp)
-soarbox_kernel_test(kernel_base_test SOURCES base/forkable_room_test.cpp base/random_test.cpp base/symbol_table_test.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS
+  base/forkable_room_test.cpp
+  base/random_test.cpp
+  base/symbol_table_test.cpp)

@@ -2,33 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <string_view>
 
+#include "diagnostics/counted_allocations.h"
 #include "kernel/agent.h"
 #include "kernel/io/input_link.h"
 #include "kernel/io/output_link.h"
-
-// This program counts what it allocates.
-namespace {
-std::uint64_t allocations = 0;
-}
-
-// GCC 12 sees the inlined std::free, but not that this program's own operator new used std::malloc.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  std::abort();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace soarbox::kernel {
 namespace {
@@ -51,9 +30,9 @@ TEST(Allocation, DecidingAndCountingAllocatesNothingInTheSteadyState) {
                "right (state <s> ^operator.from right ^turn right ^steps <n>) --> "
                "(<s> ^turn right - left ^steps <n> - (+ <n> 1))"});
   agent.Run(RunUnit::kDecision, 5000);
-  const std::uint64_t before = allocations;
+  const std::int64_t before = allocations::Count();
   agent.Run(RunUnit::kDecision, 5000);
-  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_EQ(allocations::Count() - before, 0);
   EXPECT_EQ(agent.counters().decision_cycles, 9999u);
   const Symbol steps = agent.memory().ValueOf(agent.goals().top().id, agent.mutable_symbols().String("steps"));
   EXPECT_EQ(agent.symbols().IntegerValue(steps), 9998);
@@ -94,9 +73,10 @@ TEST(Allocation, PerceivingDecidingAndActingAllocatesNothingInTheSteadyState) {
   };
   int number = 0;
   while (number < 5000) tick(number++);
-  const std::uint64_t before = allocations, commands_before = commands;
+  const std::uint64_t commands_before = commands;
+  const std::int64_t before = allocations::Count();
   while (number < 10000) tick(number++);
-  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_EQ(allocations::Count() - before, 0);
   EXPECT_GE(commands - commands_before, 4000u);
 }
 

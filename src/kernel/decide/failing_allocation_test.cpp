@@ -4,40 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <string_view>
 
+#include "diagnostics/counted_allocations.h"
 #include "kernel/agent.h"
 #include "kernel/io/input_link.h"
-
-// This program counts what it allocates, and refuses when it is told to.
-namespace {
-constexpr std::int64_t kNever = -1;
-std::int64_t allocations_left = kNever;
-std::int64_t allocations = 0;
-std::int64_t live = 0;
-}  // namespace
-
-// GCC 12 sees the inlined std::free, but not that this program's own operator new used std::malloc.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-void* operator new(std::size_t size) {
-  if (allocations_left == 0) throw std::bad_alloc();
-  if (allocations_left > 0) --allocations_left;
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (!memory) throw std::bad_alloc();
-  ++allocations;
-  ++live;
-  return memory;
-}
-void operator delete(void* memory) noexcept {
-  if (memory) --live;
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  operator delete(memory);
-}
 
 namespace soarbox::kernel {
 namespace {
@@ -79,23 +51,23 @@ TEST(FailingAllocation, LeavesAnAgentThatCanBeDestroyed) {
   constexpr std::int64_t kStride = 1;
 #endif
   Live();
-  const std::int64_t live_before = live, allocations_before = allocations;
+  const std::int64_t live_before = allocations::Live(), allocations_before = allocations::Count();
   Live();
-  const std::int64_t count = allocations - allocations_before;
-  ASSERT_EQ(live, live_before);
+  const std::int64_t count = allocations::Count() - allocations_before;
+  ASSERT_EQ(allocations::Live(), live_before);
   ASSERT_GT(count, 100);
   std::int64_t failures = 0;
   for (std::int64_t n = 0; n < count; n += kStride) {
-    allocations_left = n;
+    allocations::RefuseAfter(n, allocations::Refusal::kFromThenOn);
     try {
       if (!Live()) ++failures;
     } catch (const std::bad_alloc&) {
       ++failures;
     }
-    allocations_left = kNever;
+    allocations::Allow();
     // The next agent works as ever, and drops what only the store of shared rules still held of the last.
     Live();
-    ASSERT_EQ(live, live_before) << "after the failure of allocation " << n;
+    ASSERT_EQ(allocations::Live(), live_before) << "after the failure of allocation " << n;
   }
   EXPECT_GT(failures, count / kStride / 2);
 }

@@ -21,8 +21,12 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/rule_sharing.cpp
   decide/run_control.cpp
   decide/slot_decision.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS
+  decide/exploration_test.cpp
+  decide/preference_semantics_test.cpp
+  decide/decision_trace_test.cpp
+  decide/modules_test.cpp)
+# Looks at the memory of its process.
 soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp decide/rule_sharing_test.cpp)
-soarbox_kernel_test(kernel_decide_test SOURCES decide/exploration_test.cpp decide/preference_semantics_test.cpp decide/decision_trace_test.cpp decide/modules_test.cpp)
-soarbox_kernel_test(kernel_allocation_test STAGES release sanitized SOURCES decide/allocation_test.cpp)
-soarbox_kernel_test(kernel_random_agents_test STAGES release sanitized SOURCES decide/random_agents.cpp decide/random_agents_test.cpp match/naive_matcher.cpp)
-soarbox_kernel_test(kernel_failing_allocation_test SOURCES decide/failing_allocation_test.cpp)
+soarbox_kernel_test(kernel_allocation_test STAGES release sanitized SOURCES decide/allocation_test.cpp DEPENDS soarbox_counted_allocations)
+soarbox_kernel_test(kernel_failing_allocation_test SOURCES decide/failing_allocation_test.cpp DEPENDS soarbox_counted_allocations)

@@ -19,4 +19,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   imagery/scene_view.cpp
   imagery/space.cpp
   imagery/state_scene.cpp)
-soarbox_kernel_test(kernel_imagery_test SOURCES imagery/geometry_test.cpp imagery/imagery_test.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS imagery/geometry_test.cpp imagery/imagery_test.cpp)

@@ -21,5 +21,5 @@ list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/rule_builder.cpp
   learn/selection_knowledge.cpp
   learn/singletons.cpp)
-soarbox_kernel_test(kernel_reinforcement_test SOURCES learn/reinforcement_test.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS learn/reinforcement_test.cpp)
 soarbox_kernel_test(kernel_chunking_test STAGES release sanitized SOURCES learn/chunking_test.cpp learn/soundness_test.cpp)

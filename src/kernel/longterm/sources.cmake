@@ -25,6 +25,8 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/terms.cpp
   longterm/wm_activation.cpp
   longterm/written_order.cpp)
-soarbox_kernel_test(kernel_episodes_test SOURCES longterm/episode_store_test.cpp longterm/episodic_memory_test.cpp
-  longterm/naive_episodes.cpp)
-soarbox_kernel_test(kernel_semantic_test SOURCES longterm/semantic_search_test.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS
+  longterm/episode_store_test.cpp
+  longterm/episodic_memory_test.cpp
+  longterm/naive_episodes.cpp
+  longterm/semantic_search_test.cpp)

@@ -2,30 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 
+#include "diagnostics/counted_allocations.h"
 #include "sml_Client.h"
-
-// This program counts what it allocates.
-namespace {
-std::uint64_t allocations = 0;
-}
-
-// GCC 12 sees the inlined std::free, but not that this program's own operator new used std::malloc.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  std::abort();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace {
 
@@ -59,9 +38,10 @@ TEST(ClientAllocation, ALoopOfInputRunAndCommandsAllocatesNothingInTheSteadyStat
   };
   int number = 0;
   while (number < 5000) tick(number++);
-  const std::uint64_t before = allocations, commands_before = commands;
+  const std::uint64_t commands_before = commands;
+  const std::int64_t before = soarbox::allocations::Count();
   while (number < 15000) tick(number++);
-  EXPECT_EQ(allocations - before, 0u);
+  EXPECT_EQ(soarbox::allocations::Count() - before, 0);
   EXPECT_GE(commands - commands_before, 8000u);
   kernel->Shutdown();
   delete kernel;

@@ -11,4 +11,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   rules/functions/space_functions.cpp
   rules/functions/text_functions.cpp
   rules/functions/xml_functions.cpp)
-soarbox_kernel_test(kernel_functions_test SOURCES rules/functions/functions_test.cpp)
+list(APPEND SOARBOX_KERNEL_TESTS rules/functions/functions_test.cpp)

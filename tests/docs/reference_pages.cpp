@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// Writes the pages of docs/ that are made from tables of the source.
+//
+//   reference_pages FOLDER           writes them into the folder, docs as a rule
+//   reference_pages --check FOLDER   fails if one of the folder's pages differs
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "cli/help.h"
+#include "diagnostics/read_text.h"
+#include "script/api_reference.h"
+#include "vocabulary/vocabulary.h"
+#include "workbench/contents_json.h"
+
+int main(int argc, char** argv) {
+  const bool checks = argc == 3 && std::string_view(argv[1]) == "--check";
+  if (argc != 2 && !checks) {
+    std::fputs("usage: reference_pages [--check] FOLDER\n", stderr);
+    return 2;
+  }
+  std::vector<soarbox::script::ReferencePage> pages = soarbox::script::ApiReference();
+  for (soarbox::script::ReferencePage& page : pages) page.file = "lua/" + page.file;
+  pages.push_back({"percepts.md", soarbox::vocabulary::PerceptReference()});
+  pages.push_back({"commands.md", soarbox::vocabulary::CommandReference()});
+  pages.push_back({"soar_commands.md", soarbox::cli::CommandReference()});
+  pages.push_back({"workbench.md", soarbox::workbench::WorkbenchReference()});
+  const std::filesystem::path folder = argv[argc - 1];
+  int status = 0;
+  for (const soarbox::script::ReferencePage& page : pages) {
+    const std::filesystem::path file = folder / page.file;
+    if (checks) {
+      if (soarbox::ReadText(file) == page.text) continue;
+      std::fprintf(stderr, "%s is out of date; write it again with: reference_pages %s\n", file.c_str(),
+                   folder.c_str());
+      status = 1;
+      continue;
+    }
+    std::ofstream out(file, std::ios::binary);
+    if (out << page.text && out.flush()) continue;
+    std::fprintf(stderr, "cannot write %s\n", file.c_str());
+    status = 1;
+  }
+  return status;
+}
