@@ -8,14 +8,14 @@
 
 namespace soarbox::app {
 
-/// How far a mind alone is to go. Both come in through the run's door, so that a recording repeats them.
+/// How far a mind goes in one step. Steps are inputs of the run, so that a recording repeats them.
 enum class MindStep : std::uint8_t {
   kDecision,  ///< A tick in which the agent decides once: it perceives what is new, and the world goes on with what it
               ///< said.
   kPhase,     ///< A phase of its decision cycle, between two ticks.
 };
 
-/// Lets this agent's mind take a step; tells what came of it, or why it can take none. `has_ticked`: the world went on.
+/// Lets this agent's mind take a step, and says what it did or why it cannot. `has_ticked`: the world went on.
 struct MindStepped {
   std::string told;
   bool has_ticked = false;

@@ -17,8 +17,8 @@
 
 namespace soarbox::app {
 
-/// Follows the checks of a mission through a run and tells of them as news of the run, with the word "check": the
-/// window shows them from there, and recordings hold them. It looks only: the run is the same without it.
+/// Follows the checks of a mission through a run and reports them as events of the run, with the word "check": windows
+/// show these events, and recordings keep them. It only looks: the run is the same without it.
 class MissionWatch {
  public:
   /// The mission of this scenario: the lesson's, its own [[check]] tables, or those of the mission.toml beside it.
@@ -28,9 +28,9 @@ class MissionWatch {
 
   /// How much minds are to note at least.
   sim::MindDetail LeastDetail() const;
-  /// A run begins: this simulation is followed from now on. Adds to the events what is going to be checked.
+  /// A run begins: follows this simulation from now on. Adds an event for each check.
   void Begin(sim::Simulation& simulation, sim::EventList& events);
-  /// The run goes on from an earlier moment: what was decided stays as it was, and nothing more is, until one begins.
+  /// The run goes on from an earlier moment: keeps what was decided, and decides nothing more until a run begins.
   void Leave() { simulation_ = nullptr; }
   /// After a tick, with its events: adds what was decided.
   void See(sim::EventList& events);

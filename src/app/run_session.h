@@ -32,21 +32,21 @@ class RunSession final : public workbench::LiveRun {
   void Idle();
   /// True once the asked-for time has passed or the user has asked to stop (Ctrl-C).
   bool IsOver() const;
-  /// Follows the checks of a mission, from what is there now; before anybody records or hears of ticks. Null: none.
+  /// Follows the checks of a mission from now on. Call it before anybody records or watches ticks. Null: no mission.
   void SetMission(std::unique_ptr<MissionWatch> mission);
   /// Joins the run to other simulations: what they say is submitted before each tick.
   void Join(std::unique_ptr<dis::Gateway> gateway);
   /// Null: this run is on its own.
   const dis::Gateway* gateway() const { return gateway_.get(); }
-  /// What minds are to note even if nobody looks at them.
+  /// What minds must note even if nobody looks at them.
   sim::MindDetail LeastDetail() const override {
     return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone;
   }
   std::optional<workbench::ExerciseContents> Exercise() override;
-  /// Records what follows; with `last_tick_too`, what is there now first. Null: records nothing.
+  /// Records what follows, with `last_tick_too` beginning with what is there now. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
   void Watch(OnTick on_tick) override;
-  /// A recording ends, and on_branch may begin another one.
+  /// Ends the recording; on_branch may begin another one.
   void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
                 const std::vector<record::TickInputs>& inputs) override;
   using OnBranch = std::function<void(const record::TickRecord& at, const std::vector<record::TickInputs>& inputs)>;
@@ -58,23 +58,22 @@ class RunSession final : public workbench::LiveRun {
   /// How the run is made anew from a seed; `on_made` is called with the new one in place (to record it).
   using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
   void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
-  /// Ends the simulation and begins another one from the beginning, with this seed or the next. Rules and scripts are
-  /// read again; who heard of ticks has to ask again. After an error there is no simulation any more: only the process
-  /// can end.
+  /// Ends the simulation and makes another one, with this seed or the next. It reads rules and scripts again. Nobody
+  /// watches the new one: ask again. After an error there is no simulation any more; end the process.
   Result<void> BeginAgain(bool with_next_seed);
   std::uint64_t seed() const { return seed_; }
   /// The folder of the lesson that the world belongs to, if that was said.
   const std::filesystem::path& lesson() const { return lesson_; }
 
   sim::Simulation& simulation() override { return *simulation_; }
-  /// Whether inputs that the run ended before are a mistake: those of a file are, keys that were pressed in a paused
+  /// Whether inputs for ticks after the end of the run are a mistake: inputs of a file are, keys pressed in a paused
   /// window are not.
   void ExpectInputs(bool expects) { expects_inputs_ = expects; }
 
  private:
   void PrintEvents();
   void RecordTick();
-  /// Twice a second of real time: files that were edited.
+  /// Reloads files that were edited, twice per second of real time.
   void TakeEdits();
 
   std::unique_ptr<sim::Simulation> simulation_;

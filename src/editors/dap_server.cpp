@@ -6,8 +6,7 @@
 #include "debugger/console.h"
 #include "debugger/watch.h"
 #include "debugger/why.h"
-#include "editors/byte_pipe.h"
-#include "editors/message_stream.h"
+#include "editors/serve_stream.h"
 
 namespace soarbox::editors {
 namespace {
@@ -501,22 +500,12 @@ Json DapServer::Completions(const Json& arguments) {
 
 int ServeDap(int in, int out, const sim::DataFolders* data) {
   DapServer server(data);
-  BytePipe pipe(in, out);
-  MessageStream stream;
-  const auto send = [&](const std::vector<Json>& messages) {
-    for (const Json& message : messages)
-      pipe.Write(MessageStream::Frame(message.dump(-1, ' ', false, Json::error_handler_t::replace)));
-  };
-  while (!server.is_over() && !pipe.is_broken()) {
-    if (const std::optional<MessageStream::Message> message = stream.Next()) {
-      send(server.Handle(message->fault.empty() ? message->body : std::string()));
-      continue;
-    }
-    const BytePipe::Got got = pipe.Read(server.is_running() ? 0 : -1);
-    if (got.ended) break;
-    stream.Add(got.bytes);
-    if (got.bytes.empty()) send(server.Advance());
-  }
+  ServeStream(
+      server, in, out,
+      [&](const MessageStream::Message& message) {
+        return server.Handle(message.fault.empty() ? message.body : std::string());
+      },
+      [](DapServer& dap) { return dap.is_running() ? 0 : -1; }, [](DapServer& dap) { return dap.Advance(); });
   return 0;
 }
 

@@ -26,11 +26,11 @@ class MindReasons {
   /// Why it does nothing, most telling first; each a whole sentence or two. `known`: attributes that are made
   /// elsewhere (percepts of scripts, other agents' messages).
   std::vector<std::string> WhyIdle(const std::set<std::string>& known);
-  /// Attributes that its rules test and that no sense, rule or answer ever writes.
+  /// Attributes that its rules test and that no percept, rule or answer ever writes.
   std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
   /// What led to the operator that is selected: proposals, preferences and the elements that they rest on.
   std::vector<WhyNode> OperatorTree(const std::string& command);
-  /// Why a command is or is not said, an operator is or is not selected, or a rule does or does not match. An error if
+  /// Why a command is or is not given, an operator is or is not selected, or a rule does or does not match. An error if
   /// its rules know nothing of that name.
   Result<std::vector<WhyNode>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
   /// The rules that call (halt), for a program that has halted.

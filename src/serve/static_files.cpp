@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "serve/static_files.h"
 
-#include <zlib.h>
-
 #include <functional>
 #include <system_error>
 #include <utility>
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
+#include "serve/zip.h"
 
 namespace soarbox::serve {
 namespace {
@@ -31,21 +30,6 @@ std::string TypeOf(const std::string& extension) {
   return found != kTypes.end() ? found->second : "application/octet-stream";
 }
 
-std::string Gzip(const std::string& bytes) {
-  z_stream stream{};
-  constexpr int kGzip = 15 + 16, kMemory = 8;
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) return {};
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const bool is_whole = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return is_whole && out.size() < bytes.size() ? out : std::string();
-}
-
 }  // namespace
 
 Result<StaticFiles> StaticFiles::Read(const fs::path& folder) {
@@ -59,7 +43,8 @@ Result<StaticFiles> StaticFiles::Read(const fs::path& folder) {
     File file;
     file.type = TypeOf(it->path().extension().string());
     file.tag = "\"" + std::to_string(std::hash<std::string>{}(*bytes)) + "\"";
-    file.gzipped = Gzip(*bytes);
+    file.gzipped = Deflate(*bytes, DeflateAs::kGzip);
+    if (file.gzipped.size() >= bytes->size()) file.gzipped.clear();
     file.bytes = *std::move(bytes);
     read.files_.emplace(it->path().lexically_relative(folder).generic_string(), std::move(file));
   }

@@ -32,21 +32,6 @@ std::uint32_t Sum(std::string_view bytes) {
       crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-std::string Deflate(std::string_view bytes) {
-  z_stream stream{};
-  constexpr int kRaw = -15, kMemory = 8;
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) return {};
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const bool is_whole = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  out.resize(is_whole ? stream.total_out : 0);
-  deflateEnd(&stream);
-  return out;
-}
-
 /// Nothing if that is not deflated or unfolds to more than so many bytes.
 std::optional<std::string> Inflate(std::string_view bytes, std::uintmax_t most) {
   z_stream stream{};
@@ -75,10 +60,28 @@ Diagnostic Damaged(const std::string& why) {
 
 }  // namespace
 
+std::string Deflate(std::string_view bytes, DeflateAs format) {
+  z_stream stream{};
+  const bool is_gzip = format == DeflateAs::kGzip;
+  constexpr int kRaw = -15, kGzip = 15 + 16, kMemory = 8;
+  if (deflateInit2(&stream, is_gzip ? Z_BEST_COMPRESSION : Z_DEFAULT_COMPRESSION, Z_DEFLATED, is_gzip ? kGzip : kRaw,
+                   kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
+    return {};
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  const bool is_whole = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  out.resize(is_whole ? stream.total_out : 0);
+  deflateEnd(&stream);
+  return out;
+}
+
 std::string WriteZip(const std::vector<ZipEntry>& entries) {
   std::string out, directory;
   for (const ZipEntry& entry : entries) {
-    const std::string packed = Deflate(entry.bytes);
+    const std::string packed = Deflate(entry.bytes, DeflateAs::kRaw);
     std::string common;
     Put(common, kVersion, 2);
     Put(common, kUtf8Names, 2);

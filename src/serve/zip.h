@@ -11,6 +11,13 @@
 
 namespace soarbox::serve {
 
+enum class DeflateAs : std::uint8_t {
+  kRaw,   ///< As a zip archive holds it.
+  kGzip,  ///< As browsers take it: as small as can be.
+};
+/// Empty on failure.
+std::string Deflate(std::string_view bytes, DeflateAs format);
+
 /// A file in a zip archive.
 struct ZipEntry {
   std::string path;  ///< With "/" between folders.

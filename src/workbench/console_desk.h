@@ -32,7 +32,7 @@ class ConsoleDesk {
   void Complete(const CompleteRequest& request);
   void Keep(const KeepLineRequest& request) { unsent_[request.agent] = {request.line, true}; }
   void Clear(const std::string& agent) { ConsoleOf(agent).Clear(); }
-  /// What others had the agents do in a tick.
+  /// Adds what others made the agents do in a tick.
   void Add(const sim::EventList& events);
   /// Keeps lines that are begun on the disk.
   void KeepDrafts();

@@ -30,11 +30,11 @@
 
 namespace soarbox::workbench {
 
-/// What everybody who watches a run works with: follows it tick by tick, carries out requests, and fills in what the
-/// panels that are looked at show when the tick or the question has changed. A recording is shown by the same code: it
-/// is a run whose every tick is past.
+/// What everybody who watches a run works with. It follows the run tick by tick, carries out requests, and fills in
+/// what the panels in view show whenever the tick or the question has changed. The same code shows a recording: a run
+/// whose every tick is past.
 ///
-/// The run itself is the same with it and without, but for what the user does.
+/// Watching changes nothing: only what the user does makes the run another one.
 ///
 ///   Desk desk(run, header, scenario, settings, surroundings);
 ///   Contents contents;
@@ -58,28 +58,28 @@ class Desk {
   /// Of a desk whose run has begun again.
   void Bring(Belongings belongings);
 
-  /// Shows another tick of a recording; the user's hand on the scrubber may have moved it since.
+  /// Shows another tick of a recording. The user moves it, too, with the scrubber.
   void Show(std::uint64_t tick);
   /// Which ticks there are, and which of them is shown.
   const TimeMachine& past() const { return past_; }
-  /// Before the ticks of a frame: minds note what breakpoints and the selected agent's panels need.
+  /// Call it before the ticks of a frame: minds then note what breakpoints and the selected agent's panels need.
   void Prepare();
-  /// Whether a breakpoint was hit in the last tick: the world is to stand still.
+  /// True if the last tick hit a breakpoint: stop the world.
   bool WasHit() const { return !hits_.empty() && hit_is_new_; }
-  /// Carries out what was asked for, and refreshes the contents of the panels that are looked at; each frame, or some
-  /// times a second. False: nothing but the moment may have changed. The contents are the same object each time.
+  /// Carries out requests and refreshes the contents of the panels in view. Call it in each frame, or a few times per
+  /// second, always with the same contents. Returns false if nothing but the moment may have changed.
   bool Serve(const std::vector<Request>& requests, Contents& contents);
   /// The agent of this number in the scene that is shown; empty: there is none.
   std::string NameOf(std::uint32_t agent_id);
-  /// Adds something that the user should mend.
+  /// Adds a problem to the list.
   void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// The scene to draw instead of the live one; null while live.
   const world::SceneSnapshot* PastScene();
   bool is_live() const { return past_.is_live(); }
-  /// The user lets the world go on: what stopped it is over, and the newest moment is shown.
+  /// Lets the world go on: clears what stopped it, and shows the newest moment.
   void GoOn();
-  /// From now on the selected agent's mind is compared with what it is now, after each tick. Why it cannot be; empty:
-  /// it can.
+  /// From now on compares the selected agent's mind after each tick with what it is now. Returns why it cannot; empty
+  /// if it can.
   std::string AwaitChange() { return change_.Await(common_.Live(), agent_, past_.last_tick()); }
   MindChange& change() { return change_; }
   /// Takes notes of this agent from now on, as if it were selected.
@@ -109,7 +109,7 @@ class Desk {
   struct Visitor;
 
   // What the panels show (desk_contents.cpp).
-  /// Another agent is looked at: what was asked about the one before is over.
+  /// Selects another agent if the user wants one, and forgets what was asked about the one before.
   void LookAtAgent(Contents& contents);
   void Refresh(Contents& contents);
   void FillMoment(Contents& contents);
@@ -157,7 +157,7 @@ class Desk {
 
   // What the user looks at.
   PanelSet visible_;
-  std::string wanted_agent_;  ///< Who is to be looked at, if he is there.
+  std::string wanted_agent_;  ///< The agent to select as soon as the world has it.
   std::string agent_;
   std::string noted_agent_;  ///< The one whose mind was asked to note all.
   std::string state_, search_, rule_;

@@ -38,10 +38,10 @@ class FileDesk {
   void GoOn();
   /// Keeps what was typed and not saved on the disk.
   void KeepDrafts();
-  /// True once after something has changed that nobody asked for.
+  /// True once after each change that nobody asked for.
   bool TakeNews() { return std::exchange(has_news_, false); }
   void Fill(Contents& contents) const;
-  /// The text that runs, if the file is open and what is typed runs; else null.
+  /// The text of an open file that runs as it was typed; null if there is none.
   const debugger::Edit* FindRunning(const std::string& file) const;
 
  private:

@@ -18,9 +18,9 @@ class LiveRun {
  public:
   virtual ~LiveRun() = default;
   virtual sim::Simulation& simulation() = 0;
-  /// What minds are to note even if nobody looks at them.
+  /// What minds must note even if nobody looks at them.
   virtual sim::MindDetail LeastDetail() const { return sim::MindDetail::kNone; }
-  /// Hears of each tick from now on, and of what is there now first; an empty function: nobody does.
+  /// Calls the function with what is there now, and then with each tick; an empty function ends that.
   using OnTick = std::function<void(const record::TickRecord&)>;
   virtual void Watch(OnTick on_tick) = 0;
   /// The exercise of other simulations that it takes part in, as it is now; nothing: in none.

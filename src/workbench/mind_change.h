@@ -9,13 +9,13 @@
 
 namespace soarbox::workbench {
 
-/// What a mind said last in a tick, or how that went; empty if it said nothing.
+/// The last command that a mind gave in a tick, or how that went; empty if it gave none.
 std::string LastCommand(const mind::EventLog& events);
 
 /// Waits until an agent's operators, its goal stack or its command change.
 class MindChange {
  public:
-  /// From now on. Why it cannot be; empty: it can.
+  /// Begins to wait. Returns why it cannot; empty if it can.
   std::string Await(sim::Simulation* live, const std::string& agent, std::uint64_t tick);
   void AwaitNothing() {
     before_ = {};
@@ -23,7 +23,7 @@ class MindChange {
   }
   /// After each tick.
   void Look(sim::Simulation& live, const record::TickRecord& tick);
-  /// What changed in the last tick, a sentence, once; or that nothing has for long.
+  /// One sentence, told once: what changed in the last tick, or that nothing has changed for long.
   std::string Take();
 
  private:

@@ -16,7 +16,7 @@ class Lessons {
   virtual ~Lessons() = default;
   /// Shows the next hint.
   virtual void Hint() = 0;
-  /// Begins to grade the learner's files; Poll takes over what came of it.
+  /// Begins to grade the learner's files; Poll picks up the result.
   virtual Result<void> Grade() = 0;
   /// Puts another lesson's files into the learner's folder; where its world is, and the lesson's own folder.
   struct Opened {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "editors/byte_pipe.h"
+#include "editors/json.h"
+#include "editors/message_stream.h"
+
+namespace soarbox::editors {
+
+/// Serves a client of the Language Server Protocol or the Debug Adapter Protocol until the server is over or the client
+/// has gone. `take(message)` answers a message; when none waits for `patience(server)` milliseconds (below 0: without
+/// end), `rest(server)` says what there is to say.
+template <typename Server, typename Take, typename Patience, typename Rest>
+void ServeStream(Server& server, int in, int out, Take take, Patience patience, Rest rest) {
+  BytePipe pipe(in, out);
+  MessageStream stream;
+  const auto send = [&](const std::vector<Json>& messages) {
+    for (const Json& message : messages)
+      pipe.Write(MessageStream::Frame(message.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  };
+  while (!server.is_over() && !pipe.is_broken()) {
+    if (const std::optional<MessageStream::Message> message = stream.Next()) {
+      send(take(*message));
+      continue;
+    }
+    const BytePipe::Got got = pipe.Read(patience(server));
+    if (got.ended) return;
+    stream.Add(got.bytes);
+    if (got.bytes.empty()) send(rest(server));
+  }
+}
+
+}  // namespace soarbox::editors
