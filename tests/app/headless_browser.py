@@ -5,11 +5,12 @@ import json
 import os
 import pathlib
 import shutil
-import socket
 import subprocess
 import time
 import urllib.error
 import urllib.request
+
+from soarbox_command import free_port
 
 PROGRAMS = ("chromium", "chromedriver")
 
@@ -18,12 +19,6 @@ def missing():
     """Why there is no browser to test with; empty: there is one."""
     absent = [name for name in PROGRAMS if not shutil.which(name)]
     return "no browser to test pages with: " + " and ".join(absent) + " not installed" if absent else ""
-
-
-def free_port():
-    with socket.socket() as there:
-        there.bind(("127.0.0.1", 0))
-        return there.getsockname()[1]
 
 
 class Browser:

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import resource
+import socket
 import subprocess
 import tempfile
 import unittest
@@ -46,6 +47,27 @@ class Run:
 
     def diagnostics(self):
         return [event["diagnostic"] for event in self.events if "diagnostic" in event]
+
+
+def free_port():
+    """A TCP port of this machine at which nobody listens."""
+    with socket.socket() as there:
+        there.bind(("127.0.0.1", 0))
+        return there.getsockname()[1]
+
+
+def start_kernel():
+    """A kernel in a process of its own, and the port at which it listens."""
+    port = free_port()
+    kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
+    assert "listens" in kernel.stdout.readline()
+    return kernel, port
+
+
+def end(process):
+    process.kill()
+    process.wait()
+    process.stdout.close()
 
 
 def run_json(scenario, *arguments, **options):

@@ -6,11 +6,9 @@ The files in inspect_golden are what it prints of one agent; SOARBOX_UPDATE=1 wr
 import json
 import os
 import pathlib
-import socket
-import subprocess
 import unittest
 
-from soarbox_command import COMMAND, Run, ScenarioCase
+from soarbox_command import Run, ScenarioCase, end, start_kernel
 from test_soar_authors import WORLD
 
 GOLDEN = pathlib.Path(__file__).resolve().parent / "inspect_golden"
@@ -123,14 +121,8 @@ class Inspect(ScenarioCase):
 
     def kernel_elsewhere(self):
         """The port of a kernel in a process of its own."""
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(kernel.stdout.close)
-        self.addCleanup(kernel.wait)
-        self.addCleanup(kernel.kill)
-        self.assertIn("listens", kernel.stdout.readline())
+        kernel, port = start_kernel()
+        self.addCleanup(end, kernel)
         return port
 
     def test_each_view_prints_what_its_golden_file_says(self):

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
-import socket
 import subprocess
 import time
 import unittest
 
 from png_picture import Picture
-from soarbox_command import COMMAND
+from soarbox_command import COMMAND, end, start_kernel
 from virtual_display import can_draw
 from window_user import WALKER, WORLD, WindowUser
 
@@ -356,14 +355,8 @@ class Panels(WindowUser):
             """)
 
     def test_the_window_goes_on_without_a_kernel_that_has_gone(self):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = str(free.getsockname()[1])
-        kernel = subprocess.Popen([COMMAND, "kernel", "--port", port], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(kernel.stdout.close)
-        self.addCleanup(kernel.wait)
-        self.addCleanup(kernel.kill)
-        kernel.stdout.readline()
+        kernel, port = start_kernel()
+        self.addCleanup(end, kernel)
         mark = self.folder / "mark.png"
         run = subprocess.Popen(
             self.window("""

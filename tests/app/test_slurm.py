@@ -14,7 +14,7 @@ import threading
 import time
 import unittest
 
-from soarbox_command import COMMAND, Run
+from soarbox_command import COMMAND, Run, free_port
 from test_missions import RULES, SWEEP, WORLD
 
 DAEMONS = ("slurmctld", "slurmd", "munged", "sbatch", "squeue", "scancel")
@@ -26,12 +26,6 @@ def missing():
     if absent:
         return "Slurm is not installed here: " + ", ".join(absent)
     return "Slurm's daemons want to be started by root" if os.geteuid() != 0 else ""
-
-
-def free_port():
-    with socket.socket() as there:
-        there.bind(("127.0.0.1", 0))
-        return there.getsockname()[1]
 
 
 @unittest.skipIf(missing(), missing())

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from soarbox_command import COMMAND, Run, ScenarioCase
+from soarbox_command import COMMAND, Run, ScenarioCase, free_port
 from test_missions import RULES, WORLD
 
 SPEC = """
@@ -27,12 +27,6 @@ name = "own"
 name = "elsewhere"
 kernel = "127.0.0.1:%d"
 """
-
-
-def free_port():
-    with socket.socket() as there:
-        there.bind(("127.0.0.1", 0))
-        return there.getsockname()[1]
 
 
 class Elsewhere(ScenarioCase):

@@ -14,11 +14,9 @@ holds, and with a mind in a kernel elsewhere. The comments of an agent say what 
 import os
 import pathlib
 import re
-import socket
-import subprocess
 import unittest
 
-from soarbox_command import COMMAND, Run, ScenarioCase
+from soarbox_command import Run, ScenarioCase, end, start_kernel
 
 SITUATIONS = pathlib.Path(__file__).resolve().parent.parent / "why"
 WAYS = ("live", "again", "recorded", "elsewhere")
@@ -64,17 +62,9 @@ class Situation:
 class Why(ScenarioCase):
     @classmethod
     def setUpClass(cls):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            cls.port = str(free.getsockname()[1])
-        cls.kernel = subprocess.Popen([COMMAND, "kernel", "--port", cls.port], stdout=subprocess.PIPE, text=True)
-        cls.kernel.stdout.readline()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.kernel.kill()
-        cls.kernel.wait()
-        cls.kernel.stdout.close()
+        kernel, port = start_kernel()
+        cls.port = str(port)
+        cls.addClassCleanup(end, kernel)
 
     def look(self, situation, way, view, recording):
         source = recording if way in ("again", "recorded") else self.folder

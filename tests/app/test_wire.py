@@ -12,7 +12,7 @@ import time
 import unittest
 
 from protocol_client import Client, Refused, debugger_attach, debugger_start, frame
-from soarbox_command import COMMAND, run_json
+from soarbox_command import COMMAND, free_port, run_json
 from test_soar_typos import TOWER
 
 
@@ -29,12 +29,6 @@ sp {apply*send (state <s> ^operator <o> ^io.output-link <out>)
 sp {apply*drop (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <cmd>) (<cmd> ^status complete)
    --> (<out> ^<name> <cmd> -)}
 """
-
-
-def free_port():
-    with socket.socket() as holder:
-        holder.bind(("127.0.0.1", 0))
-        return holder.getsockname()[1]
 
 
 class Process:
