@@ -4,14 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "debugger/json.h"
+#include "diagnostics/json_text.h"
 
 namespace soarbox::app {
 
 using Json = nlohmann::ordered_json;
 
 using debugger::ToJson;
-
-/// One line without a newline; bytes that are not UTF-8 are replaced rather than refused.
-std::string ToLine(const Json& json);
 
 }  // namespace soarbox::app

@@ -101,7 +101,7 @@ class JsonPrinter : public EventPrinter {
   }
 
  private:
-  void Write(const Json& json) { out_ << ToLine(json) << '\n'; }
+  void Write(const Json& json) { out_ << JsonText(json) << '\n'; }
 
   std::ostream& out_;
 };

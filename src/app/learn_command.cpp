@@ -37,12 +37,12 @@ class Learner {
       const Lesson& lesson = lessons_[i];
       const int attempts = progress_.Get(lesson.name, "attempts"), hints = progress_.Get(lesson.name, "hints");
       if (options_.json) {
-        std::cout << ToLine(Json{{"number", i + 1},
-                                 {"name", lesson.name},
-                                 {"title", lesson.title},
-                                 {"passed", progress_.IsPassed(lesson.name)},
-                                 {"attempts", attempts},
-                                 {"hints", hints}})
+        std::cout << JsonText(Json{{"number", i + 1},
+                                   {"name", lesson.name},
+                                   {"title", lesson.title},
+                                   {"passed", progress_.IsPassed(lesson.name)},
+                                   {"attempts", attempts},
+                                   {"hints", hints}})
                   << '\n';
         continue;
       }

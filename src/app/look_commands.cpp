@@ -70,7 +70,7 @@ int Check(const CheckOptions& options) {
   for (const Diagnostic& problem : problems) {
     errors += problem.severity == Severity::kError ? 1 : 0;
     if (options.json) {
-      std::cout << ToLine(ToJson(problem)) << '\n';
+      std::cout << JsonText(ToJson(problem)) << '\n';
     } else {
       std::cout << Format(problem);
     }

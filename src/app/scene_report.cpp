@@ -12,6 +12,7 @@
 #include "app/data_folders.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
+#include "diagnostics/json_text.h"
 #include "diagnostics/read_text.h"
 #include "record/reader.h"
 #include "report/page.h"
@@ -112,7 +113,7 @@ class Moments {
   /// Says a content once while it stays the same.
   void Tell(std::uint64_t tick, const std::string& agent, const char* name) {
     Json content = workbench::ToJson(shown_, name);
-    const std::string text = content.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = JsonText(content);
     const std::size_t hash = std::hash<std::string>{}(text);
     std::size_t& before = told_[agent + '\0' + name];
     if (before == hash) return;
@@ -179,11 +180,10 @@ Result<std::string> ScenePage(const std::filesystem::path& file, const sim::Data
     if (!fits && tried < kMostTries) continue;
     whole["scene"] = moments.TakeScene();
     // Much of it says the same again: packed, it takes an eighth.
-    whole["contents"] =
-        Base64(stream::Deflate(moments.TakeContents().dump(-1, ' ', false, Json::error_handler_t::replace)));
+    whole["contents"] = Base64(stream::Deflate(JsonText(moments.TakeContents())));
     break;
   }
-  const std::string text = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = JsonText(whole);
   return report::FillIn(*page, {{"nonce", nonce}, {"data", report::ForScriptElement(text)}});
 }
 

@@ -208,7 +208,7 @@ class Shell {
     json["text"] = result.text;
     if (!result.structured.children.empty()) json["result"] = ToJson(result.structured);
     for (const Diagnostic& diagnostic : result.diagnostics) json["diagnostics"].push_back(app::ToJson(diagnostic));
-    std::puts(ToLine(json).c_str());
+    std::puts(JsonText(json).c_str());
     std::fflush(stdout);
   }
 

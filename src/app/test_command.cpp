@@ -225,7 +225,7 @@ class Tester {
         tested.loaded, settings,
         [&](const RunResult& run) {
           if (shows && ++shown <= 60) std::cout << Mark(run) << std::flush;
-          if (options_.json) std::cout << ToLine(ToJson(mission, run)) << '\n' << std::flush;
+          if (options_.json) std::cout << JsonText(ToJson(mission, run)) << '\n' << std::flush;
         },
         [] { return !WasInterrupted(); });
     if (!outcome) return outcome.error();
@@ -233,14 +233,14 @@ class Tester {
     const mission::MissionOutcome& came = tested.outcome;
     const bool passed = came.Passed(mission);
     if (options_.json) {
-      std::cout << ToLine(Json{{"event", "mission"},
-                               {"mission", mission.name},
-                               {"file", tested.file.string()},
-                               {"passed", passed},
-                               {"runs", came.runs.size()},
-                               {"runs_passed", came.passed},
-                               {"needed", came.needed},
-                               {"wall_s", came.wall_s}})
+      std::cout << JsonText(Json{{"event", "mission"},
+                                 {"mission", mission.name},
+                                 {"file", tested.file.string()},
+                                 {"passed", passed},
+                                 {"runs", came.runs.size()},
+                                 {"runs_passed", came.passed},
+                                 {"needed", came.needed},
+                                 {"wall_s", came.wall_s}})
                 << '\n';
       return {};
     }

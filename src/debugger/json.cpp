@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/json_text.h"
+
 namespace soarbox::debugger {
 
 Json ToJson(const Diagnostic& diagnostic) {
@@ -20,7 +22,7 @@ Json ToJson(const Diagnostic& diagnostic) {
 }
 
 std::string Print(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json) + "\n";
 }
 
 }  // namespace soarbox::debugger

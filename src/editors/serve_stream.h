@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnostics/json_text.h"
 #include "editors/byte_pipe.h"
 #include "editors/json.h"
 #include "editors/message_stream.h"
@@ -18,8 +19,7 @@ void ServeStream(Server& server, int in, int out, Take take, Patience patience, 
   BytePipe pipe(in, out);
   MessageStream stream;
   const auto send = [&](const std::vector<Json>& messages) {
-    for (const Json& message : messages)
-      pipe.Write(MessageStream::Frame(message.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    for (const Json& message : messages) pipe.Write(MessageStream::Frame(JsonText(message)));
   };
   while (!server.is_over() && !pipe.is_broken()) {
     if (const std::optional<MessageStream::Message> message = stream.Next()) {

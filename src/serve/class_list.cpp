@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "serve/random_id.h"
@@ -66,9 +67,7 @@ Result<ClassList> ClassList::Read(const fs::path& names, const fs::path& state, 
   if (list.learners_.empty())
     return ProblemIn(names, "this list of a class holds no name", "write a name on each line");
   const fs::path making = fs::path(file) += ".part";
-  std::ofstream(making) << Json{{"key", list.key_}, {"places", known}}.dump(2, ' ', false,
-                                                                            Json::error_handler_t::replace)
-                        << '\n';
+  std::ofstream(making) << JsonText(Json{{"key", list.key_}, {"places", known}}, 2) << '\n';
   std::error_code error;
   fs::rename(making, file, error);
   if (error) return ProblemIn(file, "this file cannot be written: " + error.message());

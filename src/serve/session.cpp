@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
-#include "serve/json_text.h"
 
 namespace soarbox::serve {
 namespace {
@@ -101,7 +101,7 @@ void Session::TellPresence() {
   if (engine_ == nullptr) return;
   std::set<std::string> watched;
   for (const auto& [viewer, panels] : watched_) watched.insert(panels.begin(), panels.end());
-  engine_->Send(JsonText({{"request", "presence"}, {"pages", viewers_.size()}, {"watched", watched}}));
+  engine_->Send(JsonText(Json{{"request", "presence"}, {"pages", viewers_.size()}, {"watched", watched}}));
 }
 
 void Session::Take(Viewer& viewer, std::string text) {
@@ -229,7 +229,7 @@ void Session::OnEnd(const std::string& last_words, bool is_good) {
   if (why.empty())
     why = is_good ? "The run has ended." : "The run has crashed. What you typed and the recording are kept.";
   NoLongerBusy();
-  Tell(JsonText({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
+  Tell(JsonText(Json{{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }
 
 void Session::EndIfIdle() {
@@ -248,7 +248,7 @@ void Session::End(const std::string& why) {
   engine_.reset();
   lock_.reset();
   NoLongerBusy();
-  Tell(JsonText({{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
+  Tell(JsonText(Json{{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }
 
 }  // namespace soarbox::serve

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "serve/json_text.h"
 #include "serve/random_id.h"
 
 namespace soarbox::serve {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/json_text.h"
 #include "editors/lsp_server.h"
 
 namespace soarbox::app {
@@ -10,8 +11,7 @@ namespace {
 
 std::vector<std::string> TextsOf(const std::vector<editors::Json>& messages) {
   std::vector<std::string> texts;
-  for (const editors::Json& message : messages)
-    texts.push_back(message.dump(-1, ' ', false, editors::Json::error_handler_t::replace));
+  for (const editors::Json& message : messages) texts.push_back(JsonText(message));
   return texts;
 }
 
@@ -23,7 +23,7 @@ class LspLanguage final : public EngineLanguage {
     // Commands of the server are for editors of this machine: they start programs.
     const auto method = message.find("method");
     if (method != message.end() && (*method == "workspace/executeCommand" || *method == "exit")) return {};
-    return TextsOf(server_.Handle(message.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    return TextsOf(server_.Handle(JsonText(message)));
   }
   std::vector<std::string> Idle() override {
     return server_.HasIdleWork() ? TextsOf(server_.Idle()) : std::vector<std::string>();

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
 #include "workbench/contents_json.h"
 #include "workbench/requests_json.h"
@@ -31,11 +32,6 @@ constexpr std::array<std::pair<std::string_view, Flow>, 10> kFlows{{
     {"begin-again", Flow::kReset},
     {"next-seed", Flow::kNextSeed},
 }};
-
-/// Names and rules of strangers may hold anything: what is no UTF-8 is replaced.
-std::string TextOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::string TextOf(const Json& json, const char* field) {
   const auto found = json.find(field);
@@ -157,7 +153,7 @@ void EnginePage::SayOfLanguage(const std::vector<std::string>& messages) {
 }
 
 void EnginePage::Say(const Json& message, serve::FrameKind kind) {
-  channel_.Send(kind, TextOf(message));
+  channel_.Send(kind, JsonText(message));
 }
 
 void EnginePage::Hello(Json about) {
@@ -193,7 +189,7 @@ void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, doubl
 
 void EnginePage::ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels) {
   for (const std::string_view name : workbench::ContentNames(panels, contents)) {
-    const std::string content = TextOf(workbench::ToJson(contents, name));
+    const std::string content = JsonText(workbench::ToJson(contents, name));
     const std::size_t hash = std::hash<std::string>{}(content);
     const auto [told, is_new] = told_.try_emplace(std::string(name), hash);
     if (!is_new && std::exchange(told->second, hash) == hash) continue;
