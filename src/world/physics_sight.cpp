@@ -41,23 +41,23 @@ class Probe {
   Four from_{}, inverse_{};
 };
 
-/// Calls visit(body) for each body whose bounding box the segment meets up to `share`, which visit may lessen. Ends
-/// when visit answers false; returns whether it never did.
-template <class Visit>
-bool VisitTree(const btDbvtNode* root, const Probe& probe, btScalar& share, const Visit& visit) {
+/// Calls visit(box, body) for each body below a node whose bounding box `meets` accepts, like those of all nodes above
+/// it. Ends when visit answers false; returns whether it never did.
+template <class Meets, class Visit>
+bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
   std::array<const btDbvtNode*, 64> waiting;
   std::size_t count = 0;
   for (const btDbvtNode* node = root; node != nullptr; node = count > 0 ? waiting[--count] : nullptr) {
-    if (!probe.Meets(node->volume, share)) continue;
+    if (!meets(node->volume)) continue;
     if (node->isleaf()) {
       const auto* proxy = static_cast<const btBroadphaseProxy*>(node->data);
-      if (!visit(*static_cast<const btCollisionObject*>(proxy->m_clientObject))) return false;
+      if (!visit(node->volume, *static_cast<const btCollisionObject*>(proxy->m_clientObject))) return false;
       continue;
     }
     for (const btDbvtNode* child : {node->childs[0], node->childs[1]}) {
       if (count < waiting.size()) {
         waiting[count++] = child;
-      } else if (!VisitTree(child, probe, share, visit)) {
+      } else if (!VisitTree(child, meets, visit)) {
         return false;  // A tree this deep is rare: it continues on a list of its own.
       }
     }
@@ -65,13 +65,21 @@ bool VisitTree(const btDbvtNode* root, const Probe& probe, btScalar& share, cons
   return true;
 }
 
+template <class Meets, class Visit>
+bool VisitTrees(const CrowdBroadphase& bodies, const Meets& meets, const Visit& visit) {
+  for (const btDbvt* tree : bodies.Trees())
+    if (tree->m_root != nullptr && !VisitTree(tree->m_root, meets, visit)) return false;
+  return true;
+}
+
+/// Each body whose bounding box the segment meets up to `share`, which visit may lessen.
 template <class Visit>
 bool VisitBodies(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, btScalar& share,
                  const Visit& visit) {
   const Probe probe(from, to);
-  for (const btDbvt* tree : bodies.Trees())
-    if (tree->m_root != nullptr && !VisitTree(tree->m_root, probe, share, visit)) return false;
-  return true;
+  return VisitTrees(
+      bodies, [&](const btDbvtVolume& box) { return probe.Meets(box, share); },
+      [&](const btDbvtVolume&, const btCollisionObject& body) { return visit(body); });
 }
 
 /// Takes the body for the first hit if it is entered no later; of several at one point the one of the smallest owner.
@@ -110,21 +118,12 @@ FirstHit FindFirstHit(const std::vector<BoxedBody>& bodies, const btVector3& fro
 void FindInBox(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high,
                std::vector<BoxedBody>& found) {
   const btDbvtVolume wanted = btDbvtVolume::FromMM(low, high);
-  std::vector<const btDbvtNode*> waiting;
-  for (const btDbvt* tree : bodies.Trees()) {
-    if (tree->m_root != nullptr) waiting.push_back(tree->m_root);
-    while (!waiting.empty()) {
-      const btDbvtNode* const node = waiting.back();
-      waiting.pop_back();
-      if (!Intersect(node->volume, wanted)) continue;
-      if (node->isleaf()) {
-        const auto* proxy = static_cast<const btBroadphaseProxy*>(node->data);
-        found.push_back({node->volume, static_cast<const btCollisionObject*>(proxy->m_clientObject)});
-      } else {
-        waiting.insert(waiting.end(), {node->childs[0], node->childs[1]});
-      }
-    }
-  }
+  VisitTrees(
+      bodies, [&](const btDbvtVolume& box) { return Intersect(box, wanted); },
+      [&](const btDbvtVolume& box, const btCollisionObject& body) {
+        found.push_back({box, &body});
+        return true;
+      });
 }
 
 bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
