@@ -7,7 +7,7 @@
 
 #include "app/exit_codes.h"
 #include "app/next_run.h"
-#include "app/window/run_control.h"
+#include "app/window/run_commands.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -128,7 +128,7 @@ void LiveWindow::Tick(double step_s) {
 
 Result<void> LiveWindow::Obey() {
   using viewer::ViewerCommand;
-  RunControl control;
+  RunCommands control;
   for (const ViewerCommand command : viewer_.TakeCommands()) {
     // Who lets the world or a mind go on while he looks at the past wants to see it go on.
     const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||

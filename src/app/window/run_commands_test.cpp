@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The flow of time in a window, and runs that begin again; no display is needed.
-#include "app/window/run_control.h"
+#include "app/window/run_commands.h"
 
 #include <gtest/gtest.h>
 

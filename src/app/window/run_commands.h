@@ -12,7 +12,7 @@ namespace soarbox::app {
 /// `has_begun_again` is set.
 ///
 /// Steps of the selected agent's mind are those of mind_steps.h. An error means that the run cannot go on.
-struct RunControl {
+struct RunCommands {
   bool has_begun_again = false, has_ticked = false;
 
   Result<bool> Obey(viewer::ViewerCommand command, RunSession& session, viewer::Viewer& viewer,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/window/run_control.h"
+#include "app/window/run_commands.h"
 
 #include <string>
 
@@ -16,8 +16,8 @@ std::string NameOf(std::uint32_t agent_id, const world::SceneSnapshot& scene) {
 
 }  // namespace
 
-Result<bool> RunControl::Obey(viewer::ViewerCommand command, RunSession& session, viewer::Viewer& viewer,
-                              const world::SceneSnapshot& scene) {
+Result<bool> RunCommands::Obey(viewer::ViewerCommand command, RunSession& session, viewer::Viewer& viewer,
+                               const world::SceneSnapshot& scene) {
   switch (command) {
     case viewer::ViewerCommand::kStepDecision:
     case viewer::ViewerCommand::kStepPhase: {
