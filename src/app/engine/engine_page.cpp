@@ -33,6 +33,10 @@ constexpr std::array<std::pair<std::string_view, Flow>, 10> kFlows{{
     {"next-seed", Flow::kNextSeed},
 }};
 
+std::string TextOf(const Json& json) {
+  return JsonText(json);
+}
+
 std::string TextOf(const Json& json, const char* field) {
   const auto found = json.find(field);
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -153,7 +157,7 @@ void EnginePage::SayOfLanguage(const std::vector<std::string>& messages) {
 }
 
 void EnginePage::Say(const Json& message, serve::FrameKind kind) {
-  channel_.Send(kind, JsonText(message));
+  channel_.Send(kind, TextOf(message));
 }
 
 void EnginePage::Hello(Json about) {
@@ -189,7 +193,7 @@ void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, doubl
 
 void EnginePage::ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels) {
   for (const std::string_view name : workbench::ContentNames(panels, contents)) {
-    const std::string content = JsonText(workbench::ToJson(contents, name));
+    const std::string content = TextOf(workbench::ToJson(contents, name));
     const std::size_t hash = std::hash<std::string>{}(content);
     const auto [told, is_new] = told_.try_emplace(std::string(name), hash);
     if (!is_new && std::exchange(told->second, hash) == hash) continue;
