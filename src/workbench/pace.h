@@ -23,7 +23,7 @@ class Pace {
 
   /// How many ticks of `step_s` are due now, if OutOfTime does not come before.
   int TicksDue(double step_s);
-  /// True if the ticks since TicksDue have taken so long that the next frame is due.
+  /// The ticks since TicksDue have taken so long that the next frame is due.
   bool OutOfTime() const;
   /// Real time since TicksDue was called last does not count: something else took it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }
