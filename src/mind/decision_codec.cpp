@@ -52,11 +52,12 @@ bool IsModest(const Decision& decision) {
 
 }  // namespace
 
-void Pack(const DecisionView& decision, std::string& bytes) {
+template <typename Text>
+void Pack(const DecisionOf<Text>& decision, std::string& bytes) {
   constexpr std::size_t kNumber = FieldWriter::kMostOfNumber;
   std::size_t most = 8 * kNumber + (decision.by.size() + 3 * decision.left.size()) * kNumber;
-  for (const DecisionView::Operator& op : decision.operators) most += 2 * kNumber + op.id.size() + op.name.size();
-  for (const DecisionView::Preference& preference : decision.preferences) most += 5 * kNumber + preference.rule.size();
+  for (const auto& op : decision.operators) most += 2 * kNumber + op.id.size() + op.name.size();
+  for (const auto& preference : decision.preferences) most += 5 * kNumber + preference.rule.size();
   most += 5 * kNumber * decision.drops.size();
   const std::size_t before = bytes.size();
   bytes.resize(before + most);
@@ -70,23 +71,23 @@ void Pack(const DecisionView& decision, std::string& bytes) {
   put(decision.policy);
   out.Byte(static_cast<std::uint8_t>((decision.is_forced ? 1 : 0) | (decision.has_changed ? 2 : 0)));
   out.Number(decision.operators.size());
-  for (const DecisionView::Operator& op : decision.operators) {
-    put(op.id);
-    put(op.name);
+  for (const auto& op : decision.operators) {
+    put(std::string_view(op.id));
+    put(std::string_view(op.name));
   }
   put_place(decision.selected);
   out.Number(decision.preferences.size());
-  for (const DecisionView::Preference& preference : decision.preferences) {
+  for (const auto& preference : decision.preferences) {
     put(preference.kind);
     put_place(preference.op);
     if (HasReferent(preference.kind)) put_place(preference.referent);
     if (preference.kind == PreferenceKind::kNumeric) put(preference.number);
-    put(preference.rule);
+    put(std::string_view(preference.rule));
   }
   out.Number(decision.by.size());
   for (const std::uint32_t place : decision.by) put_place(place);
   out.Number(decision.drops.size());
-  for (const DecisionView::Drop& drop : decision.drops) {
+  for (const auto& drop : decision.drops) {
     put_place(drop.op);
     put(drop.stage);
     put(drop.decisive);
@@ -94,13 +95,16 @@ void Pack(const DecisionView& decision, std::string& bytes) {
     out.Number(drop.count);
   }
   out.Number(decision.left.size());
-  for (const DecisionView::Chance& chance : decision.left) {
+  for (const auto& chance : decision.left) {
     put_place(chance.op);
     put(chance.value);
     put(chance.probability);
   }
   bytes.resize(static_cast<std::size_t>(out.at() - bytes.data()));
 }
+
+template void Pack(const Decision& decision, std::string& bytes);
+template void Pack(const DecisionView& decision, std::string& bytes);
 
 std::optional<Decision> Unpack(std::string_view bytes) {
   if (bytes.size() > kMostBytes) return std::nullopt;

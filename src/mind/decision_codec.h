@@ -9,8 +9,9 @@
 
 namespace soarbox::mind {
 
-/// Appends a decision as bytes, quick to make while a mind runs.
-void Pack(const DecisionView& decision, std::string& bytes);
+/// Appends a decision as bytes, quick to make while a mind runs. Of a Decision or a DecisionView.
+template <typename Text>
+void Pack(const DecisionOf<Text>& decision, std::string& bytes);
 
 /// Reads what Pack wrote. None if the bytes are anything else: every place that they name is within bounds.
 std::optional<Decision> Unpack(std::string_view bytes);

@@ -11,7 +11,7 @@ namespace soarbox::wire {
 /// The call that asks for it, by the argument "state". Soarbox's own: other kernels answer with an error.
 inline constexpr const char* kDecisionCall = "soarbox_decision";
 
-/// Adds <decision> with its operators, preferences, drops and those left: the facts one by one, no text to be read.
+/// Adds <decision> with the bytes that recordings hold of one (mind/decision_codec.h), as hexadecimal digits.
 void AddDecision(Element& parent, const mind::Decision& decision);
 /// Reads the <decision> of an answer; none if there is none or it is not one of ours.
 std::optional<mind::Decision> ReadDecision(const Element& parent);

@@ -66,7 +66,7 @@ mind::DecisionView ViewOf(const Decision& from) {
 
 std::string Packed(const Decision& decision) {
   std::string bytes;
-  mind::Pack(ViewOf(decision), bytes);
+  mind::Pack(decision, bytes);
   return bytes;
 }
 
@@ -131,6 +131,10 @@ TEST(Decision, AnAnswerOfAnotherKernelIsNone) {
   EXPECT_FALSE(ReadDecision(parent));
   parent.Add("decision");
   EXPECT_FALSE(ReadDecision(parent));
+  for (const char* text : {"0", "0g", "00", "-1"}) {
+    parent.children.front().text = text;
+    EXPECT_FALSE(ReadDecision(parent)) << text;
+  }
 }
 
 }  // namespace
