@@ -3,31 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "dis/settings.h"
+#include "sim/table_reader.h"
 
 namespace soarbox::dis {
 namespace {
 
 constexpr std::size_t kMostRows = 1000;
 
-/// Reads `[dis]`; what is wrong first stays.
-class TableReader {
+/// Reads `[dis]`.
+class SettingsReader : public sim::TableReader {
  public:
-  TableReader(std::string file, Settings& settings) : file_(std::move(file)), settings_(settings) {}
-
-  const std::optional<Diagnostic>& problem() const { return problem_; }
+  SettingsReader(std::string file, Settings& settings, std::vector<Diagnostic>& problems)
+      : TableReader(std::move(file), "docs/dis.md", problems), settings_(settings) {}
 
   void Read(const toml::table& table) {
     CheckKeys(
         table, "[dis]",
         {"address", "interface", "port", "site", "application", "exercise", "version", "anchor", "heartbeat", "timeout",
          "threshold", "most_entities", "takes_orders", "listens_only", "forces", "entity", "munition"});
-    Text(table, "address", settings_.address);
-    Text(table, "interface", settings_.interface);
+    ReadText(table, "address", settings_.address);
+    ReadText(table, "interface", settings_.interface);
     Whole(table, "port", 1, 65535, settings_.port);
     Whole(table, "site", 1, 65534, settings_.site);
     Whole(table, "application", 1, 65534, settings_.application);
@@ -46,31 +45,12 @@ class TableReader {
   }
 
  private:
-  void Fail(const toml::node& at, std::string message, std::string hint = {}) {
-    if (problem_) return;
-    problem_.emplace();
-    problem_->file = file_;
-    problem_->line = static_cast<int>(at.source().begin.line);
-    problem_->column = static_cast<int>(at.source().begin.column);
-    problem_->message = std::move(message);
-    problem_->hint = std::move(hint);
-  }
-
-  void CheckKeys(const toml::table& table, const std::string& what, std::initializer_list<std::string_view> known) {
-    for (const auto& [key, value] : table) {
-      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string_view near = Suggest(key.str(), known);
-      Fail(value, what + " has no '" + std::string(key.str()) + "'",
-           near.empty() ? "docs/dis.md lists what it has" : "did you mean '" + std::string(near) + "'?");
-    }
-  }
-
-  void Text(const toml::table& table, const char* key, std::string& value) {
+  void ReadText(const toml::table& table, const char* key, std::string& value) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return;
     const auto text = node->value_exact<std::string>();
     if (!text || text->empty() || text->size() > 200)
-      return Fail(*node, "'" + std::string(key) + "' takes a text in quotes");
+      return Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
     value = *text;
   }
 
@@ -80,8 +60,8 @@ class TableReader {
     if (node == nullptr) return;
     const auto number = node->value_exact<std::int64_t>();
     if (!number || *number < least || *number > most)
-      return Fail(*node, "'" + std::string(key) + "' takes a whole number from " + std::to_string(least) + " to " +
-                             std::to_string(most));
+      return Problem(*node, "'" + std::string(key) + "' takes a whole number from " + std::to_string(least) + " to " +
+                                std::to_string(most));
     value = static_cast<Integer>(*number);
   }
 
@@ -91,7 +71,7 @@ class TableReader {
     if (node == nullptr) return;
     const auto number = node->is_number() ? node->value<double>() : std::nullopt;
     if (!number || !(*number >= least && *number <= most))
-      return Fail(*node, "'" + std::string(key) + "' takes a number of that size: more than 0, and not too large");
+      return Problem(*node, "'" + std::string(key) + "' takes a number of that size: more than 0, and not too large");
     value = static_cast<Real>(*number);
   }
 
@@ -99,7 +79,7 @@ class TableReader {
     const toml::node* node = table.get(key);
     if (node == nullptr) return;
     const auto flag = node->value_exact<bool>();
-    if (!flag) return Fail(*node, "'" + std::string(key) + "' takes true or false");
+    if (!flag) return Problem(*node, "'" + std::string(key) + "' takes true or false");
     value = *flag;
   }
 
@@ -115,21 +95,22 @@ class TableReader {
       good = number && std::abs(*number) <= kMost[i];
       parts[i] = number.value_or(0);
     }
-    if (!good) return Fail(*node, "'anchor' takes [latitude, longitude, height], in degrees and metres");
+    if (!good) return Problem(*node, "'anchor' takes [latitude, longitude, height], in degrees and metres");
     settings_.anchor = {parts[0], parts[1], parts[2]};
   }
 
   void Forces(const toml::table& table) {
     const toml::node* node = table.get("forces");
     if (node == nullptr) return;
-    if (node->as_table() == nullptr) return Fail(*node, "write [dis.forces] above lines such as: blue = \"friendly\"");
+    if (node->as_table() == nullptr)
+      return Problem(*node, "write [dis.forces] above lines such as: blue = \"friendly\"");
     for (const auto& [team, value] : *node->as_table()) {
       constexpr std::string_view kNames[] = {"other", "friendly", "opposing", "neutral"};
       const auto name = value.value_exact<std::string>();
       const auto number = value.value_exact<std::int64_t>();
       const auto at = std::find(std::begin(kNames), std::end(kNames), name.value_or(""));
       if (at == std::end(kNames) && (!number || *number < 0 || *number > 255)) {
-        Fail(value, "a force is \"friendly\", \"opposing\", \"neutral\", \"other\" or a number up to 255");
+        Problem(value, "a force is \"friendly\", \"opposing\", \"neutral\", \"other\" or a number up to 255");
         continue;
       }
       settings_.forces[std::string(team.str())] =
@@ -137,42 +118,29 @@ class TableReader {
     }
   }
 
-  /// The tables of [[dis.KEY]].
-  std::vector<const toml::table*> Tables(const toml::table& table, const char* key) {
-    std::vector<const toml::table*> tables;
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return tables;
-    const toml::array* list = node->as_array();
-    for (std::size_t i = 0; list != nullptr && i < list->size() && i < kMostRows; ++i)
-      if (const toml::table* one = list->get(i)->as_table()) tables.push_back(one);
-    if (list == nullptr || tables.size() != list->size())
-      Fail(*node, "write [[dis." + std::string(key) + "]] above each one");
-    return tables;
-  }
-
   TypePattern Type(const toml::table& row) {
     std::string text;
-    Text(row, "type", text);
+    ReadText(row, "type", text);
     const std::optional<TypePattern> pattern = ParseTypePattern(text);
     if (!pattern)
-      Fail(row.contains("type") ? *row.get("type") : static_cast<const toml::node&>(row),
-           "'type' takes up to seven numbers: \"3.1.225.1\" or \"3.1.*.1\"",
-           "kind, domain, country, category, subcategory, specific, extra");
+      Problem(row.contains("type") ? *row.get("type") : static_cast<const toml::node&>(row),
+              "'type' takes up to seven numbers: \"3.1.225.1\" or \"3.1.*.1\"",
+              "kind, domain, country, category, subcategory, specific, extra");
     return pattern.value_or(TypePattern{});
   }
 
   /// A scenario's own rows come before those that are there.
   void Rows(const toml::table& table) {
     std::vector<EntityRow> entities;
-    for (const toml::table* row : Tables(table, "entity")) {
+    for (const toml::table* row : Tables(table, "entity", kMostRows, "dis.")) {
       CheckKeys(*row, "[[dis.entity]]", {"type", "body"});
       EntityRow& made = entities.emplace_back(EntityRow{Type(*row), {}});
-      Text(*row, "body", made.body);
-      if (made.body.empty()) Fail(*row, "this [[dis.entity]] has no 'body'", "a kind of body, such as \"soldier\"");
+      ReadText(*row, "body", made.body);
+      if (made.body.empty()) Problem(*row, "this [[dis.entity]] has no 'body'", "a kind of body, such as \"soldier\"");
     }
     settings_.entities.insert(settings_.entities.begin(), entities.begin(), entities.end());
     std::vector<MunitionRow> munitions;
-    for (const toml::table* row : Tables(table, "munition")) {
+    for (const toml::table* row : Tables(table, "munition", kMostRows, "dis.")) {
       CheckKeys(*row, "[[dis.munition]]", {"type", "damage", "radius"});
       MunitionRow& made = munitions.emplace_back(MunitionRow{Type(*row)});
       Number(*row, "damage", 0, 1e6, made.damage);
@@ -181,9 +149,11 @@ class TableReader {
     settings_.munitions.insert(settings_.munitions.begin(), munitions.begin(), munitions.end());
   }
 
-  std::string file_;
+  std::string HintFor(std::string_view, const std::vector<std::string_view>&) const override {
+    return "docs/dis.md lists what it has";
+  }
+
   Settings& settings_;
-  std::optional<Diagnostic> problem_;
 };
 
 Result<std::optional<Settings>> ReadFile(const std::filesystem::path& file, Settings settings) {
@@ -203,17 +173,15 @@ Result<std::optional<Settings>> ReadFile(const std::filesystem::path& file, Sett
   }
   const toml::node* node = root.get("dis");
   if (node == nullptr) return std::optional<Settings>();
-  TableReader reader(file.string(), settings);
+  std::vector<Diagnostic> problems;
+  SettingsReader reader(file.string(), settings, problems);
   if (const toml::table* table = node->as_table()) {
     reader.Read(*table);
-    if (!reader.problem()) return std::optional<Settings>(std::move(settings));
-    return *reader.problem();
+  } else {
+    reader.Problem(*node, "write [dis] above the options of the exercise");
   }
-  Diagnostic problem;
-  problem.file = file.string();
-  problem.line = static_cast<int>(node->source().begin.line);
-  problem.message = "write [dis] above the options of the exercise";
-  return problem;
+  if (!problems.empty()) return problems.front();
+  return std::optional<Settings>(std::move(settings));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "diagnostics/plain_text.h"
 #include "mission/sentences.h"
-#include "mission/table_reader.h"
+#include "sim/table_reader.h"
 
 namespace soarbox::mission {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::string_view kCheckWords[] = {"name",   "agent",    "team",  "item
                                             "always", "never",    "from",  "to",   "after",   "before", "within",
                                             "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by"};
 
-class MissionReader : public TableReader {
+class MissionReader : public sim::TableReader {
  public:
   MissionReader(std::string file, std::vector<Diagnostic>& problems)
       : TableReader(std::move(file), "docs/missions.md", problems) {}

@@ -13,6 +13,7 @@
 
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
+#include "sim/table_reader.h"
 #include "world/body_values.h"
 
 namespace soarbox::sim {
@@ -77,44 +78,10 @@ std::string HintOf(std::string_view complaint, std::string_view line) {
 }
 
 /// Reads tables and keeps what is wrong with them.
-class Reader {
+class Reader : public TableReader {
  public:
-  Reader(std::string file, std::vector<Diagnostic>& problems) : file_(std::move(file)), problems_(problems) {}
-
-  void Problem(const toml::node& at, std::string message, std::string hint = {}) {
-    Diagnostic problem;
-    problem.file = file_;
-    problem.line = static_cast<int>(at.source().begin.line);
-    problem.column = static_cast<int>(at.source().begin.column);
-    problem.message = std::move(message);
-    problem.hint = std::move(hint);
-    problems_.push_back(std::move(problem));
-  }
-
-  /// Complains about keys that are none of these.
-  void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
-    for (const auto& [key, value] : table) {
-      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      std::string hint;
-      if (const std::string_view near = Suggest(key.str(), known); !near.empty()) {
-        hint = "did you mean '" + std::string(near) + "'?";
-      } else if (IsOfWholeScenario(key.str())) {
-        hint = kOnTop;
-      } else {
-        hint = "there are:";
-        for (const std::string_view name : known) hint += " " + std::string(name);
-      }
-      Problem(value, std::string(what) + " has no '" + std::string(key.str()) + "'", hint);
-    }
-  }
-
-  std::string Text(const toml::table& table, std::string_view key, std::string otherwise = {}) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return otherwise;
-    if (const auto text = node->value_exact<std::string>()) return *text;
-    Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
-    return otherwise;
-  }
+  Reader(std::string file, std::vector<Diagnostic>& problems)
+      : TableReader(std::move(file), "docs/scenarios.md", problems) {}
 
   /// A name: people write it in rules and read it in messages.
   std::string Name(const toml::table& table, std::string otherwise = {}) {
@@ -166,19 +133,8 @@ class Reader {
     return std::nullopt;
   }
 
-  /// The tables of [[key]].
   std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key) {
-    std::vector<const toml::table*> tables;
-    const toml::node* node = root.get(key);
-    if (node == nullptr) return tables;
-    if (const toml::array* list = node->as_array()) {
-      for (const toml::node& entry : *list) {
-        if (entry.as_table() && tables.size() < kMostEntries) tables.push_back(entry.as_table());
-      }
-      if (tables.size() == list->size()) return tables;
-    }
-    Problem(*node, "write [[" + std::string(key) + "]] above each one");
-    return tables;
+    return TableReader::Tables(root, key, kMostEntries);
   }
 
   /// Puts what stands in a table under dotted names.
@@ -204,8 +160,12 @@ class Reader {
     }
   }
 
-  std::string file_;
-  std::vector<Diagnostic>& problems_;
+  std::string HintFor(std::string_view key, const std::vector<std::string_view>& known) const override {
+    if (IsOfWholeScenario(key)) return std::string(kOnTop);
+    std::string hint = "there are:";
+    for (const std::string_view name : known) hint += " " + std::string(name);
+    return hint;
+  }
 };
 
 void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {

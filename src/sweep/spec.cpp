@@ -7,7 +7,7 @@
 
 #include "diagnostics/read_text.h"
 #include "mission/read_mission.h"
-#include "mission/table_reader.h"
+#include "sim/table_reader.h"
 #include "sweep/plan.h"
 
 namespace soarbox::sweep {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000, kMostPlayers = 30;
 
-class SpecReader : public mission::TableReader {
+class SpecReader : public sim::TableReader {
  public:
   SpecReader(Spec& spec, std::vector<Diagnostic>& problems, bool is_copy)
       : TableReader(spec.file.string(), "docs/sweeps.md", problems), spec_(spec), is_copy_(is_copy) {}

@@ -12,14 +12,15 @@
 
 #include "diagnostics/diagnostic.h"
 
-namespace soarbox::mission {
+namespace soarbox::sim {
 
-/// What readers of TOML files with checks have in common: they name the place of each problem.
+/// What readers of TOML files have in common: they name the place of each problem.
 class TableReader {
  public:
   /// `page` lists what such a file may hold: "docs/missions.md".
   TableReader(std::string file, std::string page, std::vector<Diagnostic>& problems)
       : file_(std::move(file)), page_(std::move(page)), problems_(problems) {}
+  virtual ~TableReader() = default;
 
   void Problem(const toml::node& at, std::string message, std::string hint = {}) {
     Diagnostic& problem = problems_.emplace_back();
@@ -30,25 +31,27 @@ class TableReader {
     problem.hint = std::move(hint);
   }
 
-  void CheckKeys(const toml::table& table, const std::string& what, const std::vector<std::string_view>& known) {
+  /// Complains of keys that are none of these.
+  void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
       const std::string_view near = Suggest(key.str(), known);
-      Problem(value, what + " has no '" + std::string(key.str()) + "'",
-              near.empty() ? page_ + " lists what there is" : "did you mean '" + std::string(near) + "'?");
+      Problem(value, std::string(what) + " has no '" + std::string(key.str()) + "'",
+              near.empty() ? HintFor(key.str(), known) : "did you mean '" + std::string(near) + "'?");
     }
   }
 
-  std::string Text(const toml::table& table, std::string_view key) {
+  std::string Text(const toml::table& table, std::string_view key, std::string otherwise = {}) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return {};
+    if (node == nullptr) return otherwise;
     if (const auto text = node->value_exact<std::string>()) return *text;
     Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
-    return {};
+    return otherwise;
   }
 
-  /// Those of [[key]], no more than `most`.
-  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key, std::size_t most) {
+  /// The tables of [[key]], no more than `most`; `above`: what a key is written behind, "dis.".
+  std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key, std::size_t most,
+                                         const std::string& above = {}) {
     std::vector<const toml::table*> tables;
     const toml::node* node = root.get(key);
     if (node == nullptr) return tables;
@@ -56,7 +59,7 @@ class TableReader {
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
       if (list->get(i)->is_table()) tables.push_back(list->get(i)->as_table());
     if (list == nullptr || tables.size() != list->size())
-      Problem(*node, "write [[" + std::string(key) + "]] above each one");
+      Problem(*node, "write [[" + above + std::string(key) + "]] above each one");
     if (tables.size() > most) {
       Problem(*node, "there are more than " + std::to_string(most) + " of them");
       tables.resize(most);
@@ -65,6 +68,10 @@ class TableReader {
   }
 
  protected:
+  /// What to do about a key that is like none that is known.
+  virtual std::string HintFor(std::string_view, const std::vector<std::string_view>&) const {
+    return page_ + " lists what there is";
+  }
   const std::string& file() const { return file_; }
   std::vector<Diagnostic>& problems() { return problems_; }
 
@@ -73,4 +80,4 @@ class TableReader {
   std::vector<Diagnostic>& problems_;
 };
 
-}  // namespace soarbox::mission
+}  // namespace soarbox::sim
