@@ -27,6 +27,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/shared_conjunctions.cpp
   match/sparse_memories.cpp
   match/token_pool.cpp)
-soarbox_kernel_test(kernel_match_test STAGES release sanitized SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/match_parts_test.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp
-  # Agents as wholes, compared with the naive matcher.
-  decide/random_agents.cpp decide/random_agents_test.cpp)
+soarbox_kernel_test(kernel_match_test STAGES release sanitized SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/match_parts_test.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp)
