@@ -375,6 +375,26 @@
     return h('figure', {}, [h('figcaption', {}, metric.name + ': each run, with the mean and its 95 % interval below'), svg]);
   }
 
+  // The agents of a tournament: what they have reached, and how sure their ratings are.
+  function standings(agents) {
+    const row = 26, height = row * agents.length + 30, low = Math.min(...agents.map((a) => a.low)), high = Math.max(...agents.map((a) => a.high));
+    const X = scale(low, high, 140, 620), marks = ticks(low, high, 5);
+    const svg = s('svg', { viewBox: '0 0 640 ' + height, role: 'img', 'aria-label': 'Ratings with their 95 % intervals' });
+    marks.forEach((v) => {
+      svg.appendChild(s('line', { x1: X(v), x2: X(v), y1: 0, y2: height - 20, stroke: 'var(--line)' }));
+      svg.appendChild(s('text', { x: X(v), y: height - 5, 'text-anchor': 'middle', class: 'quiet' }, labelOf(v, marks)));
+    });
+    agents.forEach((a, i) => {
+      const y = i * row + 14;
+      svg.appendChild(s('text', { x: 4, y: y + 4 }, a.agent.length > 18 ? a.agent.slice(0, 17) + '…' : a.agent));
+      svg.appendChild(s('line', { x1: X(a.low), x2: X(a.high), y1: y, y2: y, stroke: color(i), 'stroke-width': 3 }));
+      svg.appendChild(s('circle', { cx: X(a.rating), cy: y, r: 4.5, fill: color(i) }, s('title', {}, a.agent + ': ' + a.rating + ' (95 %: ' + a.low + ' to ' + a.high + ')')));
+    });
+    const rows = agents.map((a) => [a.agent, a.rating, a.low + ' to ' + a.high, a.games, a.won, a.drawn, a.lost, a.place, a.points]);
+    return section('Standings', [table(['agent', 'rating', '95 %', 'games', 'won', 'drawn', 'lost', 'place', 'points per game'], rows, 'Best first'),
+      h('figure', {}, [h('figcaption', {}, 'Ratings on Elo’s scale, with 95 % intervals from resampling the games'), svg])], 'standings');
+  }
+
   function sweepPage(sweep) {
     const names = sweep.variants.map((v) => v.name);
     const percent = (x) => Math.round(100 * x) + ' %';
@@ -382,7 +402,7 @@
     const checks = sweep.check_names.map((name, i) => [name].concat(sweep.variants.map((v) => v.checks[i].true + ' of ' + v.checks[i].of + ' (' + percent(v.checks[i].low) + ' to ' + percent(v.checks[i].high) + ')')));
     const differences = [];
     sweep.metrics.forEach((metric) => metric.differences.forEach((d) => differences.push([metric.name, d.variant, d.mean, d.low, d.high, d.pairs, d.low > 0 || d.high < 0 ? 'yes' : 'may be chance'])));
-    return [header(sweep), section('Variants', table(['variant', 'runs', 'crashed or hung', 'undecided', 'passed', 'share', '95 %'], variants, 'Runs of each variant'), 'variants'),
+    return [header(sweep), sweep.standings ? standings(sweep.standings) : null, section('Variants', table(['variant', 'runs', 'crashed or hung', 'undecided', 'passed', 'share', '95 %'], variants, 'Runs of each variant'), 'variants'),
       checks.length ? section('Checks', table(['check'].concat(names), checks, 'How often each check was true, with 95 % intervals'), 'checks') : null,
       section('Distributions', h('div', { class: 'even' }, sweep.metrics.slice(0, 24).map((metric) => strip(metric, names))), 'distributions'),
       differences.length ? section('Differences from ' + names[0] + ', on equal seeds', table(['number', 'variant', 'mean difference', 'low', 'high', 'pairs', 'real'], differences, 'Paired differences with 95 % intervals'), 'differences') : null,

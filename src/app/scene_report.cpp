@@ -15,6 +15,7 @@
 #include "diagnostics/json_text.h"
 #include "diagnostics/read_text.h"
 #include "record/reader.h"
+#include "record/rerun.h"
 #include "report/page.h"
 #include "stream/deflate.h"
 #include "stream/scene_encoder.h"
@@ -149,8 +150,13 @@ Json Hello(record::Reader& recording) {
     }
   }
   const record::Header& header = recording.header();
-  return {{"scenario", header.scenario},       {"seed", header.seed},     {"agents", std::move(agents)},
-          {"minds", std::move(minds)},         {"step_s", header.step_s}, {"first_tick", recording.first_tick()},
+  return {{"scenario", header.scenario},
+          {"seed", header.seed},
+          {"agents", std::move(agents)},
+          {"minds", std::move(minds)},
+          {"step_s", header.step_s},
+          {"turn_ticks", record::TurnTicks(header)},
+          {"first_tick", recording.first_tick()},
           {"last_tick", recording.last_tick()}};
 }
 

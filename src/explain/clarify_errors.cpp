@@ -12,6 +12,7 @@
 
 #include "diagnostics/read_text.h"
 #include "explain/command_text.h"
+#include "explain/former_soar.h"
 #include "explain/odd_characters.h"
 #include "explain/rule_text.h"
 
@@ -141,6 +142,14 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
     problem.hint = "a rule starts with sp {";
     const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
     PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
+    return;
+  }
+  // "no such command 'exit'" of the line quit: an alias is told by what it stands for.
+  for (const std::string& name : {word, Between(problem.message, "no such command '", "'")}) {
+    const std::string now = FormerCommandHint(name);
+    if (now.empty()) continue;
+    problem.message = "Soar no longer has a command '" + word + "'";
+    problem.hint = now;
     return;
   }
   if (word == "indiff") {
@@ -311,6 +320,22 @@ std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, con
   return name;
 }
 
+/// The same for what a web page put for another character.
+bool ClarifyPasted(Diagnostic& problem, const SourceFile& source) {
+  const int begin = BeginOfRule(source, problem.line);
+  if (begin == 0 || problem.severity != Severity::kError) return false;
+  for (int at = begin; at < EndOfRule(source, begin) && at <= problem.line; ++at) {
+    const std::size_t column = FindPasted(source.Code(at));
+    if (column == kNowhere) continue;
+    OddCharacter pasted = DescribePasted(source.Code(at), column);
+    problem.message = "rule " + NameOfRule(source, begin) + " cannot be read: " + pasted.message;
+    problem.hint = std::move(pasted.hint);
+    PointAt(problem, source, at, column, static_cast<int>(pasted.length));
+    return true;
+  }
+  return false;
+}
+
 /// A character that readers skip, in a rule that did not load: most likely why.
 bool ClarifyOddCharacter(Diagnostic& problem, const SourceFile& source) {
   const int begin = BeginOfRule(source, problem.line);
@@ -380,6 +405,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
                        ? "write the number without quotes: " + found.substr(1, found.size() - 2)
                        : "write text between bars: |I am going|";
   if (found == "<") problem.hint = "write a variable without blanks: <o>";
+  if (const std::string now = FormerSyntaxHint(found); !now.empty()) problem.hint = now;
   if (found != "^") return;
   // "( <o> ^" where a value was expected: the bracket before it was never closed.
   const std::size_t open = line.rfind('(', column);
@@ -421,6 +447,8 @@ void ClarifyState(Diagnostic& problem) {
   const std::size_t bracket = word.find('<');
   if (bracket != kNowhere && bracket > 0) {
     problem.hint = "a blank is missing: " + word.substr(0, bracket) + " " + word.substr(bracket);
+  } else if (const std::string now = FormerSyntaxHint(word); !now.empty()) {
+    problem.hint = now;
   } else if (!Suggest(word, {"state"}).empty()) {
     problem.hint = "did you mean state?";
   } else {
@@ -520,6 +548,9 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
       ClarifyCommand(problem, source);
       outside = text.find("outside any rule") != kNowhere || text.starts_with("a blank is missing between");
       if (outside && was_outside) continue;
+    } else if (const std::string now = FormerOptionHint(source.Code(problem.line));
+               text.starts_with("No such option") && !now.empty()) {
+      problem.hint = now;
     } else if (text.starts_with("Failed to open file")) {
       const std::string& code = source.Code(problem.line);
       problem.hint = code.find('\'') != kNowhere   ? "write the name without quotes"
@@ -536,7 +567,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
           problem.hint.starts_with("the rule's"))
         continue;
       if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
-    } else if (!ClarifyOddCharacter(problem, source)) {
+    } else if (!ClarifyPasted(problem, source) && !ClarifyOddCharacter(problem, source)) {
       ClarifyState(problem);
       ClarifyFound(problem, source);
       if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";

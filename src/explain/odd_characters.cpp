@@ -42,6 +42,18 @@ constexpr std::array kLookAlikes = {
     LookAlike{"\u2260", "a sign that rules do not have", "not equal is written <>"},
 };
 
+/// What stands in the text of web pages for the character of that name.
+constexpr std::array kPasted = {
+    LookAlike{"\\*", "*", {}},  LookAlike{"\\_", "_", {}},  LookAlike{"\\<", "<", {}},   LookAlike{"\\>", ">", {}},
+    LookAlike{"&lt;", "<", {}}, LookAlike{"&gt;", ">", {}}, LookAlike{"&amp;", "&", {}}, LookAlike{"&quot;", "|", {}},
+};
+
+const LookAlike* PastedAt(std::string_view line, std::size_t at) {
+  for (const LookAlike& each : kPasted)
+    if (line.substr(at).starts_with(each.character)) return &each;
+  return nullptr;
+}
+
 bool IsAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
 }
@@ -86,6 +98,21 @@ OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at) {
           ? "names of variables are made of the letters a to z, digits and - _ *"
           : "write it without " + character +
                 (before == std::string_view::npos || line[before] == '{' ? "" : ", or between bars: |" + word + "|")};
+}
+
+std::size_t FindPasted(std::string_view line) {
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '|') is_quoted = !is_quoted;
+    if (!is_quoted && PastedAt(line, at) != nullptr) return at;
+  }
+  return std::string_view::npos;
+}
+
+OddCharacter DescribePasted(std::string_view line, std::size_t at) {
+  const LookAlike& pasted = *PastedAt(line, at);
+  const std::string as(pasted.character), meant(pasted.name);
+  return {as.size(), "it has " + as + ", which web pages write for " + meant, "write " + meant + " here and elsewhere"};
 }
 
 std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file) {

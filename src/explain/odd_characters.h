@@ -23,6 +23,11 @@ std::size_t FindOddCharacter(std::string_view line);
 /// What is wrong with the one that begins here.
 OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at);
 
+/// What a web page put for a character that is meant, outside of bars: \* for *, &lt; for <. Npos if nothing.
+std::size_t FindPasted(std::string_view line);
+/// What is wrong with what begins here.
+OddCharacter DescribePasted(std::string_view line, std::size_t at);
+
 /// All of a file, once for each character and rule, as warnings beside the names of their rules.
 std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file);
 

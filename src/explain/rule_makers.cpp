@@ -233,13 +233,27 @@ bool AsksForSelected(const RuleText& rule, const ConditionText& condition) {
 }
 
 bool Changes(const RuleText& rule) {
-  std::set<std::string> operators;
-  for (const RuleAttribute& condition : rule.conditions)
+  std::set<std::string> operators, states_above, substate;
+  for (const RuleAttribute& condition : rule.conditions) {
     if (condition.attribute == "operator" && !condition.negated) operators.insert(FirstWord(condition.value));
+    if (condition.attribute == "superstate" && !condition.negated) {
+      states_above.insert(FirstWord(condition.value));
+      substate.insert(condition.id);
+    }
+  }
+  // Below an operator, what a rule adds to its own state describes that state: it passes with it.
+  const bool is_below = std::ranges::all_of(rule.conditions, [&](const RuleAttribute& condition) {
+    return condition.attribute != "operator" || condition.negated || states_above.contains(condition.id);
+  });
+  if (!is_below) substate.clear();
+  for (const RuleAttribute& action : rule.actions)
+    if (substate.contains(action.id) && IsVariable(FirstWord(action.value)) &&
+        !rule.paths.contains(FirstWord(action.value)))
+      substate.insert(FirstWord(action.value));
   if (std::ranges::any_of(rule.calls, [](const std::string& call) { return call == "halt" || call == "interrupt"; }))
     return true;
   return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
-    return action.attribute != "operator" && !operators.contains(action.id);
+    return action.attribute != "operator" && !operators.contains(action.id) && !substate.contains(action.id);
   });
 }
 

@@ -39,7 +39,8 @@ std::vector<std::string> FromTop(const std::vector<std::string>& path);
 /// is not about an operator that is selected, but about a proposal or something else.
 bool AsksForSelected(const RuleText& rule, const ConditionText& condition);
 
-/// Whether a firing of this rule applies an operator: it changes something else than the operator.
+/// Whether a firing of this rule applies an operator: it changes something else than the operator, and than the
+/// substate in which others work on the operator.
 bool Changes(const RuleText& rule);
 
 }  // namespace soarbox::explain

@@ -86,6 +86,11 @@ TEST(RuleMakers, WhatARuleDoesToAnOperatorAloneDoesNotApplyIt) {
   EXPECT_FALSE(Changes(OneRule(selected, "(write |going|)")));
   EXPECT_TRUE(Changes(OneRule(selected, "(<s> ^gone yes +)")));
   EXPECT_TRUE(Changes(OneRule(selected, "(halt)")));
+  // Nor does what it adds to the substate in which others work on the operator.
+  const std::string below = "(state <s> ^superstate <ss>) (<ss> ^operator <o>) (<o> ^name go)";
+  EXPECT_FALSE(Changes(OneRule(below, "(<s> ^name go +)")));
+  EXPECT_FALSE(Changes(OneRule(below, "(<s> ^plan <p> +) (<p> ^step 1 +)")));
+  EXPECT_TRUE(Changes(OneRule(below, "(<ss> ^gone yes +)")));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "diagnostics/diagnostic.h"
+#include "explain/former_soar.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
 
@@ -305,10 +306,12 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
     std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
     if (near.empty() && std::ranges::find(kPrinters, name) != std::end(kPrinters)) near = "write";
     if (near.empty() && name.starts_with("rand")) near = "rand-int or rand-float";
+    const std::string former = FormerFunctionHint(name);
     slips.push_back({rule.name, name, false,
                      "rule " + rule.name + " calls the function " + name + ", which does not exist",
-                     near.empty() ? "built in are write, crlf, halt, + - * / and others"
-                                  : "did you mean " + std::string(near) + "?"});
+                     !former.empty() ? former
+                     : near.empty()  ? "built in are write, crlf, halt, + - * / and others"
+                                     : "did you mean " + std::string(near) + "?"});
   }
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.attribute != "superstate" || condition.value.empty() || condition.value == "nil") continue;

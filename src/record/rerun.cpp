@@ -8,6 +8,7 @@
 #include "record/branch.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
+#include "sim/scenario_file.h"
 
 namespace soarbox::record {
 namespace fs = std::filesystem;
@@ -76,6 +77,18 @@ bool RunTo(sim::Simulation& simulation, std::uint64_t last_tick, Level level, co
 }
 
 }  // namespace
+
+int TurnTicks(const Header& header) {
+  const std::string last = fs::path(header.scenario).filename().string();
+  for (const std::string& name : {last, last + ".toml", std::string("scenario.toml")}) {
+    for (const KeptFile& file : header.files) {
+      if (file.folder != 0 || file.name != name || !name.ends_with(".toml")) continue;
+      std::vector<Diagnostic> problems;
+      return sim::ParseScenarioFile(file.content, name, problems).turn_ticks;
+    }
+  }
+  return 1;
+}
 
 Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const RerunSettings& rerun) {
   const Header& header = recording.header();

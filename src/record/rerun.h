@@ -41,6 +41,9 @@ Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const
 Result<Rerun> Restart(TickSource& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
                       const RerunSettings& rerun);
 
+/// How many ticks a turn of the recorded game has (sim::TurnTicks), from the files that the recording keeps.
+int TurnTicks(const Header& header);
+
 /// Told the tick that was reached, for showing progress; false ends the work.
 using Progress = std::function<bool(std::uint64_t tick)>;
 

@@ -10,6 +10,7 @@
 #include "mission/statistics.h"
 #include "report/page.h"
 #include "sweep/run_sweep.h"
+#include "sweep/tournament.h"
 
 namespace soarbox::report {
 namespace {
@@ -29,6 +30,23 @@ Json IntervalOf(const std::vector<double>& values) {
               {"high", interval.high},
               {"median", mission::Median(values)},
               {"sd", mission::StandardDeviation(values)}};
+}
+
+/// The agents of a tournament, best first.
+Json StandingsOf(const sweep::Spec& spec, const std::vector<sweep::Row>& rows) {
+  Json standings = Json::array();
+  for (const sweep::Standing& each : sweep::Standings(spec, rows))
+    standings.push_back(Json{{"agent", each.player},
+                             {"rating", std::round(each.rating)},
+                             {"low", std::round(each.rating_low)},
+                             {"high", std::round(each.rating_high)},
+                             {"games", each.games},
+                             {"won", each.wins},
+                             {"drawn", each.draws},
+                             {"lost", each.losses},
+                             {"place", std::round(each.place * 100) / 100},
+                             {"points", std::round(each.points * 100) / 100}});
+  return standings;
 }
 
 }  // namespace
@@ -168,6 +186,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   std::istringstream lines(sweep::Summary(spec, *plan, rows));
   for (std::string line; std::getline(lines, line);) summary.push_back(Json{{"text", line}});
   Json table = Json::array(), failed = Json::array();
+  const std::size_t points = spec.seatings.empty() ? 0 : spec.seatings.front().size();
   for (const sweep::Row& row : rows) {
     if (table.size() >= kMostRows) break;
     Json cells = Json::array({plan->variants[row.variant].variant.name, row.seed, row.result.outcome,
@@ -177,12 +196,21 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
       const std::optional<double> value = row.result.NumberOf(name);
       cells.push_back(value ? Json(std::round(*value * 100) / 100) : Json(""));
     }
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t at = spec.metrics.size() - points + i;
+      cells.push_back(at < row.metrics.size() && row.metrics[at] ? Json(*row.metrics[at]) : Json(""));
+    }
     table.push_back(std::move(cells));
     if (row.result.outcome != "ok")
       failed.push_back(Json{{"variant", plan->variants[row.variant].variant.name},
                             {"seed", row.seed},
                             {"outcome", row.result.outcome},
                             {"error", row.result.error}});
+  }
+  if (const bool is_tournament = !spec.players.empty(); is_tournament) {
+    made["standings"] = StandingsOf(spec, rows);
+    const Json& best = made["standings"].front();
+    verdict << best["agent"].get<std::string>() << " is ahead, with a rating of " << best["rating"].get<double>();
   }
   made["verdict"] = verdict.str();
   made["variants"] = std::move(variants);
@@ -192,6 +220,8 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   made["summary"] = std::move(summary);
   made["columns"] = Json::array(
       {"variant", "seed", "outcome", "passed", "seconds", "distance", "commands", "decisions", "hits", "alive"});
+  for (std::size_t i = spec.metrics.size() - points; i < spec.metrics.size(); ++i)
+    made["columns"].push_back(spec.metrics[i].name);
   made["rows"] = std::move(table);
   made["failed"] = std::move(failed);
   return made.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -106,7 +106,11 @@ std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, Ent
 bool ScriptHost::LoadSandbox(std::string_view script) {
   sandbox_random_ = std::make_unique<WorldRandom>(world_.random(), world_.settings().seed, 0);
   sandbox_ = MakeMachine(script, EntityId::kSandbox, settings_.sandbox_limits, *sandbox_random_);
-  auto error = sandbox_->Protected([](lua_State* state) { BindApi(state, ApiSide::kSandbox); });
+  auto error = sandbox_->Protected([this](lua_State* state) {
+    BindApi(state, ApiSide::kSandbox);
+    lua_pushinteger(state, settings_.turn_ticks);
+    lua_setglobal(state, "Sandbox_TurnTicks");
+  });
   if (!error) error = sandbox_->RunFile(script);
   if (error) reporter_.FailedForGood(EntityId::kSandbox, *error);
   if (!error) WarnOfSlips(script);
@@ -221,25 +225,26 @@ std::optional<PerceptGraph> ScriptHost::SenseBySandbox(EntityId agent) {
   return error ? std::nullopt : std::move(sensed);
 }
 
-std::string ScriptHost::CommandBySandbox(EntityId agent, std::string_view command, const Table& parameters) {
+GameAnswer ScriptHost::CommandBySandbox(EntityId agent, std::string_view command, const Table& parameters) {
   constexpr const char* kFailed = "script-failed";
-  if (!sandbox_) return kFailed;
-  std::string reason;
+  if (!sandbox_) return {.reason = kFailed};
+  GameAnswer answer;
   const auto error = sandbox_->Protected([&](lua_State* state) {
     lua_getglobal(state, "Sandbox_Command");
     if (!lua_isfunction(state, -1)) {
-      reason = "unknown-command";
+      answer.reason = "unknown-command";
       return;
     }
     PushSandbox(state);
     PushAgent(state, agent);
     lua_pushlstring(state, command.data(), command.size());
     PushTable(state, parameters);
-    lua_call(state, 4, 1);
-    if (lua_type(state, -1) == LUA_TSTRING) reason = lua_tostring(state, -1);
+    lua_call(state, 4, 2);
+    answer = ReadGameAnswer(state);
   });
   NoteResult(EntityId::kSandbox, "Sandbox_Command", error);
-  return error ? kFailed : reason;
+  if (error) return {.reason = kFailed};
+  return answer;
 }
 
 void ScriptHost::HandleCollisions() {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "script/game_answer.h"
 #include "script/input_event.h"
 #include "script/mind_factory.h"
 #include "script/percept_graph.h"
@@ -28,6 +29,7 @@ struct ScriptHostSettings {
   MachineLimits agent_limits{std::size_t{64} << 20, 20'000'000};
   std::size_t max_agents = 20'000;
   WorldLimits world_limits;  ///< Of all machines together.
+  int turn_ticks = 1;        ///< What the sandbox's script finds in Sandbox_TurnTicks.
 };
 
 /// All scripts of one world: the sandbox's machine and one machine for each agent, with the API between them and the
@@ -80,9 +82,8 @@ class ScriptHost final : private AgentMaker {
   /// What Sandbox_Sense(sandbox, agent) returns, for agents whose bodies are the sandbox's matter. Nothing if there is
   /// no such function, it fails or it returns no table: the agent's mind has no turn then.
   std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
-  /// Sandbox_Command(sandbox, agent, command, parameters). Empty if the command was carried out; otherwise why it was
-  /// not: the word that the function returned, or "script-failed".
-  std::string CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
+  /// Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
+  GameAnswer CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
   void HandleCollisions();
   /// Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();

@@ -408,25 +408,37 @@ void Minds::Answer() {
     for (const Outcome& outcome : actor->TakeOutcomes()) {
       if (!mind.lost && host_.IsConnected()) mind.soar.Answer(outcome);
       if (outcome.status == Outcome::Status::kProgress || outcome.status == Outcome::Status::kInterrupted) continue;
-      const bool is_error = outcome.status == Outcome::Status::kError;
-      mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete");
-      if (is_error && !outcome.text.empty()) mind.last_answer += ": " + outcome.text;
       const vocabulary::CommandRow* row = vocabulary::FindCommand(outcome.command);
-      if (!is_error && (row == nullptr || !row->lasting)) continue;
-      // The same fault of the same command is told once; an author sees how often at the end of the run.
-      if (is_error && ++mind.told[outcome.command + " " + outcome.reason + " " + outcome.parameter] > 1) continue;
-      RunEvent event;
-      event.kind = EventKind::kOutcome;
-      event.agent = world_.FindAgent(mind.agent)->name();
-      event.news = outcome.command;
-      event.text =
-          is_error ? "error " + outcome.reason + (outcome.text.empty() ? "" : ": " + outcome.text) : "complete";
-      event.position = world_.FindAgent(mind.agent)->Position();
-      report_(std::move(event));
+      TellOutcome(mind, outcome, row != nullptr && row->lasting);
     }
   }
   pool_.Begin(tell_scripts_);
   TellScripts(0);
+}
+
+void Minds::NoteAnswer(Mind& mind, Outcome outcome) {
+  if (mind.by_sandbox) TellOutcome(mind, outcome, !outcome.text.empty());
+  mind.answers.push_back(std::move(outcome));
+}
+
+/// How a command ended: what failed, and besides what `is_news`.
+void Minds::TellOutcome(Mind& mind, const Outcome& outcome, bool is_news) {
+  const bool is_error = outcome.status == Outcome::Status::kError;
+  const std::string text = outcome.text.empty() ? "" : ": " + outcome.text;
+  mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete") + text;
+  if (!is_error && !is_news) return;
+  // The same fault of the same command is told once; an author sees how often at the end of the run.
+  std::string fault = is_error ? "error of " + outcome.command + " " + outcome.reason + " " + outcome.parameter
+                               : outcome.command + " complete";
+  if (mind.by_sandbox) fault += text;
+  if ((is_error || mind.by_sandbox) && ++mind.told[fault] > 1) return;
+  RunEvent event;
+  event.kind = EventKind::kOutcome;
+  event.agent = world_.FindAgent(mind.agent)->name();
+  event.news = outcome.command;
+  event.text = (is_error ? "error " + outcome.reason : "complete") + text;
+  event.position = world_.FindAgent(mind.agent)->Position();
+  report_(std::move(event));
 }
 
 void Minds::Tell(EventKind kind, const world::Agent& body, std::string text) {
@@ -544,7 +556,7 @@ void Minds::TellCounts() {
     for (const auto& [cause, count] : mind.causes)
       if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: " + cause);
     for (const auto& [fault, count] : mind.told)
-      if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: error of " + fault);
+      if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: " + fault);
   }
 }
 

@@ -69,7 +69,7 @@ class Minds final : public script::MindFactory {
   /// Before a body acts: its mind has decided when this returns.
   void Await(Mind& mind);
   /// Notes how a command of a scripted mind went, for Answer.
-  void NoteAnswer(Mind& mind, Outcome outcome) { mind.answers.push_back(std::move(outcome)); }
+  void NoteAnswer(Mind& mind, Outcome outcome);
   /// After the bodies have acted: tells the minds how their commands went. Scripted minds on other threads have heard
   /// it when EndAnswers returns; until then nothing else may ask a mind for anything.
   void Answer();
@@ -144,6 +144,7 @@ class Minds final : public script::MindFactory {
   void BeginBesideScripts();
   void DecideBesideScripts(std::size_t thread);
   void TellScripts(std::size_t thread);
+  void TellOutcome(Mind& mind, const Outcome& outcome, bool is_news);
   /// Before it decides: false if it does not in this tick.
   bool Prepare(Mind& mind);
   /// After it has.

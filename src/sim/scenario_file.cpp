@@ -439,13 +439,15 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
   Reader reader(file.string(), problems);
   reader.CheckKeys(root, "a scenario",
                    // src/mission and src/dis read the last three.
-                   {"description", "script", "seed", "seconds", "waypoint", "region", "obstacle", "item", "body",
-                    "agent", "end", "goal", "mission", "check", "dis"});
+                   {"description", "script", "seed", "seconds", "turn", "waypoint", "region", "obstacle", "item",
+                    "body", "agent", "end", "goal", "mission", "check", "dis"});
   read.description = reader.Text(root, "description");
   read.script = reader.Text(root, "script");
   read.has_exercise = root.contains("dis");
   if (const auto seed = reader.Number(root, "seed", 0, 9e15)) read.seed = static_cast<std::uint64_t>(*seed);
   read.seconds = reader.Number(root, "seconds", 0, 1e6);
+  constexpr int kLongestTurn = 1000;
+  read.turn_ticks = reader.WholeNumber(root, "turn", 1, kLongestTurn).value_or(1);
   ReadPlaces(reader, root, read);
   ReadThings(reader, root, read);
   ReadAgents(reader, root, read);
@@ -473,6 +475,12 @@ Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::ve
   if (problems.empty()) return read;
   if (further != nullptr) further->assign(problems.begin() + 1, problems.end());
   return problems.front();
+}
+
+int TurnTicks(const Scenario& scenario) {
+  if (scenario.definition.empty()) return 1;
+  const Result<ScenarioFile> file = ReadScenarioFile(scenario.definition);
+  return file ? file->turn_ticks : 1;
 }
 
 }  // namespace soarbox::sim

@@ -11,6 +11,7 @@
 #include "diagnostics/result.h"
 #include "sim/agent_options.h"
 #include "sim/places.h"
+#include "sim/scenario.h"
 
 namespace soarbox::sim {
 
@@ -50,6 +51,8 @@ struct ScenarioFile {
   bool has_exercise = false;  ///< It joins other simulations, whose agents may be all that there are ([dis]).
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
+  int turn_ticks =
+      1;  ///< Of a game: so many ticks are a turn, which is what a step goes on by. Turns end at multiples.
   std::vector<Waypoint> waypoints;
   std::vector<Region> regions;
   std::vector<Thing> things;
@@ -63,6 +66,8 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
                                std::vector<Diagnostic>& problems);
 /// Reads a file; the first problem if there is any. The others are added to `further`.
 Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::vector<Diagnostic>* further = nullptr);
+/// How many ticks a turn of the scenario's game has; 1 if it is no game, or cannot be read.
+int TurnTicks(const Scenario& scenario);
 /// Where a scenario that is only rules gets its world from: this word stands in place of an agent's rules.
 inline constexpr std::string_view kGivenRules = "RULES";
 

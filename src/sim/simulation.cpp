@@ -291,6 +291,7 @@ void Simulation::Impl::ReportCommand(Minds::Mind& mind, const world::Agent& body
 void Simulation::Impl::ActByScript(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   Minds::Mind* mind = minds->Find(id);
+  std::vector<Outcome> outcomes;
   // One update per command, as the thesis has it; none in a gap.
   for (std::size_t i = 0; i < mind->soar.commands().size(); ++i) {
     const vocabulary::SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
@@ -298,18 +299,25 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
     ReportCommand(*mind, body, command);
     Outcome outcome;
     outcome.tag = command.tag;
+    outcome.command = command.name;
     if (command.is_too_large) {
-      outcome.status = Outcome::Status::kError;
       outcome.reason = "too-large";
-      minds->NoteAnswer(*mind, std::move(outcome));
-      continue;
-    }
-    if (mind->by_sandbox) {
-      outcome.reason = scripts->CommandBySandbox(id, command.name, ToTable(command.parameters));
+    } else if (mind->by_sandbox) {
+      script::GameAnswer answer = scripts->CommandBySandbox(id, command.name, ToTable(command.parameters));
+      outcome.reason = std::move(answer.reason);
+      outcome.text = std::move(answer.text);
+      for (Outcome& other : outcomes) {
+        if (answer.drops.empty() || other.command != answer.drops || !other.reason.empty()) continue;
+        other.reason = answer.drop_reason;
+        other.text = std::move(outcome.text);
+      }
     } else if (!scripts->UpdateAgent(id, command.name, ToTable(command.parameters))) {
       outcome.reason = "script-failed";
     }
     mind = minds->Find(id);
+    outcomes.push_back(std::move(outcome));
+  }
+  for (Outcome& outcome : outcomes) {
     if (!outcome.reason.empty()) outcome.status = Outcome::Status::kError;
     minds->NoteAnswer(*mind, std::move(outcome));
   }
@@ -363,6 +371,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   script::ScriptHostSettings scripts;
   scripts.script_folders = scenario.script_folders;
   scripts.world_limits = settings.limits;
+  if (definition) scripts.turn_ticks = definition->turn_ticks;
   impl->scripts = std::make_unique<script::ScriptHost>(impl->world, scripts, impl->minds.get(), *impl);
   impl->minds->SetSenseScript([self = impl.get()](world::EntityId agent) { return self->scripts->SenseAgent(agent); });
   impl->minds->SetSenseSandbox(

@@ -148,7 +148,10 @@ SoarHost::SoarHost(std::unique_ptr<::sml::Kernel> kernel, const SoarSettings& se
   Overhear(*kernel_, heard_);
   PutUpFence(*kernel_, settings_);
   if (IsRemote()) WriteInTurns(*kernel_);
+#ifdef SOARBOX_OWN_KERNEL
+  // Official kernels share what is not theirs alone: several at once in a process crash it.
   if (!IsRemote() && settings_.port == 0) MakeFurtherKernels();
+#endif
 }
 
 void SoarHost::MakeFurtherKernels() {

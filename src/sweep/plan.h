@@ -32,10 +32,8 @@ struct Metric {
   mission::Check asked;   ///< The others: one gauge or counter of these agents.
 };
 
-/// Two agents of a tournament, by their number: who has the first seat, and who the second.
-struct Pairing {
-  std::size_t first = 0, second = 0;
-};
+/// Who plays in a game of a tournament: agents by their number, in the order of the seats.
+using Seating = std::vector<std::size_t>;
 
 /// A sweep as its file has it.
 struct Spec {
@@ -45,9 +43,9 @@ struct Spec {
   mission::Mission mission;     ///< Checks, seeds and seconds.
   std::vector<Variant> variants;
   std::vector<Metric> metrics;
-  /// A tournament: its agents, and who plays in each variant. Its last two metrics are the points of the seats.
+  /// A tournament: its agents, and who plays in each variant. Its last metrics are the points of the seats.
   std::vector<std::string> players;
-  std::vector<Pairing> pairings;
+  std::vector<Seating> seatings;
   std::vector<std::string> parameters;  ///< Names of all parameters, for columns.
   std::string whole;      ///< The spec as TOML that needs no other file: the checks of its mission are part of it.
   std::string judgement;  ///< Of that what every row rests on: checks and metrics.

@@ -13,7 +13,7 @@
 namespace soarbox::sweep {
 namespace {
 
-constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000, kMostPlayers = 30;
+constexpr std::size_t kMostVariants = 1000, kMostTables = 100'000, kMostPlayers = 30, kMostSeats = 8;
 
 class SpecReader : public sim::TableReader {
  public:
@@ -35,7 +35,7 @@ class SpecReader : public sim::TableReader {
     if (root.contains("tournament") && !spec_.variants.empty())
       Problem(*root.get("tournament"), "a tournament makes its variants itself", "leave out [[variant]]");
     const toml::table* tournament = root.get_as<toml::table>("tournament");
-    if (tournament != nullptr && spec_.variants.empty()) AddPairings(*tournament);
+    if (tournament != nullptr && spec_.variants.empty()) AddSeatings(*tournament);
     if (root.contains("tournament") && tournament == nullptr)
       Problem(*root.get("tournament"), "a tournament is one table", "write [tournament]");
     if (spec_.variants.empty()) spec_.variants.push_back({"default", {}, {}, {}, {}, {}, 0});
@@ -52,8 +52,9 @@ class SpecReader : public sim::TableReader {
   }
 
  private:
-  /// All against all, in both seats.
-  void AddPairings(const toml::table& table) {
+  /// All against all: each group of agents that fills the seats plays once for each seat, and each agent of it sits
+  /// once in each.
+  void AddSeatings(const toml::table& table) {
     CheckKeys(table, "a tournament", {"seats", "agents"});
     seats_ = Seats(table);
     const toml::table* agents = table.get_as<toml::table>("agents");
@@ -68,17 +69,45 @@ class SpecReader : public sim::TableReader {
       spec_.players.emplace_back(name.str());
       files.push_back((spec_.file.parent_path() / path).string());
     }
-    for (std::size_t a = 0; a < files.size() && seats_.size() == 2; ++a) {
-      for (std::size_t b = 0; b < files.size(); ++b) {
-        if (a == b) continue;
-        Variant variant;
-        variant.name = SafeName(spec_.players[a]) + " and " + SafeName(spec_.players[b]);
-        variant.rules = {{seats_.front(), files[a]}, {seats_.back(), files[b]}};
-        variant.line = static_cast<int>(table.source().begin.line);
-        spec_.variants.push_back(std::move(variant));
-        spec_.pairings.push_back({a, b});
+    if (seats_.empty()) return;
+    if (files.size() < seats_.size())
+      return Problem(table,
+                     "there are " + std::to_string(seats_.size()) + " seats and " + std::to_string(files.size()) +
+                         " agents: a tournament has at least as many agents as seats",
+                     "the same file may play under several names");
+    const std::optional<std::vector<Seating>> seatings = AllSeatings(files.size(), seats_.size());
+    if (!seatings)
+      return Problem(table, "this tournament has more than " + std::to_string(kMostVariants) + " games for each seed",
+                     "let fewer agents play, or give fewer seats");
+    for (const Seating& seating : *seatings) {
+      Variant variant;
+      for (std::size_t seat = 0; seat < seating.size(); ++seat) {
+        variant.name += (seat == 0 ? "" : " and ") + SafeName(spec_.players[seating[seat]]);
+        variant.rules.emplace_back(seats_[seat], files[seating[seat]]);
       }
+      variant.line = static_cast<int>(table.source().begin.line);
+      spec_.variants.push_back(std::move(variant));
+      spec_.seatings.push_back(seating);
     }
+  }
+
+  /// In order; nothing if there are too many.
+  static std::optional<std::vector<Seating>> AllSeatings(std::size_t players, std::size_t seats) {
+    std::vector<Seating> all;
+    std::vector<bool> plays(players);
+    std::fill(plays.begin(), plays.begin() + static_cast<std::ptrdiff_t>(seats), true);
+    do {
+      Seating group;
+      for (std::size_t i = 0; i < players; ++i)
+        if (plays[i]) group.push_back(i);
+      for (std::size_t turned = 0; turned < seats; ++turned) {
+        all.push_back(group);
+        std::rotate(group.begin(), group.begin() + 1, group.end());
+      }
+      if (all.size() > kMostVariants) return std::nullopt;
+    } while (std::prev_permutation(plays.begin(), plays.end()));
+    std::sort(all.begin(), all.end());
+    return all;
   }
 
   std::vector<std::string> Seats(const toml::table& table) {
@@ -86,8 +115,10 @@ class SpecReader : public sim::TableReader {
     const toml::array* names = table.get_as<toml::array>("seats");
     for (std::size_t i = 0; names != nullptr && i < names->size(); ++i)
       seats.push_back(names->get(i)->value_exact<std::string>().value_or(""));
-    if (seats.size() != 2 || seats.front().empty() || seats.back().empty() || seats.front() == seats.back()) {
-      Problem(table, "a tournament has two seats: agents of the scenario", "write seats = [\"tank\", \"tank-2\"]");
+    const std::set<std::string> different(seats.begin(), seats.end());
+    if (seats.size() < 2 || seats.size() > kMostSeats || different.size() < seats.size() || different.contains("")) {
+      Problem(table, "a tournament has 2 to " + std::to_string(kMostSeats) + " seats: different agents of the scenario",
+              "write seats = [\"tank\", \"tank-2\"]");
       seats.clear();
     }
     return seats;

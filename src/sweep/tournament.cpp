@@ -15,38 +15,44 @@ constexpr int kResamples = 300;
 constexpr int kRounds = 200;
 constexpr double kMean = 1500, kScale = 400;
 
-/// One game: who sat where, and what share of the win each has: 1, a half, or 0.
+/// One game: who sat where, and with how many points they ended.
 struct Game {
-  std::size_t first = 0, second = 0;
-  double first_points = 0, second_points = 0;
+  const Seating* seating = nullptr;
+  std::vector<double> points;  ///< By seat.
 
-  double share() const { return first_points > second_points ? 1 : first_points < second_points ? 0 : 0.5; }
+  /// What share of the win the one has against the other: 1, a half, or 0.
+  double Share(std::size_t seat, std::size_t other) const {
+    return points[seat] > points[other] ? 1 : points[seat] < points[other] ? 0 : 0.5;
+  }
 };
 
 std::vector<Game> Games(const Spec& spec, const std::vector<Row>& rows) {
   std::vector<Game> games;
   for (const Row& row : rows) {
-    if (row.result.outcome != "ok" || row.variant >= spec.pairings.size()) continue;
-    const std::size_t metric = spec.metrics.size() - 2;
-    if (row.metrics.size() < metric + 2 || !row.metrics[metric] || !row.metrics[metric + 1]) continue;
-    const Pairing& pairing = spec.pairings[row.variant];
-    games.push_back({pairing.first, pairing.second, *row.metrics[metric], *row.metrics[metric + 1]});
+    if (row.result.outcome != "ok" || row.variant >= spec.seatings.size()) continue;
+    Game game{&spec.seatings[row.variant], {}};
+    const std::size_t seats = game.seating->size(), metric = spec.metrics.size() - seats;
+    for (std::size_t i = metric; i < metric + seats && i < row.metrics.size() && row.metrics[i]; ++i)
+      game.points.push_back(*row.metrics[i]);
+    if (game.points.size() == seats) games.push_back(std::move(game));
   }
   return games;
 }
 
 /// Ratings after Bradley and Terry. Each agent has drawn one game against an average one besides, so that whoever won
-/// or lost all has a rating, too.
+/// or lost all has a rating, too. A game of several counts as one for each of them, however many it beats.
 std::vector<double> Ratings(std::size_t players, const std::vector<Game>& games) {
-  std::vector<double> won(players, 0.5), strength(players, 1);
+  std::vector<double> won(players, 0.5), strength(players, 1), met(players * players);
   for (const Game& game : games) {
-    won[game.first] += game.share();
-    won[game.second] += 1 - game.share();
-  }
-  std::vector<double> met(players * players);
-  for (const Game& game : games) {
-    met[game.first * players + game.second] += 1;
-    met[game.second * players + game.first] += 1;
+    const Seating& seats = *game.seating;
+    const double weight = 1 / static_cast<double>(seats.size() - 1);
+    for (std::size_t a = 0; a < seats.size(); ++a) {
+      for (std::size_t b = 0; b < seats.size(); ++b) {
+        if (a == b) continue;
+        won[seats[a]] += weight * game.Share(a, b);
+        met[seats[a] * players + seats[b]] += weight;
+      }
+    }
   }
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> next(players);
@@ -61,6 +67,23 @@ std::vector<double> Ratings(std::size_t players, const std::vector<Game>& games)
   for (double& one : strength) mean += (one = kScale * std::log10(one)) / static_cast<double>(players);
   for (double& one : strength) one += kMean - mean;
   return strength;
+}
+
+/// What a game adds to what the agent at a seat has reached.
+void Count(const Game& game, std::size_t seat, Standing& standing) {
+  double place = 1;
+  bool is_first = true, is_alone = true;
+  for (std::size_t other = 0; other < game.points.size(); ++other) {
+    if (other == seat) continue;
+    const double share = game.Share(seat, other);
+    place += 1 - share;
+    is_first &= share > 0.25;
+    is_alone &= share > 0.75;
+  }
+  ++standing.games;
+  ++(is_alone ? standing.wins : is_first ? standing.draws : standing.losses);
+  standing.place += place;
+  standing.points += game.points[seat];
 }
 
 /// The same numbers in each run of the program.
@@ -81,16 +104,12 @@ std::vector<Standing> Standings(const Spec& spec, const std::vector<Row>& rows) 
   const std::size_t players = spec.players.size();
   const std::vector<Game> games = Games(spec, rows);
   std::vector<Standing> standings(players);
-  for (std::size_t i = 0; i < players; ++i) standings[i].player = spec.players[i];
+  for (std::size_t i = 0; i < players; ++i) {
+    standings[i].player = spec.players[i];
+    if (!spec.seatings.empty()) standings[i].seats = spec.seatings.front().size();
+  }
   for (const Game& game : games) {
-    const auto add = [&](std::size_t who, double share, double points) {
-      Standing& standing = standings[who];
-      ++standing.games;
-      ++(share > 0.75 ? standing.wins : share < 0.25 ? standing.losses : standing.draws);
-      standing.points += points;
-    };
-    add(game.first, game.share(), game.first_points);
-    add(game.second, 1 - game.share(), game.second_points);
+    for (std::size_t seat = 0; seat < game.points.size(); ++seat) Count(game, seat, standings[(*game.seating)[seat]]);
   }
   const std::vector<double> ratings = Ratings(players, games);
   std::vector<std::vector<double>> resampled(players);
@@ -104,7 +123,10 @@ std::vector<Standing> Standings(const Spec& spec, const std::vector<Row>& rows) 
   for (std::size_t i = 0; i < players; ++i) {
     Standing& standing = standings[i];
     standing.rating = standing.rating_low = standing.rating_high = ratings[i];
-    if (standing.games > 0) standing.points /= static_cast<double>(standing.games);
+    if (standing.games > 0) {
+      standing.points /= static_cast<double>(standing.games);
+      standing.place /= static_cast<double>(standing.games);
+    }
     if (games.empty()) continue;
     std::vector<double>& found = resampled[i];
     std::ranges::sort(found);
@@ -119,15 +141,19 @@ std::string TournamentTable(const Spec& spec, const std::vector<Row>& rows) {
   const std::vector<Standing> standings = Standings(spec, rows);
   std::size_t width = 5;
   for (const Standing& standing : standings) width = std::max(width, standing.player.size());
+  const bool has_places = !standings.empty() && standings.front().seats > 2;
   std::ostringstream out;
-  out << "agent" << std::string(width - 5, ' ') << "  rating  (95 %)        games  won  drawn  lost  points per game\n";
+  out << "agent" << std::string(width - 5, ' ') << "  rating  (95 %)        games  won  drawn  lost"
+      << (has_places ? "  place" : "") << "  points per game\n";
   for (const Standing& standing : standings) {
-    std::array<char, 160> line{};
+    std::array<char, 200> line{};
+    std::array<char, 16> place{};
+    if (has_places) std::snprintf(place.data(), place.size(), "  %5.2f", standing.place);
     std::snprintf(
-        line.data(), line.size(), "  %6.0f  %-12s  %5zu  %3zu  %5zu  %4zu  %15.4g\n", standing.rating,
+        line.data(), line.size(), "  %6.0f  %-12s  %5zu  %3zu  %5zu  %4zu%s  %15.4g\n", standing.rating,
         (std::to_string(std::lround(standing.rating_low)) + " to " + std::to_string(std::lround(standing.rating_high)))
             .c_str(),
-        standing.games, standing.wins, standing.draws, standing.losses, standing.points);
+        standing.games, standing.wins, standing.draws, standing.losses, place.data(), standing.points);
     out << standing.player << std::string(width - standing.player.size(), ' ') << line.data();
   }
   return std::move(out).str();

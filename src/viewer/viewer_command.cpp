@@ -11,8 +11,8 @@ using G = CommandGroup;
 
 constexpr CommandInfo kInfos[] = {
     {C::kTogglePause, G::kRun, "", "Pause", "P", "Pause the world, or let it continue"},
-    {C::kSingleStep, G::kRun, "", "Step a tick", "N",
-     "Let the world advance by one tick: all sense, decide, act and move"},
+    {C::kSingleStep, G::kRun, "", "Step", "N",
+     "Let the world advance by one tick, or a game by one turn: all sense, decide, act and move"},
     {C::kStepDecision, G::kRun, "", "Step a decision", "Shift+N",
      "The selected agent perceives what is new and makes one decision; the world advances by one tick"},
     {C::kStepPhase, G::kRun, "", "Step a phase", "Ctrl+N",

@@ -19,6 +19,7 @@ enum class Flow : std::uint8_t {
   kReset,      ///< From the beginning with the same seed.
   kNextSeed,   ///< From the beginning with the next seed.
   kQuit,
+  kStepTurn,  ///< Pauses and goes on to the end of a turn of the game; by one tick where there are no turns.
 };
 
 }  // namespace soarbox::workbench

@@ -38,6 +38,10 @@ void Pace::Obey(Flow flow) {
       paused_ = true;
       ++steps_;
       break;
+    case Flow::kStepTurn:
+      paused_ = true;
+      ++turns_;
+      break;
     case Flow::kFaster:
       if (!unlimited_) speed_ = NextFaster(speed_);
       break;
@@ -73,10 +77,16 @@ void Pace::SetSpeed(double speed) {
   unlimited_ = false;
 }
 
-int Pace::TicksDue(double step_s) {
+int Pace::TicksDue(double step_s, std::uint64_t tick, int turn_ticks) {
   const Clock::time_point now = Clock::now();
   const Clock::duration passed = std::min<Clock::duration>(now - last_, kLongestFrame);
   last_ = now;
+  is_turn_ = turns_ > 0 || (is_turn_ && steps_ > 0);
+  if (paused_ && turns_ > 0) {
+    const auto turn = static_cast<std::uint64_t>(std::max(turn_ticks, 1));
+    steps_ += static_cast<int>(static_cast<std::uint64_t>(turns_) * turn - tick % turn);
+  }
+  turns_ = 0;
   if (paused_) return std::exchange(steps_, 0);
   if (unlimited_) return std::numeric_limits<int>::max();
   earned_s_ += std::chrono::duration<double>(passed).count() * speed_;
@@ -87,6 +97,10 @@ int Pace::TicksDue(double step_s) {
 
 bool Pace::OutOfTime() const {
   return Clock::now() - last_ > (unlimited_ ? kUnlimitedTicks : kLongestTicks);
+}
+
+void Pace::Owe(int ticks) {
+  if (paused_ && is_turn_) steps_ += ticks;
 }
 
 double Pace::speed() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 #include "workbench/flow.h"
 
@@ -21,10 +22,13 @@ class Pace {
   /// Simulated seconds per second.
   void SetSpeed(double speed);
 
-  /// How many ticks of `step_s` are due now, if OutOfTime does not come before.
-  int TicksDue(double step_s);
+  /// How many ticks of `step_s` are due now, if OutOfTime does not come before. Turns of `turn_ticks` end at multiples
+  /// of it; the world is at `tick`.
+  int TicksDue(double step_s, std::uint64_t tick = 0, int turn_ticks = 1);
   /// The ticks since TicksDue have taken so long that the next frame is due.
   bool OutOfTime() const;
+  /// So many of the ticks that were due remain: a turn is stepped to its end, however slow the world is.
+  void Owe(int ticks);
   /// Real time since TicksDue was called last does not count: something else took it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }
   /// How far the wall clock has come from the last tick to the next one, 0 to 1.
@@ -42,7 +46,8 @@ class Pace {
   bool unlimited_ = false;
   bool paused_ = false;
   bool quit_ = false;
-  int steps_ = 0;
+  int steps_ = 0, turns_ = 0;
+  bool is_turn_ = false;  ///< What is stepped.
   double earned_s_ = 0;
   Clock::time_point last_ = Clock::now();
 };

@@ -148,9 +148,11 @@ WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
   for (const Node* at = &node; at; at = at->above) {
     // The root seldom turns or moves anything.
     if (!at->above && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
-    const bool is_body = by_body && at->HasBody();
-    WorldTransform local{is_body ? at->body_position : at->position, is_body ? at->body_orientation : at->orientation,
-                         at->scale};
+    WorldTransform local{at->position, at->orientation, at->scale};
+    if (by_body && at->HasBody()) {
+      local.position = at->body_position;
+      local.orientation = at->body_orientation;
+    }
     if (at->bone >= 0 && at->above && at->above->animator) {
       const BonePose hung = at->above->animator->Bones()[static_cast<std::size_t>(at->bone)] *
                             BonePose{local.position, local.orientation};

@@ -128,6 +128,51 @@ class Games(ScenarioCase):
         missing = run_json(self.folder, "--seconds", 1)
         self.assertIn("small.txt", missing.out + missing.err)
 
+    def test_what_a_game_refuses_is_told_once_with_what_there_is(self):
+        rules = self.write("strange.soar", """
+            sp {go
+               (state <s> ^io.input-link.random <r>)
+            -->
+               (<s> ^operator <o> + =)
+               (<o> ^name go ^random <r>)}
+            sp {apply*go
+               (state <s> ^operator <o> ^io.output-link <out>)
+               (<o> ^name go ^random <r>)
+            -->
+               (<out> ^mvoe.direction north ^move.direction nroth ^jump.where north ^dont-eat <d> ^move <m1> <m2>)
+               (<m1> ^direction north)
+               (<m2> ^direction south)}
+            """)
+        run = run_json("eaters", "--seconds", 3, "--rules", f"eater={rules}")
+        told = sorted(event["text"] for event in run.of("outcome", agent="eater"))
+        self.assertEqual(told, [
+            "error no-such-direction: ^direction of ^move is nroth: did you mean north?",
+            "error no-such-direction: ^jump requires ^direction (north, east, south, west), and has ^where",
+            "error one-move-a-turn: it has given a move or a jump in this turn",
+            "error unknown-command: there is no command ^mvoe: did you mean move?"])
+
+    def test_what_a_tank_cannot_do_is_told(self):
+        rules = self.write("strange.soar", """
+            sp {go
+               (state <s> ^io.input-link.clock <c>)
+            -->
+               (<s> ^operator <o> + =)
+               (<o> ^name go ^clock <c>)}
+            sp {apply*go
+               (state <s> ^operator <o> ^io.output-link <out>)
+               (<o> ^name go ^clock <c>)
+            -->
+               (<out> ^radar-power.setting 99 ^radar.switch maybe ^sheilds.switch on ^fire.weapon missile
+                      ^move.direction forward ^rotate.direction left)}
+            """)
+        run = run_json("tanksoar", "--seconds", 8, "--rules", f"tank={rules}")
+        told = sorted(event["text"] for event in run.of("outcome", agent="tank"))
+        self.assertEqual(told, [
+            "complete: a radar's power is 0 to 14: it is set to 14", "complete: it has no missiles",
+            "error move-or-rotate: a tank that rotates does not move in that turn",
+            "error no-such-switch: ^switch of ^radar is maybe: it takes on, off",
+            "error unknown-command: there is no command ^sheilds: did you mean shields?"])
+
     def test_boards_of_tanks_are_ours_or_made_by_the_seed(self):
         for board in ("halls", "lanes", "random"):
             runs = [run_json(f"tanksoar/{board}", "--seconds", 20, "--seed", seed) for seed in (1, 1, 2)]
@@ -138,7 +183,7 @@ class Games(ScenarioCase):
             self.assertNotEqual(runs[0].out, runs[2].out)
 
     def test_agents_open_the_boxes_of_a_map_of_xml(self):
-        self.write("scenario.toml", 'script = "Board.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "open.soar"\n')
+        self.write("scenario.toml", 'script = "Board.lua"\nturn = 10\n[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "open.soar"\n')
         self.write("Board.lua", 'require "Eaters";\nEaters.Settings = { mapFile = "boxes.emap" };\n')
         wall = "<cell><object>wall</object></cell>"
         self.write("boxes.emap", '<map>\n<cell-object name="wall"><property name="block" value="true"/></cell-object>\n'
@@ -171,6 +216,46 @@ class Games(ScenarioCase):
         run = run_json(self.folder, "--seconds", 5)
         self.assertEqual([event["text"] for event in run.of("reached")], ["all boxes are open"], run.out + run.err)
 
+    def test_four_play_a_tournament(self):
+        seat = '[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "still.soar"\n'
+        world = self.folder / "world"
+        world.mkdir()
+        (world / "scenario.toml").write_text('script = "Board.lua"\n' + seat * 4)
+        (world / "Board.lua").write_text('require "Eaters";\nEaters.Settings = { map = { "...#...", "1.3#2.4", "...#..." } };\n')
+        (world / "still.soar").write_text("")
+        self.write("still.soar", "# Does nothing.\n")
+        for way in ("north", "south", "east", "west"):
+            self.write(f"{way}.soar", NORTH.replace("north", way))
+        spec = self.write("cup.toml", 'scenario = "world"\nseeds = "1..2"\nseconds = 2\n[tournament]\n'
+                          'seats = ["eater", "eater-2", "eater-3", "eater-4"]\nagents = { still = "still.soar", '
+                          'north = "north.soar", south = "south.soar", east = "east.soar", west = "west.soar" }\n')
+        played = Run("sweep", spec)
+        self.assertEqual(played.code, 0, played.out + played.err)
+        # Each four of the five, with each of them once in each seat: 5 * 4 games, with two seeds.
+        self.assertIn("40 runs made", played.err)
+        head, *rows = [line.split() for line in played.out.splitlines()[:6]]
+        self.assertEqual(head[-5:], ["lost", "place", "points", "per", "game"])
+        table = {row[0]: row for row in rows}
+        # Who goes west runs into walls, which costs points; who stands still has none to lose.
+        self.assertEqual((rows[0][0], rows[-1][0]), ("still", "west"), played.out)
+        self.assertEqual(sorted(table), ["east", "north", "south", "still", "west"])
+        for row in rows:
+            self.assertEqual((row[5], sum(map(int, row[6:9]))), ("32", 32), played.out)
+            self.assertTrue(1 <= float(row[9]) <= 4, played.out)
+        page = Run("report", spec, "-o", self.folder / "cup.html")
+        self.assertEqual(page.code, 0, page.out + page.err)
+        text = (self.folder / "cup.html").read_text()
+        self.assertIn('"standings":[{"agent":"', text)
+        self.assertIn("score of eater-4", text)
+        for slip, told in (('seats = ["eater", "eater-2", "eater"]', "a tournament has 2 to 8 seats"),
+                           ('seats = ["eater", "eater-2", "eater-3", "eater-9"]', "there is no agent 'eater-9'")):
+            faulty = self.write("faulty.toml", re.sub("seats = .*", slip, spec.read_text()))
+            refused = Run("sweep", faulty)
+            self.assertNotEqual(refused.code, 0, refused.out)
+            self.assertIn(told, refused.err)
+        few = self.write("few.toml", spec.read_text().replace('south = "south.soar", east = "east.soar", west', 'west'))
+        self.assertIn("there are 4 seats and 3 agents", Run("sweep", few).err)
+
     def test_agents_play_a_tournament(self):
         seat = '[[agent]]\nname = "eater"\nby = "sandbox"\nrules = "still.soar"\n'
         world = self.folder / "world"
@@ -198,7 +283,7 @@ class Games(ScenarioCase):
         self.assertIn("score of eater-2", (self.folder / "cup.sweep" / "results.csv").read_text())
         page = Run("report", spec, "-o", self.folder / "cup.html")
         self.assertEqual(page.code, 0, page.out + page.err)
-        for slip, told in (('seats = ["eater"]', "a tournament has two seats"),
+        for slip, told in (('seats = ["eater"]', "a tournament has 2 to 8 seats"),
                            ('seats = ["eater", "eater-3"]', "there is no agent 'eater-3'")):
             faulty = self.write("faulty.toml", spec.read_text().replace('seats = ["eater", "eater-2"]', slip))
             refused = Run("sweep", faulty)

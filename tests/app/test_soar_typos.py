@@ -232,6 +232,13 @@ SLIPS = {
     "an object as its own name": ("^health > 10", "^name <me>", 3, "the object that has it", "a variable of its own"),
     "a percept that a rule writes": ("^operator <o> +)", "^operator <o> +) (<me> ^health 100)", 5, "writes ^health where it is a percept",
                                      "commands change the world"),
+    "a star of a web page": ("hero*propose*go", "hero\\*propose*go", 1, "it has \\*, which web pages write for *", "write * here and elsewhere"),
+    "signs of a web page": ("(<me> ^health", "(&lt;me&gt; ^health", 3, "it has &lt;, which web pages write for <", "write < here"),
+    "a preference of long ago": ("^operator <o> +)", "^operator <o> + &)", 5, "found '&'", "parallel preferences (&) are gone"),
+    "a goal of long ago": ("(state <s>", "(goal <s>", 2, "constant goal stands", "a goal is a state now"),
+    "a command of long ago": (None, "o-support-mode 4", 1, "Soar no longer has a command 'o-support-mode'", "leave it out"),
+    "an option of long ago": (None, "excise -all", 1, "No such option", "options have two dashes: excise --all"),
+    "a function of long ago": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   (tcl |puts hi|)", 13, "calls the function tcl", "Soar has no Tcl any more"),
     "a file between quotes": (None, "source 'helper.soar'", 1, "Failed to open file", "without quotes"),
     "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }

@@ -51,6 +51,22 @@ class Time(unittest.TestCase):
                                 "2", "--view", "io"], capture_output=True, text=True, check=True).stdout
         self.assertRegex(shown, rf"\^z {z}(0+)?\b")
 
+    def test_a_game_goes_on_turn_by_turn(self):
+        with soarbox.World("eaters", seed=3) as world:
+            self.assertEqual(world.turn_ticks, 10)
+            world.step_turns()
+            self.assertEqual(world.tick, 10)
+            world.step(3)
+            world.step_turns(2)
+            self.assertEqual(world.tick, 30)
+            world.step_turns(0)
+            self.assertEqual(world.tick, 30)
+            with self.assertRaises(TypeError):
+                world.step_turns(-1)
+        with soarbox.World("soar_hallway", seed=3) as world:
+            world.step_turns(2)
+            self.assertEqual((world.turn_ticks, world.tick), (1, 2))
+
     def test_amounts_of_time_that_are_none_are_refused(self):
         with soarbox.World("soar_hallway") as world:
             for ticks in (-1, 1.5, "3", None, True):

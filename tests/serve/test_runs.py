@@ -42,6 +42,18 @@ class Runs(ServeCase):
         page.ask(request="flow", what="next-seed")
         self.assertEqual(page.until_message("hello")["seed"], 2)
 
+    def test_a_step_of_a_game_is_a_turn(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:eaters", "agents")
+        self.assertEqual(page.messages[-1]["turn_ticks"], 10)
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        page.ask(request="flow", what="pause")
+        tick = page.until(lambda message: message["message"] == "flow" and message["paused"])["tick"]
+        page.ask(request="flow", what="step-turn")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] == (tick // 10 + 1) * 10)
+        page.ask(request="flow", what="step-turn")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] == (tick // 10 + 2) * 10)
+
     def test_two_servers_do_not_run_the_world_of_one_place(self):
         one, other = self.serve(), self.serve()
         place = one.new_place()

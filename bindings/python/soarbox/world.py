@@ -62,6 +62,7 @@ class World:
             raise WorldError(str(ended)) from None
         self.seed: int = self._engine.hello["seed"]  #: What determines everything that is random.
         self.step_s: float = self._engine.hello["step_s"]  #: Simulated seconds of a tick.
+        self.turn_ticks: int = self._engine.hello.get("turn_ticks", 1)  #: Of a game: so many ticks are a turn; else 1.
         self._selected = ""
 
     # Time ------------------------------------------------------------------------------------------------------------
@@ -89,6 +90,12 @@ class World:
             self._ask()
             if self.tick == before:
                 raise WorldError("the world does not go on")
+
+    def step_turns(self, turns: int = 1) -> None:
+        """Lets a game go on to the end of this turn, or of so many. Where there are no turns, a turn is a tick."""
+        if not isinstance(turns, int) or isinstance(turns, bool) or turns < 0:
+            raise TypeError(f"turns are a whole number from 0, not {turns!r}")
+        self.step(max(0, turns * self.turn_ticks - self.tick % self.turn_ticks))
 
     def run(self, seconds: float) -> None:
         """Lets the world go on for so many simulated seconds, rounded to ticks."""

@@ -20,8 +20,9 @@ namespace {
 using workbench::Flow;
 using Json = EnginePage::Json;
 
-constexpr std::array<std::pair<std::string_view, Flow>, 10> kFlows{{
+constexpr std::array<std::pair<std::string_view, Flow>, 11> kFlows{{
     {"step-tick", Flow::kStepTick},
+    {"step-turn", Flow::kStepTurn},
     {"step-decision", Flow::kStepDecision},
     {"step-phase", Flow::kStepPhase},
     {"step-change", Flow::kStepChange},

@@ -14,6 +14,8 @@
 #include "app/lesson.h"
 #include "app/mind_steps.h"
 #include "app/refuse.h"
+#include "record/rerun.h"
+#include "sim/scenario_file.h"
 #include "workbench/desk.h"
 #include "world/world.h"
 
@@ -30,8 +32,8 @@ constexpr auto kContentsEvery = std::chrono::milliseconds(250);
 constexpr int kIdle_ms = 50, kAlone_ms = 500;
 
 bool IsStep(Flow flow) {
-  return flow == Flow::kStepTick || flow == Flow::kStepDecision || flow == Flow::kStepPhase ||
-         flow == Flow::kStepChange;
+  return flow == Flow::kStepTick || flow == Flow::kStepTurn || flow == Flow::kStepDecision ||
+         flow == Flow::kStepPhase || flow == Flow::kStepChange;
 }
 
 /// What live runs and recordings have in common: panels that are looked at, and when contents are due.
@@ -134,6 +136,7 @@ class LiveEngine {
                  {"agents", NamesOf(scene)},
                  {"minds", std::move(minds)},
                  {"step_s", Step_s()},
+                 {"turn_ticks", turn_ticks_},
                  {"may_edit", true},
                  {"is_recording", false},
                  {"has_exercise", session_.gateway() != nullptr}});
@@ -190,7 +193,7 @@ class LiveEngine {
   }
 
   void Tick() {
-    const int due = pace_.TicksDue(Step_s());
+    const int due = pace_.TicksDue(Step_s(), session_.simulation().tick(), turn_ticks_);
     bool is_cut = false;
     for (int i = 0; i < due && !is_cut && !session_.IsOver(); ++i) {
       desk_->Prepare();
@@ -204,7 +207,10 @@ class LiveEngine {
         pace_.Pause();
         is_cut = true;
       }
-      is_cut |= pace_.OutOfTime();
+      if (!is_cut && pace_.OutOfTime()) {
+        is_cut = true;
+        pace_.Owe(due - i - 1);
+      }
     }
     if (due == 0) session_.Idle();
   }
@@ -240,6 +246,7 @@ class LiveEngine {
   PanelsOfPage panels_;
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
   std::size_t agents_ = 0;  ///< In the scene that was shown last.
+  const int turn_ticks_ = sim::TurnTicks(run_.scenario);
 };
 
 class ReplayEngine {
@@ -250,7 +257,8 @@ class ReplayEngine {
         surroundings_(page, pace_, nullptr, options.home),
         desk_(recording, data, range, surroundings_),
         panels_(page),
-        step_s_(recording.header().step_s) {
+        step_s_(recording.header().step_s),
+        turn_ticks_(record::TurnTicks(recording.header())) {
     const world::SceneSnapshot& scene = *desk_.PastScene();
     nlohmann::ordered_json minds = nlohmann::ordered_json::array();
     for (const world::AgentSnapshot& agent : scene.agents)
@@ -261,6 +269,7 @@ class ReplayEngine {
                 {"agents", NamesOf(scene)},
                 {"minds", minds},
                 {"step_s", step_s_},
+                {"turn_ticks", turn_ticks_},
                 {"may_edit", true},
                 {"is_recording", true},
                 {"has_exercise", false}});
@@ -275,7 +284,7 @@ class ReplayEngine {
       Obey(asked);
       if (page_.is_alone()) {
         pace_.Skip();
-      } else if (const int due = pace_.TicksDue(step_s_); due > 0) {
+      } else if (const int due = pace_.TicksDue(step_s_, desk_.past().shown_tick(), turn_ticks_); due > 0) {
         desk_.Show(std::min(desk_.past().shown_tick() + static_cast<std::uint64_t>(due), desk_.past().last_tick()));
       }
       panels_.Serve(desk_, std::move(asked.requests));
@@ -300,7 +309,7 @@ class ReplayEngine {
     for (const Flow flow : asked.flows) {
       if (flow == Flow::kReset) {
         desk_.Show(desk_.past().first_tick());
-      } else if (flow == Flow::kNextSeed || (IsStep(flow) && flow != Flow::kStepTick)) {
+      } else if (flow == Flow::kNextSeed || (IsStep(flow) && flow != Flow::kStepTick && flow != Flow::kStepTurn)) {
         page_.Tell("Only a run can do this; this is a recording of one");
       } else {
         pace_.Obey(flow);
@@ -314,6 +323,7 @@ class ReplayEngine {
   workbench::Desk desk_;
   PanelsOfPage panels_;
   double step_s_;
+  int turn_ticks_;
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
 };
 

@@ -8,6 +8,8 @@
 #include "app/exit_codes.h"
 #include "app/next_run.h"
 #include "app/window/run_commands.h"
+#include "sim/scenario_file.h"
+#include "viewer/step_word.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -60,11 +62,13 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       scenario_(run.scenario),
       settings_(run.settings),
       header_(run.header),
+      turn_ticks_(sim::TurnTicks(run.scenario)),
       has_script_(!options.ui_script.empty()),
       pace_(options.speed.value_or(1)),
       lessons_(scenario_, session.lesson()),
       window_desk_(viewer, pace_, &lessons_) {
   desk_.emplace(session, header_, scenario_, settings_, window_desk_);
+  viewer::SetTurnTicks(turn_ticks_);
   if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
   // A lesson stands beside the scene, and so does the panel that it is about.
   if (lessons_.HasLesson()) {
@@ -101,9 +105,10 @@ void LiveWindow::Draw() {
 }
 
 void LiveWindow::Tick(double step_s) {
-  const int due = pace_.TicksDue(step_s);
+  const int due = pace_.TicksDue(step_s, session_.simulation().tick(), turn_ticks_);
   bool is_cut = false;
-  for (int i = 0; i < due && !is_cut && !session_.IsOver(); ++i) {
+  int i = 0;
+  for (; i < due && !is_cut && !session_.IsOver(); ++i) {
     desk_->Prepare();
     const Clock::time_point tick_start = Clock::now();
     session_.Tick();
@@ -118,7 +123,10 @@ void LiveWindow::Tick(double step_s) {
       viewer_.ShowPanel(workbench::PanelId::kBreakpoints);
       is_cut = true;
     }
-    is_cut |= pace_.OutOfTime();
+    if (!is_cut && pace_.OutOfTime()) {
+      is_cut = true;
+      pace_.Owe(due - i - 1);
+    }
     // Only the last two are drawn.
     if (i + 2 >= due && !is_cut) previous_ = std::exchange(newest_, session_.simulation().Snapshot());
   }

@@ -59,6 +59,7 @@ class LiveWindow {
   const sim::Scenario& scenario_;
   const sim::SimulationSettings& settings_;  ///< With the seed of the present run.
   const record::Header& header_;             ///< Likewise.
+  int turn_ticks_;                           ///< sim::TurnTicks of the scenario.
   bool has_script_;                          ///< A script plays the user; the run ends with it.
   workbench::Pace pace_;
   LessonDesk lessons_;

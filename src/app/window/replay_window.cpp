@@ -13,6 +13,8 @@
 #include "app/run_session.h"
 #include "app/window/window_desk.h"
 #include "app/window/window_options.h"
+#include "record/rerun.h"
+#include "viewer/step_word.h"
 #include "viewer/viewer.h"
 #include "workbench/recent.h"
 
@@ -29,8 +31,11 @@ class ReplayWindow {
         window_desk_(viewer, pace_, nullptr),
         desk_(recording, data, range, window_desk_),
         step_s_(recording.header().step_s),
+        turn_ticks_(record::TurnTicks(recording.header())),
         ticks_per_second_(std::max<std::int64_t>(1, std::llround(1 / recording.header().step_s))),
-        has_script_(has_script) {}
+        has_script_(has_script) {
+    viewer::SetTurnTicks(turn_ticks_);
+  }
 
   /// The agent that is selected from the start: this one, or else one that has a mind. False if it is not there.
   bool Select(const std::string& wanted) {
@@ -54,7 +59,7 @@ class ReplayWindow {
       if (!viewer_.RenderFrame()) break;
       for (const viewer::ViewerCommand command : viewer_.TakeCommands()) Obey(command);
       for (const viewer::InputEvent& event : viewer_.TakeEvents()) Obey(event);
-      Move(pace_.TicksDue(step_s_));
+      Move(pace_.TicksDue(step_s_, desk_.past().shown_tick(), turn_ticks_));
       window_desk_.Serve(desk_);
       if (std::optional<NextRun> wanted = window_desk_.TakeWantedRun()) {
         wanted->script_line = viewer_.ui_script_at();
@@ -102,7 +107,10 @@ class ReplayWindow {
     if (event.name == "end_key") desk_.Show(desk_.past().last_tick());
     if (event.name == "comma_key") {
       pace_.Pause();
-      Move(-1);
+      // To the end of the turn before.
+      const auto turn = static_cast<std::uint64_t>(turn_ticks_);
+      const std::uint64_t over = desk_.past().shown_tick() % turn;
+      Move(-static_cast<std::int64_t>(over == 0 ? turn : over));
     }
     if (event.name == "space_key") Obey(viewer::ViewerCommand::kTogglePause);
   }
@@ -113,6 +121,7 @@ class ReplayWindow {
   WindowDesk window_desk_;
   workbench::Desk desk_;
   double step_s_;
+  int turn_ticks_;
   std::int64_t ticks_per_second_;
   bool has_script_;  ///< A script plays the user; the window closes with it.
 };

@@ -76,6 +76,27 @@ TEST(Pace, PausesStepsAndChangesSpeed) {
   EXPECT_EQ(pace.TicksDue(kStep_s), 0);
 }
 
+TEST(Pace, AStepOfAGameGoesToTheEndOfItsTurn) {
+  Pace pace(1);
+  pace.Obey(Flow::kStepTurn);
+  EXPECT_TRUE(pace.paused());
+  EXPECT_EQ(pace.TicksDue(kStep_s, 0, 10), 10);
+  pace.Obey(Flow::kStepTurn);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 13, 10), 7) << "somebody stopped within the turn";
+  pace.Obey(Flow::kStepTurn);
+  pace.Obey(Flow::kStepTurn);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 20, 10), 20);
+  pace.Owe(4);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 36, 10), 4) << "the world was slow";
+  EXPECT_EQ(pace.TicksDue(kStep_s, 40, 10), 0);
+  pace.Obey(Flow::kStepTick);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 40, 10), 1);
+  pace.Owe(1);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 41, 10), 0) << "who steps by ticks asks again";
+  pace.Obey(Flow::kStepTurn);
+  EXPECT_EQ(pace.TicksDue(kStep_s, 7, 1), 1) << "no turns";
+}
+
 /// A session over a scenario of the repository, as a window has it.
 struct SkirmishRun {
   explicit SkirmishRun(std::uint64_t seed) {

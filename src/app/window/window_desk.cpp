@@ -101,6 +101,7 @@ std::optional<workbench::Flow> FlowOf(viewer::ViewerCommand command) {
   static_assert(static_cast<int>(ViewerCommand::kUnlimited) == static_cast<int>(Flow::kUnlimited));
   static_assert(static_cast<int>(ViewerCommand::kQuit) == static_cast<int>(Flow::kQuit));
   if (command > ViewerCommand::kQuit) return std::nullopt;
+  if (command == ViewerCommand::kSingleStep) return Flow::kStepTurn;
   return static_cast<Flow>(command);
 }
 

@@ -7,6 +7,7 @@
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/panels/workspace.h"
+#include "viewer/step_word.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -245,7 +246,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     ImGui::SameLine(0, frame.Px(4));
   };
   button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
-  button(Icon::kStepTick, ViewerCommand::kSingleStep, "Tick");
+  button(Icon::kStepTick, ViewerCommand::kSingleStep, StepWord());
   const bool is_run = !frame.contents.moment.is_recording;
   button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", is_run && frame.contents.has_mind);
   button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", is_run && frame.contents.has_mind);

@@ -7,11 +7,12 @@ import { icon } from "./icons";
 /** Run, pause, steps and speed. */
 export function flowControls(run: Run): Child {
   const { flow, hello } = run, disabled = hello === null || run.state === "ended" || hello.may_edit === false;
+  const turn = (hello?.turn_ticks ?? 1) > 1 ? "turn" : "tick";
   const flowButton = (name: Child, what: string, title: string, key: string, more = ""): Child =>
     button(name, () => run.ask("flow", { what }), { key: what, attributes: { title: `${title} (${key})`, "aria-label": title, disabled } }, `button.flow${more}`);
   return h("div.flow-bar", { attributes: { role: "group", "aria-label": "Run" } },
     flow.paused ? flowButton([icon("play"), h("span", null, "Run")], "go-on", "Run", "Space", ".primary") : flowButton([icon("pause"), h("span", null, "Pause")], "pause", "Pause", "Space"),
-    flowButton("Tick", "step-tick", "Go on by one tick", ".", ".step"), flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
+    flowButton(turn === "turn" ? "Turn" : "Tick", "step-turn", `Go on by one ${turn}`, ".", ".step"), flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
     flowButton("Phase", "step-phase", "Go on by one phase of the selected agent", "P", ".step"),
     flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
     flowButton([icon("restart"), h("span.wide", null, "Begin again")], "begin-again", "Begin again", "R"),

@@ -200,7 +200,7 @@ export class RunPage {
     const flow = (what: string): boolean => this.run.ask("flow", { what });
     switch (event.key) {
       case " ": return !isButton && flow(this.run.flow.paused ? "go-on" : "pause");
-      case ".": return flow("step-tick");
+      case ".": return flow("step-turn");
       case "d": case "D": return flow("step-decision");
       case "p": case "P": return flow("step-phase");
       case "c": case "C": return flow("step-change");

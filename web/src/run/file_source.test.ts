@@ -77,3 +77,16 @@ test("it plays to its end, and then begins again", { timeout: 20_000 }, async ()
   assert.equal(flow().paused, false);
   source.close();
 });
+
+test("a step of a game goes on to the end of a turn", () => {
+  const source = new FileSource({ ...recorded(), turn_ticks: 10 }), heard = listen(source);
+  const shown = (): unknown => heard.messages.filter((one) => one.message === "flow").map((one) => (one as { tick?: number }).tick).at(-1);
+  source.send({ request: "flow", what: "step-turn" });
+  assert.equal(shown(), 10);
+  source.send({ request: "seek", tick: 13 });
+  source.send({ request: "flow", what: "step-turn" });
+  assert.equal(shown(), 20);
+  source.send({ request: "flow", what: "step-turn" });
+  source.send({ request: "flow", what: "step-turn" });
+  assert.equal(shown(), 30, "no further than the recording");
+});

@@ -9,6 +9,7 @@ export interface RecordedRun {
   agents: readonly string[];
   minds: readonly string[];
   step_s: number;
+  turn_ticks?: number;
   first_tick: number;
   last_tick: number;
   /** In the order of ticks; the first is full. */
@@ -62,9 +63,9 @@ export class FileSource implements RunSource {
 
   start(listener: Listener): void {
     this.listener = listener;
-    const { scenario, seed, agents, minds, step_s } = this.run;
+    const { scenario, seed, agents, minds, step_s, turn_ticks = 1 } = this.run;
     listener.connection("open");
-    listener.message({ message: "hello", version: "", what: `recording:${scenario}`, title: scenario, scenario, seed, agents, minds, step_s, may_edit: true, is_recording: true });
+    listener.message({ message: "hello", version: "", what: `recording:${scenario}`, title: scenario, scenario, seed, agents, minds, step_s, turn_ticks, may_edit: true, is_recording: true });
     this.show();
     void this.unpackContents().then(() => this.show());
   }
@@ -110,9 +111,10 @@ export class FileSource implements RunSource {
       if (this.tick >= last_tick) this.moveTo(first_tick);
       this.pause(false);
     } else if (what === "pause") this.pause(true);
-    else if (what === "step-tick") {
+    else if (what === "step-tick" || what === "step-turn") {
       this.pause(true);
-      this.moveTo((this.run.scene[lastUntil(this.run.scene, this.tick) + 1] ?? { tick: last_tick }).tick);
+      const turn = what === "step-turn" ? (this.run.turn_ticks ?? 1) : 1, nextBlock = this.run.scene[lastUntil(this.run.scene, this.tick) + 1];
+      this.moveTo(turn > 1 ? (Math.floor(this.tick / turn) + 1) * turn : (nextBlock ?? { tick: last_tick }).tick);
     } else if (what === "begin-again") this.moveTo(first_tick);
     else if (what === "faster") this.speed = SPEEDS[Math.min(at + 1, SPEEDS.length - 1)]!;
     else if (what === "slower") this.speed = SPEEDS[Math.max(at - 1, 0)]!;

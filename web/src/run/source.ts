@@ -24,6 +24,8 @@ export interface Hello {
   agents: readonly string[];
   minds: readonly string[];
   step_s: number;
+  /** Of a game: so many ticks are a turn. */
+  turn_ticks?: number;
   may_edit: boolean;
   is_recording: boolean;
   /** It takes part in an exercise of other simulations. */
