@@ -7,7 +7,7 @@ import unittest
 
 import headless_browser
 from soarbox_command import Run
-from test_missions import RULES, SWEEP, WORLD
+from mission_case import RULES, SWEEP, WORLD
 
 TAB, ENTER, RIGHT = "\ue004", "\ue007", "\ue014"
 EVIL = "x</script><script>window.hurt=1</script>\" onload='window.hurt=1' ]]> \u202e"

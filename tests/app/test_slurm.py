@@ -15,7 +15,7 @@ import time
 import unittest
 
 from soarbox_command import COMMAND, Run, free_port
-from test_missions import RULES, SWEEP, WORLD
+from mission_case import RULES, SWEEP, WORLD
 
 DAEMONS = ("slurmctld", "slurmd", "munged", "sbatch", "squeue", "scancel")
 

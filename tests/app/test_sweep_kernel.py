@@ -10,7 +10,7 @@ import time
 import unittest
 
 from soarbox_command import COMMAND, Run, ScenarioCase, free_port
-from test_missions import RULES, WORLD
+from mission_case import RULES, WORLD
 
 SPEC = """
 scenario = "."

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""`soarbox learn` and the lessons that come with the program, through the real command."""
+import shutil
+import tomllib
+import unittest
+
+from mission_case import REPOSITORY, MissionCase
+from soarbox_command import Run
+
+
+class Lessons(MissionCase):
+    def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
+        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 13)
+        told = []
+        for number in range(1, 14):
+            run = Run("learn", "test", number)
+            self.assertEqual(run.code, 0, run.out + run.err)
+            self.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
+            told += run.out.splitlines()
+        self.assertEqual(sum("  solution: as it should" in line for line in told), 13)
+        self.assertGreaterEqual(sum("  wrong/" in line for line in told), 80)
+
+    def test_each_mistake_of_these_lessons_has_a_wrong_answer_that_makes_it(self):
+        for name in ("04-memory", "06-danger", "07-parts", "09-support", "10-results", "13-imagine"):
+            lesson = REPOSITORY / "lessons" / name
+            mistakes = {each["name"] for each in tomllib.loads((lesson / "lesson.toml").read_text(encoding="utf-8"))["mistake"]}
+            self.assertEqual(mistakes, {file.read_text(encoding="utf-8").strip() for file in lesson.glob("wrong/*/expects")}, name)
+
+    def test_each_panel_of_the_window_is_introduced_by_a_lesson(self):
+        page = (REPOSITORY / "docs" / "window.md").read_text(encoding="utf-8")
+        table = page.split("## The panels")[1].split("\n\n")[1]
+        panels = {line.split("|")[1].strip() for line in table.splitlines()[2:]}
+        panels.remove("Exercise")  # Of runs that take part in one alone.
+        lessons = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted((REPOSITORY / "lessons").glob("*/lesson.toml"))]
+        first = [lesson["panel"] for lesson in lessons]
+        self.assertEqual(len(set(first)), 12, first)
+        self.assertEqual(set(first).union(*(lesson.get("also", []) for lesson in lessons)), panels)
+
+    def test_a_wrong_answer_that_nobody_foresaw_is_explained_from_its_run(self):
+        lesson = REPOSITORY / "lessons" / "01-a-rule"
+        right = (lesson / "solution" / "porter.soar").read_text(encoding="utf-8")
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        for old, new, told in (
+                ("^visible yes", "^visible true", r"rule porter\*greet never fired: it requires \^.*visible true"),
+                ("^visible yes", "^visibel yes", r"did you mean \^visible\?"),
+                ("|Good day, | <name>", "|Good day,| <name>", 'It printed "Good day,anna"'),
+                ("<name> (crlf)", "<a> (crlf)", "That is the identifier of the percept")):
+            self.assertEqual(right.count(old), 1)
+            (mine / "01-a-rule" / "porter.soar").write_text(right.replace(old, new), encoding="utf-8")
+            run = Run("learn", "check", "1", "--folder", mine)
+            self.assertEqual(run.code, 1, run.out + run.err)
+            self.assertRegex(run.out, told)
+
+    def test_what_a_learner_wrote_stays(self):
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        rules = mine / "01-a-rule" / "porter.soar"
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        shutil.copy(REPOSITORY / "lessons" / "01-a-rule" / "solution" / "porter.soar", rules)
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        self.assertIn("^visible yes", rules.read_text(encoding="utf-8"), "nothing is overwritten")
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 0, run.out + run.err)
+        self.assertRegex(Run("learn").out, r"done   1  ")
+        rules.write_text("sp {broken", encoding="utf-8")
+        run = Run("learn", "check", "1", "--folder", mine)
+        self.assertEqual(run.code, 1)
+        self.assertIn("does not count", run.out)
+        self.assertEqual(Run("learn", "reset", "1", "--folder", mine).code, 0)
+        self.assertTrue((mine / "01-a-rule.2" / "porter.soar").exists())
+        self.assertIn("1. ", Run("learn", "hint", "1", "--folder", mine).out)
+        progress = self.folder / "state" / "soarbox" / "learn" / "progress.json"
+        progress.write_text("{ damaged", encoding="utf-8")
+        self.assertEqual(Run("learn").code, 0)
+        self.assertTrue(progress.with_name("progress.json.damaged").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Pages about runs and sweeps, through the real command."""
+import csv
+import json
+import os
+import re
+import subprocess
+
+from mission_case import REPOSITORY, RULES, SWEEP, MissionCase
+from soarbox_command import COMMAND, Run
+
+
+class Reports(MissionCase):
+    def test_what_is_meant_over_seeds_is_no_failure_of_one_run(self):
+        self.mission('[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
+                     '[[check]]\nname = "now and then"\nagent = "scout"\nat = "mill"\nby = 1\npass = 0\n')
+        recording, page = self.folder / "run.soarrec", self.folder / "report.html"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "12", "--record", recording).code, 0)
+        self.assertEqual(Run("report", recording, "-o", page).code, 0)
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        self.assertEqual(data["verdict"], "passed: all of 1 checks")
+        self.assertEqual([check["mark"] for check in data["checks"]], ["passed", "over seeds"])
+        self.assertIn("not in this run; it is to be true in 0 runs", data["checks"][1]["text"])
+
+    def test_a_page_stands_alone_and_texts_stay_texts(self):
+        evil = "x</script><script>alert(1)</script>\" onload='alert(2)'"
+        self.mission('[[check]]\nname = "%s"\nagent = "scout"\nat = "mill"\nby = 5\n' % evil.replace('"', '\\"'),
+                     rules=RULES + 'sp {scout*say (state <s> ^superstate nil ^io.input-link.self) --> (write |<script>alert(3)</script> {{data}} {{script}}| (crlf))}')
+        recording = self.folder / "run.soarrec"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "6", "--record", recording).code, 0)
+        page = self.folder / "report.html"
+        run = Run("report", recording, "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        text = page.read_text(encoding="utf-8")
+        self.assertEqual(text.count("<script"), 3, "the data, the scene's and the page's own")
+        self.assertEqual(text.count("</script>"), 3)
+        self.assertNotRegex(text, r"(src|href)=[\"']?http")
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        self.assertEqual(data["checks"][0]["name"], evil)
+        self.assertEqual(data["checks"][0]["state"], "false")
+        self.assertTrue(data["same"], "simulated again it comes to the recorded state")
+        self.assertEqual(data["spans"][0][3], "go")
+        fired = {rule["name"]: rule["firings"] for rule in data["agents"][0]["rules"]}
+        self.assertEqual(fired["scout*apply*go"], 1)
+
+    def test_an_hour_of_ten_busy_agents_is_at_most_10_mb(self):
+        self.write("Walker.lua", """
+local ticks = 0
+function Agent_Initialize(agent) end
+function Agent_Update(agent, deltaTimeInMillis, command)
+    ticks = ticks + 1
+    agent:SetTarget(Vector.new(60 * math.sin(ticks / 140), 0, 60 * math.cos(ticks / 177)))
+    agent:ApplyForce(agent:ForceToPosition(agent:GetTarget()) * 50)
+    if ticks % 10 == 0 then
+        print("I have walked for " .. ticks .. " ticks, and there is nothing to be seen of the <gate> yet")
+    end
+end
+""")
+        self.write("teller.soar", """
+sp {teller*propose*tell
+   (state <s> ^superstate nil ^io.input-link.time <t>)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name tell ^time <t>)
+}
+sp {teller*apply*tell
+   (state <s> ^operator <o>)
+   (<o> ^name tell ^time <t>)
+-->
+   (<s> ^told <t>)
+   (write |second | <t> (crlf))
+}
+""")
+        self.write("Sandbox.lua", """
+require "SandboxUtilities"
+function Sandbox_Initialize(sandbox)
+    Sandbox.CreatePlane(sandbox, 4000, 4000)
+    for i = 1, 9 do
+        local agent = Sandbox.CreateAgent(sandbox, "Walker.lua")
+        agent:SetPosition(Vector.new(4 * i, 0, 0))
+    end
+    Sandbox.CreateSoarAgent(sandbox, { name = "teller", rules = "teller.soar", position = Vector.new(0, 0, 10) })
+end
+function Sandbox_Update(sandbox, deltaTimeInMillis) end
+""")
+        recording, page = self.folder / "hour.soarrec", self.folder / "hour.html"
+        made = subprocess.run([COMMAND, "run", self.folder, "--headless", "--seconds", "3600", "--record", recording, "--record-level",
+                               "world"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=280, check=False)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        run = Run("report", recording, "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertLessEqual(page.stat().st_size, 10_000_000)
+        text = page.read_text(encoding="utf-8")
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        self.assertTrue(data["same"])
+        self.assertEqual(len(data["agents"]), 10)
+        # What is left out could not be seen, is told, and is spread over the hour.
+        told = next(line for line in data["thinned"] if "events, commands and prints" in line)
+        said = int(re.search(r"Of (\d+) events", told)[1])
+        self.assertGreater(said, 9 * 3600 * 3)
+        self.assertGreater(said * 110, 10_000_000, "all of them would be too much")
+        prints = [event for event in data["events"] if event["k"] == "print"]
+        self.assertGreater(len(prints), 5000)
+        for begin in range(0, 3600, 300):
+            self.assertGreater(sum(begin <= event["t"] < begin + 300 for event in prints), len(prints) / 24)
+        # Ways are as exact as before, to the end.
+        csv_file = self.folder / "end.csv"
+        self.assertEqual(Run("export", recording, "--csv", "--from", "3599.99", "-o", csv_file).code, 0)
+        with open(csv_file, newline="", encoding="utf-8") as file:
+            ends = {row["agent"]: row for row in csv.DictReader(file)}
+        self.assertEqual(len(data["times"]), 18001)
+        for agent in data["agents"]:
+            self.assertEqual(len(agent["x"]), len(data["times"]) - agent["from"])
+            if agent["name"] in ends:
+                self.assertGreater(agent["distance"], 100)
+                self.assertAlmostEqual(sum(agent["x"]) / 100, float(ends[agent["name"]]["x_m"]), delta=0.006)
+        self.assertEqual(data["agents"][9]["name"], "teller")
+
+    def test_a_sweep_becomes_a_page(self):
+        self.mission("")
+        spec = self.write("sweep.toml", SWEEP)
+        self.assertEqual(Run("sweep", spec).code, 0)
+        page = self.folder / "sweep.html"
+        self.assertEqual(Run("report", spec, "-o", page).code, 0)
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        self.assertEqual([variant["runs"] for variant in data["variants"]], [6, 6])
+        self.assertEqual(len(data["rows"]), 12)
+
+    def test_what_cannot_be_read_or_written_is_told(self):
+        self.assertEqual(Run("report", self.folder / "nothing").code, 3)
+        self.assertEqual(Run("report", self.folder).code, 3)
+        self.mission("")
+        recording = self.folder / "run.soarrec"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "1", "--record", recording).code, 0)
+        run = Run("report", recording, "-o", self.write("file", "") / "page.html")
+        self.assertEqual(run.code, 3)
+        self.assertIn("page.html", run.err)
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        run = Run("report", recording, "-o", pipe)
+        self.assertEqual(run.code, 3)
+        self.assertIn("not a plain file", run.err)
+        self.assertTrue(pipe.is_fifo(), "it is still what it was")
+
+    def test_the_page_reads_nothing_as_markup(self):
+        script = (REPOSITORY / "media" / "report" / "page.js").read_text(encoding="utf-8")
+        for word in ("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "Function("):
+            self.assertNotIn(word, script)
