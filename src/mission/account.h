@@ -36,6 +36,9 @@ class Account {
   sim::Simulation& simulation_;
   AccountSettings settings_;
   std::vector<std::string> slips_;
+  std::string refused_agent_;  ///< Whose command the world refused first, as it was written wrong.
+  double refused_s_ = 0;
+  std::string refused_;
   std::string idle_agent_;         ///< Who first had nothing to do.
   double idle_s_ = 0;              ///< Since when.
   std::vector<std::string> idle_;  ///< Since when, and why.
