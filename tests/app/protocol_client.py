@@ -22,7 +22,7 @@ class Refused(Exception):
 class Client:
     """One connection. Calls that come meanwhile are answered, and events are kept in `events` as (name, element)."""
 
-    def __init__(self, port, limit_s=20.0):
+    def __init__(self, port, limit_s=100.0):
         self.limit_s = limit_s
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=limit_s)
         self.buffer = b""

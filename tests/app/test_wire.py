@@ -227,7 +227,7 @@ class Pieces(Case):
         port = free_port()
         self.start_kernel(port)
         call = frame('<sml doctype="call" id="1" smlversion="9.6.3"><command name="version"></command></sml>')
-        with socket.create_connection(("127.0.0.1", port), timeout=20) as client:
+        with socket.create_connection(("127.0.0.1", port), timeout=100) as client:
             took = []
             for _ in range(100):
                 begun = time.monotonic()
@@ -367,7 +367,7 @@ class Watched(Case):
         }
         for name, data in hostile.items():
             with self.subTest(name):
-                with socket.create_connection(("127.0.0.1", self.port), timeout=20) as bad:
+                with socket.create_connection(("127.0.0.1", self.port), timeout=100) as bad:
                     bad.sendall(data)
                     time.sleep(0.1)
                     self.check_served()

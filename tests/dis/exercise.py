@@ -71,7 +71,7 @@ class Member:
     def say(self, datagram):
         self.socket.sendto(datagram, self.to)
 
-    def hear(self, limit_s=10):
+    def hear(self, limit_s=100):
         """The next datagram; nothing if there is none in that time."""
         self.socket.settimeout(limit_s)
         try:
