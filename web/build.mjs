@@ -8,7 +8,7 @@ const MOST_COMPRESSED_BYTES = 1_500_000;
 
 rmSync("dist/page", { recursive: true, force: true });
 mkdirSync("dist/page/assets", { recursive: true });
-await build({
+const { metafile } = await build({
   entryPoints: { page: "src/main.ts", style: "src/styles/page.css" },
   outdir: "dist/page/assets",
   bundle: true,
@@ -19,13 +19,20 @@ await build({
   chunkNames: "[name]-[hash]",
   legalComments: "linked",
   logLevel: "warning",
+  metafile: true,
 });
+// What draws the world is fetched beside the page, not after it: each script names those that it needs only when it is there.
+const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
+  const [file, made] = Object.entries(metafile.outputs).find(([path]) => new RegExp(`/${name}(-[A-Z0-9]+)?\\.js$`).test(path));
+  return [file, ...made.imports.filter((one) => one.kind === "import-statement").map((one) => one.path)];
+}));
+const preloads = [...needed].map((file) => `<link rel="modulepreload" href="${file.replace("dist/page", "")}">`).join("\n");
 // One file for `soarbox report`, which puts a recorded run into it.
 const whole = await build({ entryPoints: { report: "src/report.ts", style: "src/styles/page.css" }, outdir: "dist", bundle: true, write: false, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;
 writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8")
   .replace("{{style}}", () => textOf(".css")).replace("{{script}}", () => textOf(".js").replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")));
-cpSync("src/index.html", "dist/page/index.html");
+writeFileSync("dist/page/index.html", readFileSync("src/index.html", "utf8").replace("<!-- preloads -->", preloads));
 cpSync("src/icon.svg", "dist/page/assets/icon.svg");
 const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];
 const bytes = files.filter((name) => !name.endsWith(".txt")).reduce((sum, name) => sum + gzipSync(readFileSync(name)).length, 0);

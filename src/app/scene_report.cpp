@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/base64.h"
 #include "app/data_folders.h"
+#include "app/shape_contents.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
 #include "diagnostics/json_text.h"
@@ -31,20 +33,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostSceneBytes = 5u << 19, kMostContentsBytes = 1u << 20;
 /// How often the scene and the contents are shown where there is room for it.
 constexpr double kSceneEvery_s = 0.1, kContentsEvery_s = 0.5, kWholeEvery_s = 4;
-
-std::string Base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
-    std::uint32_t group = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      group = group << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
-    for (std::size_t i = 0; i < 4; ++i) text += i <= count ? kDigits[group >> (18 - 6 * i) & 63] : '=';
-  }
-  return text;
-}
 
 /// The moments of a recording, each as often as asked for; damaged ones are left out.
 class Moments {
@@ -83,6 +71,8 @@ class Moments {
   }
 
   void AddScene(std::uint64_t tick, const world::SceneSnapshot& scene) {
+    for (ShapeContents::Told& told : shapes_.New(scene))
+      contents_.push_back({{"tick", tick}, {"agent", ""}, {"name", told.name}, {"content", std::move(told.content)}});
     const stream::Block block = encoder_.Encode(scene);
     scene_bytes_ += block.bytes.size();
     scene_.push_back({{"tick", tick}, {"full", block.is_full}, {"block", Base64(block.bytes)}});
@@ -108,6 +98,10 @@ class Moments {
       shown_.operators = debugger::LookAtOperators(*mind, {});
       shown_.why = {"Why does " + agent.name + " do what it does?", debugger::WhyRecorded(*recorded, agent.name)};
       for (const char* const name : {"mind", "why"}) Tell(tick, agent.name, name);
+      shown_.imagery = debugger::LookAtImagery(*mind);
+      if (shown_.imagery.scenes.empty()) continue;
+      shown_.shapes = debugger::ShapesOf(shown_.imagery, {});
+      for (const char* const name : {"imagery", "ghosts"}) Tell(tick, agent.name, name);
     }
   }
 
@@ -126,6 +120,7 @@ class Moments {
   record::Reader& recording_;
   std::uint64_t scene_every_, contents_every_;
   stream::SceneEncoder encoder_;
+  ShapeContents shapes_;
   debugger::RunModels models_;
   debugger::RecordedMinds recorded_;
   workbench::Contents shown_;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
 #include "debugger/facts_text.h"
+#include "debugger/scene_shapes.h"
+#include "debugger/why.h"
 #include "explain/scene_source.h"
 
 namespace soarbox::debugger {
@@ -39,6 +40,8 @@ std::vector<double> NumbersIn(const Json& json, const char* name) {
 /// "hull distance from self to box-1: 1.4": a value with what it was made from.
 WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& begin) {
   WhyNode node;
+  node.kind = "imagined";
+  node.link = TextIn(value, "record");
   const std::string text = TextIn(value, "value");
   node.text = begin + text;
   const auto from = value.find("from");
@@ -148,16 +151,6 @@ Json JsonOf(const ScenePoint& point) {
   return Json::array({point[0], point[1], point[2]});
 }
 
-Json JsonOf(const WhyNode& node) {
-  Json json;
-  json["text"] = node.text;
-  if (!node.below.empty()) {
-    json["below"] = Json::array();
-    for (const WhyNode& below : node.below) json["below"].push_back(JsonOf(below));
-  }
-  return json;
-}
-
 Json JsonOf(const SceneNodeRow& node) {
   Json json;
   json["name"] = node.name;
@@ -194,38 +187,53 @@ Json JsonOf(const SceneExtractRow& extract) {
     Json row;
     row["record"] = value.record;
     row["value"] = value.text;
-    row["why"] = JsonOf(value.why);
+    row["why"] = ToJson(value.why);
     row["nodes"] = value.nodes;
     row["lines"] = Json::array();
-    for (const SceneLine& line : value.lines) {
-      row["lines"].push_back({{"from", JsonOf(line.from)}, {"to", JsonOf(line.to)}, {"is_crossed", line.is_crossed}});
-    }
+    for (const SceneLine& line : value.lines) row["lines"].push_back(ToJson(line));
     json["values"].push_back(std::move(row));
   }
   return json;
+}
+
+/// A line of what `svs facts` prints: STATE node "NAME" {...}
+struct FactLine {
+  std::string state, kind, name;
+  Json object;
+};
+
+/// Takes lines off the text, up to one that makes sense and has `part`.
+std::optional<FactLine> NextFact(std::string_view& facts, std::string_view part = {}) {
+  while (!facts.empty()) {
+    const std::size_t end = std::min(facts.find('\n'), facts.size());
+    const std::string_view line = facts.substr(0, end);
+    facts.remove_prefix(std::min(end + 1, facts.size()));
+    if (line.find(part) == std::string_view::npos) continue;
+    const std::size_t kind_at = line.find(' '), name_at = line.find(" \""), object_at = line.find("\" {");
+    if (kind_at == std::string_view::npos || name_at == std::string_view::npos || object_at == std::string_view::npos ||
+        name_at <= kind_at || object_at < name_at + 2)
+      continue;
+    const Json name = Json::parse(line.substr(name_at + 1, object_at - name_at), nullptr, false);
+    FactLine fact{std::string(line.substr(0, kind_at)),
+                  std::string(line.substr(kind_at + 1, name_at - kind_at - 1)),
+                  {},
+                  Json::parse(line.substr(object_at + 2), nullptr, false)};
+    if (!name.is_string() || !fact.object.is_object()) continue;
+    fact.name = name.get<std::string>();
+    return fact;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 ImageryView ReadImagery(std::string_view facts) {
   ImageryView view;
-  while (!facts.empty()) {
-    const std::size_t end = std::min(facts.find('\n'), facts.size());
-    const std::string_view line = facts.substr(0, end);
-    facts.remove_prefix(std::min(end + 1, facts.size()));
-    // STATE node "NAME" {...}
-    const std::size_t kind_at = line.find(' '), name_at = line.find(" \""), object_at = line.find("\" {");
-    if (kind_at == std::string_view::npos || name_at == std::string_view::npos || object_at == std::string_view::npos ||
-        object_at < name_at + 2)
-      continue;
-    const std::string state(line.substr(0, kind_at));
-    const std::string_view kind = line.substr(kind_at + 1, name_at - kind_at - 1);
-    const Json name = Json::parse(line.substr(name_at + 1, object_at - name_at), nullptr, false);
-    const Json object = Json::parse(line.substr(object_at + 2), nullptr, false);
-    if (!name.is_string() || !object.is_object()) continue;
-    if (view.scenes.empty() || view.scenes.back().state != state) view.scenes.emplace_back().state = state;
-    if (kind == "node") view.scenes.back().nodes.push_back(ReadNode(name.get<std::string>(), object));
-    if (kind == "extract") view.scenes.back().extracts.push_back(ReadExtract(name.get<std::string>(), object));
+  while (const std::optional<FactLine> line = NextFact(facts)) {
+    if (view.scenes.empty() || view.scenes.back().state != line->state) view.scenes.emplace_back().state = line->state;
+    SceneView& scene = view.scenes.back();
+    if (line->kind == "node") scene.nodes.push_back(ReadNode(line->name, line->object));
+    if (line->kind == "extract") scene.extracts.push_back(ReadExtract(line->name, line->object));
   }
   for (SceneView& scene : view.scenes) Order(scene);
   if (view.scenes.empty())
@@ -245,64 +253,22 @@ ImageryView LookAtImagery(explain::Inspector& mind) {
 }
 
 std::optional<WhyNode> WhyRecord(explain::Inspector& mind, std::string_view record) {
-  if (dynamic_cast<explain::SceneSource*>(&mind) == nullptr) return std::nullopt;
-  for (const SceneView& scene : LookAtImagery(mind).scenes) {
-    for (const SceneExtractRow& extract : scene.extracts) {
-      for (const SceneValueRow& value : extract.values) {
-        if (value.record != record) continue;
-        WhyNode why = value.why;
-        why.text = "imagined by " + extract.command + " " + extract.id + " in " + scene.state + ": " + why.text;
-        if (!extract.rule.empty()) why.below.push_back({"asked by rule " + extract.rule, "rule", extract.rule, {}});
-        return why;
-      }
+  auto* const source = dynamic_cast<explain::SceneSource*>(&mind);
+  if (source == nullptr) return std::nullopt;
+  const std::string all = source->SceneFacts(), with_record = "\"record\":\"" + std::string(record) + "\"";
+  std::string_view facts = all;
+  // Of many lines one has it: the others need not be understood.
+  while (const std::optional<FactLine> line = NextFact(facts, with_record)) {
+    const SceneExtractRow extract = ReadExtract(line->name, line->object);
+    for (const SceneValueRow& value : extract.values) {
+      if (value.record != record) continue;
+      WhyNode why = value.why;
+      why.text = "imagined by " + extract.command + " " + extract.id + " in " + line->state + ": " + why.text;
+      if (!extract.rule.empty()) why.below.push_back({"asked by rule " + extract.rule, "rule", extract.rule, {}});
+      return why;
     }
   }
   return std::nullopt;
-}
-
-SceneBox BoxAround(const SceneNodeRow& node) {
-  const double qx = node.turn[0], qy = node.turn[1], qz = node.turn[2], qw = node.turn[3];
-  // v + 2 w (q x v) + 2 q x (q x v)
-  const auto place = [&](const ScenePoint& point) {
-    const ScenePoint v{point[0] * node.scale[0], point[1] * node.scale[1], point[2] * node.scale[2]};
-    const ScenePoint t{2 * (qy * v[2] - qz * v[1]), 2 * (qz * v[0] - qx * v[2]), 2 * (qx * v[1] - qy * v[0])};
-    return ScenePoint{node.at[0] + v[0] + qw * t[0] + qy * t[2] - qz * t[1],
-                      node.at[1] + v[1] + qw * t[1] + qz * t[0] - qx * t[2],
-                      node.at[2] + v[2] + qw * t[2] + qx * t[1] - qy * t[0]};
-  };
-  std::vector<ScenePoint> corners;
-  for (const ScenePoint& point : node.points) corners.push_back(place(point));
-  if (node.shape == "ball") {
-    for (int corner = 0; corner < 8; ++corner) {
-      corners.push_back(place({corner & 4 ? node.radius : -node.radius, corner & 2 ? node.radius : -node.radius,
-                               corner & 1 ? node.radius : -node.radius}));
-    }
-  }
-  if (corners.empty()) corners.push_back(node.at);
-  SceneBox box{corners.front(), corners.front()};
-  for (const ScenePoint& corner : corners) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], corner[axis]);
-      box.high[axis] = std::max(box.high[axis], corner[axis]);
-    }
-  }
-  return box;
-}
-
-std::vector<std::pair<std::string, const SceneNodeRow*>> MadeUp(const ImageryView& view) {
-  std::vector<std::pair<std::string, const SceneNodeRow*>> found;
-  std::set<std::string> above;
-  for (const SceneView& scene : view.scenes) {
-    std::set<std::string> here;
-    for (const SceneNodeRow& node : scene.nodes) {
-      here.insert(node.name);
-      if (node.shape == "group") continue;
-      // The copy of a substate does not follow the world: that something has moved since is no thought of the agent's.
-      if (!node.tags.contains("solid") && !above.contains(node.name)) found.emplace_back(scene.state, &node);
-    }
-    above = std::move(here);
-  }
-  return found;
 }
 
 std::string ToText(const ImageryView& view) {

@@ -75,16 +75,6 @@ ImageryView ReadImagery(std::string_view facts);
 /// Why a record of an extract has its value: filters, nodes and values; nothing if no extract has such a record.
 std::optional<explain::WhyNode> WhyRecord(explain::Inspector& mind, std::string_view record);
 
-/// A box along the axes of the world.
-struct SceneBox {
-  ScenePoint low{}, high{};
-};
-/// The box around a node's own shape; its origin alone for a group.
-SceneBox BoxAround(const SceneNodeRow& node);
-/// What a mind made up: the shapes that the world did not feed (they have no tag solid), each with the first state that
-/// has it.
-std::vector<std::pair<std::string, const SceneNodeRow*>> MadeUp(const ImageryView& view);
-
 std::string ToText(const ImageryView& view);
 Json ToJson(const ImageryView& view);
 

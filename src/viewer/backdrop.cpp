@@ -5,6 +5,7 @@
 #include <string>
 
 #include "viewer/backdrop_meshes.h"
+#include "viewer/drawable_mesh.h"
 #include "viewer/mesh_library.h"
 
 namespace soarbox::viewer {
@@ -23,11 +24,7 @@ void Backdrop::Build() {
 }
 
 void Backdrop::Show(const world::SceneSnapshot& snapshot) {
-  const auto is_plain = [](const world::DrawableSnapshot& drawable) {
-    return drawable.visible && drawable.shape == world::ShapeKind::kPlane && drawable.size.x == kPlainSide_m &&
-           drawable.size.z == kPlainSide_m && world::Length(drawable.position) < 0.5f;
-  };
-  const bool has_plain = std::any_of(snapshot.drawables.begin(), snapshot.drawables.end(), is_plain);
+  const bool has_plain = std::any_of(snapshot.drawables.begin(), snapshot.drawables.end(), IsPlain);
   if (has_plain && node_ == nullptr) Build();
   if (node_ != nullptr) node_->setVisible(has_plain);
 }

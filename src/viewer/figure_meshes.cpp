@@ -33,12 +33,12 @@ void Paste(MeshData& mesh, MeshData part, Vec3 at, Coat coat) {
 
 /// A ball squeezed to these half axes, with lumps of that share of them.
 MeshData Ball(Vec3 half, float lumps = 0, std::uint32_t seed = 1) {
-  constexpr int kAround = 16, kUp = 10;
+  const int around = PiecesOf(16), up = PiecesOf(10);
   MeshData mesh;
-  for (int r = 0; r <= kUp; ++r) {
-    const float t = kPi * (static_cast<float>(r) / kUp - 0.5f);
-    for (int s = 0; s <= kAround; ++s) {
-      const float angle = 2 * kPi * static_cast<float>(s % kAround) / kAround;
+  for (int r = 0; r <= up; ++r) {
+    const float t = kPi * (static_cast<float>(r) / static_cast<float>(up) - 0.5f);
+    for (int s = 0; s <= around; ++s) {
+      const float angle = 2 * kPi * static_cast<float>(s % around) / static_cast<float>(around);
       const Vec3 out{std::cos(t) * std::sin(angle), std::sin(t), std::cos(t) * std::cos(angle)};
       const float lump = 1 + lumps * (Noise2(4 * out.x + 9, 4 * out.y + 4 * out.z + 9, seed) - 0.5f);
       MeshVertex vertex;
@@ -48,11 +48,11 @@ MeshData Ball(Vec3 half, float lumps = 0, std::uint32_t seed = 1) {
       mesh.vertices.push_back(vertex);
     }
   }
-  constexpr auto kRow = static_cast<std::uint32_t>(kAround + 1);
-  for (std::uint32_t r = 0; r < kUp; ++r) {
-    for (std::uint32_t s = 0; s < kAround; ++s) {
-      const std::uint32_t a = r * kRow + s;
-      mesh.AddQuad(a, a + 1, a + kRow + 1, a + kRow);
+  const auto row = static_cast<std::uint32_t>(around + 1);
+  for (std::uint32_t r = 0; r < static_cast<std::uint32_t>(up); ++r) {
+    for (std::uint32_t s = 0; s + 1 < row; ++s) {
+      const std::uint32_t a = r * row + s;
+      mesh.AddQuad(a, a + 1, a + row + 1, a + row);
     }
   }
   return mesh;
@@ -236,7 +236,8 @@ MeshData Flower(Vec3 size) {
 MeshData Hedge(Vec3 size) {
   MeshData mesh = BoxAt({}, size * 0.94f, 0.1f * std::min({size.x, size.y, size.z}));
   for (MeshVertex& vertex : mesh.vertices) vertex.light *= 0.72f;
-  const float ball = std::clamp(1.3f * std::min({size.x, size.y, size.z}), 0.25f, 1.2f);
+  const bool is_coarse = PiecesOf(16) < 16;
+  const float ball = std::clamp(1.3f * std::min({size.x, size.y, size.z}), 0.25f, 1.2f) * (is_coarse ? 1.9f : 1.0f);
   const auto steps = [&](float side) { return std::clamp(static_cast<int>(std::lround(1.6f * side / ball)), 1, 24); };
   const int across = steps(size.x), up = steps(size.y), along = steps(size.z);
   std::uint32_t seed = 3;

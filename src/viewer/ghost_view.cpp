@@ -29,7 +29,7 @@ void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies
   for (auto& [key, batch] : batches_) batch->Begin();
   std::size_t plain = 0;
   for (const Ghost& ghost : ghosts) {
-    if (!world::IsFinite(ghost.position)) continue;
+    if (ghost.is_name_only || !world::IsFinite(ghost.position)) continue;
     // Opacities come in steps, so that fading does not make a material per frame.
     const int step = std::clamp(static_cast<int>(std::lround(ghost.opacity * 10)), 1, 10);
     world::Color color = ghost.color;

@@ -4,9 +4,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "viewer/drawable_mesh.h"
 #include "viewer/figure_meshes.h"
-#include "viewer/modular_meshes.h"
-#include "viewer/scenery_meshes.h"
 #include "viewer/shape_meshes.h"
 
 namespace soarbox::viewer {
@@ -22,37 +21,6 @@ std::string Key(const DrawableSnapshot& d, bool agent_body) {
                 agent_body ? 1 : 0, d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
   // What is a thing or a creature by its material is a mesh of its own.
   return IsFigure(d.material.value()) ? std::string(text) + "/" + d.material.value() : text;
-}
-
-/// The extents of a box or a capsule; nothing for others.
-world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
-  if (d.shape == ShapeKind::kBox) return d.size;
-  return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
-}
-
-MeshData Build(const DrawableSnapshot& d, bool agent_body, bool& is_stand_in) {
-  if (auto figure = FigureMesh(d.material.value(), ExtentsOf(d))) return *figure;
-  switch (d.shape) {
-    case ShapeKind::kBox:
-      return BoxMesh(d.size * -0.5f, d.size * 0.5f,
-                     {.repeats_u = d.texture_repeats.x, .repeats_v = d.texture_repeats.y});
-    case ShapeKind::kCapsule:
-      return agent_body ? AgentMesh(d.size.x, d.size.y) : CapsuleMesh(d.size.x, d.size.y);
-    case ShapeKind::kCylinder:
-      return CylinderMesh(d.size.x, d.size.y);
-    case ShapeKind::kPlane:
-      return PlaneMesh(d.size.x, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
-    case ShapeKind::kSphere:
-      return SphereMesh(d.size.x);
-    case ShapeKind::kMesh:
-      break;
-  }
-  if (auto modular = ModularMesh(d.mesh.value())) return *modular;
-  if (auto scenery = SceneryMeshFor(d.mesh.value())) return *scenery;
-  is_stand_in = true;
-  MeshData box = BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
-  box.material = "Soarbox/Missing";
-  return box;
 }
 
 }  // namespace
@@ -107,9 +75,10 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   const auto known = meshes_.find(key);
   if (known != meshes_.end()) return known->second;
   Found found;
-  const MeshData data = Build(drawable, agent_body, found.is_stand_in);
-  found.material = data.material;
-  found.levels.push_back(UploadMesh("Soarbox/" + key, data));
+  const DrawableMesh made = MeshOf(drawable, agent_body);
+  found.is_stand_in = made.is_stand_in;
+  found.material = made.data.material;
+  found.levels.push_back(UploadMesh("Soarbox/" + key, made.data));
   if (agent_body && drawable.shape == ShapeKind::kCapsule && !IsFigure(drawable.material.value())) {
     // Crowds: further away, coarser bodies.
     constexpr std::pair<AgentDetail, const char*> kFurther[] = {

@@ -244,7 +244,7 @@ void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<Agent
                        OverlayMarks& marks) {
   Pen pen(marks);
   for (const Ghost& ghost : ghosts) {
-    if (!world::IsFinite(ghost.position)) continue;
+    if (ghost.is_name_only || !world::IsFinite(ghost.position)) continue;
     const Color color = Faded(Bright(ghost.color), 0.4f + ghost.opacity);
     pen.Circle(ghost.position - Vec3{0, ghost.height_m / 2 - 0.07f, 0}, 0.55f, color);
     const auto agent =

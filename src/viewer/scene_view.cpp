@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viewer/drawable_mesh.h"
 #include "viewer/interpolate.h"
 
 namespace soarbox::viewer {
@@ -31,11 +32,6 @@ std::size_t LevelFor(const Heights& heights_px, float px, std::size_t before, st
     ++level;
   }
   return level;
-}
-
-/// A capsule of an agent, of the size of a body rather than of something that it carries.
-bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot* agent) {
-  return agent != nullptr && drawable.shape == ShapeKind::kCapsule && drawable.size.y > 0.6f * agent->height_m;
 }
 
 }  // namespace
@@ -171,12 +167,7 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
     Undress(thing);
     thing.body = std::make_unique<PosedBody>();
   }
-  // A soldier may change its uniform by the name of its material.
-  thing.look = mesh.look;
-  if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body")
-    thing.look = world::BodyLook::kSoldier;
-  if (mesh.look != world::BodyLook::kRifle && drawable.material == "SF_Soldier_Body_Dark")
-    thing.look = world::BodyLook::kDarkSoldier;
+  thing.look = LookOf(mesh, drawable);
   const bool is_own = drawable.material.empty() || drawable.material.value().starts_with("SF_");
   if (is_own) {
     thing.material.clear();

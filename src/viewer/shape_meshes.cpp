@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "viewer/half_turn.h"
 
@@ -13,6 +14,7 @@ namespace {
 using world::Vec3;
 
 constexpr int kSegments = 28;
+thread_local bool is_coarse = false;
 
 float Sane(float size) {
   return std::isfinite(size) && size > 0 ? size : 0.0f;
@@ -25,8 +27,9 @@ struct ShapeRing {
 };
 
 /// Turns a profile, from bottom to top, about the y axis. Normals follow the profile's slope.
-MeshData Revolve(const std::vector<ShapeRing>& profile, int segments = kSegments) {
+MeshData Revolve(const std::vector<ShapeRing>& profile, int fine_segments = kSegments) {
   MeshData mesh;
+  const int segments = PiecesOf(fine_segments);
   const std::size_t count = profile.size();
   for (std::size_t i = 0; i < count; ++i) {
     const ShapeRing& below = profile[i > 0 ? i - 1 : i];
@@ -64,7 +67,8 @@ MeshData Revolve(const std::vector<ShapeRing>& profile, int segments = kSegments
 
 /// Rings of an arc of an ellipse, angles from the horizontal, both ends included.
 void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float centre_y, float from, float to,
-            int steps) {
+            int fine_steps) {
+  const int steps = is_coarse ? std::max(2, (2 * fine_steps + 2) / 5) : fine_steps;
   for (int i = 0; i <= steps; ++i) {
     const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
     profile.push_back({std::max(0.0f, radius * std::cos(angle)), centre_y + height * std::sin(angle)});
@@ -84,7 +88,8 @@ float RadiusAt(const std::vector<ShapeRing>& profile, float y) {
 
 /// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
 MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y, float half_angle, float radius,
-               int columns, int rows) {
+               int fine_columns, int fine_rows) {
+  const int columns = PiecesOf(fine_columns), rows = PiecesOf(fine_rows);
   const auto point = [&](float a, float b) {
     const float y = (low_y + high_y) / 2 + (high_y - low_y) / 2 * b;
     const float inside = 1 - std::pow(std::abs(a), 4.0f) - std::pow(std::abs(b), 4.0f);
@@ -117,6 +122,14 @@ MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y,
 }
 
 }  // namespace
+
+CoarseShapes::CoarseShapes() : before_(std::exchange(is_coarse, true)) {}
+CoarseShapes::~CoarseShapes() {
+  is_coarse = before_;
+}
+int PiecesOf(int fine) {
+  return is_coarse ? std::max(5, static_cast<int>(std::lround(0.45 * fine))) : fine;
+}
 
 MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
   const Vec3 size{Sane(max.x - min.x), Sane(max.y - min.y), Sane(max.z - min.z)};

@@ -29,6 +29,20 @@ MeshData CylinderMesh(float radius_m, float height_m);
 
 MeshData SphereMesh(float radius_m);
 
+/// While one lives, what this thread makes of round shapes has fewer faces: for pictures that the processor draws.
+class CoarseShapes {
+ public:
+  CoarseShapes();
+  ~CoarseShapes();
+  CoarseShapes(const CoarseShapes&) = delete;
+  CoarseShapes& operator=(const CoarseShapes&) = delete;
+
+ private:
+  bool before_;
+};
+/// Of how many pieces something round is made that usually has `fine` of them.
+int PiecesOf(int fine);
+
 /// Horizontal, facing up, centred on the origin.
 MeshData PlaneMesh(float size_x_m, float size_z_m, float repeats_u, float repeats_v);
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "diagnostics/problem.h"
+#include "viewer/imagined_painter.h"
 #include "viewer/interpolate.h"
 #include "viewer/viewer_impl.h"
 
@@ -252,6 +253,7 @@ bool Viewer::Impl::Frame() {
   }
   OverlayMarks drawn;
   painter.Paint({scene.agents, overlays, selection, on, Inside()}, drawn);
+  PaintImagined(imagined, answer, drawn);
   shown_ghosts.clear();
   for (const Ghost& ghost : ghosts) {
     // Who stands where its ghost would needs none.
@@ -398,8 +400,11 @@ world::OverlayWants Viewer::overlay_wants() const {
   return {impl_->IsOn(ViewerCommand::kNavigation), impl_->IsOn(ViewerCommand::kInfluence),
           impl_->IsOn(ViewerCommand::kPhysics), impl_->IsOn(ViewerCommand::kForces)};
 }
-void Viewer::SetGhosts(std::vector<Ghost> ghosts) {
+void Viewer::SetGhosts(std::vector<Ghost> ghosts, std::vector<debugger::SceneShape> imagined,
+                       debugger::AnswerLines answer) {
   impl_->ghosts = std::move(ghosts);
+  impl_->imagined = std::move(imagined);
+  impl_->answer = std::move(answer);
 }
 void Viewer::Tell(std::string text) {
   impl_->Notice(std::move(text));

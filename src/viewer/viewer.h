@@ -68,6 +68,7 @@ struct Ghost {
   world::Color color{0.75f, 0.85f, 1, 1};
   float opacity = 0.6f;  ///< 0..1
   float radius_m = 0.35f, height_m = 1.75f;
+  bool is_name_only = false;  ///< Nothing is drawn but its name.
 };
 
 /// What frames have cost the thread that draws, in seconds of processor time, and what the last one handed to the
@@ -120,7 +121,9 @@ class Viewer {
   void Tell(std::string text);
 
   /// Figures of another future, drawn until the next call; an empty list takes them away.
-  void SetGhosts(std::vector<Ghost> ghosts);
+  /// With what the selected agent imagines.
+  void SetGhosts(std::vector<Ghost> ghosts, std::vector<debugger::SceneShape> imagined = {},
+                 debugger::AnswerLines answer = {});
 
   /// Carries out a command as its key does: at once if it is the window's, else it comes out of TakeCommands.
   void Do(ViewerCommand command);

@@ -66,6 +66,8 @@ struct Viewer::Impl {
   world::OverlaySnapshot overlays;
   bool has_overlays = false;
   std::vector<Ghost> ghosts;
+  std::vector<debugger::SceneShape> imagined;
+  debugger::AnswerLines answer;
   std::vector<std::uint32_t> selection;
   std::uint32_t hovered = 0;
   std::optional<ScreenPoint> cursor;

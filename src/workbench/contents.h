@@ -13,6 +13,7 @@
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
 #include "debugger/goal_stack.h"
+#include "debugger/imagery.h"
 #include "debugger/learning.h"
 #include "debugger/links.h"
 #include "debugger/memory.h"
@@ -22,6 +23,7 @@
 #include "debugger/recall.h"
 #include "debugger/rules.h"
 #include "debugger/run_trace.h"
+#include "debugger/scene_shapes.h"
 #include "debugger/timeline.h"
 #include "debugger/why.h"
 #include "diagnostics/diagnostic.h"
@@ -253,6 +255,11 @@ struct Contents {
   std::optional<FuturesContents> futures;
   std::vector<GhostBody> ghosts;
   std::optional<ExerciseContents> exercise;
+  debugger::ImageryView imagery;
+  std::string imagined_state;                ///< Whose scene is drawn; empty: what the agent made up in any.
+  std::string imagined_record;               ///< The answer that is shown in the picture; empty: none.
+  std::vector<debugger::SceneShape> shapes;  ///< That are drawn of what the agent imagines.
+  debugger::AnswerLines answer_lines;        ///< Of that answer.
 
   // What grows with the run; the desk's. Null before its first tick.
   const debugger::Timeline* timeline = nullptr;

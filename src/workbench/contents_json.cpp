@@ -378,6 +378,13 @@ constexpr ContentField kFields[] = {
      "the first 200 `entities` (`id`, `agent`, `marking`, `team`, `body`, `type`, `silent_s`); null: none",
      [](const Contents& c) { return c.exercise ? ExerciseJson(*c.exercise) : Json(); }},
 
+    {"imagery", "imagery", "imagery", "the scene of each state, what its rules ask, and the answers",
+     [](const Contents& c) { return debugger::ToJson(c.imagery); }},
+    {"imagery", "state", "", "whose scene is drawn over the world; empty: what the agent made up in any",
+     [](const Contents& c) -> Json { return c.imagined_state; }},
+    {"imagery", "record", "", "the answer that is drawn; empty: none",
+     [](const Contents& c) -> Json { return c.imagined_record; }},
+
     {"offers", "scenarios", "", "worlds that can be opened: `name`, `about`",
      [](const Contents& c) {
        return ListOf(c.scenarios, [](const ScenarioOffer& offer) -> Json {
@@ -396,6 +403,15 @@ constexpr ContentField kFields[] = {
     {"ghosts", "ghosts", "",
      "figures that are not there: `name`, `agent_id`, `kind`, `team`, `position`, `forward`, `radius_m`, `height_m`",
      [](const Contents& c) { return ListOf(c.ghosts, GhostJson); }},
+    {"ghosts", "shapes", "",
+     "what the selected agent imagines: `name`, `state`, `kind` (`made-up`, `sensed`, `remembered`), `points` (x, y, z "
+     "of each, in metres of the world), `edges` and `faces` (two and three numbers of points each)",
+     [](const Contents& c) { return ListOf(c.shapes); }},
+    {"ghosts", "answer", "",
+     "what shows why the answer that is looked at is so: `text`, `lines` (`from`, `to`, `is_crossed`)",
+     [](const Contents& c) -> Json {
+       return {{"text", c.answer_lines.text}, {"lines", ListOf(c.answer_lines.lines)}};
+     }},
 };
 
 }  // namespace
@@ -414,9 +430,9 @@ std::vector<std::string_view> ContentNames() {
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents) {
   std::vector<std::string_view> names = ContentNames();
   std::erase_if(names, [&](std::string_view name) {
-    if (name == "moment") return false;
+    // Who was told of ghosts hears of it when they have gone.
+    if (name == "moment" || name == "ghosts") return false;
     if (name == "offers") return contents.scenarios.empty() && contents.places.empty();
-    if (name == "ghosts") return contents.ghosts.empty();
     return !panels.Has(*FindPanel(name));
   });
   return names;

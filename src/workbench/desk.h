@@ -127,6 +127,8 @@ class Desk {
   void FillFutures(Contents& contents);
   void FillLongTerm(Contents& contents, explain::Inspector* mind);
   void FillLearning(Contents& contents, explain::Inspector* mind);
+  /// With what is drawn of it over the world.
+  void FillImagery(Contents& contents, explain::Inspector* mind);
   /// Adds what the selected agent remembers of the episode that is looked at.
   void AddRemembered(const world::SceneSnapshot& scene, Contents& contents) const;
   auto NoteProblems() {
@@ -172,6 +174,7 @@ class Desk {
   std::string searched_;  ///< Everywhere; empty: nothing.
   bool offers_ = false;   ///< Somebody is about to choose what to open.
   WhyRequest why_;
+  ImagineRequest imagined_;
   Clock::time_point kept_drafts_, read_recent_;
 
   bool is_stale_ = true;  ///< The user asked for something else than what is shown.

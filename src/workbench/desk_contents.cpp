@@ -30,26 +30,6 @@ GhostBody GhostOf(const world::AgentSnapshot& agent, std::string name) {
           agent.position,  agent.forward, agent.radius_m, agent.height_m};
 }
 
-/// What an agent has made up, as low columns: so wide and high as the box around each shape.
-void AddImagined(explain::Inspector& mind, std::vector<GhostBody>& ghosts) {
-  constexpr std::size_t kMost = 100;
-  constexpr float kLeast_m = 0.1f;
-  const debugger::ImageryView view = debugger::LookAtImagery(mind);
-  std::size_t count = 0;
-  for (const auto& made : debugger::MadeUp(view)) {
-    if (++count > kMost) return;
-    const debugger::SceneBox box = debugger::BoxAround(*made.second);
-    const auto middle = [&](std::size_t axis) { return static_cast<float>((box.low[axis] + box.high[axis]) / 2); };
-    const auto size = [&](std::size_t axis) { return static_cast<float>(box.high[axis] - box.low[axis]); };
-    GhostBody ghost;
-    ghost.name = made.second->name + " imagined in " + made.first;
-    ghost.position = {middle(0), middle(1), middle(2)};
-    ghost.radius_m = std::max(kLeast_m, std::max(size(0), size(2)) / 2);
-    ghost.height_m = std::max(2 * kLeast_m, size(1));
-    ghosts.push_back(std::move(ghost));
-  }
-}
-
 }  // namespace
 
 std::string Desk::NameOf(std::uint32_t agent_id) {
@@ -75,6 +55,7 @@ void Desk::LookAtAgent(Contents& contents) {
   episode_ = 0;
   timetag_ = 0;
   why_ = {};
+  imagined_ = {};
   contents.coverage.clear();
   // Notes are taken of it from now on.
   if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
@@ -212,7 +193,7 @@ void Desk::Refresh(Contents& contents) {
   contents.ghosts.clear();
   FillFutures(contents);
   if (shown != nullptr) AddRemembered(shown->scene, contents);
-  if (mind != nullptr) AddImagined(*mind, contents.ghosts);
+  FillImagery(contents, mind.get());
 }
 
 void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
@@ -307,6 +288,17 @@ void Desk::FillLearning(Contents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.learning = debugger::LookAtLearning(*mind, {}, contents.learning_log, past_.shown_tick());
   contents.learned_rule = debugger::LookAtLearnedRule(*mind, learned_rule_, contents.learning_log, past_.shown_tick());
+}
+
+void Desk::FillImagery(Contents& contents, explain::Inspector* mind) {
+  contents.imagery = mind == nullptr ? debugger::ImageryView() : debugger::LookAtImagery(*mind);
+  const auto& scenes = contents.imagery.scenes;
+  // That state has gone: back to what the agent made up.
+  if (std::ranges::find(scenes, imagined_.state, &debugger::SceneView::state) == scenes.end()) imagined_.state.clear();
+  contents.imagined_state = imagined_.state;
+  contents.imagined_record = imagined_.record;
+  contents.shapes = debugger::ShapesOf(contents.imagery, imagined_.state);
+  contents.answer_lines = debugger::LinesOf(contents.imagery, imagined_.record);
 }
 
 void Desk::FillFutures(Contents& contents) {

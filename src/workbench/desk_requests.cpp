@@ -50,6 +50,7 @@ struct Desk::Visitor {
   void operator()(const LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
   void operator()(const CoverageRequest&) const { desk.wants_coverage_ = true; }
   void operator()(const WhyRequest& request) const { desk.why_ = request; }
+  void operator()(const ImagineRequest& request) const { desk.imagined_ = request; }
   void operator()(const PlotRequest& request) const {
     if (request.is_on) {
       if (desk.models_.plots.Plot(request.agent, request.what))

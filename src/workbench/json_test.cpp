@@ -83,7 +83,7 @@ TEST(ContentsJson, HasEachPanelOnce) {
   EXPECT_TRUE(ToJson(nothing, "nothing").is_null());
   PanelSet panels;
   panels.Add(PanelId::kWhy);
-  EXPECT_EQ(ContentNames(panels, nothing), (std::vector<std::string_view>{"moment", "why"}));
+  EXPECT_EQ(ContentNames(panels, nothing), (std::vector<std::string_view>{"moment", "why", "ghosts"}));
 }
 
 }  // namespace

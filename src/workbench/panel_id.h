@@ -31,6 +31,7 @@ enum class PanelId : std::uint8_t {
   kLongTerm,
   kLearning,
   kExercise,
+  kImagery,
 };
 
 /// What is said about a panel wherever it is offered.
@@ -77,6 +78,9 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kExercise, "exercise", "Exercise",
      "The exercise of other simulations that the run takes part in (DIS): who is there, what passes, what is dropped.",
      'X'},
+    {PanelId::kImagery, "imagery", "Imagery",
+     "What the agent imagines: the scene of each state, what its rules ask of it, the answers, and why they are so.",
+     'V'},
 });
 inline constexpr std::size_t kPanelCount = kPanelInfos.size();
 

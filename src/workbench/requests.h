@@ -103,6 +103,12 @@ struct WhyRequest {
   std::string what;  ///< A name; for elements the time tag. Agent: not needed.
 };
 
+/// Draw what the selected agent imagines over the world.
+struct ImagineRequest {
+  std::string state;   ///< The scene of this state; empty: what the agent made up in any.
+  std::string record;  ///< With lines that show why this answer is so; empty: none.
+};
+
 struct PlotRequest {
   std::string agent, what;
   bool is_on = true;
@@ -161,12 +167,12 @@ struct LessonRequest {
   std::string lesson = {};  ///< Which one to open.
 };
 
-using Request =
-    std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest,
-                 ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest,
-                 SavePictureRequest, TellRequest, StateRequest, ObjectRequest, ElementRequest, SearchMemoryRequest,
-                 RuleRequest, CoverageRequest, SearchKnownRequest, EpisodeRequest, LearnedRuleRequest, WhyRequest,
-                 PlotRequest, EditRequest, EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
-                 SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
+using Request = std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest,
+                             KeepLineRequest, ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest,
+                             ResumeRequest, SpeedRequest, SavePictureRequest, TellRequest, StateRequest, ObjectRequest,
+                             ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest,
+                             EpisodeRequest, LearnedRuleRequest, WhyRequest, ImagineRequest, PlotRequest, EditRequest,
+                             EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
+                             SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
 
 }  // namespace soarbox::workbench

@@ -91,6 +91,10 @@ void Fields(auto& visit, WhyRequest& r) {
   visit("about", r.about, kWhyAbout, "what is asked about", kNeeded);
   visit("what", r.what, "a name, or the time tag of an element; not needed for `agent`", kOptional);
 }
+void Fields(auto& visit, ImagineRequest& r) {
+  visit("state", r.state, "the scene of this state, \"S1\"; empty: what the agent made up in any", kOptional);
+  visit("record", r.record, "with lines that show why the answer of this record is so; empty: none", kOptional);
+}
 void Fields(auto& visit, PlotRequest& r) {
   visit("agent", r.agent, "whose number it is", kNeeded);
   visit("what", r.what, "one of `plottable`, or a percept's path", kNeeded);
@@ -337,6 +341,7 @@ constexpr Row kRows[] = {
     RowOf<EpisodeRequest>("episode", "Look at an episode of the selected agent."),
     RowOf<LearnedRuleRequest>("learned-rule", "Show how a rule was learned, and where it fired."),
     RowOf<WhyRequest>("ask", "Why something is, or is not."),
+    RowOf<ImagineRequest>("imagine", "Draw what the selected agent imagines over the world."),
     RowOf<PlotRequest>("plot", "Draw a number of an agent over time."),
     RowOf<EditRequest>("edit", "Edit a file that the run was made from."),
     RowOf<EditTextRequest>("edit-text", "What to do with the edited text."),

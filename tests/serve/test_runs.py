@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Runs that pages look at: lessons, worlds, recordings, and what is left of them when something is killed."""
+import base64
 import os
 import signal
+import struct
 import unittest
+import zlib
 
 from web_client import LESSONS, BrowserRun, ServeCase
 
@@ -53,6 +56,50 @@ class Runs(ServeCase):
         page.until(lambda message: message["message"] == "flow" and message["tick"] == (tick // 10 + 1) * 10)
         page.ask(request="flow", what="step-turn")
         page.until(lambda message: message["message"] == "flow" and message["tick"] == (tick // 10 + 2) * 10)
+
+    def test_what_an_agent_imagines_is_shown_and_drawn(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "scenario:soar_hide", "imagery")
+        page.ask(request="select", agent="hider")
+
+        def answers(content):
+            return [value for scene in content["imagery"]["scenes"] for extract in scene["extracts"] for value in extract["values"] if value["record"] and value["lines"]]
+
+        content = page.until_contents("imagery", answers)
+        self.assertEqual((content["state"], content["record"]), ("", ""))
+        page.ask(request="flow", what="pause")
+        page.until(lambda message: message["message"] == "flow" and message["paused"])
+        answer = answers(page.until_contents("imagery", answers))[0]
+        page.ask(request="imagine", record=answer["record"])
+        ghosts = page.until_contents("ghosts", lambda ghosts: ghosts["answer"]["lines"])
+        self.assertEqual(ghosts["answer"]["text"], answer["value"])
+        self.assertEqual(set(ghosts["answer"]["lines"][0]), {"from", "to", "is_crossed"})
+        page.ask(request="imagine", state="S1")
+        ghosts = page.until_contents("ghosts", lambda ghosts: ghosts["shapes"])
+        self.assertEqual(ghosts["answer"]["lines"], [], "no answer is looked at any more")
+        shapes = {shape["name"]: shape for shape in ghosts["shapes"]}
+        self.assertEqual((shapes["self"]["kind"], shapes["self"]["state"]), ("sensed", "S1"))
+        self.assertEqual((len(shapes["self"]["points"]), len(shapes["self"]["edges"])), (24, 24), "a box")
+        page.ask(request="imagine", state="S1", recrod="R1")
+        self.assertIn("did you mean 'record'?", page.until_message("error")["hint"])
+
+    def test_what_there_is_to_draw_is_told_once_and_to_late_pages_too(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "scenario:soar_skirmish", "agents")
+        page.until_contents("shapes:body/soldier")
+        self.assertEqual(page.contents["shapes:mesh/models/soarbox/soldier.mesh"], {"body": "body/soldier"})
+        soldier = page.contents["shapes:body/soldier"]
+        self.assertEqual(len(soldier["bones"]), 21)
+        mesh = zlib.decompress(base64.b64decode(soldier["coarse"]))
+        corners, numbers, has_skin = struct.unpack_from("<III", mesh)
+        self.assertEqual((has_skin, numbers % 3), (1, 0))
+        self.assertEqual(len(mesh), 12 + 4 * numbers + 6 * (8 + 2 * corners) + 8 * corners)
+        page.until(lambda message: message["message"] == "flow" and message["time_s"] > 1)
+        told = [name for message in page.messages for name in message.get("contents", {}) if name.startswith("shapes:")]
+        self.assertEqual(len(told), len(set(told)))
+        late = self.page(server, place)
+        late.until_contents("shapes:body/soldier")
 
     def test_two_servers_do_not_run_the_world_of_one_place(self):
         one, other = self.serve(), self.serve()

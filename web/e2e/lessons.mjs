@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Every lesson of the first course, solved by typing; some after a wrong answer and a hint.
+// Every lesson of the first course, solved by typing, after a wrong answer and a hint.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { after, test } from "node:test";
@@ -7,7 +7,7 @@ import { closeBrowser, openLesson, openPage, picture, typeRules, until } from ".
 
 const FOLDER = new URL("../../lessons/", import.meta.url);
 const LESSONS = readdirSync(FOLDER).filter((name) => /^\d\d-/.test(name)).sort();
-/** Lessons that are answered wrongly first: the answer, and what the grade says of it. */
+/** Of some wrong answers is known what the grade says besides the check that failed. */
 const WRONG = new Map([
   ["03-choices", ["01-better-only", /silver and bronze tie/]],
   ["06-danger", ["01-no-negation", /graze and flee tie, because graze is still proposed/]],
@@ -16,6 +16,10 @@ const WRONG = new Map([
 
 const titleOf = (lesson) => /^title = "(.*)"$/m.exec(readFileSync(new URL(`${lesson}/lesson.toml`, FOLDER), "utf8"))[1];
 /** The rules below a folder of a lesson. */
+function wrongAnswerOf(lesson) {
+  const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /./];
+  return { told, rules: rulesBelow(lesson, `wrong/${wrong}`), failed: readFileSync(new URL(`${lesson}/wrong/${wrong}/expects`, FOLDER), "utf8").trim().split("\n") };
+}
 function rulesBelow(lesson, part) {
   const folder = new URL(`${lesson}/${part}/`, FOLDER), name = readdirSync(folder).find((one) => one.endsWith(".soar"));
   return { name, text: readFileSync(new URL(name, folder), "utf8") };
@@ -41,17 +45,16 @@ test("each lesson is solved by typing, from the first to the last", async () => 
     await until(async () => (await page.locator(".panel.mission h2").innerText()).endsWith(title), `lesson ${i + 1} is open`);
     await page.waitForSelector(".cm-content .tok-keyword");
     assert.ok((await page.locator(".panel.mission .task").innerText()).length > 40);
-    if (WRONG.has(lesson)) {
-      const [wrong, told] = WRONG.get(lesson);
-      await applyAndGrade(page, rulesBelow(lesson, `wrong/${wrong}`));
-      const grade = await page.locator(".panel.mission .grade").innerText();
-      assert.match(grade, told);
-      assert.doesNotMatch(grade, /soarbox run/);
-      assert.equal(await page.locator(".panel.mission .passed").count(), 0);
-      await page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
-      await page.waitForSelector(".hints li");
-      await picture(page, `wrong_${lesson}`);
-    }
+    const wrong = wrongAnswerOf(lesson);
+    await applyAndGrade(page, wrong.rules);
+    const grade = await page.locator(".panel.mission .grade").innerText();
+    assert.match(grade, wrong.told);
+    for (const check of wrong.failed) assert.ok(grade.includes(check), `lesson ${i + 1} is to say of a wrong answer that it fails "${check}", and says:\n${grade}`);
+    assert.doesNotMatch(grade, /soarbox run/);
+    assert.equal(await page.locator(".panel.mission .passed").count(), 0);
+    await page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
+    await page.waitForSelector(".hints li");
+    await picture(page, `wrong_${lesson}`);
     await applyAndGrade(page, rulesBelow(lesson, "solution"));
     await page.waitForSelector(".panel.mission .passed");
     if (i + 1 < LESSONS.length) await page.locator(".panel.mission button", { hasText: "Next lesson" }).click();

@@ -6,11 +6,11 @@ import { closeBrowser, openLesson, openPage, openWorld, picture, until } from ".
 
 after(closeBrowser);
 
-test("the navigation mesh is drawn while it is on, also over a world that stands still", async () => {
+test("the navigation mesh, influence map, physics and forces are drawn while they are on, also over a world that stands still", async () => {
   const { page, troubles, close } = await openPage("/", { size: [820, 420] });
-  await openWorld(page, "soar_skirmish");
+  await openWorld(page, "tactics");
   await page.waitForSelector(".labels .name");
-  await until(async () => Number.parseFloat((await page.locator(".scrubber .moment").innerText()).split("/")[0].split(":")[1]) > 1, "the world runs");
+  await until(async () => Number.parseFloat((await page.locator(".scrubber .moment").innerText()).split("/")[0].split(":")[1]) > 3, "the world runs");
   await page.keyboard.press("Space");
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
   const seen = async () => (await page.locator(".stage").screenshot()).toString("base64");
@@ -24,16 +24,16 @@ test("the navigation mesh is drawn while it is on, also over a world that stands
   await page.mouse.move(2, 2);
   await page.locator(".stage canvas").focus();
   await until(async () => (await seen()) === (await seen()), "the picture stands still");
-  const before = await seen();
-  await toggle("Navigation mesh");
-  await until(async () => (await seen()) !== before, "the mesh is drawn");
-  await picture(page, "overlay_navigation");
-  const drawn = await seen();
-  await toggle("Navigation mesh");
-  await until(async () => (await seen()) !== drawn, "and no longer");
-  await toggle("Forces");
-  await page.keyboard.press("Space");
-  await picture(page, "overlay_forces");
+  for (const title of ["Navigation mesh", "Influence map", "Physics shapes", "Forces"]) {
+    const before = await seen();
+    await toggle(title);
+    await until(async () => (await seen()) !== before, `${title}: it is drawn`);
+    await until(async () => (await seen()) === (await seen()), "the picture stands still");
+    const drawn = await seen();
+    await picture(page, `overlay_${title.split(" ")[0].toLowerCase()}`);
+    await toggle(title);
+    await until(async () => (await seen()) !== drawn, `${title}: and no longer`);
+  }
   assert.deepEqual(troubles, []);
   await close();
 });

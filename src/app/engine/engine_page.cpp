@@ -166,6 +166,7 @@ void EnginePage::Hello(Json about) {
   message.update(about);
   Say(message, serve::FrameKind::kHello);
   told_.clear();
+  shapes_ = {};
   flow_.clear();
   wants_full_ = true;
 }
@@ -209,6 +210,8 @@ bool EnginePage::WantsScene(std::size_t agents) const {
 
 void EnginePage::ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays) {
   scene_at_ = Clock::now();
+  for (const ShapeContents::Told& told : shapes_.New(scene))
+    channel_.Send(serve::FrameKind::kContents, told.name + '\0' + TextOf(told.content));
   const stream::Block block = encoder_.Encode(scene, overlays, wants_full_);
   wants_full_ = !channel_.SendScene(block.bytes, block.is_full);
 }

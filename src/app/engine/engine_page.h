@@ -11,6 +11,7 @@
 
 #include "app/engine/engine_channel.h"
 #include "app/engine/engine_language.h"
+#include "app/shape_contents.h"
 #include "debugger/json.h"
 #include "diagnostics/result.h"
 #include "sim/input.h"
@@ -75,6 +76,7 @@ class EnginePage {
   int pages_ = 1;
   workbench::PanelSet watched_;
   stream::SceneEncoder encoder_;
+  ShapeContents shapes_;
   bool wants_full_ = true;
   world::OverlayWants overlay_wants_;
   Clock::time_point scene_at_, flow_at_;

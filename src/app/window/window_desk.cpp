@@ -41,7 +41,9 @@ void WindowDesk::Serve(workbench::Desk& desk) {
   std::vector<workbench::Request> requests = viewer_.TakePanelRequests();
   requests.emplace_back(workbench::SelectRequest{desk.NameOf(viewer_.selected_agent())});
   requests.emplace_back(workbench::LookRequest{visible});
-  if (desk.Serve(requests, viewer_.panel_contents())) viewer_.SetGhosts(GhostsOf(viewer_.panel_contents().ghosts));
+  const workbench::Contents& contents = viewer_.panel_contents();
+  if (!desk.Serve(requests, viewer_.panel_contents())) return;
+  viewer_.SetGhosts(GhostsOf(contents.ghosts), contents.shapes, contents.answer_lines);
 }
 
 Result<void> WindowDesk::OpenInEditor(const std::string& file, int line) {

@@ -83,13 +83,13 @@ Layout DefaultLayout() {
                               workbench::PanelId::kRules, workbench::PanelId::kLinks, workbench::PanelId::kEdit,
                               workbench::PanelId::kBreakpoints, workbench::PanelId::kFutures},
                              0};
-  layout.at(Area::kBottom) = {
-      true,
-      190,
-      {workbench::PanelId::kTimeline, workbench::PanelId::kTrace, workbench::PanelId::kConsole,
-       workbench::PanelId::kPlots, workbench::PanelId::kMessages, workbench::PanelId::kWatch,
-       workbench::PanelId::kMinds, workbench::PanelId::kLongTerm, workbench::PanelId::kLearning},
-      0};
+  layout.at(Area::kBottom) = {true,
+                              190,
+                              {workbench::PanelId::kTimeline, workbench::PanelId::kTrace, workbench::PanelId::kConsole,
+                               workbench::PanelId::kPlots, workbench::PanelId::kMessages, workbench::PanelId::kWatch,
+                               workbench::PanelId::kMinds, workbench::PanelId::kLongTerm, workbench::PanelId::kLearning,
+                               workbench::PanelId::kImagery},
+                              0};
   return layout;
 }
 
@@ -184,11 +184,11 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
     layout.at(Area::kLeft) = {true, 300, {P::kRules, P::kBreakpoints, P::kAgents, P::kProblems}, 0};
     layout.at(Area::kRight) = {
         true, 420, {P::kMind, P::kMemory, P::kWhy, P::kLinks, P::kWatch, P::kEdit, P::kFutures}, 0};
-    layout.at(Area::kBottom) = {
-        true,
-        280,
-        {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm, P::kLearning},
-        0};
+    layout.at(Area::kBottom) = {true,
+                                280,
+                                {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm,
+                                 P::kLearning, P::kImagery},
+                                0};
     return layout;
   }
   if (name == "Write rules") {
@@ -198,7 +198,7 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
     layout.at(Area::kBottom) = {true,
                                 200,
                                 {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds,
-                                 P::kLongTerm, P::kLearning},
+                                 P::kLongTerm, P::kLearning, P::kImagery},
                                 0};
     return layout;
   }
@@ -208,11 +208,11 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
       340,
       {P::kWatch, P::kMind, P::kWhy, P::kMemory, P::kRules, P::kLinks, P::kEdit, P::kBreakpoints, P::kFutures},
       0};
-  layout.at(Area::kBottom) = {
-      true,
-      300,
-      {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm, P::kLearning},
-      0};
+  layout.at(Area::kBottom) = {true,
+                              300,
+                              {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm,
+                               P::kLearning, P::kImagery},
+                              0};
   return layout;
 }
 

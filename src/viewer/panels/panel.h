@@ -76,5 +76,6 @@ std::unique_ptr<Panel> MakeMissionPanel();
 std::unique_ptr<Panel> MakeLongTermPanel();
 std::unique_ptr<Panel> MakeLearningPanel();
 std::unique_ptr<Panel> MakeExercisePanel();
+std::unique_ptr<Panel> MakeImageryPanel();
 
 }  // namespace soarbox::viewer

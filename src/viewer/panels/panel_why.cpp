@@ -23,6 +23,7 @@ ImVec4 ColorOfReason(const std::string& kind) {
   if (kind == "learned") return theme::kWarn;
   if (kind == "condition") return theme::kText;
   if (kind == "percept") return theme::kGood;
+  if (kind == "imagined") return theme::kNumber;
   return theme::kQuiet;
 }
 
@@ -38,6 +39,9 @@ void FollowReason(PanelFrame& frame, const WhyNode& node) {
     frame.Ask(workbench::WhyRequest{About::kOperator, node.link});
   } else if (node.kind == "command") {
     frame.Ask(workbench::WhyRequest{About::kCommand, node.link});
+  } else if (node.kind == "imagined") {
+    frame.Ask(workbench::ImagineRequest{frame.contents.imagined_state, node.link});
+    frame.layout.Show(workbench::PanelId::kImagery);
   } else if (node.kind == "agent") {
     for (const world::AgentSnapshot& agent : frame.scene.agents) {
       if (agent.name == node.link) frame.selected = agent.id;
@@ -68,9 +72,10 @@ void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, i
   if (!node.link.empty()) {
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked()) FollowReason(frame, node);
-    Tooltip(node.kind == "rule"      ? "Click to see this rule"
-            : node.kind == "learned" ? "Click to see how it was learned"
-                                     : "Click to ask further");
+    Tooltip(node.kind == "rule"       ? "Click to see this rule"
+            : node.kind == "imagined" ? "Click to see it in the picture"
+            : node.kind == "learned"  ? "Click to see how it was learned"
+                                      : "Click to ask further");
   }
   if (open) {
     int below = 0;

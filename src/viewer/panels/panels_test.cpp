@@ -174,6 +174,14 @@ class PanelStage {
     exercise.entity_count = 2;
     exercise.entities = {{"7:8:9", "visitor", "visitor", "red", "soldier", "3.1.225.1.1.0.0", 0},
                          {"7:8:10", "", "far away", "blue", "walker", "1.2.225.1.1.0.0", 9}};
+    contents.imagery = debugger::ReadImagery(
+        "S1 node \"world\" {\"shape\":\"group\"}\n"
+        "S1 node \"wall\" {\"parent\":\"world\",\"shape\":\"hull\",\"at\":[10,0,2.5],\"tags\":{\"solid\":\"yes\"}}\n"
+        "S1 extract \"X7\" {\"command\":\"extract\",\"rule\":\"walker*ask\",\"filter\":\"distance\",\"count\":2,"
+        "\"values\":[{\"record\":\"R5\",\"value\":\"1.4\",\"nodes\":[\"self\",\"wall\"],\"from\":[]}]}\n"
+        "S1 extract \"X8\" {\"command\":\"extract\",\"problem\":\"there is no node wal\",\"hint\":\"did you mean "
+        "wall?\"}\n");
+    contents.imagined_record = "R5";
     contents.checks = {{"it goes north", "walker should be at north by 30 s", "", "walker", false, "true", 5, 0.2},
                        {"it rests", "walker should stand idle for at least 2 s", "it stood idle for 0 s", "walker",
                         false, "false", 9, 0.3},
@@ -508,6 +516,7 @@ TEST_F(Panels, CanBeCopied) {
       {workbench::PanelId::kLongTerm, "no long-term memory is switched on"},
       {workbench::PanelId::kLearning, "nothing has been learned"},
       {workbench::PanelId::kExercise, "7:8:9"},
+      {workbench::PanelId::kImagery, "wall"},
   };
   for (const auto& [panel, text] : wanted) {
     ImGui::SetClipboardText("");
@@ -644,13 +653,20 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {workbench::PanelId::kLearning, {"Rules 0", "Episodes 0", "No rule has been learned yet."}},
       {workbench::PanelId::kExercise,
        {"Exercise 3", "239.1.2.3:3000", "machine only", "1:7", "120", "12 too short", "visitor", "2 entities"}},
+      {workbench::PanelId::kImagery,
+       {"made up", "all of S1", "distance", "X7", "walker*ask", "1.4", "self, wall", "1 more"}},
   };
   ASSERT_EQ(wanted.size(), workbench::kPanelCount);
   for (const auto& [panel, texts] : wanted) {
     stage->Draw(panel);
     for (const char* text : texts) EXPECT_THAT(stage->shown, HasSubstr(text)) << InfoOf(panel).word;
   }
-  // Where there is room, all plots stand there.
+  // Where there is room, a whole scene stands there, and so do all plots.
+  Layout scene = DefaultLayout();
+  scene.Move(workbench::PanelId::kImagery, Area::kRight);
+  stage->Draw(scene);
+  for (const char* text : {"there is no node", "2 nodes", "10.00", "^solid yes"})
+    EXPECT_THAT(stage->shown, HasSubstr(text));
   Layout tall = DefaultLayout();
   tall.Move(workbench::PanelId::kPlots, Area::kRight);
   stage->Draw(tall);

@@ -50,6 +50,7 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   put(workbench::PanelId::kLongTerm, MakeLongTermPanel());
   put(workbench::PanelId::kLearning, MakeLearningPanel());
   put(workbench::PanelId::kExercise, MakeExercisePanel());
+  put(workbench::PanelId::kImagery, MakeImageryPanel());
   put(workbench::PanelId::kMinds, MakeMindsPanel());
   put(workbench::PanelId::kMission, MakeMissionPanel());
 }

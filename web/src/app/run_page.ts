@@ -7,6 +7,7 @@ import { breakpointsPanel } from "../panels/breakpoints";
 import { consolePanel } from "../panels/console";
 import { exercisePanel } from "../panels/exercise";
 import { futuresPanel } from "../panels/futures";
+import { imageryPanel } from "../panels/imagery";
 import { learningPanel } from "../panels/learning";
 import { linksPanel } from "../panels/links";
 import { longtermPanel } from "../panels/longterm";
@@ -36,17 +37,17 @@ const NARROW = "(max-width: 900px)";
 const ARRANGEMENTS = {
   lesson: {
     left: ["mission", "agents"], right: ["edit"],
-    bottom: ["why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "breakpoints", "minds", "futures"],
+    bottom: ["why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
   },
   world: {
     left: ["agents", "mission", "problems"], right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints"],
-    bottom: ["timeline", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "futures"],
+    bottom: ["timeline", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "imagery", "futures"],
   },
-  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "messages", "trace"] },
-  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "messages", "trace"] },
+  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "messages", "trace", "imagery"] },
+  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "messages", "trace", "imagery"] },
   narrow: {
     left: [], right: [],
-    bottom: ["mission", "edit", "agents", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "breakpoints", "minds", "futures"],
+    bottom: ["mission", "edit", "agents", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
   },
 } as const;
 
@@ -104,7 +105,7 @@ export class RunPage {
     this.edit = new EditPanel(context);
     this.panels = [
       missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
-      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel,
+      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel, imageryPanel,
     ].map((make) => make(context));
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));

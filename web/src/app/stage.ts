@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, type Child } from "../dom/view";
+import type { ShapeContent } from "../scene/shape_library";
 import type { SceneView } from "../scene/scene_view";
 import { COSTLY, OVERLAYS, type OverlayWord } from "../scene/overlays";
 import { WorldInput } from "../scene/world_input";
@@ -11,6 +12,8 @@ const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
   { mode: "orbit", title: "Orbit", key: "O" }, { mode: "follow", title: "Follow the selected agent", key: "F" }, { mode: "map", title: "Map, from above", key: "M" },
 ];
 const RESIZED_AFTER_MS = 400;
+/** Contents that tell what something looks like begin so. */
+const SHAPES = "shapes:";
 const OVERLAYS_KEY = "soarbox.overlays";
 
 /** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
@@ -137,12 +140,23 @@ export class Stage {
       view.isPaused = flow.paused || this.run.contents.moment?.time.is_live === false;
       view.wake();
     });
+    const takeShapes = (names: readonly string[]): void => {
+      for (const name of names) {
+        if (!name.startsWith(SHAPES)) continue;
+        const content = (this.run.contents as Readonly<Record<string, unknown>>)[name] as ShapeContent;
+        view.takeShape(name.slice(SHAPES.length), content).catch((error: unknown) => console.error(`the shape ${name}: ${String(error)}`));
+      }
+    };
     this.run.on("contents", (names) => {
+      takeShapes(names);
+      if (names.includes("ghosts")) view.imagine(this.run.contents.ghosts ?? null);
       if (!names.includes("moment")) return;
       view.select(this.run.contents.moment?.agent ?? "");
       view.isPaused = this.run.flow.paused || this.run.contents.moment?.time.is_live === false;
     });
+    takeShapes(Object.keys(this.run.contents));
     if (this.run.scene !== null) view.take(this.run.scene);
+    view.imagine(this.run.contents.ghosts ?? null);
     view.select(this.run.contents.moment?.agent ?? "");
     this.draw();
   }

@@ -5,6 +5,7 @@ import { textOf, type Child, type View } from "../dom/view";
 import type { Check, Contents, Mission, Stack } from "../run/contents";
 import { agentsPanel } from "./agents";
 import { exercisePanel } from "./exercise";
+import { imageryPanel } from "./imagery";
 import { missionPanel, passedOf } from "../lesson/mission_panel";
 import { nextLesson, sizeText } from "../lesson/start_page";
 import { memoryPanel } from "./memory";
@@ -38,7 +39,7 @@ const press = (child: Child, text: string): void => {
 };
 
 test("every panel says what would fill it", () => {
-  for (const make of [agentsPanel, exercisePanel, whyPanel, mindPanel, memoryPanel, messagesPanel, problemsPanel, missionPanel]) {
+  for (const make of [agentsPanel, exercisePanel, imageryPanel, whyPanel, mindPanel, memoryPanel, messagesPanel, problemsPanel, missionPanel]) {
     const { panel } = made(make);
     assert.ok(textOf(panel.view({})).length > 20, panel.word);
   }
@@ -55,6 +56,25 @@ test("names with markup are text and nothing else", () => {
     assert.ok(textOf(view).includes(MARKUP), panel.word);
     assert.ok(all(view).every((one) => !one.tag.includes("img")));
   }
+});
+
+test("imagery is told state by state, and an answer is drawn when it is pressed", () => {
+  const { panel, asked } = made(imageryPanel);
+  const answer = { record: "R5", value: "1.400000", why: { text: "1.4: distance", kind: "imagined", link: "R5" }, nodes: ["self", MARKUP], lines: [] };
+  const imagery = { note: "", scenes: [{
+    state: "S1", nodes: [{ name: "world", parent: "", depth: 0, shape: "group", at: [0, 0, 0], tags: {} }, { name: MARKUP, parent: "world", depth: 1, shape: "ball", at: [1, 0, 2.5], tags: { kind: "box" } }],
+    extracts: [{ id: "X7", command: "extract", rule: "ask", filter: "distance", status: "success", count: 3, values: [answer] }, { id: "X8", command: "extract", rule: "", filter: "", status: "", problem: "there is no node wal", hint: "did you mean wall?", count: 0, values: [] }],
+  }] };
+  const view = panel.view({ moment: MOMENT, imagery: { imagery, state: "", record: "" } }), text = textOf(view);
+  for (const part of ["all of S1", "distance", "X7", "ask", "1.4", `self, ${MARKUP}`, "and 2 more", "did you mean wall?", "2 nodes", "1.00, 0.00, 2.50", "ball ^kind box"]) assert.ok(text.includes(part), `${part} in ${text}`);
+  press(view, "all of S1");
+  press(view, `1.4 self, ${MARKUP}`);
+  assert.deepEqual(asked, [["imagine", { state: "S1", record: "" }], ["imagine", { state: "", record: "R5" }]]);
+  const shown = panel.view({ moment: MOMENT, imagery: { imagery, state: "S1", record: "R5" } });
+  assert.ok(textOf(shown).includes("1.4: distance"));
+  press(shown, `1.4 self, ${MARKUP}`);
+  assert.deepEqual(asked.at(-1), ["imagine", { state: "S1", record: "" }]);
+  assert.match(textOf(panel.view({ moment: MOMENT, imagery: { imagery: { note: "It imagines nothing.", scenes: [] }, state: "", record: "" } })), /imagines nothing/);
 });
 
 test("an exercise is told with who is there, and what was dropped", () => {

@@ -26,6 +26,10 @@ export function reasonView(context: PanelContext, node: WhyNode, depth = 0): Vie
       context.run.ask("rule", { rule: node.link });
       context.reveal("rules");
     }, { attributes: { title: `Look at ${node.link}`, "aria-label": `Look at the rule ${node.link}` } }, "button.small"),
+    node.kind === "imagined" && node.link !== undefined && node.link !== "" && button("Show", () => {
+      context.run.ask("imagine", { state: context.run.contents.imagery?.state ?? "", record: node.link });
+      context.reveal("imagery");
+    }, { attributes: { title: "Show it in the picture", "aria-label": `Show in the picture: ${node.text}` } }, "button.small"),
   ];
   if (below.length === 0) return h(`div.reason.${node.kind}`, null, line);
   return h(`details.reason.${node.kind}`, { open: depth < 3 }, h("summary", null, line), below.map((one) => reasonView(context, one, depth + 1)));

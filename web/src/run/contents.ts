@@ -225,7 +225,28 @@ export interface Exercise {
     entities: readonly ForeignEntity[];
   };
 }
+export interface SceneNode { name: string; parent: string; depth: number; shape: string; at: readonly number[]; tags: Readonly<Record<string, string>> }
+export interface SceneLine { from: readonly [number, number, number]; to: readonly [number, number, number]; is_crossed: boolean }
+export interface SceneAnswer { record: string; value: string; why: WhyNode; nodes: readonly string[]; lines: readonly SceneLine[] }
+export interface SceneQuestion {
+  id: string; command: string; rule: string; filter: string; status: string; problem?: string; hint?: string;
+  count: number;
+  values: readonly SceneAnswer[];
+}
+/** What the selected agent imagines. */
+export interface Imagery {
+  imagery: { note: string; scenes: readonly { state: string; nodes: readonly SceneNode[]; extracts: readonly SceneQuestion[] }[] };
+  state: string;
+  record: string;
+}
+/** A node of what it imagines as it is drawn: numbers of points count from 0. */
+export interface ImaginedShape {
+  name: string; state: string; kind: "made-up" | "sensed" | "remembered";
+  points: readonly number[]; edges: readonly number[]; faces: readonly number[];
+}
 export interface Ghosts {
+  shapes: readonly ImaginedShape[];
+  answer: { text: string; lines: readonly SceneLine[] };
   ghosts: readonly {
     name: string; agent_id: number; kind: string; team: string; position: readonly [number, number, number];
     forward: readonly [number, number, number]; radius_m: number; height_m: number;
@@ -256,6 +277,7 @@ export interface Contents {
   longterm?: LongTerm;
   learning?: Learning;
   exercise?: Exercise;
+  imagery?: Imagery;
   ghosts?: Ghosts;
 }
 export type ContentName = keyof Contents;

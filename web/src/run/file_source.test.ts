@@ -13,6 +13,7 @@ function recorded(): RecordedRun {
     { tick: 0, agent: "a", name: "mind", content: { of: "a" } },
     { tick: 0, agent: "b", name: "mind", content: { of: "b" } },
     { tick: 20, agent: "", name: "agents", content: { agents: ["late"] } },
+    { tick: 0, agent: "a", name: "imagery", content: { imagery: { note: "", scenes: [{ state: "S1", nodes: [], extracts: [{ values: [{ record: "R5", value: "1.4", lines: [{ from: [0, 0, 0], to: [1, 0, 0], is_crossed: false }] }] }] }] }, state: "", record: "" } },
     { tick: 10, agent: "", name: "timeline", content: { until: 10 } },
     { tick: 30, agent: "", name: "timeline", content: { until: 30 } },
   ];
@@ -64,6 +65,19 @@ test("panels show what was there at the moment, of the agent that is selected", 
   assert.deepEqual(heard.content("timeline"), { until: 30 });
   source.send({ request: "edit", file: "x" });
   assert.equal(heard.messages.at(-1)!.message, "told");
+});
+
+test("an answer about what an agent imagines is drawn from what is recorded", { timeout: 20_000 }, async () => {
+  const source = new FileSource(recorded()), heard = listen(source);
+  while (heard.content("imagery") === undefined) await new Promise((done) => setTimeout(done, 5));
+  source.send({ request: "imagine", state: "", record: "R5" });
+  assert.equal((heard.content("imagery") as { record: string }).record, "R5");
+  assert.deepEqual(heard.content("ghosts"), { ghosts: [], shapes: [], answer: { text: "1.4", lines: [{ from: [0, 0, 0], to: [1, 0, 0], is_crossed: false }] } });
+  source.send({ request: "imagine", state: "", record: "" });
+  assert.equal((heard.content("imagery") as { record: string }).record, "");
+  assert.deepEqual(heard.content("ghosts"), { ghosts: [], shapes: [], answer: { text: "", lines: [] } });
+  source.send({ request: "imagine", state: "S1", record: "" });
+  assert.ok(heard.messages.some((one) => one.message === "told" && one.text.includes("whole scenes")));
 });
 
 test("it plays to its end, and then begins again", { timeout: 20_000 }, async () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import type { ContentName, Contents, Moment } from "./contents";
+import type { ContentName, Contents, Ghosts, Imagery, Moment } from "./contents";
 import type { Listener, Request, RunSource } from "./source";
 
 /** A recorded run as `soarbox report` puts it into a page (app/scene_report.cpp). */
@@ -53,6 +53,8 @@ export class FileSource implements RunSource {
   private speed = 1;
   private timer: ReturnType<typeof setInterval> | null = null;
   private contents: RecordedContent[] = [];
+  /** The record of the answer about what the agent imagines that is looked at; "": none. */
+  private record = "";
   private readonly told = new Map<string, unknown>();
   private readonly whiles = new Map<string, number>();
 
@@ -90,6 +92,11 @@ export class FileSource implements RunSource {
       case "look": case "overlays": case "scene":
         break;
       case "ask":
+        this.show();
+        break;
+      case "imagine":
+        this.record = String(request["record"] ?? "");
+        if (String(request["state"] ?? "") !== "") this.listener?.message({ message: "told", text: "This page holds what the agent made up. A run, or its recording, can draw whole scenes." });
         this.show();
         break;
       default:
@@ -168,6 +175,12 @@ export class FileSource implements RunSource {
     this.block = wanted;
   }
 
+  private showAnswer(now: Record<string, unknown>, imagery: Imagery, ghosts: Ghosts | undefined): void {
+    const answers = imagery.imagery.scenes.flatMap((scene) => scene.extracts.flatMap((one) => one.values)), shown = answers.find((one) => one.record === this.record);
+    if (this.record !== "") now["imagery"] = { ...imagery, record: this.record } satisfies Imagery;
+    now["ghosts"] = { ghosts: [], shapes: [], ...ghosts, answer: { text: shown?.value ?? "", lines: shown?.lines ?? [] } } satisfies Ghosts;
+  }
+
   private tellContents(): void {
     const { first_tick, last_tick, step_s, minds } = this.run;
     const moment: Moment = {
@@ -182,6 +195,7 @@ export class FileSource implements RunSource {
       now[each.name] = each.content;
       this.whiles.set(each.name, each.tick);
     }
+    if ("imagery" in now && (this.record !== "" || this.told.has("ghosts"))) this.showAnswer(now, now["imagery"] as Imagery, now["ghosts"] as Ghosts | undefined);
     const changed: Record<string, unknown> = {};
     for (const [name, content] of Object.entries(now)) {
       if (name !== "moment" && this.told.get(name) === content) continue;

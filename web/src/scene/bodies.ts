@@ -1,120 +1,117 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { Bone, BufferAttribute, Group, Matrix4, Quaternion, Skeleton, SkinnedMesh, Sphere, Vector3, type BufferGeometry } from "three";
-import { Shape, type Drawable } from "../format/scene";
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Frustum, Group, Matrix4, Mesh, Sphere, type PerspectiveCamera } from "three";
+import type { Drawable } from "../format/scene";
 import { lookOf, teamColor, type Look, type Rgb } from "./looks";
 import { geometryOf, type Materials } from "./materials";
-import { bodyLook, RIFLE_BONES, SOLDIER_BONES, type BodyLook, type BoneAt } from "./meshes/skeletons";
-import type { SkinMesh } from "./meshes/skin";
-import { bodyMesh } from "./meshes/soldier";
+import { BONE_NUMBERS, moveSkin, poseBones, type Moved } from "./skinning";
+import type { BodyLook, Level, ShapeLibrary } from "./shape_library";
 import type { Between } from "../run/playout";
 
-const FINE_UNTIL_M = 14, MOST_FINE = 24;
+/** How near bodies are drawn in full and coarsely, how many at most, and how near rifles are drawn; the same where the processor draws. */
+const DETAIL = { fineUntil: 14, mostFine: 24, coarseUntil: 45, mostCoarse: 200, rifleUntil: 150 }, SLOW_DETAIL = { fineUntil: 0, mostFine: 0, coarseUntil: 14, mostCoarse: 6, rifleUntil: 24 };
+/** Around a body, with its arms out and its rifle up. */
+const REACH_M = 1.6;
 
-interface Body { mesh: SkinnedMesh; bones: Bone[]; look: BodyLook; fine: boolean; team: string; seen: number }
+interface Wanted { now: Drawable; old: Drawable | undefined }
+/** All bodies of one look, detail and team: one mesh, whose corners are moved by the processor. */
+interface Batch { mesh: Mesh<BufferGeometry>; room: number; wanted: Wanted[]; look: BodyLook; level: Level; moved: Moved }
 
 /** Bodies with bones: soldiers and their rifles. */
 export class Bodies {
   readonly group = new Group();
-  private readonly bodies = new Map<number, Body>();
-  private readonly skins = new Map<string, { skin: SkinMesh; geometry: BufferGeometry }>();
-  private readonly colored = new Map<string, BufferGeometry>();
-  private round = 0;
+  private readonly batches = new Map<string, Batch>();
+  private readonly frustum = new Frustum();
+  private readonly sphere = new Sphere();
+  private readonly matrix = new Matrix4();
+  private bones = new Float32Array(0);
 
-  constructor(private readonly materials: Materials) {}
+  constructor(private readonly materials: Materials, private readonly shapes: ShapeLibrary) {}
 
-  show({ before, after, share }: Between, camera: Vector3, isSlow: boolean): void {
-    this.round += 1;
-    let fineLeft = isSlow ? 0 : MOST_FINE;
+  show({ before, after, share }: Between, camera: PerspectiveCamera, isSlow: boolean): void {
+    camera.updateMatrixWorld();
+    this.frustum.setFromProjectionMatrix(this.matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
+    for (const batch of this.batches.values()) batch.wanted.length = 0;
+    const detail = isSlow ? SLOW_DETAIL : DETAIL;
+    const near: { id: number; away: number }[] = [], looks = new Map<number, BodyLook>(), at = camera.position;
     for (const [id, drawable] of after.drawables) {
-      if (drawable.shape !== Shape.Mesh) continue;
-      let look = bodyLook(drawable.mesh);
-      if (look === null) continue;
-      // A soldier may change its uniform by the name of its material.
-      if (look !== "rifle" && drawable.material === "SF_Soldier_Body") look = "soldier";
-      if (look !== "rifle" && drawable.material === "SF_Soldier_Body_Dark") look = "dark";
-      const away = camera.distanceTo(new Vector3(...drawable.place)), fine = away < FINE_UNTIL_M && fineLeft > 0;
-      if (fine) fineLeft -= 1;
-      const team = drawable.ofAgent ? (after.agents.get(drawable.owner)?.team ?? "") : "";
-      const body = this.bodyFor(id, look, fine, team);
-      body.seen = this.round;
-      body.mesh.visible = drawable.visible;
-      this.pose(body, drawable, before.drawables.get(id), share);
+      const look = drawable.visible ? this.shapes.bodyOf(drawable) : null;
+      if (look === null || this.shapes.mesh(look, 1) === null) continue;
+      this.sphere.center.set(...drawable.place);
+      this.sphere.center.y += look === "body/rifle" ? 0 : 0.9;
+      this.sphere.radius = REACH_M;
+      if (!this.frustum.intersectsSphere(this.sphere)) continue;
+      looks.set(id, look);
+      if (look === "body/rifle" && this.sphere.center.distanceTo(at) > detail.rifleUntil) continue;
+      near.push({ id, away: this.sphere.center.distanceTo(at) });
     }
-    for (const [id, body] of this.bodies) {
-      if (body.seen === this.round) continue;
-      this.remove(body);
-      this.bodies.delete(id);
+    for (const [i, { id, away }] of near.sort((a, b) => a.away - b.away).entries()) {
+      const look = looks.get(id)!, level = i < detail.mostFine && away < detail.fineUntil ? 0 : i < detail.mostCoarse && away < detail.coarseUntil ? 1 : 2;
+      const now = after.drawables.get(id)!, team = now.ofAgent ? (after.agents.get(now.owner)?.team ?? "") : "";
+      this.batchFor(look, level, team, isSlow).wanted.push({ now, old: before.drawables.get(id) });
     }
+    for (const [key, batch] of this.batches) this.fill(key, batch, share);
   }
 
-  private pose(body: Body, now: Drawable, old: Drawable | undefined, share: number): void {
-    const blend = old !== undefined && share < 1 ? old : now, t = blend === now ? 1 : share;
-    body.mesh.position.set(...blend.place).lerp(new Vector3(...now.place), t);
-    body.mesh.quaternion.set(...blend.turn).slerp(new Quaternion(...now.turn), t);
-    body.mesh.scale.set(...now.scale);
-    const bones = body.bones, other = new Quaternion(), place = new Vector3();
-    for (let i = 0; i < bones.length; ++i) {
-      const to = now.bones[i], from = blend.bones[i] ?? to;
-      if (to === undefined || from === undefined) continue;
-      bones[i]!.position.set(...from.place).lerp(place.set(...to.place), t);
-      bones[i]!.quaternion.set(...from.turn).slerp(other.set(...to.turn), t);
-    }
-  }
-
-  private bodyFor(id: number, look: BodyLook, fine: boolean, team: string): Body {
-    const known = this.bodies.get(id);
-    if (known !== undefined && known.look === look && known.team === team) {
-      if (known.fine !== fine) {
-        known.mesh.geometry = this.geometryFor(look, fine, team);
-        known.fine = fine;
-      }
-      return known;
-    }
-    if (known !== undefined) this.remove(known);
-    const skeleton = look === "rifle" ? RIFLE_BONES : SOLDIER_BONES;
-    const mesh = new SkinnedMesh(this.geometryFor(look, fine, team), this.materials.of("Soarbox/Soldier", CLOTH_LOOK));
-    const bones = skeleton.map(() => new Bone());
-    skeleton.forEach((at: BoneAt, i) => {
-      const bone = bones[i]!;
-      bone.position.set(...at.bind.place);
-      bone.quaternion.set(...at.bind.turn);
-      (at.parent < 0 ? mesh : bones[at.parent]!).add(bone);
+  private fill(key: string, batch: Batch, share: number): void {
+    const { wanted, look, moved } = batch, shape = this.shapes.mesh(look, batch.level);
+    batch.mesh.visible = wanted.length > 0 && shape !== null;
+    if (shape === null || wanted.length === 0) return;
+    if (wanted.length > batch.room) this.grow(key, batch, wanted.length);
+    const bones = this.shapes.bones(look);
+    if (this.bones.length < bones.length * BONE_NUMBERS) this.bones = new Float32Array(bones.length * BONE_NUMBERS);
+    const { geometry } = batch.mesh;
+    wanted.forEach(({ now, old }, i) => {
+      poseBones(bones, now, old, share, this.bones);
+      moveSkin(shape, this.bones, moved, i * shape.count);
     });
-    const inverses = skeleton.map((at) => new Matrix4().compose(new Vector3(...at.inModel.place), new Quaternion(...at.inModel.turn), new Vector3(1, 1, 1)).invert());
-    mesh.bind(new Skeleton(bones, inverses), new Matrix4());
-    mesh.boundingSphere = new Sphere(new Vector3(0, look === "rifle" ? 0 : 0.9, 0), 1.6);
-    mesh.castShadow = true;
-    mesh.receiveShadow = true;
-    this.group.add(mesh);
-    const body: Body = { mesh, bones, look, fine, team, seen: this.round };
-    this.bodies.set(id, body);
-    return body;
-  }
-
-  private geometryFor(look: BodyLook, fine: boolean, team: string): BufferGeometry {
-    const name = `${look}${fine}`, key = `${name}|${team}`;
-    const known = this.colored.get(key);
-    if (known !== undefined) return known;
-    let shared = this.skins.get(name);
-    if (shared === undefined) {
-      const skin = bodyMesh(look, !fine), geometry = geometryOf(skin.mesh, CLOTH_LOOK);
-      geometry.setAttribute("skinIndex", new BufferAttribute(Uint16Array.from(skin.bones), 4));
-      geometry.setAttribute("skinWeight", new BufferAttribute(Float32Array.from(skin.shares), 4));
-      this.skins.set(name, (shared = { skin, geometry }));
+    for (const name of ["position", "normal"] as const) {
+      const attribute = geometry.getAttribute(name) as BufferAttribute;
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, wanted.length * shape.count * attribute.itemSize);
+      attribute.needsUpdate = true;
     }
-    const made = geometryOf(shared.skin.mesh, { ...CLOTH_LOOK, trim: teamColor(team) }, shared.geometry);
-    this.colored.set(key, made);
-    return made;
+    geometry.setDrawRange(0, wanted.length * shape.indices.length);
   }
 
-  private remove(body: Body): void {
-    this.group.remove(body.mesh);
-    body.mesh.skeleton.dispose();
+  private batchFor(look: BodyLook, level: Level, team: string, isSlow: boolean): Batch {
+    const key = `${look}|${level}|${team}`, known = this.batches.get(key);
+    if (known !== undefined) return known;
+    const mesh = new Mesh(new BufferGeometry(), this.materials.of("Soarbox/Soldier", CLOTH_LOOK));
+    mesh.castShadow = mesh.receiveShadow = !isSlow || level < 2;
+    // What is out of sight is not in it.
+    mesh.frustumCulled = false;
+    this.group.add(mesh);
+    const batch: Batch = { mesh, room: 0, wanted: [], look, level, moved: { positions: new Float32Array(0), normals: new Int8Array(0) } };
+    this.batches.set(key, batch);
+    return batch;
+  }
+
+  /** Makes room for more bodies: what stays the same of each corner stands there once for each of them. */
+  private grow(key: string, batch: Batch, least: number): void {
+    const shape = this.shapes.mesh(batch.look, batch.level)!, one = geometryOf(shape, { ...CLOTH_LOOK, trim: teamColor(key.slice(key.lastIndexOf("|") + 1)) });
+    const room = Math.max(least, 2 * batch.room, 4), { count, indices } = shape, all = new Uint32Array(room * indices.length), geometry = new BufferGeometry();
+    for (let i = 0; i < room; ++i) for (let k = 0; k < indices.length; ++k) all[i * indices.length + k] = indices[k]! + i * count;
+    geometry.setIndex(new BufferAttribute(all, 1));
+    for (const name of ["uv", "color", "gloss"]) {
+      const attribute = one.getAttribute(name), repeated = new Float32Array(room * attribute.array.length);
+      for (let i = 0; i < room; ++i) repeated.set(attribute.array, i * attribute.array.length);
+      geometry.setAttribute(name, new BufferAttribute(repeated, attribute.itemSize));
+    }
+    batch.moved = { positions: new Float32Array(3 * count * room), normals: new Int8Array(4 * count * room) };
+    geometry.setAttribute("position", new BufferAttribute(batch.moved.positions, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("normal", new BufferAttribute(batch.moved.normals, 4, true).setUsage(DynamicDrawUsage));
+    one.dispose();
+    batch.mesh.geometry.dispose();
+    batch.mesh.geometry = geometry;
+    batch.room = room;
   }
 
   clear(): void {
-    for (const body of this.bodies.values()) this.remove(body);
-    this.bodies.clear();
+    for (const { mesh } of this.batches.values()) {
+      this.group.remove(mesh);
+      mesh.geometry.dispose();
+    }
+    this.batches.clear();
   }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Camera, Vec3 } from "../format/scene";
-import { clamp, length, minus } from "./meshes/mesh_data";
-import { rotate } from "./meshes/skin";
+import { clamp, length, minus, rotate } from "./vectors";
 
 export type CameraMode = "orbit" | "follow" | "map";
 

@@ -13,6 +13,7 @@ export function healthColor(share: number): Rgb {
   return share < 0.5 ? [0.92, 0.25 + 0.9 * share, 0.08] : [0.92 - 1.6 * (share - 0.5), 0.7, 0.08 + 0.8 * (share - 0.5)];
 }
 
+const headOf = (one: Placed): Vec3 => [one.place[0], one.place[1] + one.agent.height / 2 + 0.15, one.place[2]];
 const shortened = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
 /** What an agent is about in a word or two. */
@@ -44,11 +45,15 @@ interface Point { x: number; y: number; away: number }
 /** Names, health, what agents do and say: elements over the picture. */
 export class Labels {
   private readonly at = new Vector3();
+  private dots: { place: Vec3; color: Rgb }[] = [];
 
   constructor(private readonly layer: HTMLElement, private readonly select: (id: number) => void) {}
 
-  draw(view: LabelScene): void {
+  /** Gives back the heads of those that have no room for a name. */
+  draw(view: LabelScene): { place: Vec3; color: Rgb }[] {
+    this.dots = [];
     patch(this.layer, this.labels(view));
+    return this.dots;
   }
 
   /** Null: it is behind the camera or out of the picture. */
@@ -65,7 +70,7 @@ export class Labels {
     const { scene, placed, selected, on } = view, layout = new LabelLayout(view.width, view.height), shown: Child[] = [];
     const heads: { one: Placed; point: Point }[] = [];
     for (const one of placed.values()) {
-      const point = this.project([one.place[0], one.place[1] + one.agent.height / 2 + 0.15, one.place[2]], view);
+      const point = this.project(headOf(one), view);
       if (point !== null && point.away < GONE_M) heads.push({ one, point });
     }
     heads.sort((a, b) => (a.one.id === selected ? -1 : b.one.id === selected ? 1 : a.point.away - b.point.away));
@@ -81,7 +86,7 @@ export class Labels {
         const doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, wide = Math.max(name.length * 7.4, doing.length * 6.4, 44) + 22;
         const box = names < MOST_NAMES && !isSmall ? layout.place(point.x, point.y, wide, doing === "" ? 29 : 44) : null;
         if (box === null) {
-          shown.push(h("div.dot", { key: `d${one.id}`, style: { left: `${point.x - 4}px`, top: `${point.y - 4}px`, background: cssColor(agentColor(one.agent)) } }));
+          this.dots.push({ place: headOf(one), color: agentColor(one.agent) });
           continue;
         }
         names += 1;
@@ -137,10 +142,10 @@ export class Labels {
 }
 
 function position(box: Box): Record<string, string> {
-  return { left: `${box.left.toFixed(1)}px`, top: `${box.top.toFixed(1)}px`, width: `${Math.ceil(box.width)}px` };
+  return { transform: `translate(${box.left.toFixed(1)}px, ${box.top.toFixed(1)}px)`, width: `${Math.ceil(box.width)}px` };
 }
 
 function threadStyle(x0: number, y0: number, x1: number, y1: number): Record<string, string> {
   const away = Math.hypot(x1 - x0, y1 - y0), angle = Math.atan2(y1 - y0, x1 - x0);
-  return { left: `${x0.toFixed(1)}px`, top: `${y0.toFixed(1)}px`, width: `${away.toFixed(1)}px`, transform: `rotate(${angle.toFixed(3)}rad)` };
+  return { transform: `translate(${x0.toFixed(1)}px, ${y0.toFixed(1)}px) rotate(${angle.toFixed(3)}rad) scaleX(${away.toFixed(1)})` };
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BufferAttribute, BufferGeometry, Color, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type Material, type WebGLProgramParametersWithUniforms } from "three";
 import { lookOf, type Look, type Rgb } from "./looks";
-import type { MeshData } from "./meshes/mesh_data";
-import { PLAIN_SIDE_M } from "./meshes/scenery";
+import type { ShapeMesh } from "./shape_library";
 import { grainTexture, paintTexture, plainTexture } from "./paint";
+
+/** Worlds whose ground is a square plain of this size have hills, woods and a fence around it. */
+export const PLAIN_SIDE_M = 200;
 
 export function linear(color: Rgb): Rgb {
   const made = new Color().setRGB(color[0], color[1], color[2], SRGBColorSpace);
@@ -11,7 +13,7 @@ export function linear(color: Rgb): Rgb {
 }
 
 /** A mesh's geometry in the colours of a look: its own, and the second one where it is painted so. */
-export function geometryOf(mesh: MeshData, look: Look, shared?: BufferGeometry): BufferGeometry {
+export function geometryOf(mesh: ShapeMesh, look: Look, shared?: BufferGeometry): BufferGeometry {
   const geometry = new BufferGeometry();
   const count = mesh.count, colors = new Float32Array(count * 3), gloss = new Float32Array(count);
   const base = linear(look.base), trim = linear(look.trim ?? look.base);
@@ -24,11 +26,10 @@ export function geometryOf(mesh: MeshData, look: Look, shared?: BufferGeometry):
     for (const [name, attribute] of Object.entries(shared.attributes)) geometry.setAttribute(name, attribute);
     geometry.setIndex(shared.index);
   } else {
-    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.positions), 3));
-    geometry.setAttribute("normal", new BufferAttribute(Float32Array.from(mesh.normals), 3));
-    const uvs = Float32Array.from(mesh.uvs, (value) => value * look.repeats);
-    geometry.setAttribute("uv", new BufferAttribute(uvs, 2));
-    geometry.setIndex(mesh.indices);
+    geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3));
+    geometry.setAttribute("normal", new BufferAttribute(mesh.normals, 3));
+    geometry.setAttribute("uv", new BufferAttribute(mesh.uvs.map((value) => value * look.repeats), 2));
+    geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   }
   geometry.setAttribute("color", new BufferAttribute(colors, 3));
   geometry.setAttribute("gloss", new BufferAttribute(gloss, 1));

@@ -2,7 +2,7 @@
 import type { Agent, Mind, Scene, Vec3 } from "../format/scene";
 import { ink, type Ink, type LineBatch } from "./line_batch";
 import { agentColor, bright, FOREIGN, type Rgb } from "./looks";
-import { cross, length, minus, plus, times, unit } from "./meshes/mesh_data";
+import { cross, length, minus, plus, times, unit } from "./vectors";
 
 /** What can be drawn over the scene; each is on or off. */
 export const OVERLAYS = [

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { DataTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, RGBAFormat, SRGBColorSpace, UnsignedByteType } from "three";
 import type { Paint, Rgb } from "./looks";
-import { fractal2, latticeValue, noise2 } from "./meshes/noise";
-import { Cloth, CLOTHS } from "./meshes/skin";
+import { fractal2, latticeValue, noise2 } from "./noise";
+
+/** What bodies are made of: cells of one picture, as their shapes name them. */
+enum Cloth { Camouflage, Webbing, Skin, Leather, Metal, Glass, Helmet, Rubber, Steel, Team, DarkCamouflage, DarkWebbing, DarkHelmet }
+const CLOTHS = 13;
 
 /** Pictures for surfaces, painted by code when they are first needed. */
 type Shade = (u: number, v: number, x: number, y: number) => Rgb;

@@ -1,69 +1,88 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { Shape, type Agent, type Drawable } from "../format/scene";
 import { LabelLayout } from "./label_layout";
 import { kindColor, lookOf, teamColor } from "./looks";
-import { figureMesh } from "./meshes/figures";
-import { MeshData } from "./meshes/mesh_data";
-import { modularMesh } from "./meshes/modular";
-import { sceneryMesh } from "./meshes/scenery";
-import { agentMesh, boxMesh, capsuleMesh, cylinderMesh, planeMesh, sphereMesh } from "./meshes/shapes";
-import { bodyLook, SOLDIER_BONES } from "./meshes/skeletons";
-import { bodyMesh } from "./meshes/soldier";
+import { looksLikeABody, readShape, shapeKey, ShapeLibrary } from "./shape_library";
 import { parseMarkup } from "./script_ui";
 
-/** Finite, with unit normals, and its faces turned outwards: the volume is positive. */
-function checkMesh(name: string, mesh: MeshData, isClosed = true): void {
-  assert.ok(mesh.count > 0 && mesh.indices.length > 0, name);
-  assert.ok([...mesh.positions, ...mesh.normals, ...mesh.uvs, ...mesh.paint].every(Number.isFinite), name);
-  assert.ok(mesh.indices.every((i) => i >= 0 && i < mesh.count), name);
-  let volume = 0;
-  for (let i = 0; i < mesh.indices.length; i += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => mesh.positions.slice(3 * mesh.indices[i + k]!, 3 * mesh.indices[i + k]! + 3) as [number, number, number]) as [[number, number, number], [number, number, number], [number, number, number]];
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
-  }
-  if (isClosed) assert.ok(volume > 0, `${name} has the volume ${volume}`);
+const box = (more: Partial<Drawable> = {}): Drawable => ({
+  owner: 1, ofAgent: false, visible: true, skeletonShown: false, shape: Shape.Box, mesh: "", material: "", size: [1, 2, 3], repeats: [1, 1, 1], scale: [1, 1, 1], place: [0, 0, 0], turn: [0, 0, 0, 1], bones: [], ...more,
+});
+
+/** A triangle as the run tells it; with a skin, the corners hang on bones 0, 1 and 2. */
+function triangle(hasSkin: boolean, indices: readonly number[] = [0, 1, 2]): ArrayBuffer {
+  const bytes: number[] = [], little = (value: number, count: number): void => {
+    for (let i = 0; i < count; ++i) bytes.push((value >> (8 * i)) & 255);
+  };
+  const float = (value: number): void => {
+    const view = new DataView(new ArrayBuffer(4));
+    view.setFloat32(0, value, true);
+    for (let i = 0; i < 4; ++i) bytes.push(view.getUint8(i));
+  };
+  for (const value of [3, indices.length, hasSkin ? 1 : 0]) little(value, 4);
+  indices.forEach((index, i) => little(index - (indices[i - 1] ?? 0), 4));
+  const scaled = (low: number, high: number, values: readonly number[]): void => {
+    float(low);
+    float(high);
+    values.forEach((value, i) => little((value - (values[i - 1] ?? 0)) & 0xffff, 2));
+  };
+  scaled(-1, 1, [0, 65535, 0]);
+  scaled(0, 2, [0, 0, 65535]);
+  scaled(5, 5, [0, 0, 0]);
+  scaled(0, 1, [0, 65535, 0]);
+  scaled(0, 0, [0, 0, 0]);
+  scaled(0, 10, [65535, 0, 0]);
+  for (const value of [0, 0, 0, 0, 0, 0, 127, 127, 129, 255, 0, 51, 0, 0, 255]) bytes.push(value);
+  if (hasSkin) bytes.push(0, 1, 2, 0, 0, 1, 255, 255, 102);
+  return Uint8Array.from(bytes).buffer;
 }
 
-test("shapes are whole and face outwards", () => {
-  checkMesh("box", boxMesh([-1, -1, -1], [1, 1, 1]));
-  checkMesh("capsule", capsuleMesh(0.5, 2));
-  checkMesh("cylinder", cylinderMesh(0.5, 2));
-  checkMesh("sphere", sphereMesh(1));
-  checkMesh("agent", agentMesh(0.5, 2));
-  checkMesh("plane", planeMesh(2, 2, 1, 1), false);
-  checkMesh("nothing", boxMesh([0, 0, 0], [0, 0, 0]), false);
-  checkMesh("bad", capsuleMesh(NaN, -1), false);
+test("a shape is read as it was told", () => {
+  const mesh = readShape(triangle(true), "White");
+  assert.deepEqual([...mesh.positions], [-1, 0, 5, 1, 0, 5, -1, 2, 5]);
+  assert.deepEqual([...mesh.normals], [0, 0, 1, 0, 0, 1, 0, 0, -1]);
+  assert.deepEqual([...mesh.uvs], [0, 0, 1, 0, 0, 0]);
+  assert.deepEqual([...mesh.paint], [1, 10, 0, 0, 0, 0, Math.fround(0.2), 0, 1]);
+  assert.deepEqual([...mesh.indices], [0, 1, 2]);
+  assert.deepEqual([...mesh.skin!.bones], [0, 0, 0, 0, 1, 0, 0, 0, 2, 1, 0, 0]);
+  assert.deepEqual([...mesh.skin!.shares].map((one) => Math.round(one * 100)), [100, 0, 0, 0, 100, 0, 0, 0, 40, 60, 0, 0]);
 });
 
-test("figures, pieces and scenery are whole and face outwards", () => {
-  for (const name of ["Rock", "Medkit", "Ammunition", "Sack", "Sheep", "Bear", "Hare", "Cook", "Wolf", "Villager", "Robot", "Cart", "Bee", "Bell", "Gold", "RedFlower", "Hedge"])
-    checkMesh(name, figureMesh(`Soarbox/${name}`, [1, 1.7, 1])!);
-  for (const name of ["modular_block", "modular_brick_door", "modular_pillar_concrete_1", "modular_roof", "modular_hangar_door", "modular_concrete_double_window"])
-    checkMesh(name, modularMesh(`models/nobiax_modular/${name}.mesh`)!);
-  for (const name of ["pine_1", "oak_2", "rock_3"]) checkMesh(name, sceneryMesh(`models/soarbox/${name}.mesh`)!);
-  assert.equal(figureMesh("constructor", [1, 1, 1]), null);
-  assert.equal(modularMesh("models/nobiax_modular/constructor.mesh"), null);
-  assert.equal(sceneryMesh("models/soarbox/toString.mesh"), null);
+test("what is cut off or names no corner is no shape", () => {
+  assert.throws(() => readShape(triangle(false).slice(0, 50), "White"), /cut off/);
+  assert.throws(() => readShape(triangle(false, [0, 1, 7]), "White"), /no such corner/);
 });
 
-test("bodies are whole, and each vertex hangs on bones that there are", () => {
-  for (const look of ["soldier", "dark", "rifle"] as const) {
-    for (const coarse of [false, true]) {
-      const skin = bodyMesh(look, coarse);
-      checkMesh(look, skin.mesh);
-      assert.equal(skin.bones.length, skin.mesh.count * 4);
-      assert.ok(skin.bones.every((bone) => bone >= 0 && bone < (look === "rifle" ? 6 : SOLDIER_BONES.length)));
-    }
-  }
-  assert.equal(bodyLook("models/soarbox/rifle.mesh"), "rifle");
-  assert.equal(bodyLook("valueOf"), null);
+test("a shape is called as the run calls it", () => {
+  // As app/shape_contents_test.cpp has it.
+  assert.equal(shapeKey(box(), false), "1.0.3f800000.40000000.40400000.3f800000.3f800000.");
+  assert.equal(shapeKey(box({ shape: Shape.Capsule, size: [Math.fround(0.3), 1, 0], material: "Soarbox/Sheep" }), true), "2.1.3e99999a.3f800000.0.3f800000.3f800000.Soarbox/Sheep");
+  assert.equal(shapeKey(box({ material: "White" }), false), shapeKey(box(), false));
+  assert.equal(shapeKey(box({ shape: Shape.Mesh, mesh: "a.mesh" }), false), "mesh/a.mesh");
 });
 
-test("a soldier stands on the ground and is as tall as a soldier", () => {
-  const heights = bodyMesh("soldier", false).mesh.positions.filter((_, i) => i % 3 === 1);
-  assert.ok(Math.min(...heights) > -0.02 && Math.min(...heights) < 0.03);
-  assert.ok(Math.max(...heights) > 1.7 && Math.max(...heights) < 1.8);
+test("a capsule of an agent is its body unless it is much smaller", () => {
+  const agent = { height: 1 } as Agent, capsule = (high: number): Drawable => box({ shape: Shape.Capsule, ofAgent: true, size: [0.3, high, 0] });
+  assert.equal(looksLikeABody(capsule(0.61), agent), true);
+  assert.equal(looksLikeABody(capsule(0.6), agent), false);
+  assert.equal(looksLikeABody(capsule(1), undefined), false);
+});
+
+test("bodies are known by their meshes, and what comes later is drawn then", async () => {
+  let changes = 0;
+  const library = new ShapeLibrary(() => (changes += 1)), soldier = box({ shape: Shape.Mesh, mesh: "s.mesh" });
+  assert.equal(library.bodyOf(soldier), null);
+  await library.add("mesh/s.mesh", { body: "body/soldier" });
+  assert.equal(library.bodyOf(soldier), "body/soldier");
+  assert.equal(library.bodyOf({ ...soldier, material: "SF_Soldier_Body_Dark" }), "body/dark");
+  assert.equal(library.mesh("body/soldier", 0), null);
+  const packed = async (bytes: ArrayBuffer): Promise<string> => Buffer.from(await new Response(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate"))).arrayBuffer()).toString("base64");
+  await library.add("body/soldier", { material: "Soarbox/Soldier", fine: await packed(triangle(true)), bones: [{ parent: -1, bind: [0, 1, 0, 0, 0, 0, 1], in_model: [0, 1, 0, 0, 0, 0, 1] }] });
+  assert.equal(library.mesh("body/soldier", 1)?.count, 3);
+  assert.deepEqual(library.bones("body/soldier"), [{ parent: -1, bind: { place: [0, 1, 0], turn: [0, 0, 0, 1] }, inModel: { place: [0, 1, 0], turn: [0, 0, 0, 1] } }]);
+  assert.equal(changes, 2);
 });
 
 test("colours follow teams and kinds; unknown materials are seen", () => {

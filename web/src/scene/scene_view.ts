@@ -4,16 +4,19 @@ import {
   WebGLRenderer,
 } from "three";
 import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
+import type { Ghosts } from "../run/contents";
 import { Playout, type Between } from "../run/playout";
 import { Bodies } from "./bodies";
 import { AMONG_OTHERS_M, CameraRig } from "./camera_rig";
+import { Dots } from "./dots";
 import { Labels } from "./labels";
 import { LineBatch } from "./line_batch";
+import { paintImagined } from "./imagined";
 import { lookOf } from "./looks";
-import { geometryOf, Materials } from "./materials";
-import { hillsMesh, PLAIN_SIDE_M, woodsMesh } from "./meshes/scenery";
+import { geometryOf, Materials, PLAIN_SIDE_M } from "./materials";
 import { paintOverlays, Trails, type BelievedBody, type OverlayWord, type Placed } from "./overlays";
 import { ScriptUi } from "./script_ui";
+import { ShapeLibrary, type ShapeContent } from "./shape_library";
 import { Sky } from "./sky";
 import { Things } from "./things";
 
@@ -21,6 +24,7 @@ const SLOW_FRAME_S = 0.055, FRAMES_TO_JUDGE = 20;
 const SLOW_EVERY_MS = 60;
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
+const BACKDROP = ["backdrop/hills", "backdrop/trees", "backdrop/fence"] as const;
 
 export interface SceneEvents {
   selected(id: number): void;
@@ -35,13 +39,15 @@ export class SceneView {
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
   private readonly materials = new Materials();
-  private readonly things = new Things(this.materials);
-  private readonly bodies = new Bodies(this.materials);
+  private readonly shapes = new ShapeLibrary(() => this.wake());
+  private readonly things = new Things(this.materials, this.shapes);
+  private readonly bodies = new Bodies(this.materials, this.shapes);
   private readonly sky = new Sky();
   private readonly sun = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
   private readonly fill = new AmbientLight(0xffffff, 0);
   private readonly lines = new LineBatch(2);
+  private readonly dots = new Dots();
   private readonly trails = new Trails();
   private readonly labels: Labels;
   private readonly scriptUi: ScriptUi;
@@ -49,6 +55,7 @@ export class SceneView {
   private backdrop: Mesh[] = [];
   private ghosts: Mesh[] = [];
   private scene: Scene | null = null;
+  private imagined: Ghosts | null = null;
   private placed = new Map<number, Placed>();
   private selectedId = 0;
   private lastFrame = 0;
@@ -77,7 +84,7 @@ export class SceneView {
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.03;
-    this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines);
+    this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines, this.dots.points);
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
     this.scriptUi = new ScriptUi(scriptLayer);
     if (isSlow) this.lowerTo(0);
@@ -93,13 +100,27 @@ export class SceneView {
     this.wake();
   }
 
+  /** What something in the run looks like: the contents "shapes:KEY". */
+  takeShape(key: string, content: ShapeContent): Promise<void> {
+    return this.shapes.add(key, content);
+  }
+
+  /** What the selected agent imagines or remembers, until the next call. */
+  imagine(ghosts: Ghosts | null): void {
+    this.imagined = ghosts;
+    this.wake();
+  }
+
   /** Another run: nothing of the last one stays. */
   forget(): void {
     this.scene = null;
+    this.imagined = null;
     this.playout.clear();
     this.trails.clear();
     this.things.clear();
     this.bodies.clear();
+    this.removeBackdrop();
+    this.shapes.clear();
     this.rig.forget();
     this.isFramed = false;
     this.selectedId = 0;
@@ -185,7 +206,7 @@ export class SceneView {
     this.place3d(between);
     this.light(after);
     this.things.show(between);
-    this.bodies.show(between, this.rig.camera.position, this.detail === 0);
+    this.bodies.show(between, this.rig.camera, this.detail === 0);
     if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place))) this.isFramed = true;
     if (!this.isFramed && after.agents.size > 0) {
       this.isFramed = true;
@@ -258,11 +279,21 @@ export class SceneView {
     let hasPlain = false;
     for (const d of scene.drawables.values())
       hasPlain ||= d.visible && d.shape === Shape.Plane && d.size[0] === PLAIN_SIDE_M && d.size[2] === PLAIN_SIDE_M && Math.hypot(...d.place) < 0.5;
-    if (hasPlain && this.backdrop.length === 0) {
-      this.backdrop = [hillsMesh(), woodsMesh()].map((mesh) => new Mesh(geometryOf(mesh, lookOf(mesh.material)), this.materials.named(mesh.material)));
-      this.world.add(...this.backdrop);
+    if (hasPlain && this.backdrop.length < BACKDROP.length) {
+      this.removeBackdrop();
+      for (const key of BACKDROP) {
+        const mesh = this.shapes.mesh(key, 1);
+        if (mesh !== null) this.backdrop.push(new Mesh(geometryOf(mesh, lookOf(mesh.material)), this.materials.named(mesh.material)));
+      }
+      if (this.backdrop.length > 0) this.world.add(...this.backdrop);
     }
     for (const mesh of this.backdrop) mesh.visible = hasPlain;
+  }
+
+  private removeBackdrop(): void {
+    for (const mesh of this.backdrop) mesh.geometry.dispose();
+    this.world.remove(...this.backdrop);
+    this.backdrop = [];
   }
 
   private draw(): void {
@@ -272,10 +303,12 @@ export class SceneView {
     let ghosts: BelievedBody[] = [];
     if (scene !== null) {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
-      this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera });
+      if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
+      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera });
+      this.dots.show(dots, this.renderer.getPixelRatio());
       this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height);
     }
-    this.showGhosts(ghosts);
+    this.showGhosts(ghosts.filter((one) => one.radius > 0));
     this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());
     // Where the processor draws, shadows follow with every third picture.
     if (!this.renderer.shadowMap.autoUpdate && this.pictures % 3 === 0) this.renderer.shadowMap.needsUpdate = true;
@@ -341,8 +374,7 @@ export class SceneView {
     this.materials.dispose();
     this.things.clear();
     this.bodies.clear();
-    this.world.remove(...this.backdrop);
-    this.backdrop = [];
+    this.removeBackdrop();
     this.wake();
   }
 }

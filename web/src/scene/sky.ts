@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BackSide, Color, DataTexture, LinearFilter, Mesh, MeshBasicMaterial, RepeatWrapping, SphereGeometry, SRGBColorSpace } from "three";
 import type { Rgb } from "./looks";
-import { fractal2, latticeValue } from "./meshes/noise";
+import { fractal2, latticeValue } from "./noise";
 
 interface SkyStyle { zenith: Rgb; horizon: Rgb; cloudLight: Rgb; cloudDark: Rgb; below: Rgb; cover: number; stars: number }
 

@@ -3,42 +3,13 @@ import { Group, InstancedMesh, Matrix4, Quaternion, Vector3, type BufferGeometry
 import { Shape, type Agent, type Drawable } from "../format/scene";
 import { isJustSomeTexture, kindColor, lookOf, type Look, type Rgb } from "./looks";
 import { geometryOf, type Materials } from "./materials";
-import { figureMesh, isFigure } from "./meshes/figures";
-import type { MeshData } from "./meshes/mesh_data";
-import { modularMesh } from "./meshes/modular";
-import { sceneryMesh } from "./meshes/scenery";
-import { agentMesh, boxMesh, capsuleMesh, coarsely, cylinderMesh, planeMesh, sphereMesh } from "./meshes/shapes";
-import { bodyLook } from "./meshes/skeletons";
+import { looksLikeABody, shapeKey, type ShapeLibrary } from "./shape_library";
 import type { Between } from "../run/playout";
 
+/** A drawable's shape, and what else it looks like. */
+interface Key { shape: string; whole: string }
 interface Made { geometry: BufferGeometry; material: Material; castsShadow: boolean }
 interface Batch { mesh: InstancedMesh; count: number }
-
-function buildMesh(d: Drawable, coarse: boolean): MeshData {
-  return coarsely(coarse, () => meshOf(d, coarse));
-}
-
-function meshOf(d: Drawable, coarse: boolean): MeshData {
-  const [x, y, z] = d.size;
-  const extents: readonly [number, number, number] = d.shape === Shape.Capsule ? [2 * x, y, 2 * x] : d.size;
-  if (d.shape === Shape.Box || d.shape === Shape.Capsule) {
-    const figure = figureMesh(d.material, extents, coarse);
-    if (figure !== null) return figure;
-  }
-  switch (d.shape) {
-    case Shape.Box: return boxMesh([-x / 2, -y / 2, -z / 2], [x / 2, y / 2, z / 2], { repeats: [d.repeats[0], d.repeats[1]] });
-    case Shape.Capsule: return d.ofAgent ? agentMesh(x, y) : capsuleMesh(x, y);
-    case Shape.Cylinder: return cylinderMesh(x, y);
-    case Shape.Plane: return planeMesh(x, z, d.repeats[0], d.repeats[1]);
-    case Shape.Sphere: return sphereMesh(x);
-    default: break;
-  }
-  const known = modularMesh(d.mesh) ?? sceneryMesh(d.mesh);
-  if (known !== null) return known;
-  const box = boxMesh([-0.5, -0.5, -0.5], [0.5, 0.5, 0.5]);
-  box.material = "Soarbox/Missing";
-  return box;
-}
 
 function dulled(color: Rgb, keep: number, grey: number): Rgb {
   return [color[0] * keep + grey * (1 - keep), color[1] * keep + grey * (1 - keep), color[2] * keep + grey * (1 - keep)];
@@ -55,7 +26,7 @@ function agentLook(agent: Agent): Look {
 export class Things {
   readonly group = new Group();
   private readonly made = new Map<string, Made>();
-  private readonly keys = new WeakMap<Drawable, string>();
+  private readonly keys = new WeakMap<Drawable, Key>();
   private readonly batches = new Map<string, Batch>();
   private readonly matrix = new Matrix4();
   private readonly place = new Vector3();
@@ -63,12 +34,12 @@ export class Things {
   private readonly other = new Quaternion();
   private readonly scale = new Vector3();
 
-  constructor(private readonly materials: Materials) {}
+  constructor(private readonly materials: Materials, private readonly shapes: ShapeLibrary) {}
 
   show({ before, after, share }: Between): void {
     for (const batch of this.batches.values()) batch.count = 0;
     for (const [id, drawable] of after.drawables) {
-      if (!drawable.visible || (drawable.shape === Shape.Mesh && bodyLook(drawable.mesh) !== null)) continue;
+      if (!drawable.visible || this.shapes.bodyOf(drawable) !== null) continue;
       const agent = drawable.ofAgent ? after.agents.get(drawable.owner) : undefined;
       const old = before.drawables.get(id);
       this.place.set(...drawable.place);
@@ -82,7 +53,7 @@ export class Things {
         }
       }
       this.scale.set(...drawable.scale);
-      this.add(this.keyOf(drawable, agent), drawable, agent, this.matrix.compose(this.place, this.turn, this.scale));
+      this.add(drawable, agent, this.matrix.compose(this.place, this.turn, this.scale));
     }
     for (const batch of this.batches.values()) {
       batch.mesh.count = batch.count;
@@ -91,22 +62,25 @@ export class Things {
     }
   }
 
-  /** True if the world lies on the usual plain, which has hills around it. */
-  private keyOf(d: Drawable, agent: Agent | undefined): string {
-    const ownColor = agent !== undefined && isJustSomeTexture(d.material);
-    const suffix = ownColor ? `|${agent.kind}|${agent.alive ? 1 : 0}${agent.failed ? 1 : 0}` : "";
+  private keyOf(d: Drawable, agent: Agent | undefined): Key {
     let key = this.keys.get(d);
     if (key === undefined) {
-      key = d.shape === Shape.Mesh ? `m|${d.mesh}|${d.material}` : `${d.shape}|${d.ofAgent ? 1 : 0}|${d.size.join()}|${d.repeats[0]},${d.repeats[1]}|${d.material}`;
+      const shape = shapeKey(d, looksLikeABody(d, agent));
+      key = { shape, whole: `${shape}|${d.material}` };
       this.keys.set(d, key);
     }
-    return key + suffix;
+    if (agent === undefined) return key;
+    return { shape: key.shape, whole: `${key.whole}|${isJustSomeTexture(d.material) ? agent.kind : ""}|${agent.alive ? 1 : 0}${agent.failed ? 1 : 0}` };
   }
 
-  private add(key: string, d: Drawable, agent: Agent | undefined, matrix: Matrix4): void {
-    let batch = this.batches.get(key);
+  /** Draws nothing of a shape that is still to come. */
+  private add(d: Drawable, agent: Agent | undefined, matrix: Matrix4): void {
+    const key = this.keyOf(d, agent);
+    let batch = this.batches.get(key.whole);
     if (batch === undefined || batch.count >= batch.mesh.instanceMatrix.count) {
-      const { geometry, material, castsShadow } = this.make(key, d, agent), room = batch === undefined ? 4 : batch.mesh.instanceMatrix.count * 2;
+      const made = this.make(key, d, agent);
+      if (made === null) return;
+      const { geometry, material, castsShadow } = made, room = batch === undefined ? 4 : batch.mesh.instanceMatrix.count * 2;
       const mesh = new InstancedMesh(geometry, material, room);
       mesh.castShadow = castsShadow;
       mesh.receiveShadow = true;
@@ -118,24 +92,26 @@ export class Things {
         batch.mesh.dispose();
       }
       this.group.add(mesh);
-      this.batches.set(key, (batch = { mesh, count }));
+      this.batches.set(key.whole, (batch = { mesh, count }));
     }
     batch.mesh.setMatrixAt(batch.count, matrix);
     batch.count += 1;
   }
 
-  private make(key: string, d: Drawable, agent: Agent | undefined): Made {
-    const known = this.made.get(key);
+  private make(key: Key, d: Drawable, agent: Agent | undefined): Made | null {
+    const known = this.made.get(key.whole);
     if (known !== undefined) return known;
-    const mesh = buildMesh(d, this.materials.isSlow), ownColor = agent !== undefined && isJustSomeTexture(d.material);
+    const mesh = this.shapes.mesh(key.shape, this.materials.isSlow ? 1 : 0);
+    if (mesh === null) return null;
+    const ownColor = agent !== undefined && isJustSomeTexture(d.material);
     // "NobiaxModular" is what the pieces of the kit wear anyway.
     const fromMesh = d.material === "" || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
     const name = ownColor ? `agent|${agent.kind}|${agent.alive}${agent.failed}` : fromMesh ? mesh.material : d.material;
     const look = ownColor ? agentLook(agent) : lookOf(name);
     // Figures of an agent that fell or failed are grey.
-    const shown = agent !== undefined && isFigure(d.material) && (!agent.alive || agent.failed) ? { ...look, base: dulled(look.base, 0.2, 0.35) } : look;
+    const shown = agent !== undefined && this.shapes.isFigure(key.shape) && (!agent.alive || agent.failed) ? { ...look, base: dulled(look.base, 0.2, 0.35) } : look;
     const made = { geometry: geometryOf(mesh, shown), material: this.materials.of(ownColor ? "agent" : name, shown), castsShadow: d.shape !== Shape.Plane && look.opacity >= 1 };
-    this.made.set(key, made);
+    this.made.set(key.whole, made);
     return made;
   }
 

@@ -11,12 +11,30 @@ export function latticeValue(x: number, y: number, z: number, seed: number): num
   return ((h >>> 0) >>> 8) / 16777216;
 }
 
+/** The values of noise that repeats, as it is asked for again and again. */
+const LARGEST_TABLE = 128;
+const tables = new Map<number, Float32Array>();
+function tableOf(seed: number, period: number): Float32Array {
+  const key = seed * (LARGEST_TABLE + 1) + period;
+  let table = tables.get(key);
+  if (table === undefined) {
+    table = new Float32Array(period * period);
+    for (let y = 0; y < period; ++y) for (let x = 0; x < period; ++x) table[y * period + x] = latticeValue(x, y, 0, seed);
+    tables.set(key, table);
+  }
+  return table;
+}
+
 /** Smooth noise in the plane, 0..1; repeats every `period` cells if that is positive. */
 export function noise2(x: number, y: number, seed: number, period = 0): number {
   const x0 = Math.floor(x), y0 = Math.floor(y), fx = x - x0, fy = y - y0;
   const wrap = (i: number): number => (period > 0 ? ((i % period) + period) % period : i);
   const xa = wrap(x0), xb = wrap(x0 + 1), ya = wrap(y0), yb = wrap(y0 + 1);
   const sx = fx * fx * (3 - 2 * fx), sy = fy * fy * (3 - 2 * fy);
+  if (period > 0 && period <= LARGEST_TABLE && Number.isInteger(period)) {
+    const table = tableOf(seed, period), low = ya * period, high = yb * period, p = table[low + xa]!, q = table[low + xb]!, r = table[high + xa]!, s = table[high + xb]!;
+    return p + (q - p) * sx + (r - p) * sy + (p - q - r + s) * sx * sy;
+  }
   const a = latticeValue(xa, ya, 0, seed), b = latticeValue(xb, ya, 0, seed), c = latticeValue(xa, yb, 0, seed), d = latticeValue(xb, yb, 0, seed);
   return a + (b - a) * sx + (c - a) * sy + (a - b - c + d) * sx * sy;
 }

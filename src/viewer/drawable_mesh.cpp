@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "viewer/drawable_mesh.h"
+
+#include "viewer/backdrop_meshes.h"
+#include "viewer/figure_meshes.h"
+#include "viewer/modular_meshes.h"
+#include "viewer/scenery_meshes.h"
+#include "viewer/shape_meshes.h"
+
+namespace soarbox::viewer {
+namespace {
+
+using world::DrawableSnapshot;
+using world::ShapeKind;
+
+/// The extents of a box or a capsule; nothing for others.
+world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
+  if (d.shape == ShapeKind::kBox) return d.size;
+  return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
+}
+
+}  // namespace
+
+bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot* agent) {
+  return agent != nullptr && drawable.shape == ShapeKind::kCapsule && drawable.size.y > 0.6f * agent->height_m;
+}
+
+DrawableMesh MeshOf(const DrawableSnapshot& d, bool agent_body) {
+  if (auto figure = FigureMesh(d.material.value(), ExtentsOf(d))) return {*std::move(figure)};
+  switch (d.shape) {
+    case ShapeKind::kBox:
+      return {
+          BoxMesh(d.size * -0.5f, d.size * 0.5f, {.repeats_u = d.texture_repeats.x, .repeats_v = d.texture_repeats.y})};
+    case ShapeKind::kCapsule:
+      return {agent_body ? AgentMesh(d.size.x, d.size.y) : CapsuleMesh(d.size.x, d.size.y)};
+    case ShapeKind::kCylinder:
+      return {CylinderMesh(d.size.x, d.size.y)};
+    case ShapeKind::kPlane:
+      return {PlaneMesh(d.size.x, d.size.z, d.texture_repeats.x, d.texture_repeats.y)};
+    case ShapeKind::kSphere:
+      return {SphereMesh(d.size.x)};
+    case ShapeKind::kMesh:
+      break;
+  }
+  if (auto modular = ModularMesh(d.mesh.value())) return {*std::move(modular)};
+  if (auto scenery = SceneryMeshFor(d.mesh.value())) return {*std::move(scenery)};
+  DrawableMesh box{BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), true};
+  box.data.material = "Soarbox/Missing";
+  return box;
+}
+
+world::BodyLook LookOf(const world::BodyMesh& mesh, const DrawableSnapshot& drawable) {
+  if (mesh.look == world::BodyLook::kRifle) return mesh.look;
+  if (drawable.material == "SF_Soldier_Body") return world::BodyLook::kSoldier;
+  return drawable.material == "SF_Soldier_Body_Dark" ? world::BodyLook::kDarkSoldier : mesh.look;
+}
+
+bool IsPlain(const DrawableSnapshot& drawable) {
+  return drawable.visible && drawable.shape == ShapeKind::kPlane && drawable.size.x == kPlainSide_m &&
+         drawable.size.z == kPlainSide_m && world::Length(drawable.position) < 0.5f;
+}
+
+}  // namespace soarbox::viewer

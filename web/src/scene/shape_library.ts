@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
+
+/** Triangles as the run tells them (docs/stream.md): the window's own. Counter-clockwise seen from outside. */
+export interface ShapeMesh {
+  readonly count: number;
+  readonly positions: Float32Array<ArrayBuffer>;
+  readonly normals: Float32Array<ArrayBuffer>;
+  readonly uvs: Float32Array<ArrayBuffer>;
+  /** Of each vertex: 1 the material's colour, 0 its second one; what multiplies the colour; gloss. */
+  readonly paint: Float32Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** Used where the drawable names none. */
+  readonly material: string;
+  /** Which four bones move each vertex, and how much; null: none do. */
+  readonly skin: { readonly bones: Uint16Array<ArrayBuffer>; readonly shares: Float32Array<ArrayBuffer> } | null;
+}
+export interface Pose { place: Vec3; turn: Quat }
+export interface BoneAt { parent: number; inModel: Pose; bind: Pose }
+export type BodyLook = "body/soldier" | "body/dark" | "body/rifle";
+
+/** The contents "shapes:KEY". */
+export interface ShapeContent {
+  /** A mesh with a skeleton: the key of what it looks like. */
+  body?: BodyLook;
+  material?: string;
+  /** In base 64, deflated. */
+  fine?: string;
+  /** With fewer faces; missing: the same. */
+  coarse?: string;
+  /** Of a body: what is a few pixels high. */
+  tiny?: string;
+  is_figure?: boolean;
+  bones?: readonly { parent: number; bind: readonly number[]; in_model: readonly number[] }[];
+}
+
+/** Fine, coarse, and tiny. */
+export type Level = 0 | 1 | 2;
+interface Known { levels: (ShapeMesh | null)[]; body: BodyLook | null; isFigure: boolean; bones: readonly BoneAt[] }
+
+/** Reads numbers of one kind after another. */
+class Columns {
+  private at = 0;
+  constructor(private readonly view: DataView) {}
+
+  private room(bytes: number): number {
+    const at = this.at;
+    if (at + bytes > this.view.byteLength) throw new Error("a shape is cut off");
+    this.at += bytes;
+    return at;
+  }
+  number(): number {
+    return this.view.getUint32(this.room(4), true);
+  }
+  /** Differences; every one to the number before. */
+  indices(count: number): Uint32Array<ArrayBuffer> {
+    const at = this.room(4 * count), into = new Uint32Array(count);
+    for (let i = 0, value = 0; i < count; ++i) into[i] = value = (value + this.view.getUint32(at + 4 * i, true)) >>> 0;
+    return into;
+  }
+  /** 16 bits between the least and the greatest, as differences; into every `step`-th place from `first` on. */
+  scaled(into: Float32Array, first: number, step: number, count: number): void {
+    const head = this.room(8), low = this.view.getFloat32(head, true), high = this.view.getFloat32(head + 4, true), at = this.room(2 * count), scale = (high - low) / 65535;
+    for (let i = 0, value = 0; i < count; ++i) {
+      value = (value + this.view.getUint16(at + 2 * i, true)) & 0xffff;
+      into[first + step * i] = low + value * scale;
+    }
+  }
+  signed(into: Float32Array, first: number, step: number, count: number): void {
+    const at = this.room(count);
+    for (let i = 0; i < count; ++i) into[first + step * i] = Math.max(-1, this.view.getInt8(at + i) / 127);
+  }
+  shares(into: Float32Array, first: number, step: number, count: number): void {
+    const at = this.room(count);
+    for (let i = 0; i < count; ++i) into[first + step * i] = this.view.getUint8(at + i) / 255;
+  }
+  bytes(into: Uint16Array, first: number, step: number, count: number): void {
+    const at = this.room(count);
+    for (let i = 0; i < count; ++i) into[first + step * i] = this.view.getUint8(at + i);
+  }
+}
+
+export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
+  const input = new Columns(new DataView(bytes)), count = input.number(), indexCount = input.number(), hasSkin = input.number() !== 0;
+  const indices = input.indices(indexCount), positions = new Float32Array(3 * count), uvs = new Float32Array(2 * count), paint = new Float32Array(3 * count), normals = new Float32Array(3 * count);
+  for (const axis of [0, 1, 2]) input.scaled(positions, axis, 3, count);
+  for (const axis of [0, 1]) input.scaled(uvs, axis, 2, count);
+  input.scaled(paint, 1, 3, count);
+  for (const axis of [0, 1, 2]) input.signed(normals, axis, 3, count);
+  for (const part of [0, 2]) input.shares(paint, part, 3, count);
+  if (indices.some((index) => index >= count)) throw new Error("a shape has no such corner");
+  if (!hasSkin) return { count, positions, normals, uvs, paint, indices, material, skin: null };
+  const bones = new Uint16Array(4 * count), shares = new Float32Array(4 * count);
+  for (const part of [0, 1]) input.bytes(bones, part, 4, count);
+  input.shares(shares, 0, 4, count);
+  for (let i = 0; i < count; ++i) shares[4 * i + 1] = 1 - shares[4 * i]!;
+  return { count, positions, normals, uvs, paint, indices, material, skin: { bones, shares } };
+}
+
+async function unpack(packed: string): Promise<ArrayBuffer> {
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
+}
+
+const poseOf = (numbers: readonly number[]): Pose => {
+  const [x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 1] = numbers;
+  return { place: [x, y, z], turn: [qx, qy, qz, qw] };
+};
+
+const bits = new DataView(new ArrayBuffer(4));
+function hex(value: number): string {
+  bits.setFloat32(0, value);
+  return bits.getUint32(0).toString(16);
+}
+
+/** How a drawable's shape is called; as ShapeKey of app/shape_contents.cpp. */
+export function shapeKey(d: Drawable, agentBody: boolean): string {
+  if (d.shape === Shape.Mesh) return `mesh/${d.mesh}`;
+  return `${d.shape}.${agentBody ? 1 : 0}.${d.size.map(hex).join(".")}.${hex(d.repeats[0])}.${hex(d.repeats[1])}.${d.material.startsWith("Soarbox/") ? d.material : ""}`;
+}
+
+/** Whether a capsule of an agent is its body rather than something that it carries. */
+export function looksLikeABody(d: Drawable, agent: Agent | undefined): boolean {
+  return d.ofAgent && agent !== undefined && d.shape === Shape.Capsule && d.size[1] > Math.fround(0.6) * agent.height;
+}
+
+/** The shapes that the run has told so far. */
+export class ShapeLibrary {
+  private readonly known = new Map<string, Known>();
+
+  /** `changed` is called when something new can be drawn. */
+  constructor(private readonly changed: () => void) {}
+
+  async add(key: string, content: ShapeContent): Promise<void> {
+    if (this.known.has(key)) return;
+    const known: Known = {
+      levels: [null, null, null], body: content.body ?? null, isFigure: content.is_figure === true,
+      bones: (content.bones ?? []).map((one) => ({ parent: one.parent, bind: poseOf(one.bind), inModel: poseOf(one.in_model) })),
+    };
+    this.known.set(key, known);
+    if (content.fine !== undefined) {
+      const material = content.material ?? "White", fine = readShape(await unpack(content.fine), material);
+      const coarse = content.coarse === undefined ? fine : readShape(await unpack(content.coarse), material);
+      known.levels = [fine, coarse, content.tiny === undefined ? coarse : readShape(await unpack(content.tiny), material)];
+    }
+    this.changed();
+  }
+
+  clear(): void {
+    this.known.clear();
+  }
+
+  /** Null: it was not told yet. */
+  mesh(key: string, level: Level): ShapeMesh | null {
+    return this.known.get(key)?.levels[level] ?? null;
+  }
+
+  isFigure(key: string): boolean {
+    return this.known.get(key)?.isFigure === true;
+  }
+
+  bones(look: BodyLook): readonly BoneAt[] {
+    return this.known.get(look)?.bones ?? [];
+  }
+
+  /** What a drawable with a skeleton looks like; null: it has none. */
+  bodyOf(d: Drawable): BodyLook | null {
+    if (d.shape !== Shape.Mesh) return null;
+    const body = this.known.get(`mesh/${d.mesh}`)?.body ?? null;
+    // A soldier may change its uniform by the name of its material.
+    if (body === null || body === "body/rifle") return body;
+    return d.material === "SF_Soldier_Body" ? "body/soldier" : d.material === "SF_Soldier_Body_Dark" ? "body/dark" : body;
+  }
+}
