@@ -298,13 +298,13 @@ class Panels : public testing::Test {
 };
 std::unique_ptr<PanelStage> Panels::stage;
 
-struct Size {
+struct WindowSize {
   int width, height, percent;
 };
-constexpr Size kSizes[] = {{1280, 720, 100}, {2560, 1440, 150}, {1280, 720, 150}};
+constexpr WindowSize kSizes[] = {{1280, 720, 100}, {2560, 1440, 150}, {1280, 720, 150}};
 
 TEST_F(Panels, NothingIsCutAndNothingOverlapsWhateverIsOpen) {
-  for (const Size& size : kSizes) {
+  for (const WindowSize& size : kSizes) {
     stage->SetSize(size.width, size.height, size.percent);
     for (const char* agent : {"walker", "listener-with-a-rather-long-name", ""}) {
       if (*agent != 'w' && size.height != 720) continue;  // Once is enough.
