@@ -543,7 +543,7 @@ TEST_F(Panels, LeadSomebodyNewThroughTheWindow) {
 }
 
 TEST_F(Panels, TheFirstStepsStandBesideWhatAScenarioShows) {
-  for (const Size& size : {Size{1280, 720, 100}, Size{1766, 993, 100}, Size{1766, 993, 125}}) {
+  for (const WindowSize& size : {WindowSize{1280, 720, 100}, WindowSize{1766, 993, 100}, WindowSize{1766, 993, 125}}) {
     stage->SetSize(size.width, size.height, size.percent);
     stage->Fill("walker");
     // As the world of the thesis has it: at the lower right of the window, as large as that is.
