@@ -14,7 +14,7 @@
 namespace soarbox::cli {
 namespace {
 
-bool FailWith(CommandCall& call, const Diagnostic& problem) {
+bool RefuseImage(CommandCall& call, const Diagnostic& problem) {
   std::string text = problem.file + ": " + problem.message;
   if (!problem.hint.empty()) text += "\n" + problem.hint;
   call.Fail(text);
@@ -42,7 +42,7 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
   const std::string bytes = std::move(content).str();
   kernel::Agent& agent = call.agent();
   Result<std::vector<kernel::ProductionPtr>> rules = ReadRuleImage(bytes, file, agent.mutable_symbols());
-  if (!rules) return FailWith(call, rules.error());
+  if (!rules) return RefuseImage(call, rules.error());
 
   PrintStream::Capture capture(call.stream(), &call.result.text);
   SourceRun* source = call.interpreter.source_run();

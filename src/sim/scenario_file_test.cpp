@@ -9,10 +9,10 @@ namespace {
 
 using testing::ElementsAre;
 
-/// "line: what is wrong", for an obstacle of these lines.
-std::vector<std::string> ProblemsOf(const std::string& lines) {
+/// "line: what is wrong", for an obstacle, or something else, of these lines.
+std::vector<std::string> ProblemsOf(const std::string& lines, const std::string& of = "[[obstacle]]") {
   std::vector<Diagnostic> problems;
-  ParseScenarioFile("[[obstacle]]\n" + lines, "yard.toml", problems);
+  ParseScenarioFile(of + "\n" + lines, "yard.toml", problems);
   std::vector<std::string> told;
   for (const Diagnostic& problem : problems) told.push_back(std::to_string(problem.line) + ": " + problem.message);
   return told;
@@ -26,6 +26,17 @@ TEST(ScenarioFile, ObstaclesThatNoBodyCouldBeAreRefusedWithTheirLine) {
   EXPECT_THAT(ProblemsOf("size = [nan, 2, 1]"), ElementsAre("2: 'size' takes [width, height, length] in metres"));
   EXPECT_THAT(ProblemsOf("mass = -1"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));
   EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));
+}
+
+TEST(ScenarioFile, AnItemHasASizeThatSomebodyCanCarry) {
+  EXPECT_THAT(ProblemsOf("name = 'crate'\nsize = [1.6, 0.1, 1]", "[[item]]"), ElementsAre());
+  EXPECT_THAT(ProblemsOf("name = 'crate'", "[[item]]"), ElementsAre());
+  for (const char* size : {"[3, 1, 1]", "[1, 0, 1]", "[1, 1, -1]"}) {
+    EXPECT_THAT(ProblemsOf(std::string("name = 'crate'\nsize = ") + size, "[[item]]"),
+                ElementsAre("3: the sides of an item are 0.1 to 1.6 m: nobody carries more"));
+  }
+  EXPECT_THAT(ProblemsOf("name = 'crate'\nsize = [nan, 1, 1]", "[[item]]"),
+              ElementsAre("3: 'size' takes [width, height, length] in metres"));
 }
 
 TEST(ScenarioFile, ARegionWithABadRadiusHasOneProblem) {

@@ -148,11 +148,9 @@ WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
   for (const Node* at = &node; at; at = at->above) {
     // The root seldom turns or moves anything.
     if (!at->above && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
-    WorldTransform local{at->position, at->orientation, at->scale};
-    if (by_body && at->HasBody()) {
-      local.position = at->body_position;
-      local.orientation = at->body_orientation;
-    }
+    const bool is_body = by_body && at->HasBody();
+    WorldTransform local{is_body ? at->body_position : at->position, is_body ? at->body_orientation : at->orientation,
+                         at->scale};
     if (at->bone >= 0 && at->above && at->above->animator) {
       const BonePose hung = at->above->animator->Bones()[static_cast<std::size_t>(at->bone)] *
                             BonePose{local.position, local.orientation};

@@ -91,8 +91,14 @@ void Scene::Redraw(Node& node) const {
     case NodeContent::kNone:
       break;
     case NodeContent::kDrawable: {
+      // Nodes mostly come in the order of their drawables.
       SharedList<DrawableSnapshot>::Place& place = picture.last_drawn;
-      place = picture.drawables.Find(Number(node.id), place);
+      if (!picture.drawables.IsEnd(place) && place.index < picture.drawables.BlockSize(place.block) &&
+          picture.drawables.At(place).id < Number(node.id))
+        place = picture.drawables.After(place);
+      if (picture.drawables.IsEnd(place) || place.index >= picture.drawables.BlockSize(place.block) ||
+          picture.drawables.At(place).id != Number(node.id))
+        place = picture.drawables.Find(Number(node.id), place);
       const bool is_new = picture.drawables.IsEnd(place) || picture.drawables.At(place).id != Number(node.id);
       if (is_new) {
         DrawableSnapshot drawable;
@@ -150,6 +156,10 @@ void Scene::Refresh() const {
   picture.last_drawn = {};
   std::vector<Node*> below;
   const auto redraw_all = [&](Node& top) {
+    if (top.children.empty()) {
+      if (std::exchange(top.drawn_in, picture.refreshings) != picture.refreshings) Redraw(top);
+      return;
+    }
     below.push_back(&top);
     while (!below.empty()) {
       Node& node = *below.back();

@@ -189,11 +189,14 @@ class Imagery(Behavior):
                 places.add(str(next(n["at"] for n in json.loads(scene)["scenes"][0]["nodes"] if n["name"] == "self")))
             self.assertEqual(len(places), 3, "it walks, in its scene, too")
             self.assertEqual(recorded("--view", "why", "--at", 10), self.view("why", "--at", 10))
-            why = Run("why", recording, "--agent", "hider", "--at", 10)
+            why = Run("why", recording, "hide", "--agent", "hider", "--at", 10)
             self.assertEqual(why.code, 0, why.err)
             self.assertIn("imagined by extract ", why.out)
-            self.assertIn("is not recorded. Soarbox can tell once it has simulated this moment again.",
-                          recorded("--view", "imagery", "--at", 10, "--recorded"))
+            self.assertEqual(why.out, Run("why", "soar_hide", "hide", "--agent", "hider", "--at", 10).out)
+            refused = Run("inspect", recording, "--agent", "hider", "--view", "imagery", "--at", 10, "--recorded")
+            self.assertNotEqual(refused.code, 0)
+            self.assertIn("the view imagery shows nothing that is recorded", refused.err)
+            self.assertIn("simulate the run again for it", refused.err)
 
 
 class Crates(Behavior):
