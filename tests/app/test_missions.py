@@ -253,8 +253,8 @@ class Watch(MissionCase):
         self.write("second.toml", 'scenario = "scenario.toml"\n' + checks)
         self.wait_for("2 missions, all passed")
         # What was saved while a round was under way may have asked for another.
-        rounds = -1
-        while rounds != self.told().count(waiting) or not self.told().rstrip().endswith(waiting):
+        rounds, end = -1, time.monotonic() + 60
+        while time.monotonic() < end and (rounds != self.told().count(waiting) or waiting not in self.told().splitlines()[-1]):
             rounds = self.told().count(waiting)
             time.sleep(1)
         time.sleep(1.5)
