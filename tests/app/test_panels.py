@@ -410,8 +410,8 @@ class Panels(WindowUser):
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
             env=self.surroundings((1280, 720)))
         self.addCleanup(run.kill)
-        end = time.monotonic() + 120
-        while not mark.exists() and run.poll() is None and time.monotonic() < end:
+        latest = time.monotonic() + 120
+        while not mark.exists() and run.poll() is None and time.monotonic() < latest:
             time.sleep(0.1)
         kernel.kill()
         _, errors = run.communicate(timeout=150)
