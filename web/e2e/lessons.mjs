@@ -15,14 +15,12 @@ const WRONG = new Map([
 ]);
 
 const titleOf = (lesson) => /^title = "(.*)"$/m.exec(readFileSync(new URL(`${lesson}/lesson.toml`, FOLDER), "utf8"))[1];
-/** The rules below a folder of a lesson. */
-/** A wrong answer, what is known of its grade, and the longest part of the lesson's hint about it that is the same in each run. */
+/** A wrong answer of a lesson, and what is known of its grade: at least what the run shows, or the lesson's own hint. */
 function wrongAnswerOf(lesson) {
-  const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /./];
-  const mistake = readFileSync(new URL(`${lesson}/wrong/${wrong}/expects`, FOLDER), "utf8").trim(), toml = readFileSync(new URL(`${lesson}/lesson.toml`, FOLDER), "utf8");
-  const about = toml.split("[[mistake]]").find((one) => one.includes(`name = "${mistake}"`)), hint = /^hint = "(.*)"$/m.exec(about)[1].replaceAll('\\"', '"');
-  return { told, rules: rulesBelow(lesson, `wrong/${wrong}`), hint: hint.split(/\{\w+\}/).map((one) => one.trim()).sort((x, y) => y.length - x.length)[0] };
+  const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /seeds passed; this was seed \d+\s+\S[\s\S]{20,}/];
+  return { told, rules: rulesBelow(lesson, `wrong/${wrong}`) };
 }
+/** The rules below a folder of a lesson. */
 function rulesBelow(lesson, part) {
   const folder = new URL(`${lesson}/${part}/`, FOLDER), name = readdirSync(folder).find((one) => one.endsWith(".soar"));
   return { name, text: readFileSync(new URL(name, folder), "utf8") };
@@ -51,8 +49,7 @@ test("each lesson is solved by typing, from the first to the last", async () => 
     const wrong = wrongAnswerOf(lesson);
     await applyAndGrade(page, wrong.rules);
     const grade = await page.locator(".panel.mission .grade").innerText();
-    assert.match(grade, wrong.told);
-    assert.ok(grade.includes(wrong.hint), `lesson ${i + 1} is to say of a wrong answer "${wrong.hint}", and says:\n${grade}`);
+    assert.match(grade, wrong.told, `lesson ${i + 1}`);
     assert.doesNotMatch(grade, /soarbox run/);
     assert.equal(await page.locator(".panel.mission .passed").count(), 0);
     await page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
