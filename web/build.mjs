@@ -27,11 +27,13 @@ const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
   return [file, ...made.imports.filter((one) => one.kind === "import-statement").map((one) => one.path)];
 }));
 const preloads = [...needed].map((file) => `<link rel="modulepreload" href="${file.replace("dist/page", "")}">`).join("\n");
-// One file for `soarbox report`, which puts a recorded run into it.
-const whole = await build({ entryPoints: { report: "src/report.ts", style: "src/styles/page.css" }, outdir: "dist", bundle: true, write: false, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
+// What `soarbox report` puts into one file: the page with its style, what shows the data, and what shows a recorded run in 3D.
+const noEditor = { name: "no editor", setup: (bundle) => bundle.onResolve({ filter: /\/edit_panel$/ }, () => ({ path: `${import.meta.dirname}/src/report/no_edit_panel.ts` })) };
+const whole = await build({ plugins: [noEditor], entryPoints: { report: "src/report.ts", report_scene: "src/report_scene.ts", style: "src/styles/report_page.css" }, outdir: "dist", bundle: true, write: false, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;
-writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8")
-  .replace("{{style}}", () => textOf(".css")).replace("{{script}}", () => textOf(".js").replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")));
+writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8").replace("{{style}}", () => textOf(".css")));
+for (const name of ["report.js", "report_scene.js"])
+  writeFileSync(`dist/page/${name}`, textOf(`/${name}`).replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--"));
 writeFileSync("dist/page/index.html", readFileSync("src/index.html", "utf8").replace("<!-- preloads -->", preloads));
 cpSync("src/icon.svg", "dist/page/assets/icon.svg");
 const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];

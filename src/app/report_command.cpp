@@ -3,22 +3,38 @@
 
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/refuse.h"
 #include "app/scene_report.h"
+#include "diagnostics/problem.h"
+#include "diagnostics/read_text.h"
 #include "report/page.h"
 
 namespace soarbox::app {
+namespace {
+
+/// What npm has built of the page. The error says who builds it.
+Result<report::PageTexts> ReadPageTexts(const sim::DataFolders& data) {
+  const std::filesystem::path folder = PageFolder(data);
+  const std::optional<std::string> page = ReadText(folder / "report.html"), script = ReadText(folder / "report.js"),
+                                   scene = ReadText(folder / "report_scene.js");
+  if (page && script && scene) return report::PageTexts{*page, *script, *scene};
+  return ProblemIn(
+      folder, "the page that reports are shown in is not built",
+      "in the source folder, ./dev soarbox report builds it and writes the report, and ./dev package packs it");
+}
+
+}  // namespace
 
 int Report(const ReportOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  const Result<std::string> page =
-      report::MakePage(options.source, *data, [&](const std::filesystem::path& recording, const std::string& nonce) {
-        return ScenePage(recording, *data, nonce);
-      });
+  const Result<report::PageTexts> texts = ReadPageTexts(*data);
+  if (!texts) return Refuse(texts.error());
+  const Result<std::string> page = report::MakePage(options.source, *data, *texts, RecordedRun);
   if (!page) return Refuse(page.error());
   std::error_code error;
   // What is put in the place of a device would be there instead of it.

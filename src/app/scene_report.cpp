@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "app/base64.h"
-#include "app/data_folders.h"
 #include "app/shape_contents.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
 #include "diagnostics/json_text.h"
-#include "diagnostics/read_text.h"
 #include "record/reader.h"
 #include "record/rerun.h"
-#include "report/page.h"
 #include "stream/deflate.h"
 #include "stream/scene_encoder.h"
 #include "workbench/checks.h"
@@ -80,6 +77,8 @@ class Moments {
 
   /// What does not belong to one mind is told under "", the rest under the agent's name.
   void AddContents(std::uint64_t tick, const record::TickRecord& record) {
+    shown_.moment.shown_tick = tick;
+    shown_.agent.clear();
     shown_.agents = debugger::ListAgents(record, models_.timeline, models_.troubles);
     shown_.timeline = &models_.timeline;
     shown_.messages = &models_.messages;
@@ -157,10 +156,7 @@ Json Hello(record::Reader& recording) {
 
 }  // namespace
 
-Result<std::string> ScenePage(const std::filesystem::path& file, const sim::DataFolders& data,
-                              const std::string& nonce) {
-  const std::optional<std::string> page = ReadText(PageFolder(data) / "report.html");
-  if (!page) return std::string();
+Result<std::string> RecordedRun(const std::filesystem::path& file) {
   Result<std::unique_ptr<record::Reader>> opened = record::Reader::Open(file);
   if (!opened) return opened.error();
   record::Reader& recording = **opened;
@@ -184,8 +180,7 @@ Result<std::string> ScenePage(const std::filesystem::path& file, const sim::Data
     whole["contents"] = Base64(stream::Deflate(JsonText(moments.TakeContents())));
     break;
   }
-  const std::string text = JsonText(whole);
-  return report::FillIn(*page, {{"nonce", nonce}, {"data", report::ForScriptElement(text)}});
+  return JsonText(whole);
 }
 
 }  // namespace soarbox::app

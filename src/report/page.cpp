@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "diagnostics/problem.h"
-#include "diagnostics/read_text.h"
 #include "record/reader.h"
 
 namespace soarbox::report {
@@ -113,7 +112,8 @@ std::string EscapeHtml(std::string_view text) {
   return safe;
 }
 
-Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& data, const ScenePage& scene_of) {
+Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& data, const PageTexts& texts,
+                             const RecordedRun& recorded_run) {
   std::error_code error;
   std::vector<std::string> parts;
   if (fs::is_directory(source, error)) {
@@ -142,7 +142,7 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
     parts.push_back(std::move(*made));
   } else if (source.extension() == ".toml" &&
              fs::exists(fs::path(source).replace_extension(".sweep") / "sweep.id", error)) {
-    return MakePage(fs::path(source).replace_extension(".sweep"), data, scene_of);
+    return MakePage(fs::path(source).replace_extension(".sweep"), data, texts, recorded_run);
   } else if (!fs::exists(source, error)) {
     return ProblemIn(source, "there is no such file or folder");
   } else if (source.extension() == ".toml") {
@@ -152,35 +152,30 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
     return ProblemIn(source, "this is neither a recording, nor a folder of recordings, nor a sweep",
                      "soarbox run SCENARIO --record FILE makes a recording");
   }
-  const fs::path folder = data.media / "report";
-  std::string page = ReadText(folder / "page.html").value_or("");
-  const std::string style = ReadText(folder / "page.css").value_or(""),
-                    script = ReadText(folder / "page.js").value_or("");
-  if (page.empty() || style.empty() || script.empty())
-    return ProblemIn(folder, "the parts of the page are not there: the program is not installed whole");
   std::string all = "[";
   for (const std::string& part : parts) all += (all.size() > 1 ? ",\n" : "") + part;
   all += "]";
   const Json first = Json::parse(parts.front());
   char nonce[20];
   std::snprintf(nonce, sizeof nonce, "%016llx", static_cast<unsigned long long>(HashOf(all)));
-  std::string scene;
-  if (scene_of && record::IsRecording(source)) {
-    Result<std::string> made = scene_of(source, nonce);
+  const bool has_scene = record::IsRecording(source);
+  std::string recorded = "null";
+  if (has_scene) {
+    Result<std::string> made = recorded_run(source);
     if (!made) return made;
-    scene = std::move(*made);
+    recorded = std::move(*made);
   }
-  return FillIn(page,
+  return FillIn(texts.page,
                 {{"title", EscapeHtml(first.value("title", "Soarbox"))},
                  {"policy", std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
                                         "script-src 'nonce-") +
-                                nonce + "'" + (scene.empty() ? "" : "; worker-src blob:; connect-src data: blob:")},
-                 {"style", style},
+                                nonce + "'" + (has_scene ? "; worker-src blob:; connect-src data: blob:" : "")},
                  {"plain", PlainBody(first)},
                  {"nonce", nonce},
-                 {"script", script},
                  {"data", ForScriptElement(all)},
-                 {"scene", ForScriptElement(Json(scene).dump())}});
+                 {"recorded", ForScriptElement(recorded)},
+                 {"scene_script", has_scene ? texts.scene : std::string()},
+                 {"script", texts.script}});
 }
 
 }  // namespace soarbox::report

@@ -13,12 +13,20 @@
 
 namespace soarbox::report {
 
+/// What a page is made from besides its data: as npm builds it from web/.
+struct PageTexts {
+  std::string page;    ///< With a place for the data, and for what else FillIn puts into it.
+  std::string script;  ///< Shows the data.
+  std::string scene;   ///< Shows a recorded run in 3D above it.
+};
+
+/// A recorded run in 3D, as JSON for the script that shows it.
+using RecordedRun = std::function<Result<std::string>(const std::filesystem::path& recording)>;
+
 /// One page about a recording, a folder of recordings or a sweep's folder, as one file that needs nothing else: texts
-/// reach it as data only, and it runs no script but its own.
-/// `scene_of`: makes the page that shows a recorded run in 3D, with this nonce, which is put on top; empty: none does.
-using ScenePage = std::function<Result<std::string>(const std::filesystem::path& recording, const std::string& nonce)>;
-Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data,
-                             const ScenePage& scene_of = {});
+/// reach it as data only, and it runs no script but its own. That of one recording shows its run in 3D, too.
+Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data, const PageTexts& texts,
+                             const RecordedRun& recorded_run);
 
 /// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
 /// by these checks; empty: by those of its scenario, if it has any.

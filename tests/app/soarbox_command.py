@@ -22,6 +22,13 @@ function Agent_Update(agent, deltaTimeInMillis, command)
 end
 """
 
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "web" / "dist" / "page" / "report_scene.js"
+
+
+def page_missing():
+    """Why no report can be made here; empty: one can. Continuous integration builds the page first."""
+    return "" if PAGE.exists() or os.environ.get("CI") == "true" else "the page of reports is not built: ./dev test builds it"
+
 
 def limit_memory(process_id, memory_bytes):
     resource.prlimit(process_id, resource.RLIMIT_AS, (memory_bytes, memory_bytes))

@@ -6,7 +6,7 @@ import pathlib
 import re
 import unittest
 
-from soarbox_command import Run, ScenarioCase, run_json
+from soarbox_command import Run, ScenarioCase, page_missing, run_json
 
 GOLDEN = pathlib.Path(__file__).parent / "games"
 TURNS = 6
@@ -242,11 +242,14 @@ class Games(ScenarioCase):
         for row in rows:
             self.assertEqual((row[5], sum(map(int, row[6:9]))), ("32", 32), played.out)
             self.assertTrue(1 <= float(row[9]) <= 4, played.out)
-        page = Run("report", spec, "-o", self.folder / "cup.html")
-        self.assertEqual(page.code, 0, page.out + page.err)
-        text = (self.folder / "cup.html").read_text()
-        self.assertIn('"standings":[{"agent":"', text)
-        self.assertIn("score of eater-4", text)
+        with self.subTest("report"):
+            if page_missing():
+                self.skipTest(page_missing())
+            page = Run("report", spec, "-o", self.folder / "cup.html")
+            self.assertEqual(page.code, 0, page.out + page.err)
+            text = (self.folder / "cup.html").read_text()
+            self.assertIn('"standings":[{"agent":"', text)
+            self.assertIn("score of eater-4", text)
         for slip, told in (('seats = ["eater", "eater-2", "eater"]', "a tournament has 2 to 8 seats"),
                            ('seats = ["eater", "eater-2", "eater-3", "eater-9"]', "there is no agent 'eater-9'")):
             faulty = self.write("faulty.toml", re.sub("seats = .*", slip, spec.read_text()))
@@ -281,8 +284,11 @@ class Games(ScenarioCase):
         self.assertEqual(table[0][5:9], ["8", "4", "4", "0"], played.out)
         self.assertGreater(int(table[0][1]), 1550)
         self.assertIn("score of eater-2", (self.folder / "cup.sweep" / "results.csv").read_text())
-        page = Run("report", spec, "-o", self.folder / "cup.html")
-        self.assertEqual(page.code, 0, page.out + page.err)
+        with self.subTest("report"):
+            if page_missing():
+                self.skipTest(page_missing())
+            page = Run("report", spec, "-o", self.folder / "cup.html")
+            self.assertEqual(page.code, 0, page.out + page.err)
         for slip, told in (('seats = ["eater"]', "a tournament has 2 to 8 seats"),
                            ('seats = ["eater", "eater-3"]', "there is no agent 'eater-3'")):
             faulty = self.write("faulty.toml", spec.read_text().replace('seats = ["eater", "eater-2"]', slip))

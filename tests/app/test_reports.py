@@ -1,15 +1,26 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Pages about runs and sweeps, through the real command."""
+import base64
 import csv
 import json
 import os
 import re
+import shutil
 import subprocess
+import unittest
+import zlib
+from unittest import mock
 
 from mission_case import REPOSITORY, RULES, SWEEP, MissionCase
-from soarbox_command import COMMAND, Run
+from soarbox_command import COMMAND, Run, page_missing
 
 
+def data_of(page):
+    """What a page holds: its runs, or its sweep."""
+    return json.loads(re.search(r'<script type="application/json" id="data"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])
+
+
+@unittest.skipIf(page_missing(), page_missing())
 class Reports(MissionCase):
     def test_what_is_meant_over_seeds_is_no_failure_of_one_run(self):
         self.mission('[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
@@ -17,7 +28,7 @@ class Reports(MissionCase):
         recording, page = self.folder / "run.soarrec", self.folder / "report.html"
         self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "12", "--record", recording).code, 0)
         self.assertEqual(Run("report", recording, "-o", page).code, 0)
-        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        data = data_of(page)[0]
         self.assertEqual(data["verdict"], "passed: all of 1 checks")
         self.assertEqual([check["mark"] for check in data["checks"]], ["passed", "over seeds"])
         self.assertIn("not in this run; it is to be true in 0 runs", data["checks"][1]["text"])
@@ -32,16 +43,28 @@ class Reports(MissionCase):
         run = Run("report", recording, "-o", page)
         self.assertEqual(run.code, 0, run.err)
         text = page.read_text(encoding="utf-8")
-        self.assertEqual(text.count("<script"), 3, "the data, the scene's and the page's own")
-        self.assertEqual(text.count("</script>"), 3)
+        self.assertEqual(text.count("<script"), 4, "the data, the recorded run, and what shows each of them")
+        self.assertEqual(text.count("</script>"), 4)
         self.assertNotRegex(text, r"(src|href)=[\"']?http")
-        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        data = data_of(page)[0]
         self.assertEqual(data["checks"][0]["name"], evil)
         self.assertEqual(data["checks"][0]["state"], "false")
         self.assertTrue(data["same"], "simulated again it comes to the recorded state")
         self.assertEqual(data["spans"][0][3], "go")
         fired = {rule["name"]: rule["firings"] for rule in data["agents"][0]["rules"]}
         self.assertEqual(fired["scout*apply*go"], 1)
+
+    def test_panels_of_the_run_in_3d_hold_what_was_until_their_moment(self):
+        self.mission("")
+        recording, page = self.folder / "run.soarrec", self.folder / "report.html"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "6", "--record", recording).code, 0)
+        self.assertEqual(Run("report", recording, "-o", page).code, 0)
+        recorded = json.loads(re.search(r'id="recorded"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])
+        told = {each["name"]: each["content"] for each in json.loads(zlib.decompress(base64.b64decode(recorded["contents"])))
+                if each["tick"] == recorded["last_tick"]}
+        track = next(track for track in told["timeline"]["timeline"] if track["agent"] == "scout")
+        self.assertIn("go", " ".join(span["text"] for span in track["spans"]))
+        self.assertIn("off I go", " ".join(line["text"] for line in told["trace"]["lines"]))
 
     def test_an_hour_of_ten_busy_agents_is_at_most_10_mb(self):
         self.write("Walker.lua", """
@@ -91,7 +114,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         self.assertEqual(run.code, 0, run.err)
         self.assertLessEqual(page.stat().st_size, 10_000_000)
         text = page.read_text(encoding="utf-8")
-        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+        data = data_of(page)[0]
         self.assertTrue(data["same"])
         self.assertEqual(len(data["agents"]), 10)
         # What is left out could not be seen, is told, and is spread over the hour.
@@ -122,7 +145,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         self.assertEqual(Run("sweep", spec).code, 0)
         page = self.folder / "sweep.html"
         self.assertEqual(Run("report", spec, "-o", page).code, 0)
-        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])[0]
+        data = data_of(page)[0]
         self.assertEqual([variant["runs"] for variant in data["variants"]], [6, 6])
         self.assertEqual(len(data["rows"]), 12)
 
@@ -143,6 +166,21 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         self.assertTrue(pipe.is_fifo(), "it is still what it was")
 
     def test_the_page_reads_nothing_as_markup(self):
-        script = (REPOSITORY / "media" / "report" / "page.js").read_text(encoding="utf-8")
-        for word in ("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "Function("):
-            self.assertNotIn(word, script)
+        sources = sorted((REPOSITORY / "web" / "src").rglob("*.ts"))
+        self.assertGreater(len(sources), 50)
+        for source in sources:
+            script = source.read_text(encoding="utf-8")
+            for word in ("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "Function("):
+                self.assertNotIn(word, script, source)
+
+
+class NotBuilt(MissionCase):
+    def test_where_the_page_is_not_built_one_is_told_who_builds_it(self):
+        for folder in ("scenarios", "media"):
+            shutil.copytree(REPOSITORY / folder, self.folder / "data" / folder, ignore=shutil.ignore_patterns("*.mesh", "*.png"))
+        with mock.patch.dict(os.environ, {"SOARBOX_DATA": str(self.folder / "data")}):
+            run = Run("report", self.folder / "run.soarrec", "-o", self.folder / "page.html")
+        self.assertEqual(run.code, 3, run.out)
+        self.assertIn("the page that reports are shown in is not built", run.err)
+        self.assertIn("./dev soarbox report builds it", run.err)
+        self.assertFalse((self.folder / "page.html").exists())

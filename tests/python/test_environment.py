@@ -233,6 +233,11 @@ class Spaces(unittest.TestCase):
             self.assertEqual(soarbox.Box(0, 1, (2,)).low, (0.0, 0.0))
 
 
+# Continuous integration builds the page first.
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "web" / "dist" / "page" / "report_scene.js"
+
+
+@unittest.skipUnless(PAGE.exists() or os.environ.get("CI") == "true", "the page of reports is not built: ./dev test builds it")
 class Pages(unittest.TestCase):
     def page_of(self, shown):
         frame = re.fullmatch(r'<iframe srcdoc="([^"]*)" sandbox="allow-scripts" [^>]*></iframe>', shown)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs the page's end-to-end tests (web/e2e) in a real browser, against a real server and a report that the command has made.
+"""Runs the page's end-to-end tests (web/e2e) in a real browser, against a real server and reports that the command has made.
 
 usage: in_browser.py [TEST...]
 
@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+import report_samples
 from web_client import COMMAND, Server
 
 WEB = pathlib.Path(__file__).resolve().parents[2] / "web"
@@ -26,15 +27,14 @@ def main():
     if not (WEB / "dist" / "page" / "index.html").exists():
         sys.exit("the page is not built: npm run build in web/")
     with tempfile.TemporaryDirectory() as folder:
-        recording, report = pathlib.Path(folder) / "fight.soarrec", pathlib.Path(folder) / "report.html"
-        subprocess.run([COMMAND, "run", "soar_skirmish", "--headless", "--seconds", "12", "--record", recording],
-                       check=True, stdout=subprocess.DEVNULL)
-        subprocess.run([COMMAND, "report", recording, "-o", report], check=True, stdout=subprocess.DEVNULL)
+        reports = pathlib.Path(folder) / "reports"
+        tests = sys.argv[1:] or sorted(str(path.relative_to(WEB)) for path in (WEB / "e2e").glob("*.mjs"))
+        if any(test.endswith("report.mjs") for test in tests):
+            report_samples.make(reports)
         server = PageServer(folder)
         try:
-            tests = sys.argv[1:] or sorted(str(path.relative_to(WEB)) for path in (WEB / "e2e").glob("*.mjs"))
             done = subprocess.run(["node", "--test", "--test-concurrency=2", *tests], cwd=WEB, check=False,
-                                  env={**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORT": str(report),
+                                  env={**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORTS": str(reports),
                                        "SOARBOX_COMMAND": COMMAND})
         finally:
             server.kill()

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The page of `soarbox report`: a recorded run that lies in it, with its picture and panels.
-import { RunPage } from "./app/run_page";
+// The page of `soarbox report`: what it tells of runs or of a sweep. What shows a run in 3D comes before it, if there is one (report_scene.ts).
+import { keepInPage } from "./report/storage";
 import { applyTheme, themeNow } from "./app/theme";
-import { FileSource, type RecordedRun } from "./run/file_source";
-import { Run } from "./run/run";
+import type { Report } from "./report/data";
+import { ReportPage, type Scene } from "./report/report_page";
 
-const data = document.getElementById("data")?.textContent ?? "null", root = document.getElementById("page");
-if (root !== null) {
-  applyTheme(themeNow());
-  const run = new Run(new FileSource(JSON.parse(data) as RecordedRun));
-  const page = new RunPage(run, () => undefined, true), body = document.createElement("div");
-  body.className = "body";
-  body.dataset["shows"] = "run";
-  body.append(page.element);
-  root.replaceChildren(body);
-  document.addEventListener("keydown", (event) => {
-    if (!event.defaultPrevented && page.key(event)) event.preventDefault();
-  });
-  run.start();
+declare global {
+  /** Left by report_scene.ts. */
+  var soarboxScene: Scene | undefined;
 }
+
+keepInPage();
+applyTheme(themeNow());
+const root = document.getElementById("report"), data = document.getElementById("data")?.textContent ?? "[]";
+if (root !== null) new ReportPage(root, JSON.parse(data) as readonly Report[], globalThis.soarboxScene ?? null);

@@ -6,17 +6,17 @@ import { icon } from "./icons";
 
 /** Run, pause, steps and speed. */
 export function flowControls(run: Run): Child {
-  const { flow, hello } = run, disabled = hello === null || run.state === "ended" || hello.may_edit === false;
+  const { flow, hello } = run, disabled = hello === null || run.state === "ended" || hello.may_edit === false, isRun = hello?.only_shows !== true;
   const turn = (hello?.turn_ticks ?? 1) > 1 ? "turn" : "tick";
   const flowButton = (name: Child, what: string, title: string, key: string, more = ""): Child =>
     button(name, () => run.ask("flow", { what }), { key: what, attributes: { title: `${title} (${key})`, "aria-label": title, disabled } }, `button.flow${more}`);
   return h("div.flow-bar", { attributes: { role: "group", "aria-label": "Run" } },
     flow.paused ? flowButton([icon("play"), h("span", null, "Run")], "go-on", "Run", "Space", ".primary") : flowButton([icon("pause"), h("span", null, "Pause")], "pause", "Pause", "Space"),
-    flowButton(turn === "turn" ? "Turn" : "Tick", "step-turn", `Go on by one ${turn}`, ".", ".step"), flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
-    flowButton("Phase", "step-phase", "Go on by one phase of the selected agent", "P", ".step"),
-    flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
+    flowButton(turn === "turn" ? "Turn" : "Tick", "step-turn", `Go on by one ${turn}`, ".", ".step"), isRun && flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
+    isRun && flowButton("Phase", "step-phase", "Go on by one phase of the selected agent", "P", ".step"),
+    isRun && flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
     flowButton([icon("restart"), h("span.wide", null, "Begin again")], "begin-again", "Begin again", "R"),
-    flowButton("Next seed", "next-seed", "Begin again with the next seed", "no key", ".step.rare"),
+    isRun && flowButton("Next seed", "next-seed", "Begin again with the next seed", "no key", ".step.rare"),
     h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
 }
 
@@ -70,7 +70,7 @@ export function scrubber(run: Run, wanted: WantedTick, redraw: () => void): Chil
       on: { input: (event) => seek(Number((event.target as HTMLInputElement).value)) },
     }),
     h("span.moment", null, clock(shown * step), h("span.quiet", null, ` / ${clock(last * step)}`)),
-    !isLive && mayAsk && button([icon("resume"), h("span", null, "Go on from here")], () => {
+    !isLive && mayAsk && hello.only_shows !== true && button([icon("resume"), h("span", null, "Go on from here")], () => {
       wanted.forget();
       run.ask("resume");
     }, {

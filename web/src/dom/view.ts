@@ -28,7 +28,7 @@ export interface Props {
 }
 
 const SVG = "http://www.w3.org/2000/svg";
-const SVG_TAGS = new Set(["svg", "path", "rect", "circle", "line", "g"]);
+const SVG_TAGS = new Set(["svg", "path", "rect", "circle", "line", "g", "text", "title"]);
 
 /** `what`: "div", or with classes "div.row.quiet". */
 export function h(what: string, props?: Props | null, ...children: Child[]): View {
@@ -43,12 +43,18 @@ export function button(label: Child, press: () => void, more: Props = {}, what =
 
 type Flat = View | string;
 
+const TURNS = /[\u202a-\u202e\u2066-\u2069]/g;
+/** Marks that turn the direction of text would turn what stands behind a name, too: they are shown as what they are, marks. */
+function withoutTurns(text: string): string {
+  return text.replace(TURNS, "\ufffd");
+}
+
 function flatten(children: readonly Child[], into: Flat[] = []): Flat[] {
   for (const child of children) {
     if (child === false || child === null || child === undefined || child === "") continue;
     if (Array.isArray(child)) flatten(child as readonly Child[], into);
     else if (typeof child === "number") into.push(String(child));
-    else into.push(child as Flat);
+    else into.push(typeof child === "string" ? withoutTurns(child) : (child as Flat));
   }
   // Neighbouring texts are one node, as the document has them.
   return into.reduce<Flat[]>((all, one) => {

@@ -60,7 +60,7 @@ export const missionPanel: MakePanel = (context) => ({
       mission.lesson !== null && lessonView(context, mission.lesson),
       h("section", null, h("div.row", null, h("h3", null, "Checks"), h("span.quiet", null, `${passed} of ${of}`), h("progress", { attributes: { max: Math.max(of, 1), value: passed, "aria-label": `${passed} of ${of} checks passed` } })),
         h("ul.checks", null, counted.map((one) => checkView(context, one, step))),
-        h("p.quiet", null, "The checks follow this one run. The grade runs your rules from the beginning, with several seeds.")),
+        mission.lesson !== null && h("p.quiet", null, "The checks follow this one run. The grade runs your rules from the beginning, with several seeds.")),
     ];
   },
 });

@@ -16,6 +16,7 @@ function recorded(): RecordedRun {
     { tick: 0, agent: "a", name: "imagery", content: { imagery: { note: "", scenes: [{ state: "S1", nodes: [], extracts: [{ values: [{ record: "R5", value: "1.4", lines: [{ from: [0, 0, 0], to: [1, 0, 0], is_crossed: false }] }] }] }] }, state: "", record: "" } },
     { tick: 10, agent: "", name: "timeline", content: { until: 10 } },
     { tick: 30, agent: "", name: "timeline", content: { until: 30 } },
+    { tick: 30, agent: "", name: "trace", content: { lines: [{ tick: 4, text: "early" }, { tick: 25, text: "late" }] } },
   ];
   return {
     scenario: "yard", seed: 3, agents: ["a", "b"], minds: ["a", "b"], step_s: 1 / 30, first_tick: 0, last_tick: 30,
@@ -63,6 +64,9 @@ test("panels show what was there at the moment, of the agent that is selected", 
   source.send({ request: "seek", tick: 25 });
   assert.deepEqual(heard.content("agents"), { agents: ["late"] });
   assert.deepEqual(heard.content("timeline"), { until: 30 });
+  assert.deepEqual(heard.content("trace"), { lines: [{ tick: 4, text: "early" }, { tick: 25, text: "late" }] });
+  source.send({ request: "seek", tick: 24 });
+  assert.deepEqual(heard.content("trace"), { lines: [{ tick: 4, text: "early" }] }, "nothing is told before it happens");
   source.send({ request: "edit", file: "x" });
   assert.equal(heard.messages.at(-1)!.message, "told");
 });

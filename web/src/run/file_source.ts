@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import type { ContentName, Contents, Ghosts, Imagery, Moment } from "./contents";
+import type { ContentName, Contents, Ghosts, Imagery, Moment, Trace } from "./contents";
 import type { Listener, Request, RunSource } from "./source";
 
 /** A recorded run as `soarbox report` puts it into a page (app/scene_report.cpp). */
@@ -57,6 +57,8 @@ export class FileSource implements RunSource {
   private record = "";
   private readonly told = new Map<string, unknown>();
   private readonly whiles = new Map<string, number>();
+  /** The trace that was told, and as much of it as had happened. */
+  private traced: { whole: Trace; past: Trace } | null = null;
 
   constructor(private readonly run: RecordedRun) {
     this.tick = run.first_tick;
@@ -67,7 +69,7 @@ export class FileSource implements RunSource {
     this.listener = listener;
     const { scenario, seed, agents, minds, step_s, turn_ticks = 1 } = this.run;
     listener.connection("open");
-    listener.message({ message: "hello", version: "", what: `recording:${scenario}`, title: scenario, scenario, seed, agents, minds, step_s, turn_ticks, may_edit: true, is_recording: true });
+    listener.message({ message: "hello", version: "", what: `recording:${scenario}`, title: scenario, scenario, seed, agents, minds, step_s, turn_ticks, may_edit: true, is_recording: true, only_shows: true });
     this.show();
     void this.unpackContents().then(() => this.show());
   }
@@ -175,6 +177,13 @@ export class FileSource implements RunSource {
     this.block = wanted;
   }
 
+  /** The same object while it holds the same lines. */
+  private pastOf(whole: Trace): Trace {
+    const lines = whole.lines.filter((line) => line.tick <= this.tick), known = this.traced;
+    if (known === null || known.whole !== whole || known.past.lines.length !== lines.length) this.traced = { whole, past: { lines } };
+    return this.traced!.past;
+  }
+
   private showAnswer(now: Record<string, unknown>, imagery: Imagery, ghosts: Ghosts | undefined): void {
     const answers = imagery.imagery.scenes.flatMap((scene) => scene.extracts.flatMap((one) => one.values)), shown = answers.find((one) => one.record === this.record);
     if (this.record !== "") now["imagery"] = { ...imagery, record: this.record } satisfies Imagery;
@@ -196,6 +205,7 @@ export class FileSource implements RunSource {
       this.whiles.set(each.name, each.tick);
     }
     if ("imagery" in now && (this.record !== "" || this.told.has("ghosts"))) this.showAnswer(now, now["imagery"] as Imagery, now["ghosts"] as Ghosts | undefined);
+    if ("trace" in now) now["trace"] = this.pastOf(now["trace"] as Trace);
     const changed: Record<string, unknown> = {};
     for (const [name, content] of Object.entries(now)) {
       if (name !== "moment" && this.told.get(name) === content) continue;

@@ -28,6 +28,8 @@ export interface Hello {
   turn_ticks?: number;
   may_edit: boolean;
   is_recording: boolean;
+  /** It can be looked at, moment after moment, and nothing else. */
+  only_shows?: boolean;
   /** It takes part in an exercise of other simulations. */
   has_exercise?: boolean;
 }

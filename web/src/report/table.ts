@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { button, h, patch, textOf, type Child, type View } from "../dom/view";
+import { filterField, passes } from "../panels/parts";
+import { digits } from "./chart";
+
+/** Text, a number, or a view whose text counts. */
+export type TableCell = string | number | View;
+
+const MOST_ROWS = 2000, FILTERED_FROM = 20;
+
+const plain = (cell: TableCell): string | number => (typeof cell === "object" ? textOf(cell) : cell);
+
+/** The rows that pass a filter, in the order of a column: numbers as numbers, texts as people sort them, equal ones as they came. `by` -1: as they came. */
+export function arranged(rows: readonly (readonly TableCell[])[], by: number, isRising: boolean, filter: string): (readonly TableCell[])[] {
+  const shown = filter === "" ? [...rows] : rows.filter((row) => passes(filter, row.map(plain).join(" ")));
+  if (by < 0) return shown;
+  const sorted = shown.map((row, at) => ({ row, at, key: plain(row[by] ?? "") }));
+  sorted.sort((a, b) => {
+    const less = typeof a.key === "number" && typeof b.key === "number" ? a.key - b.key : String(a.key).localeCompare(String(b.key), undefined, { numeric: true });
+    return (isRising ? less : -less) || a.at - b.at;
+  });
+  return sorted.map(({ row }) => row);
+}
+
+/** Columns of nothing but numbers, apart from what is left empty. */
+export function numberColumns(columns: number, rows: readonly (readonly TableCell[])[]): boolean[] {
+  return Array.from({ length: columns }, (_, c) => rows.some((row) => typeof row[c] === "number") && rows.every((row) => typeof row[c] === "number" || row[c] === ""));
+}
+
+/** A table that is sorted by a press on a column's head; long ones can be filtered. */
+export function table(columns: readonly string[], rows: readonly (readonly TableCell[])[], caption: string): View {
+  const isNumber = numberColumns(columns.length, rows);
+  return h("div.table", {
+    foreign: true,
+    mounted: (place) => {
+      let by = -1, isRising = true, filter = "";
+      const draw = (): void => {
+        const shown = arranged(rows, by, isRising, filter), few = shown.slice(0, MOST_ROWS);
+        const told = few.length < shown.length ? ` (the first ${few.length} of ${shown.length})` : filter === "" ? "" : ` (${shown.length} of ${rows.length})`;
+        const head = (name: string, c: number): Child => h(`th${isNumber[c] === true ? ".number" : ""}`, { attributes: { scope: "col", "aria-sort": c !== by ? "none" : isRising ? "ascending" : "descending" } },
+          button([name, h("span.way", { attributes: { "aria-hidden": "true" } }, c !== by ? "" : isRising ? " ▲" : " ▼")], () => {
+            isRising = by === c ? !isRising : true;
+            by = c;
+            draw();
+          }, {}, "button.sort"));
+        patch(place, [
+          rows.length >= FILTERED_FROM && filterField(`Filter: ${caption}`, filter, (words) => {
+            filter = words;
+            draw();
+          }),
+          h("div.scroll", { attributes: { tabindex: 0, role: "region", "aria-label": caption } }, h("table", null, h("caption", null, caption + told),
+            h("thead", null, h("tr", null, columns.map(head))),
+            h("tbody", null, few.map((row): Child => h("tr", null, row.map((cell, c): Child => h(`td${isNumber[c] === true ? ".number" : ""}`, null, typeof cell === "number" ? digits(cell) : cell))))))),
+        ]);
+      };
+      draw();
+    },
+  });
+}
+
+/** What is made only when it is opened. */
+export function fold(title: string, make: () => Child): View {
+  return h("details", {
+    on: { toggle: (event) => {
+      const details = event.currentTarget as HTMLDetailsElement, inside = details.querySelector(".inside");
+      if (details.open && inside !== null && inside.childNodes.length === 0) patch(inside, [make()]);
+    } },
+  }, h("summary", null, title), h("div.inside", { foreign: true }));
+}
