@@ -112,7 +112,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         self.assertEqual(made.returncode, 0, made.stderr)
         run = Run("report", recording, "-o", page)
         self.assertEqual(run.code, 0, run.err)
-        self.assertLessEqual(page.stat().st_size, 10_000_000)
+        self.assertLessEqual(page.stat().st_size, 10_000_000, run.out)
         text = page.read_text(encoding="utf-8")
         data = data_of(page)[0]
         self.assertTrue(data["same"])

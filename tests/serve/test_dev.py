@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""`./dev serve` starts a server that answers, and Ctrl+C ends it; it takes the build that there is."""
+"""`./dev serve` starts a server that answers, and Ctrl+C ends it; it takes the build that there is. `./dev soarbox` builds the
+page for what needs it, and only then."""
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 import urllib.request
 
@@ -37,6 +40,48 @@ class DevServe(unittest.TestCase):
             self.assertIn(server.returncode, (0, 130, -signal.SIGINT))
             with self.assertRaises(OSError):
                 urllib.request.urlopen(address[0] + "/", timeout=10)
+
+
+class DevSoarbox(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        shutil.copy(ROOT / "dev", self.folder / "dev")
+        (self.folder / "web" / "src").mkdir(parents=True)
+        for name in ("src/report.ts", "build.mjs", "package-lock.json"):
+            (self.folder / "web" / name).touch()
+        self.program("bin/node", "exit 0")
+        self.program("bin/npm", 'echo "npm $*" >&2; [ "$1" = ci ] && exit ${NPM_FAILS:-0}; mkdir -p dist/page; touch dist/page/report.html')
+        self.program("built/bin/soarbox", 'echo "soarbox $*"')
+
+    def program(self, name, text):
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("#!/bin/sh\n" + text + "\n", encoding="utf-8")
+        file.chmod(0o755)
+
+    def dev(self, *words, **more):
+        path = f"{self.folder}/bin:{os.environ['PATH']}"
+        return subprocess.run([self.folder / "dev", "soarbox", *words], capture_output=True, text=True, check=False,
+                              env={**os.environ, "PATH": path, "SOARBOX_BUILT": str(self.folder / "built"), **more})
+
+    def test_the_page_is_built_for_what_needs_it_where_it_is_old(self):
+        for words in (("run", "thesis"), ("check", "report")):
+            done = self.dev(*words)
+            self.assertEqual((done.returncode, done.stdout), (0, f"soarbox {' '.join(words)}\n"), done.stderr)
+            self.assertNotIn("npm", done.stderr)
+        done = self.dev("report", "a.soarrec", NPM_FAILS="1")
+        self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+        self.assertIn("the page cannot be built", done.stderr)
+        done = self.dev("report", "a.soarrec")
+        self.assertEqual((done.returncode, done.stdout), (0, "soarbox report a.soarrec\n"), done.stderr)
+        self.assertIn("npm run", done.stderr)
+        for words in (("report", "b.soarrec"), ("run", "thesis", "--browser"), ("serve",)):
+            self.assertNotIn("npm", self.dev(*words).stderr, "it is there")
+        later = time.time() + 10
+        os.utime(self.folder / "web" / "src" / "report.ts", (later, later))
+        self.assertIn("npm run", self.dev("replay", "a.soarrec", "--browser").stderr)
 
 
 if __name__ == "__main__":
