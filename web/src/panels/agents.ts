@@ -2,7 +2,7 @@
 import { button, h } from "../dom/view";
 import { cssColor, FOREIGN, kindColor, teamColor } from "../scene/looks";
 import type { MakePanel } from "./panel";
-import { empty, filterField, passes } from "./parts";
+import { empty, filterField, numberHead, passes, table } from "./parts";
 
 /** Whether another simulation moves it. */
 export function isForeign(agent: { readonly kind: string }): boolean {
@@ -22,12 +22,11 @@ export const agentsPanel: MakePanel = (context) => {
           filter = text;
           context.redraw("agents");
         }),
-        h("table.agents", null, h("thead", null, h("tr", null, h("th", null, "Name"), h("th", null, "Doing"), h("th.number", null, "Health"))),
-          h("tbody", null, shown.map((one) => h(`tr${one.name === selected ? ".chosen" : ""}`, { key: one.name, attributes: { "aria-selected": String(one.name === selected) } },
+        table(["Name", "Doing", numberHead("Health")], shown.map((one) => h(`tr${one.name === selected ? ".chosen" : ""}`, { key: one.name, attributes: { "aria-selected": String(one.name === selected) } },
             h("td", null, button([h(`i.team${isForeign(one) ? ".foreign" : ""}`, { style: { [isForeign(one) ? "color" : "background"]: cssColor(one.team === "" ? kindColor(one.kind) : teamColor(one.team)) } }), one.name],
               () => context.run.ask("select", { agent: one.name }), { attributes: { "aria-pressed": String(one.name === selected), title: [one.team, isForeign(one) ? "foreign: another simulation moves it" : one.kind].filter((text) => text !== "").join(", ") } }, "button.link")),
             h("td", null, one.failed ? h("span.warn", null, "stopped by an error") : !one.alive ? "dead" : isForeign(one) ? "foreign" : one.operator !== "" ? one.operator : one.command, one.errors > 0 && h("span.warn", { attributes: { title: one.error ?? "" } }, ` ${one.errors} errors`)),
-            h("td.number", null, Math.round(one.health)))))),
+            h("td.number", null, Math.round(one.health)))), { what: "table.agents" }),
       ];
     },
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { clock, empty } from "./parts";
+import { clock, empty, lineField, rowForm } from "./parts";
 
 const KINDS: readonly (readonly [string, string, string])[] = [
   ["fire", "a rule fires", "my*rule"], ["match", "a rule matches", "my*rule"], ["element", "an element comes", "S1 ^name *"], ["impasse", "an impasse occurs", "tie"], ["command", "a command is given", "move-to"],
@@ -15,14 +15,13 @@ export const breakpointsPanel: MakePanel = (context) => {
     view: (contents) => {
       const all = contents.breakpoints, agent = contents.moment?.agent ?? "", step = contents.moment?.time.step_s ?? 1 / 30;
       return [
-        h("form.row", { on: { submit: (event) => {
-          event.preventDefault();
+        rowForm(() => {
           context.run.ask("break", { kind, agent: isAny ? "" : agent, what: what.trim() === "" ? "*" : what.trim() });
-        } } }, "Stop when ", h("select", { value: kind, attributes: { "aria-label": "What to wait for" }, on: { change: (event) => {
+        }, "Stop when ", h("select", { value: kind, attributes: { "aria-label": "What to wait for" }, on: { change: (event) => {
           kind = (event.target as HTMLSelectElement).value;
           context.redraw("breakpoints");
         } } }, KINDS.map(([word, title]) => h("option", { attributes: { value: word } }, title))),
-        h("input", { value: what, attributes: { type: "text", "aria-label": "Which one", placeholder: KINDS.find(([word]) => word === kind)?.[2] ?? "", spellcheck: "false" }, on: { input: (event) => (what = (event.target as HTMLInputElement).value) } }),
+        lineField("Which one", KINDS.find(([word]) => word === kind)?.[2] ?? "", what, (text) => (what = text)),
         h("label", null, h("input", { checked: isAny, attributes: { type: "checkbox" }, on: { change: (event) => (isAny = (event.target as HTMLInputElement).checked) } }), " in any mind"),
         h("button", { attributes: { type: "submit" } }, "Add")),
         (all?.hits ?? []).map((hit) => h("p.warn", null, `${clock(hit.tick * step)} ${hit.agent}: ${hit.why}`)),

@@ -3,7 +3,7 @@ import { button, h } from "../dom/view";
 import { cssColor, teamColor } from "../scene/looks";
 import type { ForeignEntity } from "../run/contents";
 import type { MakePanel } from "./panel";
-import { empty, short } from "./parts";
+import { empty, numberHead, short, table } from "./parts";
 
 /** After so long nobody knows whether it is still there. */
 const SILENT_S = 6;
@@ -36,8 +36,7 @@ export const exercisePanel: MakePanel = (context) => {
           fact("Dropped", now.dropped.length === 0 ? "nothing" : h("span.warn", null, now.dropped.map((one) => `${one.count} ${one.why}`).join(", ")))),
         h("h3", null, `${now.entity_count} ${now.entity_count === 1 ? "entity" : "entities"} of others`),
         now.entities.length < now.entity_count && h("p.quiet", null, `The first ${now.entities.length} of them:`),
-        now.entities.length > 0 && h("table", null, h("thead", null, h("tr", null, h("th", null, "Name"), h("th", null, "Id"), h("th.number", null, "Heard"))),
-          h("tbody", null, now.entities.map((one) => row(one, selected)))),
+        now.entities.length > 0 && table(["Name", "Id", numberHead("Heard")], now.entities.map((one) => row(one, selected))),
       ];
     },
   };

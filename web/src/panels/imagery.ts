@@ -2,14 +2,14 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { Imagery, SceneAnswer, SceneNode, SceneQuestion } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { empty, ruleLink, short } from "./parts";
+import { empty, ruleLink, short, table, toggle } from "./parts";
 import { reasonView } from "./why";
 
 const placeText = (at: readonly number[]): string => at.map((one) => one.toFixed(2)).join(", ");
 const tagsText = (node: SceneNode): string => Object.entries(node.tags).map(([name, value]) => `^${name} ${value}`).join(" ");
-/** A number without the digits that say nothing; other texts as they are. */
 /** What it is about: its nodes, or what the filter was given. */
 const aboutText = (one: SceneAnswer): string => (one.nodes.length > 0 ? one.nodes.join(", ") : one.why.text.replace(/^[^:]*: \S* ?/, ""));
+/** A number without the digits that say nothing; other texts as they are. */
 const valueText = (text: string): string => (text !== "" && Number.isFinite(Number(text)) ? short(Number(text)) : text);
 
 /** What the agent imagines, and what of it is drawn over the world. */
@@ -18,7 +18,7 @@ export const imageryPanel: MakePanel = (context) => {
     context.run.ask("imagine", { state, record });
   };
   const choice = (now: Imagery, state: string, label: string, title: string): View =>
-    button(label, () => imagine(state, now.record), { attributes: { title, "aria-pressed": String(now.state === state) } }, "button.small.toggle");
+    toggle(label, now.state === state, () => imagine(state, now.record), title);
   return {
     word: "imagery", title: "Imagery", about: "What the agent imagines: the scene of each state, what its rules ask of it, the answers, and why they are so.", uses: ["imagery", "moment"],
     view: (contents) => {
@@ -57,8 +57,7 @@ function questionView(context: PanelContext, now: Imagery, question: SceneQuesti
 }
 
 function nodesView(nodes: readonly SceneNode[]): View {
-  return h("table", null, h("thead", null, h("tr", null, h("th", null, "Node"), h("th", null, "At"), h("th", null, "Tags"))),
-    h("tbody", null, nodes.map((node) => h("tr", { key: node.name },
-      h("td", { style: { "padding-left": `${0.4 + 0.8 * node.depth}em` } }, node.name), h("td.quiet", null, node.depth === 0 ? "" : placeText(node.at)),
-      h("td.quiet", null, `${node.shape === "hull" || node.depth === 0 ? "" : `${node.shape} `}${tagsText(node)}`)))));
+  return table(["Node", "At", "Tags"], nodes.map((node) => h("tr", { key: node.name },
+    h("td", { style: { "padding-left": `${0.4 + 0.8 * node.depth}em` } }, node.name), h("td.quiet", null, node.depth === 0 ? "" : placeText(node.at)),
+    h("td.quiet", null, `${node.shape === "hull" || node.depth === 0 ? "" : `${node.shape} `}${tagsText(node)}`))));
 }

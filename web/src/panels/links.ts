@@ -2,15 +2,14 @@
 import { button, h, type View } from "../dom/view";
 import type { MemoryObject, MemoryRow } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { empty } from "./parts";
+import { elementRow, empty } from "./parts";
 
 function treeOf(context: PanelContext, rows: readonly MemoryRow[]): View {
   return h("ul.tree", null, rows.map((row) => {
-    const line = [row.change !== undefined && h("span.sign", { attributes: { title: row.change } }, row.change === "added" ? "+" : "−"),
-      button([h("span.attribute", null, `^${row.attribute}`), " ", h("span.value", null, row.value)], () => {
-        context.run.ask("element", { timetag: row.timetag });
-        context.reveal("memory");
-      }, { attributes: { title: "Who made it, and who tests it" } }, "button.link"), row.about !== undefined && h("span.quiet", null, ` ${row.about}`)];
+    const line = elementRow(row, () => {
+      context.run.ask("element", { timetag: row.timetag });
+      context.reveal("memory");
+    });
     const key = String(row.timetag), change = row.change === undefined ? "" : `.${row.change}`;
     return (row.elements ?? []).length === 0 ? h(`li${change}`, { key }, line) : h(`li${change}`, { key }, h("details", { open: true }, h("summary", null, line), treeOf(context, row.elements ?? [])));
   }));

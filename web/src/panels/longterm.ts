@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { button, h } from "../dom/view";
+import { h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { clock, empty, filterField, short } from "./parts";
+import { empty, filterField, moment, numberHead, short, table } from "./parts";
 
 export const longtermPanel: MakePanel = (context) => {
   let search = "";
@@ -19,9 +19,8 @@ export const longtermPanel: MakePanel = (context) => {
           context.run.ask("search-known", { text });
         }),
         recalls.length > 0 && h("section", null, h("h3", null, "Recalled"), h("ul.plain", null, recalls.slice(-30).reverse().map((one) => h("li", null,
-          button(clock(one.tick * step), () => context.run.ask("seek", { tick: one.tick }), {}, "button.link.time"), ` ${one.memory}: ${one.question} → ${one.answer}`, h("div.quiet", null, one.reason))))),
-        known.known.length > 0 && h("table", null, h("caption", null, "What it knows, the most active first"), h("thead", null, h("tr", null, h("th", null, "Object"), h("th.number", null, "Activation"), h("th.number", null, "Uses"))),
-          h("tbody", null, known.known.map((one) => h("tr", { key: String(one.number) }, h("td", null, h("code", null, one.text)), h("td.number", null, short(one.activation)), h("td.number", null, one.uses))))),
+          moment(context, one.tick, one.tick * step), ` ${one.memory}: ${one.question} → ${one.answer}`, h("div.quiet", null, one.reason))))),
+        known.known.length > 0 && table(["Object", numberHead("Activation"), numberHead("Uses")], known.known.map((one) => h("tr", { key: String(one.number) }, h("td", null, h("code", null, one.text)), h("td.number", null, short(one.activation)), h("td.number", null, one.uses))), { caption: "What it knows, the most active first" }),
         known.episodes > 0 && h("section", null, h("h3", null, "Episodes"), h("label.row", null, "Look at episode ", h("input.number", {
           attributes: { type: "number", min: 1, max: known.episodes, value: episode.episode > 0 ? episode.episode : "" },
           on: { change: (event) => context.run.ask("episode", { number: Math.max(0, Math.floor(Number((event.target as HTMLInputElement).value))) }) },

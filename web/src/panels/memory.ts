@@ -2,21 +2,20 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { ElementStory, Memory, MemoryRow } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { elementLink, elementText, empty, filterField, makerView, ruleLink } from "./parts";
+import { elementLink, elementRow, elementText, empty, filterField, makerView, ruleLink, story as storyOf } from "./parts";
 
 const DEEPEST = 12;
+
+function foldButton(context: PanelContext, id: string, isOpen: boolean): View {
+  return button(isOpen ? "▾" : "▸", () => context.run.ask("object", { id, is_open: !isOpen }), { attributes: { "aria-label": `${isOpen ? "Fold" : "Unfold"} ${id}` } }, "button.fold");
+}
 
 function rowView(context: PanelContext, memory: Memory, row: MemoryRow, path: readonly string[]): View {
   const change = row.change === undefined ? "" : `.${row.change}`, object = memory.objects[row.value], isOpen = object !== undefined;
   const isLoop = path.includes(row.value) || path.length > DEEPEST;
   return h(`li${change}`, { key: String(row.timetag), attributes: { role: "treeitem", "aria-expanded": row.object === true && !isLoop ? isOpen : undefined } },
-    row.object === true && !isLoop
-      ? button(isOpen ? "▾" : "▸", () => context.run.ask("object", { id: row.value, is_open: !isOpen }), { attributes: { "aria-label": `${isOpen ? "Fold" : "Unfold"} ${row.value}` } }, "button.fold")
-      : h("span.fold", null, " "),
-    row.change !== undefined && h("span.sign", { attributes: { title: row.change } }, row.change === "added" ? "+" : "−"),
-    button([h("span.attribute", null, `^${row.attribute}`), " ", h("span.value", null, row.value), row.acceptable === true && " +"], () => context.run.ask("element", { timetag: row.timetag }),
-      { attributes: { title: "Who made it, and who tests it" } }, "button.link"),
-    row.about !== undefined && h("span.quiet", null, ` ${row.about}`),
+    row.object === true && !isLoop ? foldButton(context, row.value, isOpen) : h("span.fold", null, " "),
+    elementRow(row, () => context.run.ask("element", { timetag: row.timetag })),
     isOpen && !isLoop && objectView(context, memory, row.value, path));
 }
 
@@ -27,9 +26,7 @@ function objectView(context: PanelContext, memory: Memory, id: string, path: rea
 }
 
 function storyView(context: PanelContext, story: ElementStory): View {
-  return h("section.story", null,
-    h("div.row", null, h("h3", null, elementText(story)), button("Why?", () => context.why("element", String(story.timetag)), {}, "button.small"),
-      button("Close", () => context.run.ask("element", { timetag: 0 }), { attributes: { "aria-label": "Close the element" } }, "button.small")),
+  return storyOf(elementText(story), "element", () => context.run.ask("element", { timetag: 0 }), button("Why?", () => context.why("element", String(story.timetag)), {}, "button.small"),
     h("p.quiet", null, `time tag ${story.timetag}`), story.note !== undefined && h("p.quiet", null, story.note),
     story.made_by.map((maker) => makerView(context, maker)),
     story.tested_by.length > 0 && h("ul.plain", null, story.tested_by.map((one) => h("li", null, "tested by ", ruleLink(context, one.rule),
@@ -60,7 +57,7 @@ export const memoryPanel: MakePanel = (context) => {
         h("ul.tree.top", { attributes: { role: "tree", "aria-label": "Working memory" } }, memory.stack.states.map((state) => {
           const isOpen = memory.objects[state.state] !== undefined;
           return h("li", { key: state.state, attributes: { role: "treeitem", "aria-expanded": isOpen } },
-            button(isOpen ? "▾" : "▸", () => context.run.ask("object", { id: state.state, is_open: !isOpen }), { attributes: { "aria-label": `${isOpen ? "Fold" : "Unfold"} ${state.state}` } }, "button.fold"),
+            foldButton(context, state.state, isOpen),
             h("b", null, state.state), state.impasse !== "" && h("span.warn", null, ` ${state.impasse}`), isOpen && objectView(context, memory, state.state, []));
         })),
       ];

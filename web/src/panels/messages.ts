@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { agentLink, empty, filterField, moment, passes } from "./parts";
+import { agentLink, empty, filterField, moment, passes, table } from "./parts";
 
 export const messagesPanel: MakePanel = (context) => {
   let filter = "";
@@ -14,8 +14,8 @@ export const messagesPanel: MakePanel = (context) => {
       return [filterField("Filter by text", filter, (text) => {
         filter = text;
         context.redraw("messages");
-      }), h("table", null, h("thead", null, h("tr", null, ["Time", "From", "To", "About", "Text"].map((one) => h("th", null, one)))),
-        h("tbody", null, shown.map((one) => h("tr", null, h("td", null, moment(context, one.tick, one.time_s)), h("td", null, agentLink(context, one.from)), h("td", null, one.to), h("td", null, one.about), h("td", null, one.text)))))];
+      }), table(["Time", "From", "To", "About", "Text"],
+        shown.map((one) => h("tr", null, h("td", null, moment(context, one.tick, one.time_s)), h("td", null, agentLink(context, one.from)), h("td", null, one.to), h("td", null, one.about), h("td", null, one.text))))];
     },
   };
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
-import type { Element, Maker } from "../run/contents";
+import type { Element, Maker, MemoryRow } from "../run/contents";
 import type { PanelContext } from "./panel";
 
 /** What several panels show in the same way. */
@@ -53,6 +53,55 @@ export function makerView(context: PanelContext, maker: Maker): View {
   if (maker.kind !== "rule") return h("div.quiet", null, "made by Soar itself");
   return h("div", null, "made by ", ruleLink(context, maker.rule ?? ""), h("span.quiet", null, maker.support === "o" ? ", stays until it is removed" : ", goes when its reasons go"),
     (maker.elements ?? []).length > 0 && h("ul.plain", null, (maker.elements ?? []).map((one) => h("li", null, elementLink(context, one)))));
+}
+
+/** The head of a column of numbers. */
+export function numberHead(name: string): View {
+  return h("th.number", { attributes: { scope: "col" } }, name);
+}
+
+/** A table with a head for each column. */
+export function table(heads: readonly (string | View)[], rows: Child, { caption, what = "table" }: { caption?: string; what?: string } = {}): View {
+  return h(what, null, caption !== undefined && h("caption", null, caption),
+    h("thead", null, h("tr", null, heads.map((head) => (typeof head === "string" ? h("th", { attributes: { scope: "col" } }, head) : head)))), h("tbody", null, rows));
+}
+
+/** What somebody looks at in full, over a panel's list, with a button that closes it. */
+export function story(title: string, name: string, close: () => void, tools: Child, ...more: Child[]): View {
+  return h("section.story", null, h("div.row", null, h("h3", null, title), tools, button("Close", close, { attributes: { "aria-label": `Close the ${name}` } }, "button.small")), more);
+}
+
+/** An element of an object: what changed is marked; a press tells who made it. */
+export function elementRow(row: MemoryRow, press: () => void): Child {
+  return [row.change !== undefined && h("span.sign", { attributes: { title: row.change } }, row.change === "added" ? "+" : "−"),
+    button([h("span.attribute", null, `^${row.attribute}`), " ", h("span.value", null, row.value), row.acceptable === true && " +"], press, { attributes: { title: "Who made it, and who tests it" } }, "button.link"),
+    row.about !== undefined && h("span.quiet", null, ` ${row.about}`)];
+}
+
+/** A button that is on or off. */
+export function toggle(label: Child, isOn: boolean, press: () => void, title?: string): View {
+  return button(label, press, { attributes: { "aria-pressed": String(isOn), title } }, "button.small.toggle");
+}
+
+/** Which minds are shown side by side. */
+export function besideToggles(context: PanelContext, isOn: (agent: string) => boolean): View[] {
+  return (context.run.hello?.minds ?? []).map((agent) => toggle(agent, isOn(agent), () => context.run.ask("beside", { agent, is_on: !isOn(agent) })));
+}
+
+/** A line that one types. */
+export function lineField(label: string, placeholder: string, value: string, changed: (text: string) => void, list?: string): View {
+  return h("input", {
+    value, attributes: { type: "text", "aria-label": label, placeholder, list, spellcheck: "false", autocomplete: "off" },
+    on: { input: (event) => changed((event.target as HTMLInputElement).value) },
+  });
+}
+
+/** Fields in a row that are sent together: by a button, or by Enter. */
+export function rowForm(send: () => void, ...fields: Child[]): View {
+  return h("form.row", { on: { submit: (event) => {
+    event.preventDefault();
+    send();
+  } } }, fields);
 }
 
 /** A field that filters as one types. */

@@ -3,7 +3,7 @@ import uPlot from "uplot";
 import { button, h } from "../dom/view";
 import type { Series } from "../run/contents";
 import type { MakePanel } from "./panel";
-import { empty, short } from "./parts";
+import { empty, lineField, rowForm, short } from "./parts";
 
 const HEIGHT_PX = 150;
 
@@ -47,10 +47,9 @@ export const plotsPanel: MakePanel = (context) => {
         drawn.delete(key);
       }
       return [
-        h("form.row", { on: { submit: (event) => {
-          event.preventDefault();
+        rowForm(() => {
           if (what !== "" && agent !== "") context.run.ask("plot", { agent, what, is_on: true });
-        } } }, h("input", { value: what, attributes: { type: "text", list: "plottable", "aria-label": "What to plot", placeholder: "health, speed, reward, self.speed …", spellcheck: "false", autocomplete: "off" }, on: { input: (event) => (what = (event.target as HTMLInputElement).value) } }),
+        }, lineField("What to plot", "health, speed, reward, self.speed …", what, (text) => (what = text), "plottable"),
         h("datalist", { attributes: { id: "plottable" } }, choices.map((one) => h("option", { attributes: { value: one } }))), h("button", { attributes: { type: "submit", disabled: agent === "" } }, agent === "" ? "Plot" : `Plot of ${agent}`)),
         all.length === 0 ? empty(agent === "" ? "Select an agent, and choose a number that is drawn over time." : "Choose a number above, such as health or a percept: it is drawn over time.")
           : all.map((one) => {

@@ -3,13 +3,11 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { Contents, RuleView, Rules } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
 import { soarPieces } from "../editor/soar_tokens";
-import { elementLink, empty, filterField, passes } from "./parts";
+import { elementLink, empty, filterField, numberHead, passes, story, table } from "./parts";
 
 function ruleView(context: PanelContext, rules: Rules, rule: RuleView): View {
-  return h("section.story", null,
-    h("div.row", null, h("h3", null, rule.name),
-      rules.rule_file !== "" && button("Edit", () => context.run.ask("edit", { file: rules.rule_file, line: rules.rule_line, rule: rule.name }) && context.reveal("edit"), {}, "button.small"),
-      button("Close", () => context.run.ask("rule", { rule: "" }), { attributes: { "aria-label": "Close the rule" } }, "button.small")),
+  return story(rule.name, "rule", () => context.run.ask("rule", { rule: "" }),
+    rules.rule_file !== "" && button("Edit", () => context.run.ask("edit", { file: rules.rule_file, line: rules.rule_line, rule: rule.name }) && context.reveal("edit"), {}, "button.small"),
     rule.documentation !== undefined && h("p.quiet", null, rule.documentation),
     h(`p.${rule.complete ? "good" : "warn"}`, null, rule.match),
     h("ol.conditions", null, rule.conditions.map((one, i) => {
@@ -27,15 +25,13 @@ export const rulesPanel: MakePanel = (context) => {
   const list = (contents: Contents, rules: Rules): Child => {
     const shown = rules.rules.filter((one) => passes(filter, `${one.name} ${one.file ?? ""} ${one.documentation ?? ""}`));
     if (rules.coverage.length > 0) {
-      return h("table", null, h("caption", null, "Which rules took part so far"), h("thead", null, h("tr", null, h("th", null, "Rule"), h("th.number", null, "Fired"), h("th", null, "Stops at"))),
-        h("tbody", null, rules.coverage.filter((one) => passes(filter, one.rule)).map((one) => h("tr", null, h("td", null, button(one.rule, () => context.run.ask("rule", { rule: one.rule }), {}, "button.link.rule")),
-          h("td.number", null, one.firings), h("td.quiet", null, one.matched ? "" : `${one.held ?? 0} of ${one.conditions ?? 0}: ${one.stops_at ?? ""}`)))));
+      return table(["Rule", numberHead("Fired"), "Stops at"], rules.coverage.filter((one) => passes(filter, one.rule)).map((one) => h("tr", null, h("td", null, button(one.rule, () => context.run.ask("rule", { rule: one.rule }), {}, "button.link.rule")),
+          h("td.number", null, one.firings), h("td.quiet", null, one.matched ? "" : `${one.held ?? 0} of ${one.conditions ?? 0}: ${one.stops_at ?? ""}`))), { caption: "Which rules took part so far" });
     }
     if (shown.length === 0) return empty(rules.rules.length === 0 ? (contents.moment?.not_available || "The selected agent has no rules.") : "No rule has this text.");
-    return h("table", null, h("thead", null, h("tr", null, h("th", null, "Rule"), h("th.number", null, "Fired"), h("th.number", null, "Matches"))),
-      h("tbody", null, shown.map((one) => h(`tr${rules.rule?.name === one.name ? ".chosen" : ""}`, { key: one.name },
+    return table(["Rule", numberHead("Fired"), numberHead("Matches")], shown.map((one) => h(`tr${rules.rule?.name === one.name ? ".chosen" : ""}`, { key: one.name },
         h("td", null, button(one.name, () => context.run.ask("rule", { rule: one.name }), { attributes: { title: one.documentation ?? one.type } }, "button.link.rule"), one.type === "chunk" && h("span.quiet", null, " learned")),
-        h("td.number", null, one.firings), h("td.number", null, one.matches)))));
+        h("td.number", null, one.firings), h("td.number", null, one.matches))));
   };
   return {
     word: "rules", title: "Rules", about: "The rules with how often they fired, what they match now, or where they fail.", uses: ["rules", "moment"],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { button, h } from "../dom/view";
+import { h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { empty, filterField, moment, passes } from "./parts";
+import { empty, filterField, moment, passes, toggle } from "./parts";
 
 const KINDS = ["error", "decision", "command", "event", "input", "percept", "rule", "element"] as const;
 const MOST_SHOWN = 300;
@@ -20,11 +20,11 @@ export const tracePanel: MakePanel = (context) => {
         h("div.row", null, filterField("Filter by text", filter, (text) => {
           filter = text;
           context.redraw("trace");
-        }), KINDS.map((kind) => button(kind, () => {
+        }), KINDS.map((kind) => toggle(kind, !hidden.has(kind), () => {
           isChosen = true;
           if (!hidden.delete(kind)) hidden.add(kind);
           context.redraw("trace");
-        }, { attributes: { "aria-pressed": String(!hidden.has(kind)) } }, "button.small.toggle"))),
+        }))),
         shown.length === 0 ? empty(found.length === 0 ? "Decisions, commands and events come here as they happen, the newest first." : "All of the newest lines are of kinds that are switched off above.")
           : h("ol.lines", null, shown.map((one) => h(`li.${one.kind}`, null, moment(context, one.tick, one.time_s), h("span.kind", null, one.kind), h("span.text", { style: { "--level": String(one.level ?? 1) } }, one.text)))),
       ];

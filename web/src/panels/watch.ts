@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { empty } from "./parts";
+import { besideToggles, empty, lineField, rowForm, table } from "./parts";
 
 export const watchPanel: MakePanel = (context) => {
   let what = "";
@@ -10,16 +10,15 @@ export const watchPanel: MakePanel = (context) => {
     view: (contents) => {
       const all = contents.watch, agents = all?.agents ?? [], minds = context.run.hello?.minds ?? [];
       return [
-        h("form.row", { on: { submit: (event) => {
-          event.preventDefault();
+        rowForm(() => {
           if (what.trim() === "" || !context.run.ask("watch", { what: what.trim(), is_on: true })) return;
           what = "";
           context.redraw("watch");
-        } } }, h("input", { value: what, attributes: { type: "text", "aria-label": "What to watch", placeholder: "S1.io.input-link.self.health, or a command", spellcheck: "false" }, on: { input: (event) => (what = (event.target as HTMLInputElement).value) } }), h("button", { attributes: { type: "submit" } }, "Watch")),
-        minds.length > 1 && h("div.row", null, "Side by side: ", minds.map((name) => button(name, () => context.run.ask("beside", { agent: name, is_on: !agents.includes(name) }), { attributes: { "aria-pressed": String(agents.includes(name)) } }, "button.small.toggle"))),
+        }, lineField("What to watch", "S1.io.input-link.self.health, or a command", what, (text) => (what = text)), h("button", { attributes: { type: "submit" } }, "Watch")),
+        minds.length > 1 && h("div.row", null, "Side by side: ", besideToggles(context, (name) => agents.includes(name))),
         (all?.rows ?? []).length === 0 ? empty("Type a value of working memory, such as S1.io.input-link.self.health, or a Soar command. It is read at each decision.")
-          : h("table", null, h("thead", null, h("tr", null, h("th", null, "What"), agents.map((name) => h("th", null, name)), h("th", null, ""))), h("tbody", null, all!.rows.map((row) => h("tr", { key: row.what }, h("td", null, h("code", null, row.what)),
-            row.cells.map((cell) => h(`td${cell.is_error ? ".warn" : cell.is_new ? ".added" : ""}`, null, h("pre", null, cell.text))), h("td", null, button("Remove", () => context.run.ask("watch", { what: row.what, is_on: false }), { attributes: { "aria-label": `Remove ${row.what}` } }, "button.small")))))),
+          : table(["What", ...agents, h("td", null, "")], all!.rows.map((row) => h("tr", { key: row.what }, h("td", null, h("code", null, row.what)),
+            row.cells.map((cell) => h(`td${cell.is_error ? ".warn" : cell.is_new ? ".added" : ""}`, null, h("pre", null, cell.text))), h("td", null, button("Remove", () => context.run.ask("watch", { what: row.what, is_on: false }), { attributes: { "aria-label": `Remove ${row.what}` } }, "button.small"))))),
       ];
     },
   };

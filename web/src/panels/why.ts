@@ -2,7 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { Contents, WhyNode } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { empty } from "./parts";
+import { empty, lineField, rowForm } from "./parts";
 
 /** What a link of a reason leads to; null: it cannot be asked about. */
 function asks(node: WhyNode): { about: string; title: string } | null {
@@ -42,15 +42,9 @@ export const whyPanel: MakePanel = (context) => {
     const send = (kind: string): void => {
       if (about.trim() !== "") context.run.ask("ask", { about: kind, what: about.trim() });
     };
-    return h("form.row", { on: { submit: (event) => {
-      event.preventDefault();
-      send("not");
-    } } },
+    return rowForm(() => send("not"),
       button("Why this?", () => context.why("agent"), { attributes: { disabled: agent === "", title: "Why does the selected agent do what it does?" } }),
-      h("input", {
-        value: about, attributes: { type: "text", placeholder: "a rule, operator or command", "aria-label": "What to ask about", spellcheck: "false", autocomplete: "off" },
-        on: { input: (event) => (about = (event.target as HTMLInputElement).value) },
-      }),
+      lineField("What to ask about", "a rule, operator or command", about, (text) => (about = text)),
       h("button", { attributes: { type: "submit", disabled: agent === "", title: "Why does it not happen?" } }, "Why not?"));
   };
   return {

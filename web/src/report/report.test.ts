@@ -83,6 +83,11 @@ test("rows sort as numbers or as people sort texts, keep their order where they 
   assert.equal(textOf(h("td", null, h("b", null, "a"), 5)), "a5");
 });
 
+test("marks that turn the direction of text are shown, and turn nothing", () => {
+  assert.equal(textOf(h("b", null, "anna\u202egnp.exe\u2066", h("i", null, "\u202d"))), "anna\ufffdgnp.exe\ufffd\ufffd");
+  assert.equal(textOf(h("b", null, "שלום anna")), "שלום anna", "letters have their own direction");
+});
+
 test("time stops at its ends and tells whoever follows", () => {
   const time = new OwnTime(4), told: number[] = [];
   time.on(() => told.push(time.now));
