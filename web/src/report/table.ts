@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, textOf, type Child, type View } from "../dom/view";
-import { filterField, passes } from "../panels/parts";
+import { filterField, passes, table as plainTable } from "../panels/parts";
 import { digits } from "./chart";
 
 /** Text, a number, or a view whose text counts. */
@@ -37,7 +37,7 @@ export function table(columns: readonly string[], rows: readonly (readonly Table
       const draw = (): void => {
         const shown = arranged(rows, by, isRising, filter), few = shown.slice(0, MOST_ROWS);
         const told = few.length < shown.length ? ` (the first ${few.length} of ${shown.length})` : filter === "" ? "" : ` (${shown.length} of ${rows.length})`;
-        const head = (name: string, c: number): Child => h(`th${isNumber[c] === true ? ".number" : ""}`, { attributes: { scope: "col", "aria-sort": c !== by ? "none" : isRising ? "ascending" : "descending" } },
+        const head = (name: string, c: number): View => h(`th${isNumber[c] === true ? ".number" : ""}`, { attributes: { scope: "col", "aria-sort": c !== by ? "none" : isRising ? "ascending" : "descending" } },
           button([name, h("span.way", { attributes: { "aria-hidden": "true" } }, c !== by ? "" : isRising ? " ▲" : " ▼")], () => {
             isRising = by === c ? !isRising : true;
             by = c;
@@ -48,9 +48,8 @@ export function table(columns: readonly string[], rows: readonly (readonly Table
             filter = words;
             draw();
           }),
-          h("div.scroll", { attributes: { tabindex: 0, role: "region", "aria-label": caption } }, h("table", null, h("caption", null, caption + told),
-            h("thead", null, h("tr", null, columns.map(head))),
-            h("tbody", null, few.map((row): Child => h("tr", null, row.map((cell, c): Child => h(`td${isNumber[c] === true ? ".number" : ""}`, null, typeof cell === "number" ? digits(cell) : cell))))))),
+          h("div.scroll", { attributes: { tabindex: 0, role: "region", "aria-label": caption } },
+            plainTable(columns.map(head), few.map((row): Child => h("tr", null, row.map((cell, c): Child => h(`td${isNumber[c] === true ? ".number" : ""}`, null, typeof cell === "number" ? digits(cell) : cell)))), { caption: caption + told })),
         ]);
       };
       draw();
