@@ -24,7 +24,7 @@ export const agentsPanel: MakePanel = (context) => {
         }),
         table(["Name", "Doing", numberHead("Health")], shown.map((one) => h(`tr${one.name === selected ? ".chosen" : ""}`, { key: one.name, attributes: { "aria-selected": String(one.name === selected) } },
             h("td", null, button([h(`i.team${isForeign(one) ? ".foreign" : ""}`, { style: { [isForeign(one) ? "color" : "background"]: cssColor(one.team === "" ? kindColor(one.kind) : teamColor(one.team)) } }), one.name],
-              () => context.run.ask("select", { agent: one.name }), { attributes: { "aria-pressed": String(one.name === selected), title: [one.team, isForeign(one) ? "foreign: another simulation moves it" : one.kind].filter((text) => text !== "").join(", ") } }, "button.link")),
+              () => context.run.ask("select", { agent: one.name }), { attributes: { "aria-pressed": String(one.name === selected), title: [one.name, one.team, isForeign(one) ? "foreign: another simulation moves it" : one.kind].filter((text) => text !== "").join(", ") } }, "button.link")),
             h("td", null, one.failed ? h("span.warn", null, "stopped by an error") : !one.alive ? "dead" : isForeign(one) ? "foreign" : one.operator !== "" ? one.operator : one.command, one.errors > 0 && h("span.warn", { attributes: { title: one.error ?? "" } }, ` ${one.errors} errors`)),
             h("td.number", null, Math.round(one.health)))), { what: "table.agents" }),
       ];

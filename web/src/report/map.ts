@@ -12,8 +12,8 @@ const SIDES: readonly NamePlace[] = [[9, 4, "start"], [-9, 4, "end"], [9, 17, "s
   .map(([dx, dy, anchor]) => ({ dx, dy, anchor }) as NamePlace);
 const LETTER_PX = 7.2, DOT_PX = 7;
 
-/** Where names go beside dots: where each covers no other name and no dot, if there is such a place. */
-export function placeNames(dots: readonly Dot[]): NamePlace[] {
+/** Where names go beside dots in a square picture: where each is in it and covers no other name and no dot, if there is such a place; else at least in it. */
+export function placeNames(dots: readonly Dot[], side: number): NamePlace[] {
   type Box = readonly [number, number, number, number];
   const boxes: Box[] = dots.map(({ x, y }) => [x - DOT_PX, y - DOT_PX, x + DOT_PX, y + DOT_PX]);
   return dots.map((dot, own) => {
@@ -22,10 +22,11 @@ export function placeNames(dots: readonly Dot[]): NamePlace[] {
       const left = dot.x + dx - (anchor === "end" ? width : 0);
       return [left, dot.y + dy - 11, left + width, dot.y + dy + 3];
     };
+    const isInside = ([left, top, right, bottom]: Box): boolean => left >= 0 && top >= 0 && right <= side && bottom <= side;
     const isFree = (box: Box): boolean => boxes.every((other, i) => i === own || box[2] < other[0] || box[0] > other[2] || box[3] < other[1] || box[1] > other[3]);
-    const side = SIDES.find((one) => isFree(boxAt(one))) ?? SIDES[0]!;
-    boxes.push(boxAt(side));
-    return side;
+    const inside = SIDES.filter((one) => isInside(boxAt(one))), place = inside.find((one) => isFree(boxAt(one))) ?? inside[0] ?? SIDES[0]!;
+    boxes.push(boxAt(place));
+    return place;
   });
 }
 
@@ -77,7 +78,7 @@ export function mapFigure(run: RunReport, ways: readonly (Way | null)[], time: T
     };
     const dots = (seconds: number): Child => {
       const there = ways.flatMap((way, i) => (way === null ? [] : [{ ...positionAt(way, run.times, seconds), i }])).map((one) => ({ ...one, x: x(one.x), y: y(one.z), name: run.agents[one.i]!.name }));
-      const names = placeNames(there);
+      const names = placeNames(there, width);
       return there.map((one, n) => h("g.dot", { key: String(one.i), attributes: { transform: `translate(${one.x.toFixed(1)} ${one.y.toFixed(1)})`, opacity: one.isAlive ? 1 : 0.4 } },
         h("circle", { attributes: { r: 6, fill: paint[one.i]!.color, stroke: "var(--card)", "stroke-width": 1.5 } }), h("text", { attributes: { x: names[n]!.dx, y: names[n]!.dy, "text-anchor": names[n]!.anchor } }, one.name)));
     };

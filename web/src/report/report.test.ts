@@ -48,7 +48,7 @@ test("a team has one colour, the one that it is called after; its agents have da
 });
 
 test("names beside dots cover no other dot and no other name", () => {
-  const dots = [{ x: 100, y: 100, name: "red-1" }, { x: 120, y: 100, name: "red-2" }, { x: 100, y: 118, name: "red-3" }], places = placeNames(dots);
+  const dots = [{ x: 100, y: 100, name: "red-1" }, { x: 120, y: 100, name: "red-2" }, { x: 100, y: 118, name: "red-3" }], places = placeNames(dots, 400);
   const boxes = dots.map((dot, i) => {
     const { dx, dy, anchor } = places[i]!, left = dot.x + dx - (anchor === "end" ? 36 : 0);
     return { left, right: left + 36, top: dot.y + dy - 11, bottom: dot.y + dy + 3 };
@@ -57,6 +57,12 @@ test("names beside dots cover no other dot and no other name", () => {
     dots.forEach((dot, k) => assert.ok(k === i || dot.x + 7 < one.left || dot.x - 7 > one.right || dot.y + 7 < one.top || dot.y - 7 > one.bottom, `${i} covers the dot ${k}`));
     boxes.forEach((two, k) => assert.ok(k === i || one.right < two.left || one.left > two.right || one.bottom < two.top || one.top > two.bottom, `${i} covers the name ${k}`));
   });
+});
+
+test("a name at the edge of a map stays inside", () => {
+  assert.deepEqual(placeNames([{ x: 390, y: 200, name: "red-leader" }], 400)[0], { dx: -9, dy: 4, anchor: "end" });
+  const crowded = placeNames(Array.from({ length: 30 }, (_, i) => ({ x: 395, y: 200, name: `agent-${i}` })), 400);
+  assert.ok(crowded.every((one) => one.anchor === "end"), "even where there is no free place");
 });
 
 test("a map holds all ways and places; without any there is none", () => {
