@@ -59,15 +59,15 @@ int main(int argc, char** argv) {
               static_cast<double>(knowledge.MemoryBytes()) / 1e6);
 
   LinkWeights weights(settings);
-  RecordWriter image;
-  const double written = Seconds([&] { records::WriteImage(image, knowledge, activations, weights); });
+  std::string image;
+  const double written = Seconds([&] { image = records::Image(knowledge, activations, weights); });
   Knowledge again;
   Activations active(settings);
   LinkWeights read_weights(settings);
   bool read_well = false;
-  const double read = Seconds([&] { read_well = records::ReadImage(image.bytes(), again, active, read_weights); });
-  std::printf("image: %.0f MB, written in %.2f s, read in %.2f s%s\n", static_cast<double>(image.bytes().size()) / 1e6,
-              written, read, read_well ? "" : " (WRONG)");
+  const double read = Seconds([&] { read_well = records::ReadImage(image, again, active, read_weights); });
+  std::printf("image: %.0f MB, written in %.2f s, read in %.2f s%s\n", static_cast<double>(image.size()) / 1e6, written,
+              read, read_well ? "" : " (WRONG)");
 
   const auto query = [&](const char* what, int rounds, auto cue_of) {
     std::size_t found = 0;

@@ -12,7 +12,7 @@
 #include "cli/setting_store.h"
 #include "cli/summary.h"
 #include "kernel/agent.h"
-#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/explanation_log.h"
 
 namespace soarbox::cli {
 namespace {
@@ -25,14 +25,14 @@ std::string ExplainAnswer(bool yes) {
 
 /// The rule that `explain chunk` chose, or null.
 const ExplainedRule* ChosenRule(CommandCall& call) {
-  for (const ExplainedRule& rule : call.agent().Explained()) {
+  for (const ExplainedRule& rule : call.agent().explanations().rules()) {
     if (rule.number == call.session.explain().rule) return &rule;
   }
   return nullptr;
 }
 
 bool AnyExplained(CommandCall& call, bool justifications) {
-  return std::ranges::any_of(call.agent().Explained(),
+  return std::ranges::any_of(call.agent().explanations().rules(),
                              [&](const ExplainedRule& rule) { return rule.justification == justifications; });
 }
 
@@ -42,7 +42,7 @@ std::string ListedRules(CommandCall& call, bool justifications, std::string_view
                         std::size_t most, std::size_t& listed) {
   std::string text(first);
   listed = 0;
-  for (const ExplainedRule& rule : call.agent().Explained()) {
+  for (const ExplainedRule& rule : call.agent().explanations().rules()) {
     if (rule.justification != justifications || listed == most) continue;
     if (listed > 0 || first.empty()) text += std::string(margin, ' ');
     ++listed;
@@ -55,7 +55,7 @@ constexpr std::size_t kMostInOverview = 10;
 
 void ExplainOverview(CommandCall& call) {
   const SettingStore& store = call.session.settings();
-  const std::vector<std::string>& watched = call.agent().WatchedForExplanations();
+  const std::vector<std::string>& watched = call.agent().explanations().watched;
   Summary summary(55);
   if (call.session.stream().column() != 0) summary.Text("\n");
   summary.Rule('=').Text("                   Explainer Summary\n").Rule('=');
@@ -66,7 +66,8 @@ void ExplainOverview(CommandCall& call) {
   if (!watched.empty()) {
     std::string text = fmt::format("{:<54}", "Rules watched:");
     for (std::size_t n = 0; n < watched.size(); ++n) text += (n == 0 ? "" : std::string(54, ' ')) + watched[n] + "\n";
-    for (const std::string& learned : call.agent().LearnedFromWatched()) text += std::string(54, ' ') + learned + "\n";
+    for (const std::string& learned : call.agent().explanations().watched_learned)
+      text += std::string(54, ' ') + learned + "\n";
     summary.Text(text + "\n");
   } else {
     summary.Text(store.IsOn("explain", "all") ? "\n" : "Rules watched:\n");
@@ -85,7 +86,7 @@ void ExplainOverview(CommandCall& call) {
                    "\n");
       // As in Soar 9.6.3, rules of the other kind count among those that are not listed.
       const std::string plural = justifications ? "justifications" : "chunks";
-      if (const std::size_t all = call.agent().Explained().size(); all > listed) {
+      if (const std::size_t all = call.agent().explanations().rules().size(); all > listed) {
         summary.Text(fmt::format(
             "* Note:  Only listed the first {} {} recorded.  Type 'explain list-{}' to see the other {} {}.\n\n",
             kMostInOverview, plural, plural, all - listed, plural));
@@ -153,7 +154,8 @@ bool SetExplainSwitch(CommandCall& call, const std::string& name) {
         "Invalid argument for explain command. Use 'explain ?' to see a list of valid sub-commands and settings.");
   }
   const bool on = store.IsOn("explain", name);
-  call.agent().RecordExplanations(store.IsOn("explain", "all"), store.IsOn("explain", "justifications"));
+  call.agent().mutable_explanations().all = store.IsOn("explain", "all");
+  call.agent().mutable_explanations().justifications = store.IsOn("explain", "justifications");
   if (name == "all") {
     call.Out(on ? "Will monitor all chunks created.\n" : "Will only monitor specific chunks.\n");
   } else if (name == "justifications") {
@@ -168,7 +170,7 @@ bool SetExplainSwitch(CommandCall& call, const std::string& name) {
 bool WatchRule(CommandCall& call) {
   if (call.words.size() == 2) {
     std::string text = "Rules watched:\n";
-    for (const std::string& watched : call.agent().WatchedForExplanations()) text += "   " + watched + "\n";
+    for (const std::string& watched : call.agent().explanations().watched) text += "   " + watched + "\n";
     call.Out(text);
     return true;
   }
@@ -178,9 +180,9 @@ bool WatchRule(CommandCall& call) {
     call.Out(fmt::format("Could not find a rule named {} to watch.\nType 'print' to see a list of all rules.\n", name));
     return call.FailPrinted();
   }
-  const std::vector<std::string>& watched = call.agent().WatchedForExplanations();
-  const bool on = std::ranges::find(watched, name) == watched.end();
-  call.agent().WatchForExplanations(name, on);
+  std::vector<std::string>& watched = call.agent().mutable_explanations().watched;
+  const bool on = std::erase(watched, name) == 0;
+  if (on) watched.push_back(name);
   call.Out(fmt::format("{} watching any chunks formed by rule '{}'\n", on ? "Now" : "No longer", name));
   return true;
 }
@@ -203,7 +205,7 @@ LoadedRules LoadedIn(CommandCall& call) {
 
 /// Of what the learned rule's own instance tested, only firings that some explanation has are named.
 ExplainedRule WithKnownCreators(CommandCall& call, ExplainedRule rule) {
-  const std::vector<ExplainedRule>& explained = call.agent().Explained();
+  const std::vector<ExplainedRule>& explained = call.agent().explanations().rules();
   for (ExplainedRule::Condition& condition : rule.conditions) {
     const auto has_it = [&](const ExplainedRule& other) { return other.FindFiring(condition.creator) != nullptr; };
     if (condition.creator != 0 && std::ranges::none_of(explained, has_it)) condition.creator = 0;
@@ -214,7 +216,7 @@ ExplainedRule WithKnownCreators(CommandCall& call, ExplainedRule rule) {
 bool ExplainChunk(CommandCall& call) {
   if (call.words.size() != 3) return call.Fail("Please specify the chunk using either the chunk's name or its ID.");
   const std::string& word = call.words[2].text;
-  const std::vector<ExplainedRule>& rules = call.agent().Explained();
+  const std::vector<ExplainedRule>& rules = call.agent().explanations().rules();
   const bool is_number = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   const ExplainedRule* found = nullptr;
   for (const ExplainedRule& rule : rules) {
@@ -240,7 +242,7 @@ bool ExplainChunk(CommandCall& call) {
 std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const ExplainedRule& rule, std::uint32_t serial) {
   if (serial == rule.instance) return LearnedInstance(WithKnownCreators(call, rule));
   if (const ExplainedRule::Firing* const firing = rule.FindFiring(serial); firing != nullptr) return *firing;
-  for (const ExplainedRule& other : call.agent().Explained()) {
+  for (const ExplainedRule& other : call.agent().explanations().rules()) {
     const ExplainedRule::Firing* const known = other.FindFiring(serial);
     if (known == nullptr && serial != other.instance) continue;
     ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(WithKnownCreators(call, other));

@@ -119,8 +119,7 @@ void PrintGoalDependencySets(CommandCall& call) {
       continue;
     }
     out.Print("\n");
-    const std::span<const kernel::WmeId> set = agent.GoalDependencySet(goal);
-    for (auto wme = set.rbegin(); wme != set.rend(); ++wme) {
+    for (auto wme = goal.gds.rbegin(); wme != goal.gds.rend(); ++wme) {
       out.Print("                " + WmeText(agent, *wme) + "\n");
     }
   }

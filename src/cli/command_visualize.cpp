@@ -141,7 +141,7 @@ bool Write(CommandCall& call, const std::string& text) {
 
 /// The rule that `explain chunk` chose, or the one that was recorded last.
 bool LearnedRule(CommandCall& call, bool identities) {
-  const std::vector<kernel::ExplainedRule>& rules = call.agent().Explained();
+  const std::vector<kernel::ExplainedRule>& rules = call.agent().explanations().rules();
   if (rules.empty()) {
     return call.Fail("No learned rule has been recorded: say 'explain all on' before the agent learns.");
   }

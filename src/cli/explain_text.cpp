@@ -333,7 +333,6 @@ std::string ExplainedStatisticsText(const ExplainedRule& rule) {
   number("Conditions merged", rule.merged_conditions);
   number("Disjunction tests merged", rule.merged_disjunctions);
   title("                           Identity Analysis");
-  number("Identities created in rule's sub-state", rule.identities_created);
   number("Distinct identities in learned rules", rule.identities.size());
   number("Identities joined", rule.joined);
   number("Identities literalized", rule.literalized);

@@ -42,8 +42,6 @@ std::string LearningStatisticsText(const kernel::Agent& agent) {
   title("Identity Analysis", 27);
   row("Identities created", s.identities_created);
   row("Distinct identities in learned rules", s.identities_in_rules);
-  row("Identity propagations", s.identities_propagated);
-  row("Identity propagations blocked", s.identities_blocked);
   row("Identities joined", s.identities_joined);
   row("Identities literalized", s.identities_literalized);
   title("Learning Skipped or Unsuccessful", 22);

@@ -64,9 +64,7 @@ Result<void> LoadFrom(Memory& memory, const Database& database, journal::Memory 
 template <typename Memory>
 bool BackUp(CommandCall& call, const LongTermMemory& names, const Memory& memory, const std::filesystem::path& path,
             const std::string& file) {
-  kernel::RecordWriter image;
-  memory.Save(image);
-  const Result<void> written = journal::WriteCopy(path.string(), names.kind, image.bytes());
+  const Result<void> written = journal::WriteCopy(path.string(), names.kind, memory.Image());
   if (!written) return FailWith(call, written.error());
   call.Out(fmt::format("{}| Database backed up to {}\n", names.prefix, file));
   return true;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <unordered_map>
 
+#include "bytes/byte_stream.h"
 #include "cli/rule_image.h"
 #include "kernel/agent.h"
 #include "kernel/rules/functions/builtin_functions.h"
@@ -23,9 +23,9 @@ using kernel::TestKind;
 
 namespace {
 
-class Writer {
+class Writer : public ByteWriter {
  public:
-  explicit Writer(const kernel::SymbolTable& table) : table_(table) {}
+  explicit Writer(const kernel::SymbolTable& table) : ByteWriter(bytes_), table_(table) {}
 
   std::string Take() { return std::move(bytes_); }
 
@@ -43,7 +43,7 @@ class Writer {
         Number(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
       } else {
         Byte(static_cast<std::uint8_t>(SymbolCode::kFloat));
-        Fixed(std::bit_cast<std::uint64_t>(table_.FloatValue(symbol)), 8);
+        Double(table_.FloatValue(symbol));
       }
     }
   }
@@ -63,23 +63,7 @@ class Writer {
     for (const Action& action : rule.actions) ActionOf(action);
   }
 
-  void Number(std::uint64_t number) {
-    while (number >= 0x80) {
-      Byte(static_cast<std::uint8_t>(number | 0x80));
-      number >>= 7;
-    }
-    Byte(static_cast<std::uint8_t>(number));
-  }
-  void Text(std::string_view text) {
-    Number(text.size());
-    bytes_ += text;
-  }
-  void Fixed(std::uint64_t number, int size) {
-    for (int i = 0; i < size; ++i) Byte(static_cast<std::uint8_t>(number >> (8 * i)));
-  }
-
  private:
-  void Byte(std::uint8_t byte) { bytes_ += static_cast<char>(byte); }
   void SymbolOf(Symbol symbol) { Number(numbers_.at(symbol.bits())); }
 
   /// Kind, with bit 7 for the sign of acceptable preferences; then three tests, or the conditions of a conjunction.

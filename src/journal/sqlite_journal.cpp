@@ -10,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
 
 namespace soarbox::journal {
@@ -24,7 +25,7 @@ Diagnostic Problem(const std::string& path, std::string_view what, std::string h
 }
 
 /// CRC-32 as in zip files.
-std::uint32_t Checksum(std::span<const std::uint8_t> bytes) {
+std::uint32_t Checksum(std::string_view bytes) {
   static const std::array<std::uint32_t, 256> table = [] {
     std::array<std::uint32_t, 256> made{};
     for (std::uint32_t n = 0; n < 256; ++n) {
@@ -35,7 +36,7 @@ std::uint32_t Checksum(std::span<const std::uint8_t> bytes) {
     return made;
   }();
   std::uint32_t crc = 0xFFFFFFFFu;
-  for (const std::uint8_t byte : bytes) crc = table[(crc ^ byte) & 0xFF] ^ (crc >> 8);
+  for (const char byte : bytes) crc = table[(crc ^ static_cast<std::uint8_t>(byte)) & 0xFF] ^ (crc >> 8);
   return ~crc;
 }
 
@@ -58,7 +59,7 @@ class Statement {
   Statement& operator=(const Statement&) = delete;
 
   void Bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_, place, value); }
-  void Bind(int place, std::span<const std::uint8_t> bytes) {
+  void BindBytes(int place, std::string_view bytes) {
     sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), SQLITE_STATIC);
   }
   void Bind(int place, std::string_view text) {
@@ -69,8 +70,8 @@ class Statement {
     return status_;
   }
   std::int64_t Integer(int column) const { return sqlite3_column_int64(statement_, column); }
-  std::span<const std::uint8_t> Bytes(int column) const {
-    const auto* const data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_, column));
+  std::string_view Bytes(int column) const {
+    const auto* const data = static_cast<const char*>(sqlite3_column_blob(statement_, column));
     return {data, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
   }
 
@@ -143,17 +144,12 @@ class SqliteJournal final : public kernel::Journal {
     sqlite3_close(database_);
   }
 
-  void Append(std::span<const std::uint8_t> record) override {
-    kernel::RecordWriter size;
-    size.Number(record.size());
-    pending_.insert(pending_.end(), size.bytes().begin(), size.bytes().end());
-    pending_.insert(pending_.end(), record.begin(), record.end());
-  }
+  void Append(std::string_view record) override { ByteWriter(pending_).Text(record); }
 
   Result<void> Commit() override {
     if (pending_.empty()) return {};
     Statement insert(database_, "INSERT INTO record(bytes, crc) VALUES(?, ?)");
-    insert.Bind(1, pending_);
+    insert.BindBytes(1, pending_);
     insert.Bind(2, std::int64_t{Checksum(pending_)});
     if (insert.Step() != SQLITE_DONE) return Failure("cannot be written");
     record_bytes_ += pending_.size();
@@ -161,12 +157,12 @@ class SqliteJournal final : public kernel::Journal {
     return {};
   }
 
-  Result<void> Replace(std::span<const std::uint8_t> image) override {
+  Result<void> Replace(std::string_view image) override {
     if (!Run("BEGIN IMMEDIATE; DELETE FROM segment; DELETE FROM record")) return Failure("cannot be written");
     for (std::size_t at = 0; at < image.size(); at += kSegmentBytes) {
-      const std::span<const std::uint8_t> piece = image.subspan(at, std::min(kSegmentBytes, image.size() - at));
+      const std::string_view piece = image.substr(at, kSegmentBytes);
       Statement insert(database_, "INSERT INTO segment(bytes, crc) VALUES(?, ?)");
-      insert.Bind(1, piece);
+      insert.BindBytes(1, piece);
       insert.Bind(2, std::int64_t{Checksum(piece)});
       if (insert.Step() != SQLITE_DONE) return RolledBack();
     }
@@ -200,9 +196,9 @@ class SqliteJournal final : public kernel::Journal {
     std::int64_t expected = 0;
     Statement segments(database_, "SELECT number, bytes, crc FROM segment ORDER BY number");
     while (segments.Step() == SQLITE_ROW) {
-      const std::span<const std::uint8_t> bytes = segments.Bytes(1);
+      const std::string_view bytes = segments.Bytes(1);
       if (Checksum(bytes) != static_cast<std::uint32_t>(segments.Integer(2))) return Damaged("segment", expected);
-      opened.image.insert(opened.image.end(), bytes.begin(), bytes.end());
+      opened.image += bytes;
       ++expected;
     }
     if (segments.Step() != SQLITE_DONE) return Failure("cannot be read");
@@ -210,14 +206,11 @@ class SqliteJournal final : public kernel::Journal {
     Statement records(database_, "SELECT number, bytes, crc FROM record ORDER BY number");
     int status = records.Step();
     for (; status == SQLITE_ROW; status = records.Step()) {
-      const std::span<const std::uint8_t> bytes = records.Bytes(1);
+      const std::string_view bytes = records.Bytes(1);
       if (Checksum(bytes) != static_cast<std::uint32_t>(records.Integer(2))) return Damaged("record", expected);
-      kernel::RecordReader reader(bytes);
-      while (!reader.AtEnd()) {
-        const std::string_view record = reader.Text();
-        opened.records.emplace_back(record.begin(), record.end());
-      }
-      if (!reader.ok()) return Damaged("record", expected);
+      ByteReader reader(bytes);
+      while (!reader.AtEnd()) opened.records.emplace_back(reader.Text());
+      if (reader.failed()) return Damaged("record", expected);
       record_bytes_ += bytes.size();
       ++expected;
     }
@@ -239,7 +232,7 @@ class SqliteJournal final : public kernel::Journal {
 
   std::string path_;
   sqlite3* database_;
-  std::vector<std::uint8_t> pending_;
+  std::string pending_;
   std::size_t image_bytes_ = 0, record_bytes_ = 0;
 };
 
@@ -292,8 +285,7 @@ Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOpt
   {
     Statement kind(database, "SELECT value FROM meta WHERE key = 'kind'");
     if (kind.Step() != SQLITE_ROW) return Problem(path, "is damaged", "use a backup; the file was not touched");
-    const std::span<const std::uint8_t> name = kind.Bytes(0);
-    if (std::string(name.begin(), name.end()) != NameOf(memory)) {
+    if (kind.Bytes(0) != NameOf(memory)) {
       return Problem(path, "holds a memory of another kind", "name another file; this one was not touched");
     }
   }
@@ -308,7 +300,7 @@ Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOpt
   return opened;
 }
 
-Result<void> WriteCopy(const std::string& path, Memory memory, std::span<const std::uint8_t> image) {
+Result<void> WriteCopy(const std::string& path, Memory memory, std::string_view image) {
   OpenOptions options;
   options.overwrite = true;
   Result<OpenedJournal> opened = Open(path, memory, options);

@@ -30,8 +30,8 @@ struct OpenOptions {
 /// What a file holds, and the way to go on with it.
 struct OpenedJournal {
   std::unique_ptr<kernel::Journal> journal;
-  std::vector<std::uint8_t> image;                 ///< Empty: none was ever written.
-  std::vector<std::vector<std::uint8_t>> records;  ///< Oldest first.
+  std::string image;                 ///< Empty: none was ever written.
+  std::vector<std::string> records;  ///< Oldest first.
 };
 
 /// Opens or makes a file. Refused with the reason, and the file is not touched: what is no database, a database of
@@ -39,7 +39,7 @@ struct OpenedJournal {
 Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options);
 
 /// Writes a memory's image to a file of its own (`smem --backup`). A file of Soarbox is replaced, another one refused.
-Result<void> WriteCopy(const std::string& path, Memory memory, std::span<const std::uint8_t> image);
+Result<void> WriteCopy(const std::string& path, Memory memory, std::string_view image);
 
 /// The version of the library, as `smem --stats` shows it.
 std::string_view SqliteVersion();

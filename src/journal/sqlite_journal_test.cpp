@@ -15,12 +15,13 @@
 #include <random>
 #include <string>
 
+#include "bytes/byte_stream.h"
 namespace soarbox::journal {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::string;
 
 class SqliteJournal : public ::testing::Test {
  protected:
@@ -48,7 +49,7 @@ class SqliteJournal : public ::testing::Test {
 };
 
 Bytes Record(std::uint8_t first, std::size_t size = 3) {
-  Bytes bytes(size);
+  Bytes bytes(size, '\0');
   std::iota(bytes.begin(), bytes.end(), first);
   return bytes;
 }
@@ -216,17 +217,17 @@ TEST_F(SqliteJournal, AFullDiskKeepsWhatIsNewUntilThereIsRoom) {
   Result<OpenedJournal> opened = Open(path, Memory::kSemantic, {});
   if (!opened) _exit(2);
   std::uint64_t count = 0;
-  if (!opened->image.empty()) count = kernel::RecordReader(opened->image).Bits();
+  if (!opened->image.empty()) count = ByteReader(opened->image).Fixed64();
   count += opened->records.size();
   for (;; ++count) {
-    kernel::RecordWriter record;
-    record.Bits(count);
-    opened->journal->Append(record.bytes());
+    std::string record;
+    ByteWriter(record).Fixed64(count);
+    opened->journal->Append(record);
     if (!opened->journal->Commit().ok()) _exit(3);
     if (count % 50 == 49) {
-      kernel::RecordWriter image;
-      image.Bits(count + 1);
-      if (!opened->journal->Replace(image.bytes()).ok()) _exit(4);
+      std::string image;
+      ByteWriter(image).Fixed64(count + 1);
+      if (!opened->journal->Replace(image).ok()) _exit(4);
     }
     if (write(said, &count, sizeof(count)) != sizeof(count)) _exit(0);
   }
@@ -252,9 +253,9 @@ TEST_F(SqliteJournal, KilledAtAnyInstantTheFileHoldsAllThatWasCommitted) {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status)) << "the child ended by itself with " << WEXITSTATUS(status);
     const OpenedJournal opened = OpenOr(Path("a.db"));
-    const std::uint64_t first = opened.image.empty() ? 0 : kernel::RecordReader(opened.image).Bits();
+    const std::uint64_t first = opened.image.empty() ? 0 : ByteReader(opened.image).Fixed64();
     for (std::size_t n = 0; n < opened.records.size(); ++n) {
-      ASSERT_EQ(kernel::RecordReader(opened.records[n]).Bits(), first + n);
+      ASSERT_EQ(ByteReader(opened.records[n]).Fixed64(), first + n);
     }
     ASSERT_GE(first + opened.records.size(), last == 0 ? 0 : last + 1);
   }

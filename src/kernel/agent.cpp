@@ -10,7 +10,6 @@
 #include "kernel/decide/engine.h"
 #include "kernel/decide/invariants.h"
 #include "kernel/imagery/imagery.h"
-#include "kernel/rules/functions/builtin_functions.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -233,9 +232,6 @@ void Agent::RequestStop(std::string_view reason) {
 void Agent::ClearStopRequest() {
   engine_->run.ClearStop();
 }
-bool Agent::stop_requested() const {
-  return engine_->run.stop_requested();
-}
 bool Agent::halted() const {
   return engine_->run.halted();
 }
@@ -308,9 +304,6 @@ std::string Agent::PredictDecision() {
 void Agent::SetAgentWrites(bool on) {
   engine_->agent_writes = on;
 }
-bool Agent::agent_writes() const {
-  return engine_->agent_writes;
-}
 
 // Learning ------------------------------------------------------------------------------------------------------------
 
@@ -356,29 +349,11 @@ const Singletons& Agent::singletons() const {
 Singletons& Agent::mutable_singletons() {
   return engine_->chunker.singletons();
 }
-const std::vector<ExplainedRule>& Agent::Explained() const {
-  return engine_->chunker.explanations().rules();
+const ExplanationLog& Agent::explanations() const {
+  return engine_->chunker.explanations();
 }
-void Agent::RecordExplanations(bool of_all_rules, bool of_justifications) {
-  engine_->chunker.explanations().all = of_all_rules;
-  engine_->chunker.explanations().justifications = of_justifications;
-}
-void Agent::NoteExplanations(bool on) {
-  engine_->chunker.explanations().noting = on;
-}
-const std::deque<ExplainedRule>& Agent::NotedExplanations() const {
-  return engine_->chunker.explanations().noted();
-}
-const std::vector<std::string>& Agent::WatchedForExplanations() const {
-  return engine_->chunker.explanations().watched;
-}
-const std::vector<std::string>& Agent::LearnedFromWatched() const {
-  return engine_->chunker.explanations().watched_learned;
-}
-void Agent::WatchForExplanations(std::string_view rule, bool on) {
-  std::vector<std::string>& watched = engine_->chunker.explanations().watched;
-  std::erase(watched, rule);
-  if (on) watched.emplace_back(rule);
+ExplanationLog& Agent::mutable_explanations() {
+  return engine_->chunker.explanations();
 }
 std::vector<Symbol> Agent::StatesForcedToLearn() const {
   return engine_->chunker.forced_states();
@@ -418,9 +393,6 @@ const Rete& Agent::rete() const {
 }
 const AgentCounters& Agent::counters() const {
   return engine_->counters;
-}
-const Instantiation& Agent::instantiation(InstantiationId id) const {
-  return engine_->instantiations[id];
 }
 std::string_view Agent::ProductionName(InstantiationId id) const {
   return engine_->descriptions.ProductionName(id);
@@ -487,10 +459,6 @@ DecisionReport Agent::ExplainDecision(const Goal& goal) const {
   return engine_->decision.Explain(goal);
 }
 
-std::span<const WmeId> Agent::GoalDependencySet(const Goal& goal) const {
-  return goal.gds;
-}
-
 // Input and output ----------------------------------------------------------------------------------------------------
 
 InputLink& Agent::input() {
@@ -555,33 +523,13 @@ Result<void> Agent::RemoveWme(WmeId wme) {
   return {};
 }
 
-Result<void> Agent::SetUserFunction(std::string_view name, UserFunction function) {
-  if (FindBuiltinFunction(name) != RhsValue::kUserFunction) {
-    return Refusal("there is a built-in function of the name '" + std::string(name) + "'");
-  }
-  if (function) {
-    engine_->user_functions.insert_or_assign(std::string(name), std::move(function));
-  } else if (const auto found = engine_->user_functions.find(name); found != engine_->user_functions.end()) {
-    engine_->user_functions.erase(found);
-  }
-  return {};
-}
-
-void Agent::SetFallbackFunction(
+void Agent::SetUserFunctions(
     std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> function) {
-  engine_->fallback_function = std::move(function);
+  engine_->user_functions = std::move(function);
 }
 
 void Agent::SetCommandRunner(std::function<std::string(Agent&, std::string_view)> runner) {
   engine_->command_runner = std::move(runner);
-}
-
-const std::map<std::string, std::uint64_t, std::less<>>& Agent::rule_counters() const {
-  return engine_->rule_counters;
-}
-
-void Agent::SetLineReader(std::function<std::string()> reader) {
-  engine_->line_reader = std::move(reader);
 }
 
 LongTerm& Agent::long_term() {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,7 +39,7 @@ class ChoiceGraph;
 struct RlSettings;
 struct RlStatistics;
 struct RlValue;
-struct ExplainedRule;
+class ExplanationLog;
 struct LearnSettings;
 struct LearnedRules;
 struct LearnStatistics;
@@ -71,11 +68,6 @@ struct LoadOutcome {
   std::vector<Diagnostic> messages;  ///< Our own diagnostics: places and hints, in the order of the text.
 };
 
-/// A function that rules can call: (exec name ...) or (name ...). Gets one argument, a string of all that the rule gave
-/// without blanks between; gives a symbol, or none for no value. An error skips the action and is printed. Runs on the
-/// agent's thread in the middle of a phase: it must not run, initialise or change the agent, except for Stop().
-using UserFunction = std::function<Result<Symbol>(class Agent&, std::span<const Symbol> arguments)>;
-
 /// One Soar agent. Agents share nothing that changes: different agents may run on different threads at the same time;
 /// one agent is used by one thread at a time. Only RequestStop() may be called from any thread.
 ///
@@ -102,10 +94,10 @@ class Agent {
   ProductionId FindProduction(std::string_view name) const;  ///< kNone if there is none.
   const Production& production(ProductionId id) const;
   const ProductionPtr& production_ptr(ProductionId id) const;
-  /// The rule with the number that reinforcement learning gave it, for printing and saving: the rule itself if none
-  /// did.
+  /// The rule with the number that reinforcement learning gave it, for printing and saving; the rule itself if it has
+  /// learned none.
   ProductionPtr ProductionAsLearned(ProductionId id) const;
-  /// What reinforcement learning knows of a rule (learn/rl_values.h); null if it had nothing to do with it yet.
+  /// What reinforcement learning knows about a rule (learn/rl_values.h); null if it has not used the rule yet.
   const RlValue* LearnedValue(ProductionId id) const;
   /// All rules in loading order, oldest first (`print` lists them the other way round).
   std::vector<ProductionId> Productions() const;
@@ -136,7 +128,6 @@ class Agent {
   /// ClearStopRequest(), which a run command calls first.
   void RequestStop(std::string_view reason = {});
   void ClearStopRequest();
-  bool stop_requested() const;
   bool halted() const;   ///< (halt) ran: Run and Step do nothing until InitSoar.
   bool running() const;  ///< In the middle of Run or Step.
   /// The name of the rule whose actions run now, for observers; empty if none does.
@@ -150,8 +141,8 @@ class Agent {
   std::string_view breakdown() const;
   /// A goal whose removal ends the run (`run -g`); the none symbol for none.
   void SetGoalToWatch(Symbol goal);
-  /// Empties working memory and starts again with the first state; keeps the rules but justifications. Refused while
-  /// running.
+  /// Empties working memory and starts again with the first state; keeps all rules except justifications. Refused
+  /// while running.
   void InitSoar();
 
   // Settings --------------------------------------------------------------------------------------------------------
@@ -178,7 +169,6 @@ class Agent {
   std::string PredictDecision();
   /// Whether (write ...) and (crlf) print (`output agent-writes`).
   void SetAgentWrites(bool on);
-  bool agent_writes() const;
 
   // Learning --------------------------------------------------------------------------------------------------------
 
@@ -188,24 +178,13 @@ class Agent {
   const LearnStatistics& learn_statistics() const;
   std::size_t learned_rule_count() const;
   LearnedRules LearnedBySource() const;
-  /// Rules that fired, in all states, and attempts to learn; since init-soar.
+  /// How many rules fired, in all states, with attempts to learn; since init-soar.
   std::uint32_t instantiation_count() const;
   const Singletons& singletons() const;  ///< learn/singletons.h
   Singletons& mutable_singletons();
-  /// How rules were learned, as far as it was recorded: by number, from 1 on. See learn/explained_rule.h.
-  const std::vector<ExplainedRule>& Explained() const;
-  /// What is recorded from now on.
-  void RecordExplanations(bool of_all_rules, bool of_justifications);
-  /// Notes explanations of all learned rules for those who watch the agent, beside what is recorded; or no longer.
-  void NoteExplanations(bool on);
-  /// The last 1,000 of them, in the order of learning.
-  const std::deque<ExplainedRule>& NotedExplanations() const;
-  /// Rules whose chunks are recorded, by name.
-  const std::vector<std::string>& WatchedForExplanations() const;
-  /// Rules that were learned from those, and are watched, too.
-  const std::vector<std::string>& LearnedFromWatched() const;
-  /// Begins to record chunks of a rule, or stops.
-  void WatchForExplanations(std::string_view rule, bool on);
+  /// How rules were learned, and which explanations are kept from now on (learn/explanation_log.h).
+  const ExplanationLog& explanations() const;
+  ExplanationLog& mutable_explanations();
   /// States that (force-learn <s>) and (dont-learn <s>) named.
   std::vector<Symbol> StatesForcedToLearn() const;
   std::vector<Symbol> StatesNotToLearn() const;
@@ -227,7 +206,6 @@ class Agent {
   const GoalStack& goals() const;
   const Rete& rete() const;
   const AgentCounters& counters() const;
-  const Instantiation& instantiation(InstantiationId id) const;
   std::string_view ProductionName(InstantiationId id) const;  ///< "justify1" and the like included.
   /// The elements that an instantiation's positive conditions matched, in condition order.
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
@@ -255,8 +233,6 @@ class Agent {
   /// What the decision procedure says of the preferences that stand in a goal's operator slot now, with who would be
   /// dropped and why (decide/decision_trace.h). Draws nothing at random. Valid until the agent runs or is asked again.
   DecisionReport ExplainDecision(const Goal& goal) const;
-  /// Elements of the goal dependency set of a goal.
-  std::span<const WmeId> GoalDependencySet(const Goal& goal) const;
 
   // Input and output ------------------------------------------------------------------------------------------------
 
@@ -272,17 +248,12 @@ class Agent {
   /// `wm remove`: any element, at once.
   Result<void> RemoveWme(WmeId wme);
 
-  /// RHS functions of the host. A null function takes the name away. Names of built-in functions are refused.
-  Result<void> SetUserFunction(std::string_view name, UserFunction function);
-  /// Called for a name that nobody registered; without it such a call yields the empty string.
-  void SetFallbackFunction(
-      std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
+  /// Functions of the host that rules call with (exec name ...) or (name ...). The argument is what the rule gave,
+  /// without blanks between; the answer is a symbol, or none for no value. An error skips the action and is printed. It
+  /// runs on the agent's thread in the middle of a phase and must not run, initialise or change the agent.
+  void SetUserFunctions(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
   /// Runs a command line for (cmd ...) and gives its text.
   void SetCommandRunner(std::function<std::string(Agent&, std::string_view line)> runner);
-  /// Counters of the RHS function `count` (stats --agent).
-  const std::map<std::string, std::uint64_t, std::less<>>& rule_counters() const;
-  /// Reads a line for (accept).
-  void SetLineReader(std::function<std::string()> reader);
 
   /// Long-term memory: semantic and episodic memory, activation of working memory (longterm/long_term.h).
   LongTerm& long_term();

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "mind/field_writer.h"
 
 namespace soarbox::mind {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 
 namespace soarbox::mind {
 namespace {

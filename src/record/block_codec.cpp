@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -13,7 +13,7 @@ bool BlockBuilder::Add(const TickRecord& tick) {
     frame_.first_tick = tick.tick;
     before_ = {};
   }
-  mind::ByteWriter out(payload_);
+  ByteWriter out(payload_);
   WriteTick(out, before_, tick);
   before_ = tick.scene;
   // A block that grows large (long debug drawings) ends early.
@@ -48,7 +48,7 @@ const TickRecord* BlockCursor::At(std::uint64_t tick) {
   if (tick + 1 == next_tick_ && read_ > 0) return &record_;
   if (tick < next_tick_) Rewind();
   while (next_tick_ <= tick) {
-    mind::ByteReader in(std::string_view(payload_).substr(read_));
+    ByteReader in(std::string_view(payload_).substr(read_));
     in.SetBudget(budget_);
     ReadTick(in, record_, frame_.version);
     budget_ = in.budget();

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "world/state_hash.h"
 
 namespace soarbox::record {
@@ -28,7 +28,7 @@ std::uint64_t CheckOf(const BlockFrame& frame) {
 std::uint64_t CheckOfPayload(std::string_view compressed) {
   world::StateHash hash;
   hash.Add(static_cast<std::uint64_t>(compressed.size()));
-  mind::ByteReader in(compressed);
+  ByteReader in(compressed);
   while (in.left() >= 8) hash.Add(in.Fixed64());
   std::uint64_t rest = 0;
   while (!in.AtEnd()) rest = rest << 8 | in.Byte();
@@ -49,7 +49,7 @@ std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
   frame.payload_check = CheckOfPayload(compressed);
   std::string block;
   block.reserve(kFrameBytes + compressed.size());
-  mind::ByteWriter out(block);
+  ByteWriter out(block);
   out.Fixed32(static_cast<std::uint32_t>(frame.version) | static_cast<std::uint32_t>(frame.kind) << 16);
   for (const std::uint32_t number : {frame.compressed_bytes, frame.plain_bytes, frame.ticks}) out.Fixed32(number);
   out.Fixed64(frame.first_tick);
@@ -59,7 +59,7 @@ std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
 }
 
 bool DecodeFrame(std::string_view bytes, BlockFrame& frame) {
-  mind::ByteReader in(bytes.substr(0, kFrameBytes));
+  ByteReader in(bytes.substr(0, kFrameBytes));
   const std::uint32_t names = in.Fixed32();
   frame.version = static_cast<std::uint16_t>(names);
   frame.kind = static_cast<BlockKind>(names >> 16);

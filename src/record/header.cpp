@@ -9,8 +9,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
-#include "mind/byte_stream.h"
 
 namespace soarbox::record {
 namespace fs = std::filesystem;
@@ -76,7 +76,7 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
 
 std::string EncodeHeader(const Header& header) {
   std::string bytes;
-  mind::ByteWriter out(bytes);
+  ByteWriter out(bytes);
   for (const std::string* text : {&header.build, &header.scenario, &header.folder}) out.Text(*text);
   out.Number(header.extra_folders.size());
   for (const std::string& folder : header.extra_folders) out.Text(folder);
@@ -106,7 +106,7 @@ std::string EncodeHeader(const Header& header) {
 
 Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
   Header header;
-  mind::ByteReader in(bytes);
+  ByteReader in(bytes);
   for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
   constexpr std::size_t kMostFolders = 1'000;  // Far more than anybody gives.
   const std::size_t folders = in.Count();

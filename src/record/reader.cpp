@@ -6,8 +6,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
-#include "mind/byte_stream.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -147,7 +147,7 @@ Result<std::vector<TickInputs>> Reader::Inputs() {
   for (const Block& block : inputs_) {
     const Result<std::string> payload = ReadPayload(block);
     if (!payload) return payload.error();
-    mind::ByteReader in(*payload);
+    ByteReader in(*payload);
     while (!in.AtEnd() && !in.failed()) {
       TickInputs entry;
       ReadInputs(in, entry.tick, entry.inputs);

@@ -12,9 +12,6 @@
 namespace soarbox::record {
 namespace {
 
-using mind::ByteReader;
-using mind::ByteWriter;
-
 using world::Color;
 using world::Quat;
 using world::Shared;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "record/header.h"
 #include "record/tick_codec.h"
 
@@ -119,7 +119,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
 /// All that a record holds, as bytes that stand alone.
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
-  mind::ByteWriter out(bytes);
+  ByteWriter out(bytes);
   WriteTick(out, {}, tick);
   return bytes;
 }

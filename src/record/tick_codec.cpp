@@ -9,17 +9,17 @@
 namespace soarbox::record {
 namespace {
 
-void WriteTexts(mind::ByteWriter& out, const std::vector<std::string>& texts) {
+void WriteTexts(ByteWriter& out, const std::vector<std::string>& texts) {
   out.Number(texts.size());
   for (const std::string& text : texts) out.Text(text);
 }
 
-void ReadTexts(mind::ByteReader& in, std::vector<std::string>& texts) {
+void ReadTexts(ByteReader& in, std::vector<std::string>& texts) {
   texts.resize(in.CountOf(sizeof(std::string)));
   for (std::string& text : texts) text = in.Text();
 }
 
-void WriteDiagnostic(mind::ByteWriter& out, const Diagnostic& diagnostic) {
+void WriteDiagnostic(ByteWriter& out, const Diagnostic& diagnostic) {
   out.Byte(static_cast<std::uint8_t>(diagnostic.severity));
   for (const std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint})
     out.Text(*text);
@@ -27,7 +27,7 @@ void WriteDiagnostic(mind::ByteWriter& out, const Diagnostic& diagnostic) {
     out.Number(static_cast<std::uint64_t>(std::max(number, 0)));
 }
 
-void ReadDiagnostic(mind::ByteReader& in, Diagnostic& diagnostic) {
+void ReadDiagnostic(ByteReader& in, Diagnostic& diagnostic) {
   const std::uint8_t severity = in.Byte();
   if (severity > static_cast<std::uint8_t>(Severity::kError)) return in.Fail();
   diagnostic.severity = static_cast<Severity>(severity);
@@ -42,7 +42,7 @@ bool HasDiagnostic(sim::EventKind kind) {
          kind == sim::EventKind::kMindFailed;
 }
 
-void WriteEvent(mind::ByteWriter& out, const sim::RunEvent& event) {
+void WriteEvent(ByteWriter& out, const sim::RunEvent& event) {
   out.Byte(static_cast<std::uint8_t>(event.kind));
   out.Text(event.agent);
   for (const std::string* text : {&event.text, &event.news, &event.parameters}) out.Text(*text);
@@ -54,7 +54,7 @@ void WriteEvent(mind::ByteWriter& out, const sim::RunEvent& event) {
   for (const float value : {event.perceived, event.position.x, event.position.y, event.position.z}) out.Float(value);
 }
 
-void ReadEvent(mind::ByteReader& in, sim::RunEvent& event) {
+void ReadEvent(ByteReader& in, sim::RunEvent& event) {
   const std::uint8_t kind = in.Byte();
   if (kind > static_cast<std::uint8_t>(sim::kLastEventKind)) return in.Fail();
   event.kind = static_cast<sim::EventKind>(kind);
@@ -68,13 +68,13 @@ void ReadEvent(mind::ByteReader& in, sim::RunEvent& event) {
   for (float* value : {&event.perceived, &event.position.x, &event.position.y, &event.position.z}) *value = in.Float();
 }
 
-void WriteMind(mind::ByteWriter& out, const MindRecord& mind) {
+void WriteMind(ByteWriter& out, const MindRecord& mind) {
   out.Text(mind.agent);
   out.Byte(mind.from_words ? 1 : 0);
   out.Text(mind.events.bytes());
 }
 
-void ReadMind(mind::ByteReader& in, MindRecord& mind) {
+void ReadMind(ByteReader& in, MindRecord& mind) {
   mind.agent = in.Text();
   mind.from_words = in.Byte() != 0;
   const std::string_view events = in.Text();
@@ -85,7 +85,7 @@ void ReadMind(mind::ByteReader& in, MindRecord& mind) {
 }
 
 /// Formats 2 to 4 hold words.
-void ReadMindInWords(mind::ByteReader& in, MindRecord& mind) {
+void ReadMindInWords(ByteReader& in, MindRecord& mind) {
   mind.agent = in.Text();
   mind.from_words = true;
   tell::MindWords words;
@@ -103,7 +103,7 @@ const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
   return at == record.minds.end() ? nullptr : &*at;
 }
 
-void WriteTick(mind::ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now) {
+void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now) {
   out.Number(now.tick);
   out.Fixed64(now.state_hash);
   WriteTexts(out, now.inputs);
@@ -114,7 +114,7 @@ void WriteTick(mind::ByteWriter& out, const world::SceneSnapshot& before, const 
   for (const MindRecord& mind : now.minds) WriteMind(out, mind);
 }
 
-void ReadTick(mind::ByteReader& in, TickRecord& record, std::uint16_t version) {
+void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
   record.tick = in.Number();
   record.state_hash = in.Fixed64();
   ReadTexts(in, record.inputs);
@@ -128,12 +128,12 @@ void ReadTick(mind::ByteReader& in, TickRecord& record, std::uint16_t version) {
   for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadMind(in, mind);
 }
 
-void WriteInputs(mind::ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {
+void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {
   out.Number(tick);
   WriteTexts(out, inputs);
 }
 
-void ReadInputs(mind::ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs) {
+void ReadInputs(ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs) {
   tick = in.Number();
   ReadTexts(in, inputs);
 }

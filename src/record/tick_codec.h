@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "record/format.h"
 #include "record/tick_record.h"
 
 namespace soarbox::record {
 
 /// Writes a tick as what differs from the one before; an empty scene before it makes it stand alone.
-void WriteTick(mind::ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now);
+void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now);
 
 /// Turns the record of one tick into that of the next; `version` is that of its block. `in` has failed afterwards if
 /// the bytes do not make sense.
-void ReadTick(mind::ByteReader& in, TickRecord& record, std::uint16_t version = kVersion);
+void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version = kVersion);
 
 /// What entered before a tick, kept apart when a bounded recording drops the tick's frames.
-void WriteInputs(mind::ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs);
-void ReadInputs(mind::ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs);
+void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs);
+void ReadInputs(ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs);
 
 }  // namespace soarbox::record

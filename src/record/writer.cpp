@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
-#include "mind/byte_stream.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -53,14 +53,14 @@ Result<void> Writer::Write(const std::string& bytes) {
 Result<void> Writer::Add(const TickRecord& tick) {
   if (failure_) return *failure_;
   if (!tick.inputs.empty()) {
-    mind::ByteWriter inputs(new_inputs_);
+    ByteWriter inputs(new_inputs_);
     WriteInputs(inputs, tick.tick, tick.inputs);
   }
   return builder_.Add(tick) ? Flush() : Result<void>{};
 }
 
 Result<void> Writer::AddEarlierInputs(const std::vector<TickInputs>& earlier) {
-  mind::ByteWriter out(new_inputs_);
+  ByteWriter out(new_inputs_);
   for (const TickInputs& entry : earlier) WriteInputs(out, entry.tick, entry.inputs);
   return WriteInputsSoFar();
 }

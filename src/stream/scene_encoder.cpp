@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "stream/deflate.h"
 #include "stream/quantise.h"
 #include "world/body_meshes.h"
@@ -44,21 +44,21 @@ float Finite(float value) {
 /// Writes ids of a list in ascending order as differences.
 class Ids {
  public:
-  explicit Ids(mind::ByteWriter& out) : out_(out) {}
+  explicit Ids(ByteWriter& out) : out_(out) {}
   void Write(std::uint32_t id) {
     out_.Number(id - last_);
     last_ = id;
   }
 
  private:
-  mind::ByteWriter& out_;
+  ByteWriter& out_;
   std::uint32_t last_ = 0;
 };
 
 }  // namespace
 
 /// The bytes of a section, and how values of the scene are put there.
-class SceneEncoder::Out : public mind::ByteWriter {
+class SceneEncoder::Out : public ByteWriter {
  public:
   explicit Out(std::string& bytes) : ByteWriter(bytes) {}
   void Signed(std::int64_t value) {
@@ -112,7 +112,7 @@ std::uint64_t SceneEncoder::TextIndex(std::string_view text) {
 }
 
 void SceneEncoder::WriteSection(std::string& payload, std::uint8_t tag, const std::string& bytes) {
-  mind::ByteWriter out(payload);
+  ByteWriter out(payload);
   out.Byte(tag);
   out.Text(bytes);
 }
@@ -385,7 +385,7 @@ Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::Overl
   }
 
   std::string payload;
-  mind::ByteWriter out(payload);
+  ByteWriter out(payload);
   out.Number(scene.tick);
   out.Double(scene.time_s);
   out.Number(new_texts_.size());
@@ -401,7 +401,7 @@ Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::Overl
       flags |= kDeflated;
     }
   }
-  mind::ByteWriter head(block.bytes);
+  ByteWriter head(block.bytes);
   for (const std::uint8_t byte : {kMark, kVersion, flags}) head.Byte(byte);
   block.bytes += payload;
   return block;

@@ -77,7 +77,7 @@ ALLOWED = {
     "kernel/imagery/memory_writer.h MemoryWriter": 17,
     "kernel/imagery/scene.h Node": 17,
     "kernel/io/input_link.h InputLink": 17,
-    "mind/byte_stream.h ByteReader": 17,
+    "bytes/byte_stream.h ByteReader": 17,
     "sml/client/soarbox_Inspection.h MindInspection": 17,
     "sml/client/soarbox_Observation.h MindObserver": 17,
     "cli/print_stream.h PrintStream": 16,

@@ -14,24 +14,26 @@ import sys
 
 ALLOWED = {
     "diagnostics": set(),
-    "kernel": {"diagnostics"},
+    # How values become bytes.
+    "bytes": set(),
+    "kernel": {"bytes", "diagnostics"},
     # Facts about minds as types, and the words for them: neither knows the kernel.
-    "mind": set(),
+    "mind": {"bytes"},
     "tell": {"mind"},
     # What can be perceived and said, as data.
     "vocabulary": {"diagnostics"},
-    "journal": {"diagnostics", "kernel"},
-    "cli": {"diagnostics", "kernel", "journal"},
+    "journal": {"bytes", "diagnostics", "kernel"},
+    "cli": {"bytes", "diagnostics", "kernel", "journal"},
     "sml": {"diagnostics", "kernel", "mind", "cli"},
     # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
     "explain": {"diagnostics", "mind", "tell", "vocabulary"},
     "world": {"diagnostics"},
-    "stream": {"mind", "world"},
+    "stream": {"bytes", "world"},
     "script": {"diagnostics", "world"},
     # So does sim.
     "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
     "dis": {"diagnostics", "world", "sim"},
-    "record": {"diagnostics", "mind", "tell", "world", "script", "sim"},
+    "record": {"bytes", "diagnostics", "mind", "tell", "world", "script", "sim"},
     "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},

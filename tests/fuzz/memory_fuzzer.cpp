@@ -5,14 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bytes/byte_stream.h"
 #include "kernel/agent.h"
 #include "kernel/longterm/episode_records.h"
-#include "kernel/longterm/journal.h"
 #include "kernel/longterm/knowledge_reader.h"
 #include "kernel/longterm/long_term.h"
 #include "kernel/longterm/semantic_memory.h"
@@ -27,11 +26,9 @@ void Require(bool good) {
 
 void CheckKnowledge(SemanticMemory& memory) {
   Require(memory.knowledge().CheckInvariants().empty());
-  RecordWriter image;
-  memory.Save(image);
   Agent other("again");
   SemanticMemory& again = SemanticMemory::Of(other.long_term());
-  Require(again.Load(image.bytes(), {}));
+  Require(again.Load(memory.Image(), {}));
   Require(again.knowledge().edge_count() == memory.knowledge().edge_count());
 }
 
@@ -47,16 +44,14 @@ void TryText(SemanticMemory& memory, std::string_view text) {
   CheckKnowledge(memory);
 }
 
-void TryEpisodes(std::span<const std::uint8_t> bytes) {
+void TryEpisodes(std::string_view bytes) {
   EpisodeStore store;
   EpisodeTerms terms;
   if (!ReadEpisodes(bytes, store, terms)) return;
   Require(*store.CheckInvariants() == '\0');
-  RecordWriter image;
-  EpisodeWriter(store, terms).Write(image);
   EpisodeStore again;
   EpisodeTerms again_terms;
-  Require(ReadEpisodes(image.bytes(), again, again_terms));
+  Require(ReadEpisodes(EpisodeWriter(store, terms).Write(), again, again_terms));
   Require(again.last() == store.last() && again.fact_count() == store.fact_count());
 }
 
@@ -64,24 +59,23 @@ void TryEpisodes(std::span<const std::uint8_t> bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0 || size > 100'000) return 0;
-  const std::span<const std::uint8_t> rest(data + 1, size - 1);
-  const std::string_view text(reinterpret_cast<const char*>(rest.data()), rest.size());
+  const std::string_view rest(reinterpret_cast<const char*>(data + 1), size - 1);
   Agent agent("fuzz");
   SemanticMemory& memory = SemanticMemory::Of(agent.long_term());
   switch (data[0] % 4) {
     case 0:
-      TryText(memory, text);
+      TryText(memory, rest);
       break;
     case 1:
       if (memory.Load(rest, {})) CheckKnowledge(memory);
       break;
     case 2: {
       // Records, each behind its length.
-      std::vector<std::vector<std::uint8_t>> records;
-      RecordReader reader(rest);
+      std::vector<std::string> records;
+      soarbox::ByteReader reader(rest);
       while (!reader.AtEnd() && records.size() < 1000) {
         const std::string_view record = reader.Text();
-        if (reader.ok() && !record.empty()) records.emplace_back(record.begin(), record.end());
+        if (!record.empty()) records.emplace_back(record);
       }
       if (memory.Load({}, records)) CheckKnowledge(memory);
       break;

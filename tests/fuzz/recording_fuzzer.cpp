@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "record/format.h"
 #include "record/header.h"
 #include "record/percept_values.h"
@@ -21,13 +21,13 @@ using namespace soarbox::record;
 
 std::string Alone(const TickRecord& record) {
   std::string bytes;
-  mind::ByteWriter out(bytes);
+  ByteWriter out(bytes);
   WriteTick(out, {}, record);
   return bytes;
 }
 
 void ReadTicks(std::string_view bytes, std::uint16_t version) {
-  mind::ByteReader in(bytes);
+  ByteReader in(bytes);
   TickRecord record;
   PerceptValues percepts;
   while (!in.AtEnd()) {
@@ -35,7 +35,7 @@ void ReadTicks(std::string_view bytes, std::uint16_t version) {
     if (in.failed()) return;
     for (const MindRecord& mind : record.minds) ApplyPercepts(mind.events, percepts);
     const std::string bytes_alone = Alone(record);
-    mind::ByteReader again(bytes_alone);
+    ByteReader again(bytes_alone);
     TickRecord copy;
     ReadTick(again, copy);
     if (again.failed() || Alone(copy) != bytes_alone) std::abort();
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (void)DecodeHeader(bytes);
       break;
     case 1: {
-      mind::ByteReader in(bytes);
+      ByteReader in(bytes);
       std::uint64_t tick = 0;
       std::vector<std::string> inputs;
       while (!in.AtEnd()) ReadInputs(in, tick, inputs);

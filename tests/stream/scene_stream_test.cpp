@@ -8,7 +8,7 @@
 #include <iterator>
 #include <memory>
 
-#include "mind/byte_stream.h"
+#include "bytes/byte_stream.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"
 #include "stream/quantise.h"
@@ -53,12 +53,12 @@ class TestReader {
                 Z_OK);
       payload = plain.substr(0, size);
     }
-    mind::ByteReader in(payload);
+    ByteReader in(payload);
     tick = in.Number();
     time_s = in.Double();
     for (std::uint64_t count = in.Number(); count > 0; --count) texts.emplace_back(in.Text());
     while (const std::uint8_t tag = in.Byte()) {
-      mind::ByteReader section(in.Text());
+      ByteReader section(in.Text());
       if (tag == 3) Things(section);
       if (tag == 4) People(section);
       ASSERT_FALSE(section.failed());
@@ -74,15 +74,15 @@ class TestReader {
   std::map<std::uint32_t, Person> people;
 
  private:
-  static std::int64_t Signed(mind::ByteReader& in) {
+  static std::int64_t Signed(ByteReader& in) {
     const std::uint64_t n = in.Number();
     return static_cast<std::int64_t>(n >> 1) ^ -static_cast<std::int64_t>(n & 1);
   }
-  static void Add(mind::ByteReader& in, Place& to) {
+  static void Add(ByteReader& in, Place& to) {
     for (std::int64_t& part : to) part += Signed(in);
   }
   template <typename List>
-  static void Remove(mind::ByteReader& in, List& list) {
+  static void Remove(ByteReader& in, List& list) {
     std::uint32_t id = 0;
     for (std::uint64_t count = in.Number(); count > 0; --count) {
       id += static_cast<std::uint32_t>(in.Number());
@@ -90,14 +90,14 @@ class TestReader {
     }
   }
 
-  void Things(mind::ByteReader& in) {
+  void Things(ByteReader& in) {
     Remove(in, things);
     for (std::uint32_t id = 0; !in.AtEnd() && !in.failed();) {
       id += static_cast<std::uint32_t>(in.Number());
       Thing& thing = things[id];
       const std::uint8_t parts = in.Byte();
       if ((parts & 1) != 0) {
-        mind::ByteReader told(in.Text());
+        ByteReader told(in.Text());
         told.Number();
         told.Byte();
         told.Byte();
@@ -116,21 +116,21 @@ class TestReader {
       }
     }
   }
-  void People(mind::ByteReader& in) {
+  void People(ByteReader& in) {
     Remove(in, people);
     for (std::uint32_t id = 0; !in.AtEnd() && !in.failed();) {
       id += static_cast<std::uint32_t>(in.Number());
       Person& person = people[id];
       const std::uint8_t parts = in.Byte();
       if ((parts & 1) != 0) {
-        mind::ByteReader told(in.Text());
+        ByteReader told(in.Text());
         person.name = texts.at(told.Number());
       }
       if ((parts & 2) != 0) Add(in, person.place);
       Place unused{};
       if ((parts & 4) != 0) Add(in, unused);
       if ((parts & 16) == 0) continue;
-      mind::ByteReader state(in.Text());
+      ByteReader state(in.Text());
       person.health = static_cast<double>(Signed(state)) / 10;
       state.Byte();
       person.command = texts.at(state.Number());

@@ -42,41 +42,6 @@ constexpr bool LooksLikeInteger(std::string_view text) {
   return !text.empty();
 }
 
-/// An optional sign, digits, a dot, digits, an optional exponent; digits on at least one side of the dot.
-constexpr bool LooksLikeFloat(std::string_view text) {
-  std::size_t i = 0;
-  if (i < text.size() && (text[i] == '+' || text[i] == '-')) {
-    ++i;
-  }
-  std::size_t digits = 0;
-  for (; i < text.size() && IsDigit(text[i]); ++i) {
-    ++digits;
-  }
-  if (i == text.size() || text[i] != '.') {
-    return false;
-  }
-  for (++i; i < text.size() && IsDigit(text[i]); ++i) {
-    ++digits;
-  }
-  if (digits == 0) {
-    return false;
-  }
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    ++i;
-    if (i < text.size() && (text[i] == '+' || text[i] == '-')) {
-      ++i;
-    }
-    std::size_t exponent_digits = 0;
-    for (; i < text.size() && IsDigit(text[i]); ++i) {
-      ++exponent_digits;
-    }
-    if (exponent_digits == 0) {
-      return false;
-    }
-  }
-  return i == text.size();
-}
-
 /// "<x>": brackets around at least one constituent character.
 constexpr bool LooksLikeVariable(std::string_view text) {
   if (text.size() < 3 || text.front() != '<' || text.back() != '>') {

@@ -8,7 +8,7 @@
 
 namespace soarbox::kernel {
 
-/// Copies a text that is short as a rule: without a call, in words that may overlap at its end. `to` has room for the
+/// Copies a text that is usually short: without a call, in words that may overlap at its end. `to` has room for the
 /// text and does not overlap it.
 inline void CopyText(char* to, std::string_view text) {
   const char* const from = text.data();

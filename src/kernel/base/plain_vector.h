@@ -25,8 +25,8 @@ struct HeapRoom {
   static void Swap(HeapRoom&) noexcept {}
 };
 
-/// A vector of plain records for arrays that grow for long and large. It moves by reallocation, which for large arrays
-/// copies nothing and never holds two copies, and grows by an eighth when it is large, where std::vector would double.
+/// A vector of plain records, for arrays that keep growing. It moves by reallocation, which copies nothing for large
+/// arrays and never holds two copies. Once large, it grows by an eighth, where std::vector would double.
 /// `Room` is where the records are (HeapRoom, ForkableRoom).
 template <typename T, typename Room = HeapRoom>
 class PlainVector {
@@ -80,7 +80,7 @@ class PlainVector {
   }
   void clear() { size_ = 0; }
   const Room& room() const { return room_; }
-  /// Gives back what is not in use. Never fails: at worst all stays as it is.
+  /// Gives back unused room. Never fails: at worst nothing changes.
   void shrink_to_fit() noexcept {
     if (size_ == 0 || size_ == capacity_) {
       return;

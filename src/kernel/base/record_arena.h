@@ -13,8 +13,8 @@
 namespace soarbox::kernel {
 
 /// The records of one kind that an agent owns. Records never move, so a RecordId is a pointer and references stay good
-/// while others are made. Records that were given back are used again, the last one first: the steady state does not
-/// allocate. `kNextFree` is a member that links free records: whatever it means otherwise, it is overwritten in Give.
+/// while others are made. The record that was given back last is used again first, so the steady state does not
+/// allocate. `kNextFree` is the member that links free records; Give overwrites it.
 template <typename Record, RecordId<Record> Record::*kNextFree>
 class RecordArena {
   static_assert(std::is_trivially_destructible_v<Record>);

@@ -5,8 +5,8 @@
 
 namespace soarbox::kernel {
 
-/// True if nobody else holds what `pointer` points to. Then what others did with it, on whatever thread, has happened
-/// before, and it may be changed in place.
+/// True if nobody else holds what `pointer` points to. You may then change it in place: whatever other threads did with
+/// it has happened before.
 template <typename T>
 bool IsSoleOwner(const std::shared_ptr<T>& pointer) {
   if (pointer.use_count() != 1) return false;

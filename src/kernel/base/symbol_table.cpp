@@ -288,16 +288,6 @@ Symbol SymbolTable::FindString(std::string_view text) const {
   return index == ConstantPool<TextEntry>::kNotFound ? Symbol() : Symbol(Symbol::Tag::kString, index);
 }
 
-Symbol SymbolTable::FindVariable(std::string_view name) const {
-  const Contents& c = *contents_;
-  const std::uint32_t hash = HashText(name);
-  std::uint32_t index = c.base->pools.variables.Find(hash, name);
-  if (index == ConstantPool<TextEntry>::kNotFound) {
-    index = c.own.variables.Find(hash, name);
-  }
-  return index == ConstantPool<TextEntry>::kNotFound ? Symbol() : Symbol(Symbol::Tag::kVariable, index);
-}
-
 std::string_view SymbolTable::Text(Symbol symbol) const {
   return contents_->Text(symbol).View();
 }

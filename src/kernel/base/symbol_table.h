@@ -45,7 +45,6 @@ class SymbolTable {
   Symbol Variable(std::string_view name);
   /// The handle of a string that exists already, else the none symbol. Never interns.
   Symbol FindString(std::string_view text) const;
-  Symbol FindVariable(std::string_view name) const;
 
   /// False for what has been freed, or never was: a handle that must not be used. For checks.
   bool IsLive(Symbol symbol) const;

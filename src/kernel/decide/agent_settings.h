@@ -16,14 +16,14 @@ struct AgentSettings {
   int max_nil_output_cycles = 15;
   std::int64_t max_decision_time_us = 0;  ///< 0: unlimited.
   int max_gp = 20000;
-  /// A rule that needs more partial matches at a time breaks its agent down: see Agent::out_of_memory(). Each takes 64
-  /// bytes, what becomes of it several times as much.
+  /// If a rule needs more partial matches than this, its agent breaks down: see Agent::out_of_memory(). A partial match
+  /// takes 64 bytes; what is made of it takes several times as much.
   std::uint32_t max_partial_matches = 8'000'000;
   /// An agent whose own memory grows beyond this while it runs breaks down, too. The host sets it, no command does.
   std::size_t most_memory_bytes = std::numeric_limits<std::size_t>::max();
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
-  /// What elaborates an operator and applies it at once has i-support, and a warning says so; else it has o-support.
+  /// On: a match that both elaborates and applies an operator gets i-support, and a warning says so. Off: o-support.
   bool warn_of_mixed_support = true;
   /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
   bool ignore_numbers_of_duplicates = true;

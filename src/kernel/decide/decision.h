@@ -63,7 +63,7 @@ class Decision {
   bool EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome);
   /// True if something new was decided, so that nothing below needs a look.
   bool DecideGoal(GoalLevel level);
-  /// The impasse is there already, as the state below.
+  /// The state below already stands for this impasse.
   bool Faces(GoalLevel level, ImpasseType impasse, bool on_operator) const;
   void TellReason(const Goal& goal, const PreferenceSemantics::Outcome& outcome, Symbol selected, Symbol forced);
   bool EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);

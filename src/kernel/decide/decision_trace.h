@@ -14,7 +14,7 @@ namespace soarbox::kernel {
 
 /// The steps of the decision procedure that drop candidates, in their order.
 enum class DecisionStage : std::uint8_t {
-  kForced,     ///< Another one was settled by command (`decide select`).
+  kForced,     ///< A command (`decide select`) chose another one.
   kRequire,    ///< Another one is required.
   kProhibit,   ///< Prohibited (and perhaps rejected, too).
   kReject,     ///< Rejected.
@@ -53,7 +53,7 @@ struct DecisionReport {
   Symbol goal;
   GoalLevel level = 0;
   ImpasseType impasse = ImpasseType::kNone;  ///< kNone without a selected operator: nothing is left, a no-change.
-  /// None for an impasse. Of Agent::ExplainDecision the one that is selected now, which may be left no longer.
+  /// None for an impasse. In Agent::ExplainDecision: the operator that is selected now, even if it would now lose.
   Symbol selected;
   bool is_forced = false;
   std::span<const SlotPreference> preferences;  ///< All that stand in the slot.

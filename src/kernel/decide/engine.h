@@ -104,11 +104,8 @@ struct Engine {
   std::unique_ptr<Imagery> imagery;  ///< Null until somebody asks for it.
 
   // Host.
-  std::map<std::string, UserFunction, std::less<>> user_functions;
-  std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> fallback_function;
+  std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> user_functions;
   std::function<std::string(Agent&, std::string_view)> command_runner;
-  std::function<std::string()> line_reader;
-  std::map<std::string, std::uint64_t, std::less<>> rule_counters;
   bool agent_writes = true;
   std::string forced_operator;
 
@@ -117,7 +114,7 @@ struct Engine {
   std::size_t sweep_constants_at = 4096;
   std::vector<std::uint8_t> identifier_marks;
 
-  /// Rules that leave the network when the elaboration is over: nothing is taken from under a firing.
+  /// Rules that leave the network when the elaboration is over, so that no firing loses its rule.
   std::vector<ProductionId> excisions;
 
   /// The string that is a rule's name. It stays while the agent lives.

@@ -27,7 +27,7 @@ enum class ReductionPolicy : std::uint8_t { kExponential, kLinear };
 struct ExplorationParameter {
   double value = 0;
   ReductionPolicy reduction = ReductionPolicy::kExponential;
-  double exponential_rate = 1;  ///< Multiplied with, 0 to 1.
+  double exponential_rate = 1;  ///< A factor, 0 to 1.
   double linear_rate = 0;       ///< Subtracted, at least 0; the value does not go below 0.
 
   void Reduce();

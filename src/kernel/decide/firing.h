@@ -29,10 +29,10 @@ class Firing {
   /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration
   /// ends.
   ///
-  /// All that is called goes into it, but for what is marked: what few firings need must not take its registers.
+  /// Everything it calls is inlined, except what is marked noinline: what few firings need must not cost registers.
   [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);
-  /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number); none
-  /// if there is none.
+  /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number), if
+  /// there is one.
   Symbol TouchedAbove(const PendingMatch& match, GoalLevel level) const;
   /// Instantiations made in this pass and not asserted yet, oldest first. Held until asserted.
   std::vector<InstantiationId>& made() { return made_; }

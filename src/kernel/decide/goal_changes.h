@@ -38,7 +38,7 @@ class GoalChanges {
   /// Removes what an identifier that no goal reaches owns.
   void CollectGarbage(Symbol id);
 
-  /// What ^epmem.present-id of states says that are made from now on: the number of the next episode.
+  /// Sets ^epmem.present-id of the states that are made from now on: the number of the next episode.
   void SetPresentId(std::int64_t number) { present_id_ = number; }
 
   Symbol input_link() const { return input_link_; }

@@ -54,11 +54,6 @@ std::span<const ConditionTrace> InstantiationTable::Trace(InstantiationId id) co
   return {traces_.data() + record.first_trace, record.trace_count};
 }
 
-std::span<ConditionTrace> InstantiationTable::MutableTrace(InstantiationId id) {
-  const Instantiation& record = *id.record;
-  return {traces_.data() + record.first_trace, record.trace_count};
-}
-
 void InstantiationTable::Clear() {
   records_.Clear();
   traces_.clear();

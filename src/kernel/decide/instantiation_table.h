@@ -30,7 +30,6 @@ class InstantiationTable {
   /// Adds to the trace of an instantiation; never more than 65,535 in all.
   void ExtendTrace(InstantiationId id, std::span<const ConditionTrace> more);
   std::span<const ConditionTrace> Trace(InstantiationId id) const;
-  std::span<ConditionTrace> MutableTrace(InstantiationId id);
 
   template <typename Visit>
   void ForEach(Visit&& visit) const {

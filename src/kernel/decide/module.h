@@ -40,8 +40,8 @@ constexpr ModuleHooks operator|(ModuleHooks a, ModuleHook b) {
 }
 
 /// A mechanism that takes part in the decision cycle without being part of it: semantic memory, episodic memory,
-/// activation of working memory, reinforcement learning, and of chunking what is not the firing itself. Override what
-/// you need, and ask for the hooks with Modules::SetHooks (modules.h): none are called before.
+/// activation of working memory, reinforcement learning, and most of chunking. Override what you need, and ask for the
+/// hooks with Modules::SetHooks (modules.h): none are called before that.
 ///
 /// A module may change working memory in Input, AfterElaboration, AfterDecision, Output and OutputEnd, through
 /// PreferenceChanges or, in long-term memory, Installer; rules may go in OutputEnd. In the others it only takes notes.

@@ -8,8 +8,8 @@
 
 namespace soarbox::kernel {
 
-/// What those who learn ask of an agent's rules: a new rule must be known by name, be told of and be counted, wherever
-/// it comes from. Engine has the one that does it (agent_rules.h).
+/// What learning needs from an agent's rules: each new rule is registered by name, reported and counted, wherever it
+/// comes from. AgentRules implements it.
 class RuleChanges {
  public:
   virtual ~RuleChanges() = default;
@@ -23,10 +23,10 @@ class RuleChanges {
   /// Adds a rule that a template makes and matches it, in place of one of its name. Throws std::bad_alloc if that broke
   /// the agent down.
   virtual Outcome Add(const ProductionPtr& rule) = 0;
-  /// Whoever put the rule into the match has done so.
+  /// Call it after a rule has been put into the match.
   virtual void NoteAdded(ProductionId production, const ProductionPtr& rule) = 0;
   virtual void Excise(ProductionId production) = 0;
-  /// Takes a production out of the match when the elaboration is over: nothing is taken from under a firing.
+  /// Takes a production out of the match when the elaboration is over, so that no firing loses its rule.
   virtual void LeaveMatch(ProductionId production) = 0;
 };
 

@@ -44,10 +44,6 @@ void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {
   if (milliseconds > 0) std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
-std::string RuleContext::ReadLine() {
-  return engine_.line_reader ? engine_.line_reader() : std::string();
-}
-
 std::string RuleContext::Timestamp() {
   const auto now = std::chrono::system_clock::now();
   const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
@@ -69,26 +65,14 @@ std::uint64_t RuleContext::NextConstantNumber() {
   return next_constant_++;
 }
 
-void RuleContext::Count(std::string_view counter) {
-  const auto found = engine_.rule_counters.find(counter);
-  if (found != engine_.rule_counters.end()) {
-    ++found->second;
-  } else {
-    engine_.rule_counters.emplace(std::string(counter), 1);
-  }
-}
-
 std::string RuleContext::RunCommand(std::string_view line) {
   return engine_.command_runner ? engine_.command_runner(engine_.agent, line) : std::string();
 }
 
 bool RuleContext::CallUserFunction(std::string_view name, std::string_view argument, std::string& result) {
+  if (!engine_.user_functions) return false;
   const Symbol text = engine_.symbols.String(argument);
-  const auto found = engine_.user_functions.find(name);
-  if (found == engine_.user_functions.end() && !engine_.fallback_function) return false;
-  const Result<Symbol> answer = found != engine_.user_functions.end()
-                                    ? found->second(engine_.agent, {&text, 1})
-                                    : engine_.fallback_function(engine_.agent, name, {&text, 1});
+  const Result<Symbol> answer = engine_.user_functions(engine_.agent, name, {&text, 1});
   if (!answer.ok()) {
     PrintError(answer.error().message + "\n");
     return false;

@@ -30,7 +30,7 @@ class RuleContext final : public FunctionContext {
   bool HasCopied() const { return !copied_.empty(); }
   /// Makes the preferences for what the action copied.
   void MakeCopies();
-  /// All that the firing copied.
+  /// Everything that the firing copied.
   std::span<const Copied> copied() const { return copied_; }
   void ForgetCopied() {
     copied_.clear();
@@ -46,11 +46,9 @@ class RuleContext final : public FunctionContext {
   void RequestHalt() override;
   void RequestInterrupt() override;
   void WaitMilliseconds(std::int64_t milliseconds) override;
-  std::string ReadLine() override;
   std::string Timestamp() override;
   std::uint64_t DecisionCycle() const override;
   std::uint64_t NextConstantNumber() override;
-  void Count(std::string_view counter) override;
   std::string RunCommand(std::string_view line) override;
   bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) override;
   void SlotChildren(Symbol identifier, std::vector<Child>& out) const override;
@@ -68,7 +66,7 @@ class RuleContext final : public FunctionContext {
   InstantiationId firing_ = InstantiationId::kNone;
   std::uint64_t next_constant_ = 1;
   std::vector<Copied> copied_;
-  std::size_t made_copies_ = 0;  ///< So many have their preferences.
+  std::size_t made_copies_ = 0;  ///< How many of them have their preferences.
 };
 
 }  // namespace soarbox::kernel

@@ -40,7 +40,7 @@ class RunControl {
 
   /// (halt): the current elaboration finishes, then the run ends.
   void Halt() { halt_requested_ = true; }
-  /// (interrupt): a run that is under way ends with its phase, or with its elaboration if it goes by these.
+  /// (interrupt): the current run ends after its phase, or after its elaboration if it counts elaborations.
   void InterruptByAction() { rule_interrupt_ = action_interrupt_ = running_; }
   /// The same for what learning found; the run says why.
   void InterruptAfterPhase(std::string_view why) {
@@ -57,11 +57,11 @@ class RunControl {
     if (goal == watched_goal_) InterruptAfterPhase("Stopped due to substate (goal) retraction.");
   }
   void Clear();
-  /// Memory ran out in the middle of something: the agent counts as running for ever, so that nothing changes it.
+  /// Memory ran out in the middle of a change: from now on the agent counts as running, so that nothing changes it.
   void BreakDown() { broken_ = running_ = halted_ = true; }
   bool broken() const { return broken_; }
-  /// Ends the run at hand (by std::bad_alloc) if the agent broke down while a rule's action or an observer did
-  /// something that took all memory: the matches are gone, nothing can go on with them.
+  /// Ends the current run (by std::bad_alloc) if the agent broke down while a rule's action or an observer used up the
+  /// memory: the matches are gone, so the run cannot go on.
   void StopIfBroken() const {
     if (broken_) throw std::bad_alloc();
   }

@@ -17,7 +17,7 @@ namespace soarbox::kernel {
 /// decisions with uses are kept one by one and those before are estimated; when its logarithm falls below the threshold
 /// the rule is due.
 ///
-/// Counts decisions from when it was switched on. Does not know rules: who calls decides which may go.
+/// Counts decisions from when it was switched on. It knows numbers of rules only: the caller decides which may go.
 class Apoptosis {
  public:
   bool on() const { return mode_ != ApoptosisMode::kNone; }

@@ -96,7 +96,6 @@ void Chunker::AfterInit() {
   explanation_.trace_number = 0;
   cycle_ = ~std::uint64_t{0};
   next_identity_ = 1;
-  variables_seen_ = variables_of_rule_ = 0;
   next_number_ = 0;
   statistics_ = {};
   AskForHooks();
@@ -111,23 +110,18 @@ void Chunker::StateMade(GoalLevel level) {
   if (level == 2) next_identity_ = 1;
   if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
   substate_identity_[level] = next_identity_;
-  if (level < identities_of_level_.size()) identities_of_level_[level] = 0;
-  CountCreated(level, 2);  // Of the state and its superstate.
+  CountIdentities(2);  // Of the state and its superstate.
 }
 
-void Chunker::CountCreated(GoalLevel level, std::uint32_t count) {
+void Chunker::CountIdentities(std::uint32_t count) {
   next_identity_ += count;
   statistics_.identities_created += count;
-  if (identities_of_level_.size() <= level) identities_of_level_.resize(level + 1u, 0);
-  identities_of_level_[level] += count;
 }
 
-void Chunker::ItemsMade(GoalLevel level, std::uint32_t firings) {
+void Chunker::ItemsMade(GoalLevel, std::uint32_t firings) {
   if (!settings_.learning()) return;
   first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
-  variables_seen_ += 3 * firings;
-  CountCreated(level, 2 * firings);
-  statistics_.identities_propagated += 3 * firings;
+  CountIdentities(2 * firings);
 }
 
 void Chunker::ItemMade(WmeId item, std::uint32_t index) {
@@ -149,22 +143,16 @@ std::uint32_t Chunker::NumberOfSpecial(IdentityGraph::Key key) const {
   return level < substate_identity_.size() ? substate_identity_[level] + key.place % 2u : 0;
 }
 
-void Chunker::NoteFiring(InstantiationId id, bool is_own_instance) {
+void Chunker::NoteFiring(InstantiationId id) {
   Instantiation& instantiation = uses_.instantiations[id];
   instantiation.has_identities = true;
   instantiation.first_identity = next_identity_;
   reader_.BeginAnalysis();
-  const FiringReader::Counts counts = reader_.CountIdentities(id);
-  const Production* const rule = reader_.Rule(id);
-  std::uint32_t created = counts.created;
-  if (rule != nullptr) {
-    const auto made = static_cast<std::uint32_t>(rule->new_identifiers.size());
-    created += made;
-    if (!is_own_instance) variables_seen_ += reader_.Plan(id).bound() + made;
+  std::uint32_t created = reader_.CountIdentities(id);
+  if (const Production* const rule = reader_.Rule(id)) {
+    created += static_cast<std::uint32_t>(rule->new_identifiers.size());
   }
-  statistics_.identities_blocked += counts.blocked;
-  CountCreated(instantiation.level, created);
-  statistics_.identities_propagated += created + counts.superstate_links;
+  CountIdentities(created);
   reader_.EndAnalysis();
 }
 
@@ -176,8 +164,7 @@ void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied
   for (const RuleContext::Copied& element : copied) {
     created += 1u + (element.attribute.IsIdentifier() ? 1u : 0u) + (element.value.IsIdentifier() ? 1u : 0u);
   }
-  CountCreated(uses_.instantiations[id].level, created);
-  statistics_.identities_propagated += created;
+  CountIdentities(created);
 }
 
 void Chunker::NoteSelection(InstantiationId id) {
@@ -423,8 +410,6 @@ InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, 
   const std::string name = NewName(base, true, true);
   Tell(name);
   const RuleBuilder::Outcome outcome = builder_.Build(explanation_, name, goal_level);
-  variables_of_rule_ = variables_seen_;
-  variables_seen_ += builder_.variables_made();
   if (outcome == RuleBuilder::Outcome::kFailed) {
     failed = true;
     ++statistics_.unrepairable;
@@ -447,20 +432,6 @@ InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, 
   return Enter(base, outcome == RuleBuilder::Outcome::kRepaired);
 }
 
-/// As in Soar 9.6.3 the identities of its instance are counted before the rule is found to be known.
-void Chunker::CountDuplicate(InstantiationId id, ProductionId known, GoalLevel goal_level) {
-  Instantiation& instantiation = uses_.instantiations[id];
-  instantiation.production = known;
-  instantiation.goal = uses_.goals.at(goal_level).id;
-  instantiation.level = goal_level;
-  const std::span<ConditionTrace> traces = uses_.instantiations.MakeTrace(id, builder_.elements().size());
-  for (std::size_t n = 0; n < traces.size(); ++n) {
-    traces[n] = uses_.firing.LookAt(builder_.elements()[n], goal_level);
-  }
-  NoteFiring(id, true);
-  instantiation.production = ProductionId::kNone;
-}
-
 InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   const ProductionPtr& rule = builder_.rule();
   const std::span<const GoalLevel> goal_levels = uses_.memory.goal_levels();
@@ -479,7 +450,6 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   options.instantiation = id;
   const Rete::Added added = uses_.rete.AddProduction(rule, uses_.memory.goal_view(), options);
   if (added.result == Rete::AddResult::kDuplicate) {
-    if (goal_level > 1) CountDuplicate(id, added.production, goal_level);
     uses_.instantiations.Free(id);
     ++statistics_.duplicates;
     const std::string original(uses_.rete.production(added.production)->name);
@@ -524,7 +494,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   if (goal_level > 1) {
     uses_.firing.TraceConditions(id, builder_.elements());
     reader_.NoteTurned(id, builder_.turned_tests());
-    NoteFiring(id, true);
+    NoteFiring(id);
   }
   if (uses_.observers.Wants(Event::kLearning)) {
     const FiringInfo info = uses_.descriptions.DescribeInstantiation(id);

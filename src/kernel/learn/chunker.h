@@ -48,9 +48,10 @@ class SymbolTable;
 class WmeChanges;
 class WorkingMemory;
 
-/// Explanation-based chunking: a rule that fired in a substate and gave something to a higher state is explained, and
-/// the explanation becomes a rule that does in one step what the substate did. Where that is not wanted or not right,
-/// and always while learning is off, the result gets a justification instead (justification.h), which holds it.
+/// Explanation-based chunking: when a rule in a substate gives something to a higher state, this explains why, and
+/// turns the explanation into a rule that does in one step what the substate did. Where that is not wanted or not
+/// right, and always while learning is off, the result gets a justification instead (justification.h), which supports
+/// it.
 ///
 /// The stages, each with a file of its own: results, backtrace, identity_analysis, rule_builder (conditions, actions,
 /// repair), and entering the rule here.
@@ -95,7 +96,7 @@ class Chunker final : public Module {
   /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
   [[gnu::noinline]] void Consider(InstantiationId id);
   /// A rule fired in a substate, and learning is on: its identities begin.
-  [[gnu::noinline]] void NoteFiring(InstantiationId id, bool is_own_instance = false);
+  [[gnu::noinline]] void NoteFiring(InstantiationId id);
   /// A firing in a substate copied objects, and its trace has what it read.
   [[gnu::noinline]] void NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId id) { reader_.ForgetCopied(id); }
@@ -111,12 +112,6 @@ class Chunker final : public Module {
   };
   /// Null for items that came while nothing was to be learned.
   const ItemFiring* FiringOfItem(WmeId item) const;
-  /// A number for a variable of the rule that is being learned (RuleBuilder::OrderOf); for explanations.
-  std::uint32_t NumberOfVariable(std::uint32_t order) const { return variables_of_rule_ + order; }
-  /// How many identities the substate of a level has had.
-  std::uint32_t IdentitiesCreated(GoalLevel level) const {
-    return level < identities_of_level_.size() ? identities_of_level_[level] : 0;
-  }
   ExplanationLog& explanations() { return log_; }
   const ExplanationLog& explanations() const { return log_; }
   /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
@@ -152,14 +147,13 @@ class Chunker final : public Module {
   InstantiationId CountJustification(InstantiationId made);
   /// True if a rule may be learned from the explanation.
   bool MayLearn() const;
-  void CountCreated(GoalLevel level, std::uint32_t count);
+  void CountIdentities(std::uint32_t count);
   /// Says why nothing is learned from a firing, to those who want to know.
   void TellNotLearned(InstantiationId firing, NotLearned why) const;
   /// Whether the settings leave the firing's state out; says so.
   bool IsLeftOut(InstantiationId firing) const;
   InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);
   InstantiationId Enter(InstantiationId base, bool repaired);
-  void CountDuplicate(InstantiationId id, ProductionId known, GoalLevel goal_level);
   /// `counts`: it is one more of its kind in this cycle.
   std::string NewName(InstantiationId base, bool is_chunk, bool counts);
   void Tell(const std::string& name);
@@ -184,14 +178,11 @@ class Chunker final : public Module {
   std::uint32_t explanation_number_ = 0;  ///< Of what is being learned, if it is to be kept.
   bool left_out_ = false;                 ///< The state of the firing that is considered.
   std::uint32_t next_identity_ = 1;
-  std::uint32_t variables_seen_ = 0;     ///< Of firings in substates, items and learned rules, since init-soar.
-  std::uint32_t variables_of_rule_ = 0;  ///< Those before the rule that is being learned.
-  std::uint32_t next_number_ = 0;        ///< Of numbered names.
+  std::uint32_t next_number_ = 0;  ///< Of numbered names.
   std::vector<std::uint32_t>
       substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
   std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.
   ItemFiring first_item_;                               ///< Of those that ItemsMade told of last.
-  std::vector<std::uint32_t> identities_of_level_;
   std::uint64_t cycle_ = ~std::uint64_t{0};
   std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;
   std::unordered_map<ProductionId, Origin> learned_;

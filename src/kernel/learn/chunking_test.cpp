@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/agent.h"
-#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/explanation_log.h"
 #include "kernel/learn/identity_graph.h"
 #include "kernel/learn/learn_settings.h"
 #include "kernel/rules/print_production.h"
@@ -172,12 +172,12 @@ TEST_F(ChunkingTest, DuplicatesAreCountedAndNotKept) {
 TEST_F(ChunkingTest, ExplanationsSayWhereEachConditionCameFrom) {
   Agent agent("a");
   Learn(agent);
-  agent.RecordExplanations(true, false);
+  agent.mutable_explanations().all = true;
   Task(agent, 7, 2);
   Method(agent);
   agent.Run(RunUnit::kDecision, 4);
-  ASSERT_EQ(agent.Explained().size(), 1u);
-  const ExplainedRule& rule = agent.Explained().front();
+  ASSERT_EQ(agent.explanations().rules().size(), 1u);
+  const ExplainedRule& rule = agent.explanations().rules().front();
   EXPECT_EQ(rule.name, "chunk*fin*t2-1");
   EXPECT_EQ(rule.firings.size(), 2u);
   for (const ExplainedRule::Condition& condition : rule.conditions) {
@@ -187,7 +187,7 @@ TEST_F(ChunkingTest, ExplanationsSayWhereEachConditionCameFrom) {
   ASSERT_NE(rule.FindFiring(rule.base), nullptr);
   EXPECT_EQ(rule.FindFiring(rule.base)->rule, "fin");
   agent.InitSoar();
-  EXPECT_TRUE(agent.Explained().empty());
+  EXPECT_TRUE(agent.explanations().rules().empty());
 }
 
 }  // namespace

@@ -85,12 +85,11 @@ struct ExplainedRule {
   std::vector<Event> events;
   std::vector<Constraint> constraints;
   std::vector<std::uint32_t> identities;  ///< In the learned rule, ascending.
-  std::uint32_t identities_created = 0, literalized = 0, joined = 0;
+  std::uint32_t literalized = 0, joined = 0;
   std::uint32_t merged_conditions = 0, merged_disjunctions = 0, operational_constraints = 0, duplicates = 0;
   bool local_negation = false, quiescence = false, long_term_memory = false, repaired = false;
 
-  /// About what it takes: its texts are measured by what they hold, so that the answer stays the same when they are
-  /// copied.
+  /// Roughly the bytes it takes. Texts count by their length, so a copy gives the same answer.
   std::size_t MemoryBytes() const;
   /// Negated conjunctions count each of their conditions.
   std::size_t CountConditions() const {

@@ -40,7 +40,7 @@ struct Explanation {
     WmeId wme = WmeId::kNone;
     WmeId item = WmeId::kNone;
   };
-  std::vector<Ground> grounds;  ///< What was found last comes first.
+  std::vector<Ground> grounds;  ///< The one found last comes first.
   /// A condition that tested an element of the substate, and the preference that made it.
   struct Link {
     InstantiationId firing = InstantiationId::kNone;
@@ -65,7 +65,7 @@ struct Explanation {
     ConditionDraft literal;
     std::span<const std::uint16_t> classes;
   };
-  std::vector<Negation> negations;  ///< What was found last comes first.
+  std::vector<Negation> negations;  ///< The one found last comes first.
   GoalLevel lowest_ground = 0;      ///< Of the states that grounds hang on; 0 if none hangs on a state.
   std::vector<WmeId> operator_grounds;
   bool quiescence = false, local_negation = false, long_term_memory = false;

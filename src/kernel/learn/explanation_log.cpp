@@ -119,6 +119,21 @@ std::string ExplanationLog::Number(IdentityGraph::Node node) {
   return "[" + std::to_string(analysis_.NumberOf(node)) + "]";
 }
 
+std::vector<std::string> ExplanationLog::Comparisons(const Test& test, bool with_state,
+                                                     const std::function<std::string(const Test&)>& referent) const {
+  std::vector<std::string> texts;
+  ForEachTest(test, [&](const Test& part) {
+    if (part.kind == TestKind::kState && with_state) texts.emplace_back("state");
+    if (!IsCarried(part.kind)) return;
+    if (part.kind == TestKind::kDisjunction) {
+      AppendTest(texts.emplace_back(), uses_.symbols, part);
+    } else {
+      texts.push_back(std::string(ComparisonSign(part.kind)) + referent(part));
+    }
+  });
+  return texts;
+}
+
 ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value, InstantiationId firing,
                                                   std::size_t condition, Field field) {
   ExplainedRule::Field out;
@@ -131,31 +146,19 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
     out.identity = own;
     return out;
   }
-  std::vector<std::string> texts, identities, values;
-  ForEachTest(*test, [&](const Test& part) {
-    if (part.kind == TestKind::kState) texts.emplace_back("state");
-    if (!IsCarried(part.kind)) return;
-    if (part.kind == TestKind::kDisjunction) {
-      std::string text = "<<";
-      for (const Symbol symbol : part.disjuncts()) text += " " + Name(symbol);
-      text += " >>";
-      texts.push_back(text);
-      identities.push_back(text);
-      values.push_back(text);
-      return;
-    }
-    const std::string sign(ComparisonSign(part.kind));
-    texts.push_back(sign + Name(part.referent()));
-    std::string referent = Name(part.referent()), of = referent;
-    if (part.referent().IsVariable()) {
-      const std::uint16_t bound = reader_.Plan(firing).ClassOf(part.referent());
-      const IdentityGraph::Node other = analysis_.OfClass(firing, bound);
-      if (other != IdentityGraph::kNone) of = Number(other);
-      if (bound != IdentityPlan::kLiteral)
-        referent = Name(ValueOfClass(reader_.Plan(firing), bound, uses_.instantiations.Trace(firing), uses_.memory));
-    }
-    identities.push_back(sign + of);
-    values.push_back(sign + referent);
+  const IdentityPlan& plan = reader_.Plan(firing);
+  std::vector<std::string> texts = Comparisons(*test, true, [&](const Test& part) { return Name(part.referent()); });
+  std::vector<std::string> identities = Comparisons(*test, false, [&](const Test& part) {
+    const IdentityGraph::Node other =
+        part.referent().IsVariable() ? analysis_.OfClass(firing, plan.ClassOf(part.referent())) : IdentityGraph::kNone;
+    return other != IdentityGraph::kNone ? Number(other) : Name(part.referent());
+  });
+  std::vector<std::string> values = Comparisons(*test, false, [&](const Test& part) {
+    const std::uint16_t bound =
+        part.referent().IsVariable() ? plan.ClassOf(part.referent()) : std::uint16_t{IdentityPlan::kLiteral};
+    return Name(bound == IdentityPlan::kLiteral
+                    ? part.referent()
+                    : ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory));
   });
   const Symbol equal = EqualitySymbol(*test);
   texts.push_back(equal ? Name(equal) : std::string("<?>"));
@@ -167,7 +170,7 @@ ExplainedRule::Field ExplanationLog::DescribeTest(const Test* test, Symbol value
   return out;
 }
 
-ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own, bool is_result) {
+ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own) {
   const Preference& preference = uses_.memory.preference(id);
   const Production* const rule = reader_.Rule(preference.instantiation);
   ExplainedRule::Action out;
@@ -184,9 +187,7 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own, 
       field.identity = "[" + FunctionText(*made.function, preference.instantiation, own) + "]";
     }
     if (own && node != IdentityGraph::kNone) {
-      // As in Soar 9.6.3 a referent has the number of its variable in the learned rule.
-      const std::uint32_t order = part == FiringReader::Part::kReferent && is_result ? builder_.OrderOf(node) : 0;
-      const std::uint32_t before = order != 0 ? uses_.chunker.NumberOfVariable(order) : analysis_.NumberOfOwn(node);
+      const std::uint32_t before = analysis_.NumberOfOwn(node);
       if (before != field.number) field.identity.insert(1, std::to_string(before) + "->");
     }
     field.text = field.value;
@@ -286,7 +287,7 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
        p = uses_.memory.preference(p).next_of_instantiation) {
     const bool is_result = std::ranges::find(explanation.results, p) != explanation.results.end();
-    out.actions.push_back(DescribeAction(p, true, is_result));
+    out.actions.push_back(DescribeAction(p, true));
     out.made_result |= is_result;
   }
   std::ranges::reverse(out.actions);
@@ -450,28 +451,18 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       // The learned rule's own tests: the equality first, but last among the identities.
       const auto describe_test = [&](const Test& test, ExplainedRule::Field& into, bool& state) {
         const Symbol equal = EqualitySymbol(test);
-        std::vector<std::string> texts{Name(equal)}, identities;
+        std::vector<std::string> texts =
+            Comparisons(test, true, [&](const Test& part) { return Name(part.referent()); });
+        std::vector<std::string> identities =
+            Comparisons(test, true, [&](const Test& part) { return NumberOfVariable(part.referent()); });
         bool compares_with_itself = false;
         ForEachTest(test, [&](const Test& part) {
+          state |= part.kind == TestKind::kState;
           compares_with_itself |=
               IsCarried(part.kind) && part.kind != TestKind::kDisjunction && part.referent() == equal;
-          if (part.kind == TestKind::kState) {
-            state = true;
-            texts.emplace_back("state");
-            identities.emplace_back("state");
-          } else if (part.kind == TestKind::kDisjunction) {
-            std::string list = "<<";
-            for (const Symbol symbol : part.disjuncts()) list += " " + Name(symbol);
-            texts.push_back(list + " >>");
-            identities.push_back(texts.back());
-          } else if (IsCarried(part.kind)) {
-            const std::string sign(ComparisonSign(part.kind));
-            texts.push_back(sign + Name(part.referent()));
-            identities.push_back(sign + NumberOfVariable(part.referent()));
-          }
         });
+        texts.insert(compares_with_itself ? texts.end() : texts.begin(), Name(equal));
         identities.push_back(NumberOfVariable(equal));
-        if (compares_with_itself) std::rotate(texts.begin(), texts.begin() + 1, texts.end());
         into.text = Joined(texts);
         into.identity = Joined(identities);
       };
@@ -487,17 +478,9 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
     // Which identity each variable of the finished rule stands for, and what it was.
     std::map<std::uint32_t, Symbol> value_of_variable;
     const auto matched = [&](const Test& test, Symbol value) {
-      std::vector<std::string> texts;
-      ForEachTest(test, [&](const Test& part) {
-        if (part.kind == TestKind::kDisjunction) {
-          std::string list = "<<";
-          for (const Symbol symbol : part.disjuncts()) list += " " + Name(symbol);
-          texts.push_back(list + " >>");
-        } else if (IsCarried(part.kind)) {
-          const auto found = value_of_variable.find(part.referent().bits());
-          texts.push_back(std::string(ComparisonSign(part.kind)) +
-                          Name(found != value_of_variable.end() ? found->second : part.referent()));
-        }
+      std::vector<std::string> texts = Comparisons(test, false, [&](const Test& part) {
+        const auto found = value_of_variable.find(part.referent().bits());
+        return Name(found != value_of_variable.end() ? found->second : part.referent());
       });
       texts.push_back(Name(value));
       return Joined(texts);
@@ -560,7 +543,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
   }
   // As in Soar 9.6.3 the rule's own actions stand in its order, and the identities beside them in that of the results.
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
-    ExplainedRule::Action action = DescribeAction(explanation.results[n], false, true);
+    ExplainedRule::Action action = DescribeAction(explanation.results[n], false);
     const Action* const learned =
         out.rule != nullptr ? &out.rule->actions[explanation.results.size() - n - 1] : nullptr;
     const auto text = [&](ExplainedRule::Field& field, const RhsValue* term) {
@@ -635,7 +618,6 @@ void ExplanationLog::Describe(ExplainedRule& out, const Explanation& explanation
   out.quiescence = explanation.quiescence;
   out.long_term_memory = explanation.long_term_memory;
   out.repaired = made.repaired;
-  out.identities_created = uses_.chunker.IdentitiesCreated(explanation.level);
   DescribeLearned(out, explanation);
   for (const PreferenceId result : explanation.results) {
     const std::uint32_t serial = uses_.instantiations[uses_.memory.preference(result).instantiation].serial;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -49,8 +50,8 @@ class ExplanationLog {
   std::vector<std::string> watched;
   std::vector<std::string> watched_learned;  ///< Rules learned from those.
 
-  /// Somebody watches the agent: explanations of all learned rules are noted for them, whatever the settings say. The
-  /// settings and what `explain` prints know nothing of it.
+  /// Somebody watches the agent: explanations of all learned rules are noted for them, whatever the settings say. This
+  /// changes neither the settings nor what `explain` prints.
   bool noting = false;
   static constexpr std::size_t kMostNoted = 1000;  ///< The oldest go.
 
@@ -80,10 +81,13 @@ class ExplanationLog {
   ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
   /// The firing behind an item of the impasse.
   ExplainedRule::Firing Describe(WmeId item, std::uint32_t serial, const Explanation& explanation);
+  /// What a test asks for beside the value itself, part by part; `referent` says what a comparison compares with.
+  std::vector<std::string> Comparisons(const Test& test, bool with_state,
+                                       const std::function<std::string(const Test&)>& referent) const;
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
   /// `own`: also the identities that fields had before all joining.
-  ExplainedRule::Action DescribeAction(PreferenceId preference, bool own, bool is_result);
+  ExplainedRule::Action DescribeAction(PreferenceId preference, bool own);
   std::string FunctionText(const RhsValue& function, InstantiationId firing, bool identities);
   void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
   /// A negated condition: as it is written, as the rule that fired has it, and what it was.

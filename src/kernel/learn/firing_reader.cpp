@@ -45,7 +45,7 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
     for (std::size_t place = 3 * number; place < 3 * number + 3; ++place) {
       if (plan.of_field[place] == IdentityPlan::kLiteral) continue;
       const auto bit = static_cast<std::uint8_t>(1u << (place - 3 * number));
-      (plan.first[plan.of_field[place]] == place ? tested.first : tested.later) |= bit;
+      if (plan.first[plan.of_field[place]] == place) tested.first |= bit;
     }
     tested.condition = &condition;
     std::uint8_t field = 1;
@@ -359,66 +359,37 @@ std::uint8_t FiringReader::GivenBy(PreferenceId preference_id) {
   return given;
 }
 
-/// Of a justification, field by field.
-FiringReader::Counts FiringReader::CountUncommonIdentities(InstantiationId firing) {
-  const IdentityPlan& plan = Plan(firing);
-  const GoalLevel level = uses_.instantiations[firing].level;
-  Counts counts;
-  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
-    const std::uint16_t identity_class = plan.of_field[place];
-    if (identity_class == IdentityPlan::kLiteral) continue;
-    const Source source = SourceOf(firing, static_cast<std::uint16_t>(place));
-    if (plan.first[identity_class] == place) {
-      counts.created += source == Source::kOwn || source == Source::kArchitecture;
-    } else {
-      counts.blocked += source == Source::kMaker || source == Source::kItem;
-    }
-  }
-  if (level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities) {
-    for (const ConditionTrace& trace : uses_.instantiations.Trace(firing)) {
-      counts.superstate_links += IsSuperstateLink(trace.wme, level);
-    }
-  }
-  return counts;
-}
-
-FiringReader::Counts FiringReader::CountIdentities(InstantiationId firing) {
+std::uint32_t FiringReader::CountIdentities(InstantiationId firing) {
   const Instantiation& instantiation = uses_.instantiations[firing];
-  if (instantiation.production == ProductionId::kNone) return CountUncommonIdentities(firing);
+  std::uint32_t count = 0;
+  if (instantiation.production == ProductionId::kNone) {
+    for (const std::uint16_t place : Plan(firing).first) count += SourceOf(firing, place) == Source::kOwn;
+    return count;
+  }
   const GoalLevel level = instantiation.level;
   const Symbol state = level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities
                            ? uses_.goals.at(level).id
                            : Symbol();
   const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
   const std::span<const Tested> tested = KnownOf(instantiation.production).positives;  // Stays where it is.
-  Counts counts;
   for (std::size_t n = 0; n < tested.size(); ++n) {
     const ConditionTrace& trace = traces[n];
-    const unsigned first = tested[n].first, later = tested[n].later;
-    if (trace.preference == PreferenceId::kNone) {
-      if (!state || uses_.memory.wme(trace.wme).id != state) {
-        counts.created += static_cast<std::uint32_t>(std::popcount(first));
-        continue;
-      }
+    const unsigned first = tested[n].first;
+    if (first == 0) continue;
+    if (trace.preference != PreferenceId::kNone) {
+      const unsigned given = trace.inherits ? GivenBy(trace.preference) : 0;
+      count += static_cast<std::uint32_t>(std::popcount(first & ~given));
+    } else if (!state || uses_.memory.wme(trace.wme).id != state) {
+      count += static_cast<std::uint32_t>(std::popcount(first));
+    } else {
       // Of the state itself, as the architecture made it.
-      counts.superstate_links += IsSuperstateLink(trace.wme, level);
       for (unsigned bits = first; bits != 0; bits &= bits - 1) {
         const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
-        const Source source = SourceOf(firing, place);
-        counts.created += source == Source::kOwn || source == Source::kArchitecture;
+        count += SourceOf(firing, place) == Source::kOwn;
       }
-      for (unsigned bits = later; bits != 0; bits &= bits - 1) {
-        const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
-        counts.blocked += SourceOf(firing, place) == Source::kItem;
-      }
-      continue;
     }
-    if ((first | later) == 0) continue;
-    const unsigned given = trace.inherits ? GivenBy(trace.preference) : 0;
-    counts.created += static_cast<std::uint32_t>(std::popcount(first & ~given));
-    counts.blocked += static_cast<std::uint32_t>(std::popcount(later & given));
   }
-  return counts;
+  return count;
 }
 
 FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_t place) {
@@ -437,9 +408,6 @@ FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_
   const Wme& wme = uses_.memory.wme(trace.wme);
   if (wme.id == uses_.goals.at(level).id && uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
     return Source::kItem;
-  }
-  if (wme.id == uses_.goals.at(level).id && part == Part::kValue && !wme.value.IsIdentifier()) {
-    return Source::kArchitecture;
   }
   return Source::kOwn;
 }
@@ -481,7 +449,6 @@ IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t i
       case Source::kItem:
         return part == Part::kId ? SuperstateLink(instantiation.level, part) : Item(trace.wme);
       case Source::kOwn:
-      case Source::kArchitecture:
       case Source::kMaker:
         return own;
     }

@@ -52,8 +52,7 @@ class FiringReader {
   struct Tested {
     const Condition* condition = nullptr;
     std::uint8_t carried = 0;  ///< Bit n: field n asks for more than which value it is.
-    std::uint8_t first = 0;    ///< Bit n: field n is the first place of its class,
-    std::uint8_t later = 0;    ///< or a later one.
+    std::uint8_t first = 0;    ///< Bit n: field n is the first place of its class.
     std::uint8_t follows = 0;  ///< Bit n: field n is the first place of its class, and no superstate link is another.
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
@@ -110,15 +109,10 @@ class FiringReader {
   }
 
   /// How the first place of a class comes by its identity.
-  enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem, kArchitecture };
+  enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
-  struct Counts {
-    std::uint32_t created = 0;           ///< Classes of conditions whose identity is the firing's own.
-    std::uint32_t blocked = 0;           ///< Later places of a class whose element was made with an identity.
-    std::uint32_t superstate_links = 0;  ///< Conditions that test the superstate link of the firing's state.
-  };
-  /// Of a firing that has copied nothing.
-  Counts CountIdentities(InstantiationId firing);
+  /// How many classes of conditions have an identity that is the firing's own. Of a firing that has copied nothing.
+  std::uint32_t CountIdentities(InstantiationId firing);
 
   /// The firing copied objects. To learning, the copy is the original: what is said of it is said of that.
   void NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied);
@@ -156,7 +150,6 @@ class FiringReader {
   [[gnu::noinline]] const IdentityPlan& UncommonPlan(InstantiationId firing);
   /// Whether IsOfSuperstateLink need be asked.
   bool MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class);
-  [[gnu::noinline]] Counts CountUncommonIdentities(InstantiationId firing);
   /// Which parts of the action that made a preference give an identity: bit n for part n.
   std::uint8_t GivenBy(PreferenceId preference);
 

@@ -168,8 +168,7 @@ std::uint32_t IdentityAnalysis::NumberOfOwn(IdentityGraph::Node node) {
   const IdentityPlan& plan = reader_.Plan(firing);
   std::uint32_t number = uses_.instantiations[firing].first_identity;
   for (std::uint16_t n = 0; n < plan.bound() && n < key.place; ++n) {
-    const FiringReader::Source source = reader_.SourceOf(firing, plan.first[n]);
-    if (source == FiringReader::Source::kOwn || source == FiringReader::Source::kArchitecture) ++number;
+    number += reader_.SourceOf(firing, plan.first[n]) == FiringReader::Source::kOwn;
   }
   return key.place < plan.bound()
              ? number

@@ -47,8 +47,7 @@ struct LearnStatistics {
   std::uint64_t repaired = 0;
   std::uint64_t chunks_with_local_negation = 0, chunks_with_long_term_memory = 0;
   std::uint64_t justifications_with_local_negation = 0, justifications_with_long_term_memory = 0;
-  std::uint64_t identities_created = 0, identities_propagated = 0, identities_blocked = 0;
-  std::uint64_t identities_in_rules = 0, identities_joined = 0, identities_literalized = 0;
+  std::uint64_t identities_created = 0, identities_in_rules = 0, identities_joined = 0, identities_literalized = 0;
   std::uint64_t duplicates = 0, tested_quiescence = 0, without_grounds = 0;
   std::uint64_t over_max_chunks = 0, over_max_duplicates = 0;
   std::uint64_t unrepairable = 0, did_not_match = 0;

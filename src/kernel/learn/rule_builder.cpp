@@ -38,8 +38,6 @@ RuleBuilder::Outcome RuleBuilder::Build(Explanation& explanation, std::string_vi
   made_.clear();
   negated_.clear();
   variable_of_.clear();
-  order_of_.clear();
-  variables_made_ = 0;
   variable_of_symbol_.clear();
   identifier_of_variable_.clear();
   actions_.clear();
@@ -76,7 +74,6 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
       letter = 'c';
     }
   }
-  ++variables_made_;
   const std::uint32_t number = ++letters_[static_cast<std::size_t>(letter - 'a')];
   char name[16] = {'<', letter};
   char* end = std::to_chars(name + 2, std::end(name) - 1, number).ptr;
@@ -89,15 +86,9 @@ Symbol RuleBuilder::NewVariable(Symbol of) {
 Symbol RuleBuilder::Meaning(IdentityGraph::Node node, Symbol value) {
   if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return value;
   const IdentityGraph::Node root = analysis_.graph().Root(node);
-  if (root >= variable_of_.size()) {
-    variable_of_.resize(analysis_.graph().size());
-    order_of_.resize(analysis_.graph().size(), 0);
-  }
+  if (root >= variable_of_.size()) variable_of_.resize(analysis_.graph().size());
   Symbol& variable = variable_of_[root];
-  if (!variable) {
-    variable = NewVariable(value);
-    order_of_[root] = variables_made_;
-  }
+  if (!variable) variable = NewVariable(value);
   return variable;
 }
 
@@ -261,10 +252,7 @@ void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
     if (bound == IdentityPlan::kLiteral) {
       // It is the condition's own.
       Symbol& own = own_variables_[draft.referent.bits()];
-      if (!own) {
-        own = NewVariable(Symbol());
-        --variables_made_;  // It has no identity.
-      }
+      if (!own) own = NewVariable(Symbol());
       draft.referent = own;
     } else {
       const Symbol value = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
@@ -561,11 +549,6 @@ bool RuleBuilder::Finish(std::string_view name) {
   }
   rule_ = Production::Make(rule);
   return true;
-}
-
-std::uint32_t RuleBuilder::OrderOf(IdentityGraph::Node node) const {
-  const IdentityGraph::Node root = analysis_.graph().Root(node);
-  return root < order_of_.size() ? order_of_[root] : 0;
 }
 
 std::string RuleBuilder::VariableNameOf(IdentityGraph::Node node) const {

@@ -66,10 +66,6 @@ class RuleBuilder {
   std::uint32_t merged_conditions() const { return merged_conditions_; }
   std::uint32_t merged_disjunctions() const { return merged_disjunctions_; }
   std::uint32_t operational_constraints() const { return operational_constraints_; }
-  /// Which variable of the conditions an identity got: they are counted from 1 as they are made. 0: none.
-  std::uint32_t OrderOf(IdentityGraph::Node node) const;
-  /// How many variables the rule got in all.
-  std::uint32_t variables_made() const { return variables_made_; }
   /// How the variable of an identity was called before the rule was finished; empty if it has none.
   std::string VariableNameOf(IdentityGraph::Node node) const;
 
@@ -122,9 +118,7 @@ class RuleBuilder {
   std::vector<Made> made_;
   std::vector<ConditionDraft*> negated_;
   std::vector<CarriedTest> constraints_;
-  std::vector<Symbol> variable_of_;      ///< By root; none: it has none yet.
-  std::vector<std::uint32_t> order_of_;  ///< By root: when its variable was made.
-  std::uint32_t variables_made_ = 0;
+  std::vector<Symbol> variable_of_;                                ///< By root; none: it has none yet.
   std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;   ///< Of identifiers without an identity.
   std::vector<std::pair<Symbol, Symbol>> identifier_of_variable_;  ///< Variable, identifier.
   std::unordered_map<std::uint32_t, Symbol> own_variables_;        ///< Of the negation at hand.

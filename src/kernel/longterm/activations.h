@@ -53,7 +53,6 @@ class Activations {
   std::uint64_t tick() const { return tick_; }
   /// How often an activation was worked out (`smem --stats act_updates`).
   std::uint64_t updates() const { return updates_; }
-  void ResetUpdates() { updates_ = 0; }
   std::span<const Touched> records() const { return records_; }
 
   /// Everything as it was written down.

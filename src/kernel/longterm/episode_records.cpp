@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/longterm/episode_records.h"
 
+#include "bytes/byte_stream.h"
+
 namespace soarbox::kernel {
 namespace {
 
 /// What a constant's record begins with.
 enum class ConstantKind : std::uint8_t { kText = 1, kInteger, kFloat };
 
-void WriteConstant(RecordWriter& out, const EpisodeTerms& terms, EpisodeTerm term) {
+void WriteConstant(ByteWriter& out, const EpisodeTerms& terms, EpisodeTerm term) {
   switch (terms.kind(term)) {
     case SymbolKind::kInteger:
       out.Byte(static_cast<std::uint8_t>(ConstantKind::kInteger));
-      out.Bits(static_cast<std::uint64_t>(terms.Integer(term)));
+      out.Fixed64(static_cast<std::uint64_t>(terms.Integer(term)));
       break;
     case SymbolKind::kFloat:
       out.Byte(static_cast<std::uint8_t>(ConstantKind::kFloat));
-      out.Real(terms.Float(term));
+      out.Double(terms.Float(term));
       break;
     default:
       out.Byte(static_cast<std::uint8_t>(ConstantKind::kText));
@@ -25,22 +27,22 @@ void WriteConstant(RecordWriter& out, const EpisodeTerms& terms, EpisodeTerm ter
 }
 
 /// A constant that is there already has another number than the next: the record lies.
-bool ReadConstant(RecordReader& in, EpisodeTerms& terms) {
+bool ReadConstant(ByteReader& in, EpisodeTerms& terms) {
   const std::size_t next = terms.size();
   switch (static_cast<ConstantKind>(in.Byte())) {
     case ConstantKind::kText:
-      return terms.Intern(in.Text()) == next && in.ok();
+      return terms.Intern(in.Text()) == next && !in.failed();
     case ConstantKind::kInteger:
-      return terms.Intern(static_cast<std::int64_t>(in.Bits())) == next && in.ok();
+      return terms.Intern(static_cast<std::int64_t>(in.Fixed64())) == next && !in.failed();
     case ConstantKind::kFloat:
-      return terms.Intern(in.Real()) == next && in.ok();
+      return terms.Intern(in.Double()) == next && !in.failed();
   }
   return false;
 }
 
-bool ReadFact(RecordReader& in, EpisodeStore& store, const EpisodeTerms& terms) {
+bool ReadFact(ByteReader& in, EpisodeStore& store, const EpisodeTerms& terms) {
   const std::uint64_t parent = in.Number(), attribute = in.Number(), value = in.Number();
-  if (!in.ok() || parent >= store.node_count() || attribute >= terms.size()) return false;
+  if (in.failed() || parent >= store.node_count() || attribute >= terms.size()) return false;
   // Nodes are numbered as facts first lead to them.
   const bool is_node = value % 2 == 1;
   if (value / 2 >= (is_node ? store.node_count() + std::uint64_t{1} : terms.size())) return false;
@@ -50,7 +52,7 @@ bool ReadFact(RecordReader& in, EpisodeStore& store, const EpisodeTerms& terms) 
                        is_node ? EpisodeValue::Node(index) : EpisodeValue::Constant(index)}) == next;
 }
 
-bool ReadEpisode(RecordReader& in, EpisodeStore& store, EpisodeTerms& terms) {
+bool ReadEpisode(ByteReader& in, EpisodeStore& store, EpisodeTerms& terms) {
   for (std::uint64_t n = in.Number(); n > 0; --n) {
     if (!ReadConstant(in, terms)) return false;
   }
@@ -59,12 +61,12 @@ bool ReadEpisode(RecordReader& in, EpisodeStore& store, EpisodeTerms& terms) {
   }
   for (std::uint64_t n = in.Number(); n > 0; --n) {
     const std::uint64_t node = in.Number(), lti = in.Number();
-    if (!in.ok() || node >= store.node_count()) return false;
+    if (in.failed() || node >= store.node_count()) return false;
     store.SetLink(static_cast<EpisodeNode>(node), lti);
   }
   for (std::uint64_t n = in.Number(); n > 0; --n) {
     const std::uint64_t change = in.Number();
-    if (!in.ok() || change / 2 >= store.fact_count()) return false;
+    if (in.failed() || change / 2 >= store.fact_count()) return false;
     const auto fact = static_cast<EpisodeFact>(change / 2);
     const bool comes = change % 2 == 1;
     if (store.IsHeld(fact) == comes) return false;
@@ -74,14 +76,16 @@ bool ReadEpisode(RecordReader& in, EpisodeStore& store, EpisodeTerms& terms) {
       store.Release(fact);
     }
   }
-  if (!in.ok()) return false;
+  if (in.failed()) return false;
   store.Commit();
   return true;
 }
 
 }  // namespace
 
-void EpisodeWriter::Write(RecordWriter& out) {
+std::string EpisodeWriter::Write() {
+  std::string bytes;
+  ByteWriter out(bytes);
   while (episodes_written_ < store_.last()) {
     const EpisodeNumber episode = ++episodes_written_;
     out.Number(terms_.size() - terms_written_);
@@ -106,6 +110,7 @@ void EpisodeWriter::Write(RecordWriter& out) {
     out.Number(changes.size());
     for (const std::uint32_t change : changes) out.Number(change);
   }
+  return bytes;
 }
 
 void EpisodeWriter::SkipAll() {
@@ -114,12 +119,12 @@ void EpisodeWriter::SkipAll() {
   episodes_written_ = store_.last();
 }
 
-bool ReadEpisodes(std::span<const std::uint8_t> bytes, EpisodeStore& store, EpisodeTerms& terms) {
-  RecordReader in(bytes);
+bool ReadEpisodes(std::string_view bytes, EpisodeStore& store, EpisodeTerms& terms) {
+  ByteReader in(bytes);
   while (!in.AtEnd()) {
     if (!ReadEpisode(in, store, terms)) return false;
   }
-  return in.ok();
+  return !in.failed();
 }
 
 }  // namespace soarbox::kernel

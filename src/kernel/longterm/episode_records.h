@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <string>
+#include <string_view>
 
 #include "kernel/longterm/episode_store.h"
 #include "kernel/longterm/episode_terms.h"
-#include "kernel/longterm/journal.h"
 
 namespace soarbox::kernel {
 
@@ -17,8 +17,8 @@ class EpisodeWriter {
  public:
   EpisodeWriter(const EpisodeStore& store, const EpisodeTerms& terms) : store_(store), terms_(terms) {}
 
-  /// Appends the episodes that came since the last call.
-  void Write(RecordWriter& out);
+  /// The episodes that came since the last call.
+  std::string Write();
   /// What the store holds now has been written already: it was read.
   void SkipAll();
   /// The next call writes everything.
@@ -40,6 +40,6 @@ class EpisodeWriter {
 
 /// Reads episodes into a store, behind those that it has. False if the bytes make no sense; the store holds what came
 /// before then, and is to be cleared.
-bool ReadEpisodes(std::span<const std::uint8_t> bytes, EpisodeStore& store, EpisodeTerms& terms);
+bool ReadEpisodes(std::string_view bytes, EpisodeStore& store, EpisodeTerms& terms);
 
 }  // namespace soarbox::kernel

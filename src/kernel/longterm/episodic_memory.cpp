@@ -113,22 +113,20 @@ void EpisodicMemory::SetJournal(std::unique_ptr<Journal> journal) {
 /// Writes down what is new. What cannot be written stays with the journal and is tried again: one warning is enough.
 void EpisodicMemory::Keep() {
   if (journal_ == nullptr) return;
-  RecordWriter record;
-  writer_.Write(record);
-  journal_->Append(record.bytes());
+  journal_->Append(writer_.Write());
   const Result<void> kept = journal_->Commit();
   if (!kept && !warned_) uses_.observers.Print("Episodic memory: " + Format(kept.error()));
   warned_ = !kept;
 }
 
-void EpisodicMemory::Save(RecordWriter& out) const {
-  EpisodeWriter(store_, terms_).Write(out);
+std::string EpisodicMemory::Image() const {
+  return EpisodeWriter(store_, terms_).Write();
 }
 
-bool EpisodicMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
+bool EpisodicMemory::Load(std::string_view image, std::span<const std::string> records) {
   Forget();
   bool good = ReadEpisodes(image, store_, terms_);
-  for (const std::vector<std::uint8_t>& record : records) good = good && ReadEpisodes(record, store_, terms_);
+  for (const std::string& record : records) good = good && ReadEpisodes(record, store_, terms_);
   if (!good) {
     Forget();
     return false;

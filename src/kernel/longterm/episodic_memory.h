@@ -79,8 +79,8 @@ class EpisodicMemory final : public Module {
   Journal* journal() const { return journal_.get(); }
   /// All episodes as a record for a journal; and the way back. False if the records make no sense: there are no
   /// episodes then.
-  void Save(RecordWriter& out) const;
-  bool Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records);
+  std::string Image() const;
+  bool Load(std::string_view image, std::span<const std::string> records);
 
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
   void AfterDecision() override;

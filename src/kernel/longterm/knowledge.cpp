@@ -163,13 +163,6 @@ bool Knowledge::RemoveEdge(std::uint32_t place, StoreTerm attribute, StoreTerm v
   return true;
 }
 
-void Knowledge::RemoveEdges(std::uint32_t place) {
-  while (!EdgesAt(place).empty()) {
-    const Edge edge = EdgesAt(place).back();
-    RemoveEdge(place, edge.attribute, edge.value);
-  }
-}
-
 void Knowledge::Clear() {
   *this = Knowledge();
 }

@@ -119,7 +119,6 @@ class Knowledge {
   bool AddEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
   /// False if there is none.
   bool RemoveEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
-  void RemoveEdges(std::uint32_t place);
   void Clear();
   /// The number at which the search for a new one begins.
   Lti next_number() const { return next_number_; }

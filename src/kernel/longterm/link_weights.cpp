@@ -93,11 +93,4 @@ void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const 
   if (notes_changes_) changed_.push_back(object);
 }
 
-std::size_t LinkWeights::MemoryBytes() const {
-  std::size_t bytes = 0;
-  for (const auto& [object, uses] : uses_) bytes += 40 + uses.capacity() * sizeof(Uses);
-  for (const auto& [object, weights] : weights_) bytes += 40 + weights.size() * 48;
-  return bytes + changed_.capacity() * 4;
-}
-
 }  // namespace soarbox::kernel

@@ -64,7 +64,6 @@ class LinkWeights {
   }
   /// Objects whose weights changed since the last call, in order.
   std::vector<std::uint32_t> TakeChanged() { return std::exchange(changed_, {}); }
-  std::size_t MemoryBytes() const;
 
  private:
   struct Uses {

@@ -252,11 +252,7 @@ void SemanticMemory::Keep() {
     if (weights != nullptr) journal_->Append(records::Weights(*knowledge_, object, *weights));
   }
   Result<void> kept = journal_->Commit();
-  if (kept.ok() && journal_->WantsImage()) {
-    RecordWriter image;
-    Save(image);
-    kept = journal_->Replace(image.bytes());
-  }
+  if (kept.ok() && journal_->WantsImage()) kept = journal_->Replace(Image());
   // What could not be written stays in memory and is tried again: one warning is enough.
   if (!kept && !warned_) uses_.observers.Print("Semantic memory: " + Format(kept.error()));
   warned_ = !kept;
@@ -270,17 +266,17 @@ void SemanticMemory::EnsureOpen() {
   if (!result) uses_.observers.Print("Semantic memory continues without a file: " + Format(result.error()));
 }
 
-void SemanticMemory::Save(RecordWriter& out) const {
-  records::WriteImage(out, *knowledge_, activations_, link_weights_);
+std::string SemanticMemory::Image() const {
+  return records::Image(*knowledge_, activations_, link_weights_);
 }
 
-bool SemanticMemory::Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records) {
+bool SemanticMemory::Load(std::string_view image, std::span<const std::string> records) {
   auto loaded = std::make_shared<Knowledge>();
   loaded->set_next_number(settings_.initial_number);
   Activations active(settings_);
   LinkWeights weights(settings_);
   if (!image.empty() && !records::ReadImage(image, *loaded, active, weights)) return false;
-  for (const std::vector<std::uint8_t>& record : records) {
+  for (const std::string& record : records) {
     if (!records::Apply(record, *loaded, active, weights)) return false;
   }
   knowledge_ = std::move(loaded);

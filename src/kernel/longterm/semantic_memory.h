@@ -126,8 +126,8 @@ class SemanticMemory final : public Module {
   void NoteClosed() { opened_ = false; }
   /// The whole memory and how active it is, as records for a journal; and the way back. False if the records do not
   /// make sense: nothing has changed then.
-  void Save(class RecordWriter& out) const;
-  bool Load(std::span<const std::uint8_t> image, std::span<const std::vector<std::uint8_t>> records);
+  std::string Image() const;
+  bool Load(std::string_view image, std::span<const std::string> records);
 
   // Sharing ---------------------------------------------------------------------------------------------------------
 

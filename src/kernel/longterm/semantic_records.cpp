@@ -2,6 +2,9 @@
 #include "kernel/longterm/semantic_records.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "bytes/byte_stream.h"
 
 namespace soarbox::kernel::records {
 namespace {
@@ -22,28 +25,25 @@ enum class Kind : std::uint8_t {
 /// Since 2, images end with the weights of links.
 constexpr std::uint8_t kImageVersion = 2;
 
-std::vector<std::uint8_t> Finish(const RecordWriter& out) {
-  return {out.bytes().begin(), out.bytes().end()};
-}
-
-std::vector<std::uint8_t> OfNumber(Kind kind, Lti number) {
-  RecordWriter out;
+std::string OfNumber(Kind kind, Lti number) {
+  std::string bytes;
+  ByteWriter out(bytes);
   out.Byte(static_cast<std::uint8_t>(kind));
   out.Number(number);
-  return Finish(out);
+  return bytes;
 }
 
-void WriteTerm(RecordWriter& out, const Knowledge& knowledge, StoreTerm term) {
+void WriteTerm(ByteWriter& out, const Knowledge& knowledge, StoreTerm term) {
   out.Byte(static_cast<std::uint8_t>(term.kind()));
   switch (term.kind()) {
     case TermKind::kString:
       out.Text(knowledge.terms().Text(term));
       break;
     case TermKind::kInteger:
-      out.Bits(static_cast<std::uint64_t>(knowledge.terms().IntegerValue(term)));
+      out.Fixed64(static_cast<std::uint64_t>(knowledge.terms().IntegerValue(term)));
       break;
     case TermKind::kFloat:
-      out.Real(knowledge.terms().FloatValue(term));
+      out.Double(knowledge.terms().FloatValue(term));
       break;
     case TermKind::kObject:
       out.Number(knowledge.NumberAt(term.index()));
@@ -51,17 +51,17 @@ void WriteTerm(RecordWriter& out, const Knowledge& knowledge, StoreTerm term) {
   }
 }
 
-StoreTerm ReadTerm(RecordReader& in, Knowledge& knowledge, bool may_be_object) {
+StoreTerm ReadTerm(ByteReader& in, Knowledge& knowledge, bool may_be_object) {
   switch (static_cast<TermKind>(in.Byte())) {
     case TermKind::kString:
       return knowledge.terms().String(in.Text());
     case TermKind::kInteger:
-      return knowledge.terms().Integer(static_cast<std::int64_t>(in.Bits()));
+      return knowledge.terms().Integer(static_cast<std::int64_t>(in.Fixed64()));
     case TermKind::kFloat:
-      return knowledge.terms().Float(in.Real());
+      return knowledge.terms().Float(in.Double());
     case TermKind::kObject: {
       const Lti number = in.Number();
-      if (may_be_object && number != 0 && in.ok()) return StoreTerm::Object(knowledge.FindOrAdd(number));
+      if (may_be_object && number != 0 && !in.failed()) return StoreTerm::Object(knowledge.FindOrAdd(number));
       break;
     }
   }
@@ -71,96 +71,97 @@ StoreTerm ReadTerm(RecordReader& in, Knowledge& knowledge, bool may_be_object) {
 
 }  // namespace
 
-std::vector<std::uint8_t> Object(Lti number) {
+std::string Object(Lti number) {
   return OfNumber(Kind::kObject, number);
 }
-std::vector<std::uint8_t> NewObject(Lti number) {
+std::string NewObject(Lti number) {
   return OfNumber(Kind::kNewObject, number);
 }
-std::vector<std::uint8_t> NextNumber(Lti number) {
+std::string NextNumber(Lti number) {
   return OfNumber(Kind::kNextNumber, number);
 }
-std::vector<std::uint8_t> Touch(Lti number, bool advance) {
+std::string Touch(Lti number, bool advance) {
   return OfNumber(advance ? Kind::kTouch : Kind::kTouchNoAdvance, number);
 }
 
-std::vector<std::uint8_t> Clear() {
-  return {static_cast<std::uint8_t>(Kind::kClear)};
+std::string Clear() {
+  return {static_cast<char>(Kind::kClear)};
 }
 
-std::vector<std::uint8_t> Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value,
-                               bool added) {
-  RecordWriter out;
+std::string Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value, bool added) {
+  std::string bytes;
+  ByteWriter out(bytes);
   out.Byte(static_cast<std::uint8_t>(added ? Kind::kAdd : Kind::kRemove));
   out.Number(knowledge.NumberAt(object));
   WriteTerm(out, knowledge, attribute);
   WriteTerm(out, knowledge, value);
-  return Finish(out);
+  return bytes;
 }
 
-std::vector<std::uint8_t> Alias(std::string_view name, Lti number) {
-  RecordWriter out;
+std::string Alias(std::string_view name, Lti number) {
+  std::string bytes;
+  ByteWriter out(bytes);
   out.Byte(static_cast<std::uint8_t>(Kind::kAlias));
   out.Text(name);
   out.Number(number);
-  return Finish(out);
+  return bytes;
 }
 
-std::vector<std::uint8_t> Weights(const Knowledge& knowledge, std::uint32_t object,
-                                  const LinkWeights::Weights& weights) {
-  RecordWriter out;
+std::string Weights(const Knowledge& knowledge, std::uint32_t object, const LinkWeights::Weights& weights) {
+  std::string bytes;
+  ByteWriter out(bytes);
   out.Byte(static_cast<std::uint8_t>(Kind::kWeights));
   out.Number(knowledge.NumberAt(object));
   out.Number(weights.size());
   for (const auto& [linked, weight] : weights) {
     out.Number(knowledge.NumberAt(linked));
-    out.Real(weight);
+    out.Double(weight);
   }
-  return Finish(out);
+  return bytes;
 }
 
-bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activations& activations, LinkWeights& weights) {
-  RecordReader in(record);
+bool Apply(std::string_view record, Knowledge& knowledge, Activations& activations, LinkWeights& weights) {
+  ByteReader in(record);
   switch (static_cast<Kind>(in.Byte())) {
     case Kind::kObject:
     case Kind::kNewObject: {
-      const bool is_new = record[0] == static_cast<std::uint8_t>(Kind::kNewObject);
+      const bool is_new = record[0] == static_cast<char>(Kind::kNewObject);
       const Lti number = in.Number();
-      if (!in.ok() || number == 0) return false;
+      if (in.failed() || number == 0) return false;
       knowledge.FindOrAdd(number);
       if (is_new) knowledge.set_next_number(number + 1);
       return true;
     }
     case Kind::kAdd:
     case Kind::kRemove: {
-      const bool adds = record[0] == static_cast<std::uint8_t>(Kind::kAdd);
+      const bool adds = record[0] == static_cast<char>(Kind::kAdd);
       const Lti number = in.Number();
-      if (!in.ok() || number == 0) return false;
+      if (in.failed() || number == 0) return false;
       const std::uint32_t object = knowledge.FindOrAdd(number);
       const StoreTerm attribute = ReadTerm(in, knowledge, false);
       const StoreTerm value = ReadTerm(in, knowledge, true);
-      if (!in.ok()) return false;
+      if (in.failed()) return false;
       if (value.IsObject()) weights.Forget(object);
       return adds ? knowledge.AddEdge(object, attribute, value) : knowledge.RemoveEdge(object, attribute, value);
     }
     case Kind::kNextNumber: {
       const Lti number = in.Number();
-      if (!in.ok() || number == 0) return false;
+      if (in.failed() || number == 0) return false;
       knowledge.set_next_number(number);
       return true;
     }
     case Kind::kAlias: {
       const std::string_view name = in.Text();
       const Lti number = in.Number();
-      if (!in.ok() || number == 0) return false;
+      if (in.failed() || number == 0) return false;
       knowledge.SetAlias(name, number);
       return true;
     }
     case Kind::kTouch:
     case Kind::kTouchNoAdvance: {
       const std::uint32_t object = knowledge.Find(in.Number());
-      if (!in.ok() || object == Knowledge::kNowhere) return false;
-      activations.Touch(object, record[0] == static_cast<std::uint8_t>(Kind::kTouch));
+      if (in.failed() || object == Knowledge::kNowhere) return false;
+      activations.Touch(object, record[0] == static_cast<char>(Kind::kTouch));
       return true;
     }
     case Kind::kClear:
@@ -171,11 +172,11 @@ bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activatio
     case Kind::kWeights: {
       const std::uint32_t object = knowledge.Find(in.Number());
       LinkWeights::Weights links;
-      for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+      for (std::uint64_t n = in.Number(); n > 0 && !in.failed(); --n) {
         const std::uint32_t linked = knowledge.Find(in.Number());
-        links[linked] = in.Real();
+        links[linked] = in.Double();
       }
-      return in.ok() && object != Knowledge::kNowhere && weights.Set(knowledge, object, std::move(links));
+      return !in.failed() && object != Knowledge::kNowhere && weights.Set(knowledge, object, std::move(links));
     }
     case Kind::kImage:
       break;
@@ -183,8 +184,9 @@ bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activatio
   return false;
 }
 
-void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations& activations,
-                const LinkWeights& weights) {
+std::string Image(const Knowledge& knowledge, const Activations& activations, const LinkWeights& weights) {
+  std::string bytes;
+  ByteWriter out(bytes);
   out.Byte(static_cast<std::uint8_t>(Kind::kImage));
   out.Byte(kImageVersion);
   out.Number(knowledge.next_number());
@@ -240,7 +242,7 @@ void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations
   for (const Activations::Touched& touched : activations.records()) {
     out.Number(touched.object);
     out.Byte(touched.forget_last ? 1 : 0);
-    out.Real(touched.activation);
+    out.Double(touched.activation);
     out.Number(touched.count);
     out.Number(touched.first);
     for (std::size_t n = 0; n < std::min<std::size_t>(touched.count, Activations::kHistory); ++n) {
@@ -258,25 +260,25 @@ void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations
     out.Number(links.size());
     for (const auto& [linked, weight] : links) {
       out.Number(linked);
-      out.Real(weight);
+      out.Double(weight);
     }
   }
+  return bytes;
 }
 
-bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activations& activations,
-               LinkWeights& weights) {
-  RecordReader in(image);
+bool ReadImage(std::string_view image, Knowledge& knowledge, Activations& activations, LinkWeights& weights) {
+  ByteReader in(image);
   if (in.Byte() != static_cast<std::uint8_t>(Kind::kImage)) return false;
   const std::uint8_t version = in.Byte();
   if (version == 0 || version > kImageVersion) return false;
   const Lti next_number = in.Number();
   const std::uint64_t objects = in.Number();
-  for (std::uint64_t n = 0; n < objects && in.ok(); ++n) {
+  for (std::uint64_t n = 0; n < objects && !in.failed(); ++n) {
     const Lti number = in.Number();
     if (number == 0 || knowledge.FindOrAdd(number) != n) return false;
   }
   std::vector<StoreTerm> constants;
-  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) constants.push_back(ReadTerm(in, knowledge, false));
+  for (std::uint64_t n = in.Number(); n > 0 && !in.failed(); --n) constants.push_back(ReadTerm(in, knowledge, false));
   const auto read = [&]() -> StoreTerm {
     const std::uint64_t word = in.Number();
     const std::uint64_t index = word / 2;
@@ -285,27 +287,27 @@ bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activa
     in.Fail();
     return {};
   };
-  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+  for (std::uint64_t n = in.Number(); n > 0 && !in.failed(); --n) {
     const std::uint64_t object = in.Number();
     const StoreTerm attribute = read();
     const StoreTerm value = read();
-    if (!in.ok() || object >= objects || attribute.IsObject()) return false;
+    if (in.failed() || object >= objects || attribute.IsObject()) return false;
     if (!knowledge.AddEdge(static_cast<std::uint32_t>(object), attribute, value)) return false;
   }
-  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+  for (std::uint64_t n = in.Number(); n > 0 && !in.failed(); --n) {
     const std::string_view name = in.Text();
     const Lti number = in.Number();
-    if (in.ok()) knowledge.SetAlias(name, number);
+    if (!in.failed()) knowledge.SetAlias(name, number);
   }
   const std::uint64_t tick = in.Number();
   std::vector<Activations::Touched> touched;
-  for (std::uint64_t n = in.Number(); n > 0 && in.ok(); --n) {
+  for (std::uint64_t n = in.Number(); n > 0 && !in.failed(); --n) {
     Activations::Touched record;
     const std::uint64_t object = in.Number();
     if (object >= objects) return false;
     record.object = static_cast<std::uint32_t>(object);
     record.forget_last = in.Byte() != 0;
-    record.activation = in.Real();
+    record.activation = in.Double();
     record.count = in.Number();
     record.first = in.Number();
     for (std::size_t k = 0; k < std::min<std::size_t>(record.count, Activations::kHistory); ++k) {
@@ -315,17 +317,17 @@ bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activa
     if (record.first > tick + 1) return false;
     touched.push_back(record);
   }
-  for (std::uint64_t n = version < 2 ? 0 : in.Number(); n > 0 && in.ok(); --n) {
+  for (std::uint64_t n = version < 2 ? 0 : in.Number(); n > 0 && !in.failed(); --n) {
     const std::uint64_t object = in.Number();
     LinkWeights::Weights links;
-    for (std::uint64_t left = in.Number(); left > 0 && in.ok(); --left) {
+    for (std::uint64_t left = in.Number(); left > 0 && !in.failed(); --left) {
       const std::uint64_t linked = in.Number();
-      links[static_cast<std::uint32_t>(linked)] = in.Real();
+      links[static_cast<std::uint32_t>(linked)] = in.Double();
     }
-    if (!in.ok() || object >= objects) return false;
+    if (in.failed() || object >= objects) return false;
     if (!weights.Set(knowledge, static_cast<std::uint32_t>(object), std::move(links))) return false;
   }
-  if (!in.ok() || !in.AtEnd()) return false;
+  if (in.failed() || !in.AtEnd()) return false;
   if (next_number == 0) return false;
   knowledge.set_next_number(next_number);
   activations.Restore(tick, touched);

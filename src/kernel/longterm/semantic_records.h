@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "kernel/longterm/activations.h"
-#include "kernel/longterm/journal.h"
 #include "kernel/longterm/knowledge.h"
 #include "kernel/longterm/link_weights.h"
 
@@ -15,22 +13,18 @@
 /// stand in records as such, objects as their numbers, so that a record says the same wherever it is read.
 namespace soarbox::kernel::records {
 
-std::vector<std::uint8_t> Object(Lti number);
-std::vector<std::uint8_t> NewObject(Lti number);
-std::vector<std::uint8_t> NextNumber(Lti number);
-std::vector<std::uint8_t> Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value,
-                               bool added);
-std::vector<std::uint8_t> Alias(std::string_view name, Lti number);
-std::vector<std::uint8_t> Touch(Lti number, bool advance);
-std::vector<std::uint8_t> Clear();
-std::vector<std::uint8_t> Weights(const Knowledge& knowledge, std::uint32_t object,
-                                  const LinkWeights::Weights& weights);
-void WriteImage(RecordWriter& out, const Knowledge& knowledge, const Activations& activations,
-                const LinkWeights& weights);
+std::string Object(Lti number);
+std::string NewObject(Lti number);
+std::string NextNumber(Lti number);
+std::string Edge(const Knowledge& knowledge, std::uint32_t object, StoreTerm attribute, StoreTerm value, bool added);
+std::string Alias(std::string_view name, Lti number);
+std::string Touch(Lti number, bool advance);
+std::string Clear();
+std::string Weights(const Knowledge& knowledge, std::uint32_t object, const LinkWeights::Weights& weights);
+std::string Image(const Knowledge& knowledge, const Activations& activations, const LinkWeights& weights);
 
 /// Does again what the record tells. False if it makes no sense here; what has been done by then is left as it is.
-bool Apply(std::span<const std::uint8_t> record, Knowledge& knowledge, Activations& activations, LinkWeights& weights);
-bool ReadImage(std::span<const std::uint8_t> image, Knowledge& knowledge, Activations& activations,
-               LinkWeights& weights);
+bool Apply(std::string_view record, Knowledge& knowledge, Activations& activations, LinkWeights& weights);
+bool ReadImage(std::string_view image, Knowledge& knowledge, Activations& activations, LinkWeights& weights);
 
 }  // namespace soarbox::kernel::records

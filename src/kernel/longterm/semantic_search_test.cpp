@@ -172,11 +172,7 @@ class RandomMemory {
     knowledge_ = std::make_shared<Knowledge>(base_);
   }
 
-  std::vector<std::uint8_t> Image() const {
-    RecordWriter image;
-    records::WriteImage(image, *knowledge_, activations_, LinkWeights(settings_));
-    return {image.bytes().begin(), image.bytes().end()};
-  }
+  std::string Image() const { return records::Image(*knowledge_, activations_, LinkWeights(settings_)); }
   const Knowledge& knowledge() const { return *knowledge_; }
 
   void Step() {
@@ -203,16 +199,13 @@ class RandomMemory {
     for (const auto& [number, object] : naive_.objects) {
       EXPECT_NEAR(activations_.Of(knowledge_->Find(number)), naive_.ActivationOf(number), 1e-12);
     }
-    RecordWriter image;
-    records::WriteImage(image, *knowledge_, activations_, LinkWeights(settings_));
+    const std::string image = Image();
     Knowledge again;
     Activations active(settings_);
     LinkWeights weights(settings_);
-    ASSERT_TRUE(records::ReadImage(image.bytes(), again, active, weights));
+    ASSERT_TRUE(records::ReadImage(image, again, active, weights));
     EXPECT_EQ(again.CheckInvariants(), "");
-    RecordWriter second;
-    records::WriteImage(second, again, active, weights);
-    EXPECT_TRUE(std::ranges::equal(image.bytes(), second.bytes())) << "an image that is read gives the same image";
+    EXPECT_TRUE(image == records::Image(again, active, weights)) << "an image that is read gives the same image";
   }
 
  private:
@@ -316,7 +309,7 @@ TEST(SharedKnowledge, LayersAnswerAsAModelOfTheirOwnDoes) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMemory first(seed);
     for (int step = 0; step < 300; ++step) first.Step();
-    const std::vector<std::uint8_t> before = first.Image();
+    const std::string before = first.Image();
     RandomMemory second(first, seed + 1000), third(first, seed + 2000);
     ASSERT_TRUE(second.knowledge().is_layer());
     EXPECT_EQ(third.Image(), before);
@@ -410,9 +403,8 @@ TEST(SemanticRecords, ImagesWithoutWeightsAreRead) {
   const std::uint32_t hub = knowledge.FindOrAdd(3);
   const StoreTerm next = knowledge.terms().String("next");
   knowledge.AddEdge(hub, next, StoreTerm::Object(hub));
-  RecordWriter image;
-  records::WriteImage(image, knowledge, activations, weights);
-  std::vector<std::uint8_t> old(image.bytes().begin(), image.bytes().end() - 1);
+  std::string old = records::Image(knowledge, activations, weights);
+  old.pop_back();
   ASSERT_EQ(old[1], 2);
   old[1] = 1;
   Knowledge read;
@@ -420,7 +412,7 @@ TEST(SemanticRecords, ImagesWithoutWeightsAreRead) {
   EXPECT_TRUE(records::ReadImage(old, read, active, weights));
   EXPECT_EQ(read.edge_count(), 1u);
   weights.Set(knowledge, hub, {{hub, 0.75}});
-  const std::vector<std::uint8_t> record = records::Weights(knowledge, hub, *weights.Known(hub));
+  const std::string record = records::Weights(knowledge, hub, *weights.Known(hub));
   LinkWeights again(settings);
   EXPECT_TRUE(records::Apply(record, read, active, again));
   EXPECT_EQ(again.Known(read.Find(3))->at(read.Find(3)), 0.75);
@@ -436,27 +428,25 @@ TEST(SemanticRecords, BytesThatLieAreRefused) {
   activations.Touch(object);
   LinkWeights weights(settings);
   weights.Set(knowledge, object, {{object, 0.5}});
-  RecordWriter image;
-  records::WriteImage(image, knowledge, activations, weights);
-  const std::vector<std::uint8_t> whole(image.bytes().begin(), image.bytes().end());
+  const std::string whole = records::Image(knowledge, activations, weights);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     Knowledge read;
     Activations active(settings);
     LinkWeights links(settings);
-    EXPECT_FALSE(records::ReadImage(std::span(whole).first(size), read, active, links)) << size;
+    EXPECT_FALSE(records::ReadImage(std::string_view(whole).substr(0, size), read, active, links)) << size;
   }
   std::mt19937 random(5);
   for (int n = 0; n < 3000; ++n) {
-    std::vector<std::uint8_t> spoilt = whole;
-    spoilt[random() % spoilt.size()] = static_cast<std::uint8_t>(random());
+    std::string spoilt = whole;
+    spoilt[random() % spoilt.size()] = static_cast<char>(random());
     Knowledge read;
     Activations active(settings);
     LinkWeights links(settings);
     if (records::ReadImage(spoilt, read, active, links)) {
       EXPECT_EQ(read.CheckInvariants(), "");
     }
-    std::vector<std::uint8_t> noise(random() % 20);
-    for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>(random() % 13);
+    std::string noise(random() % 20, '\0');
+    for (char& byte : noise) byte = static_cast<char>(random() % 13);
     static_cast<void>(records::Apply(noise, read, active, links));
     EXPECT_EQ(read.CheckInvariants(), "");
   }

@@ -63,7 +63,8 @@ class MatchSet {
   /// Takes the newest assertion of a level; an empty PendingMatch if there is none. The match is then marked as fired,
   /// put back, or dropped (Release).
   PendingMatch TakeAssertion(GoalLevel level, bool o_support);
-  /// Returns taken matches to the head of their lists. `taken` in the order of taking; they will be taken again in it.
+  /// Returns taken matches to the head of their lists. `taken` is in the order of taking, and they will be taken in
+  /// that order again.
   void PutBack(std::span<const MatchId> taken);
   void MarkFired(MatchId match, InstantiationId instantiation);
   InstantiationId InstantiationOf(MatchId match) const { return records_[Index(match)].instantiation; }
@@ -71,7 +72,6 @@ class MatchSet {
   /// Takes the newest retraction of a level (0: the no-goal list), or kNone. Its elements, rule and instantiation stay
   /// readable until Release.
   MatchId TakeRetraction(GoalLevel level);
-  MatchId TakeNoGoalRetraction() { return TakeRetraction(0); }
   /// Forgets a taken match. A fired match may be released as well (its instantiation ended otherwise); it stays matched
   /// and silent.
   void Release(MatchId match);
@@ -106,7 +106,7 @@ class MatchSet {
     GoalLevel level = 0;
     bool o_support = false;
   };
-  /// An equal match that waits for its retraction and is now matched again by `arrival.token`; kNone if there is none.
+  /// An equal match that waits for its retraction and that `arrival.token` now matches again; kNone if there is none.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
   /// False if no match of the rule waits for its retraction and can come back.
   bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }

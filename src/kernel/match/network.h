@@ -95,8 +95,8 @@ struct NodeShape {
 static_assert(sizeof(NodeShape) == 8);
 
 /// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
-/// that sort one number into many bands make many joins below one memory; each but few are then done with in one
-/// comparison.
+/// that sort one number into many bands make many joins below one memory; one comparison settles all but a few of
+/// them.
 struct ValueFilter {
   std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
 
@@ -292,12 +292,6 @@ class [[gnu::visibility("hidden")]] Network {
   void RemoveRule(std::uint32_t number);
 
   // Sharing. ------------------------------------------------------------------------------------------------------
-
-  /// From now on, copies share this one's pages but for those on which they change something. Any thread whose agent
-  /// shares this network may ask.
-  void ShareWithCopies() const;
-  /// Nobody else holds this one any more, and it is about to be changed.
-  void StopSharing();
 
   /// Lets an agent have the network that it holds for itself, to change it: a fork if others hold it, too.
   static void Own(std::shared_ptr<Network> & network);

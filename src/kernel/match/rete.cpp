@@ -87,11 +87,6 @@ void Rete::RetractFixedMatch(MatchId match) {
   state_->RetractFixedMatch(matches_.TokenOf(match));
 }
 
-void Rete::RemoveFixedMatch(MatchId match) {
-  if (!state_->abandoned) FreeElementTokens(state_->tokens, state_->links, matches_.TokenOf(match));
-  matches_.Drop(match);
-}
-
 void Rete::LimitPartialMatches(std::uint32_t most) {
   if (most == state_->most_partial_matches) {
     return;

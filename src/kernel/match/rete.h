@@ -89,8 +89,6 @@ class Rete {
   MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
   /// Ends it as if one of its elements left.
   void RetractFixedMatch(MatchId match);
-  /// Ends it without a retraction.
-  void RemoveFixedMatch(MatchId match);
 
   /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had
   /// run out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)

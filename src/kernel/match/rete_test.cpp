@@ -90,9 +90,9 @@ TEST_F(ReteTest, RetractionsOfAGoalThatGoesAreKeptWithoutGoal) {
   rete.matches().GoalRemoved(2);
   Remove(second);
   EXPECT_FALSE(rete.matches().HasRetractions(2));
-  const MatchId newest = rete.matches().TakeNoGoalRetraction();
+  const MatchId newest = rete.matches().TakeRetraction(0);
   EXPECT_EQ(wmes[Index(rete.Wmes(newest)[0])].value, Word("2"));
-  EXPECT_NE(rete.matches().TakeNoGoalRetraction(), MatchId::kNone);
+  EXPECT_NE(rete.matches().TakeRetraction(0), MatchId::kNone);
   EXPECT_FALSE(rete.matches().HasNoGoalRetractions());
 }
 
@@ -192,9 +192,7 @@ TEST_F(ReteTest, AFixedMatchRetractsWhenOneOfItsElementsGoes) {
   const WmeId a = Add("S1", "x", "1");
   const WmeId b = Add("S1", "x", "2");
   const MatchId match = rete.AddFixedMatch(std::vector<WmeId>{a, b}, Word("S1"), 1, SomeInstantiation(0));
-  const MatchId other = rete.AddFixedMatch(std::vector<WmeId>{b}, Word("S1"), 1, SomeInstantiation(1));
   EXPECT_FALSE(rete.matches().HasRetractions(1));
-  rete.RemoveFixedMatch(other);
   Remove(b);
   EXPECT_EQ(rete.matches().TakeRetraction(1), match);
   EXPECT_FALSE(rete.matches().HasRetractions(1));

@@ -14,11 +14,11 @@ namespace soarbox::kernel {
 
 struct Slot;
 
-/// What is known of a slot with very many preferences, so that a change costs what changes and not what there is:
-/// walking all preferences for each new one would take time that grows with the square of their number.
+/// What is known about a slot with very many preferences, so that a change costs what changes: walking all preferences
+/// for each new one would take time that grows with the square of their number.
 ///
-/// Kept right by WorkingMemory from the moment on when the slot is found to be large until it has no acceptable
-/// preference left.
+/// WorkingMemory keeps it up to date from the moment when the slot turns out to be large until its last acceptable
+/// preference has gone.
 struct LargeSlot {
   struct Value {
     std::uint32_t acceptable = 0;             ///< Acceptable preferences for it.

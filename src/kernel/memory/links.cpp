@@ -130,14 +130,6 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
   }
 }
 
-Symbol LinkGraph::TopOf(Symbol id) const {
-  for (;;) {
-    const IdentifierRecord& record = memory_.identifier(id);
-    if (record.is_goal || record.parent_link == LinkId::kNone) return id;
-    id = record.parent_link.record->from;
-  }
-}
-
 // Settling ------------------------------------------------------------------------------------------------------------
 
 /// True if something names the identifier, be it garbage, an impasse of which it is an item, or the identifier itself.

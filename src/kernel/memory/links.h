@@ -79,8 +79,6 @@ class LinkGraph {
   void DropParent(Symbol id);
   /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
   Ancestry Trace(Symbol from, Symbol stop) const;
-  /// Where following parents ends.
-  Symbol TopOf(Symbol id) const;
   void Work(std::vector<Symbol>& garbage);
   void BeginToSettle();
   bool IsHeld(Symbol id) const;

@@ -191,8 +191,7 @@ class WorkingMemory {
   /// Links into its slot in the order of the class comment. The slot exists.
   void InsertInSlot(PreferenceId preference, SlotId slot);
   void RemoveFromSlot(PreferenceId preference);
-  /// What is known of a slot with very many acceptable preferences; null if it has few. To be asked of slots that are
-  /// not an operator slot.
+  /// What is known about a slot with very many acceptable preferences; null if it has few. Not for operator slots.
   LargeSlot* Large(SlotId id) {
     Slot& slot = *id.record;
     return slot.is_large || slot.acceptable_count > kManyPreferences ? &LargeOf(slot) : nullptr;
@@ -200,7 +199,7 @@ class WorkingMemory {
   /// Whether the slot has an o-supported acceptable preference of the top state's level for a value. (One that a
   /// substate's rule made is no reason to leave such a fact out: it goes with the substate.)
   bool HasTopFact(SlotId slot, Symbol value);
-  /// True if what is known of large slots is what there is.
+  /// True if the records of large slots agree with the slots.
   bool LargeSlotsAreRight() const;
   /// Returns a preference that nothing refers to.
   void FreePreference(PreferenceId preference);

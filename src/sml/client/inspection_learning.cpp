@@ -2,7 +2,7 @@
 #include "sml/client/inspection_learning.h"
 
 #include "cli/stack_printer.h"
-#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/explanation_log.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox {
@@ -47,7 +47,7 @@ void ReadTriples(const std::vector<ExplainedRule::Condition>& conditions,
 
 std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
   std::vector<mind::LessonFact> lessons;
-  for (const ExplainedRule& from : agent.NotedExplanations()) {
+  for (const ExplainedRule& from : agent.explanations().noted()) {
     if (!rule.empty() && from.name != rule) continue;
     mind::LessonFact& to = lessons.emplace_back();
     to.rule = from.name;

@@ -62,7 +62,6 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     host_.AddConnection(*this);
     host_.Register(*this, nullptr, smlEVENT_BEFORE_AGENT_DESTROYED);
     host_.Register(*this, nullptr, smlEVENT_AFTER_AGENT_REINITIALIZED);
-    host_.Register(*this, nullptr, smlEVENT_LOAD_LIBRARY);
     if (port != Kernel::kSuppressListener) Listen(own_thread, port, error);
   }
 
@@ -183,9 +182,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   bool IsRunning() override { return host_.running(); }
 
   void Register(int event) override { host_.Register(*this, nullptr, event); }
-  void Unregister(int event) override {
-    if (event != smlEVENT_LOAD_LIBRARY) host_.Unregister(*this, nullptr, event);
-  }
+  void Unregister(int event) override { host_.Unregister(*this, nullptr, event); }
   void RegisterFunction(int event, const std::string& name) override { host_.RegisterFunction(*this, event, name); }
   void UnregisterFunction(int event, const std::string& name) override { host_.UnregisterFunction(*this, event, name); }
   std::optional<std::string> SendClientMessage(Agent* agent, const std::string& client,
@@ -258,11 +255,6 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     static_cast<LocalAgentLink&>(*AgentData::Of(*peer).link).Deliver(AgentData::Of(*peer), changes);
   }
   void OnOutputInit(HostedAgent& agent) override { Data(agent).memory.InvalidateOutput(); }
-  std::optional<std::string> OnStringEvent(int event, std::string_view value) override {
-    if (auto answer = kernel_.OnString(event, value)) return answer;
-    if (event == smlEVENT_LOAD_LIBRARY) return LoadSmlLibrary(kernel_.kernel, std::string(value));
-    return std::nullopt;
-  }
   std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
                                         std::string_view argument) override {
     return kernel_.OnFunction(agent ? Peer(*agent) : nullptr, event, name, argument);

@@ -6,7 +6,7 @@
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
 #include "kernel/agent.h"
-#include "kernel/learn/explained_rule.h"
+#include "kernel/learn/explanation_log.h"
 #include "kernel/learn/learn_settings.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/observer.h"
@@ -57,13 +57,13 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
     if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
     tells_decisions_ = detail != MindDetail::kWritten;
-    if (tells_decisions_) agent_.NoteExplanations(true);
+    if (tells_decisions_) agent_.mutable_explanations().noting = true;
     total_reward_ = agent_.reward().total_reward;
     agent_.AddObserver(*this, events);
   }
   ~LocalObservation() override {
     agent_.RemoveObserver(*this);
-    if (tells_decisions_) agent_.NoteExplanations(false);
+    if (tells_decisions_) agent_.mutable_explanations().noting = false;
   }
 
  private:
@@ -133,7 +133,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (info.production == kernel::ProductionId::kNone ||
         agent.production(info.production).type != kernel::ProductionType::kChunk)
       return;
-    const std::deque<kernel::ExplainedRule>& noted = agent.NotedExplanations();
+    const std::deque<kernel::ExplainedRule>& noted = agent.explanations().noted();
     if (noted.empty() || noted.back().name != info.name) return;
     const kernel::ExplainedRule& learned = noted.back();
     const kernel::ExplainedRule::Firing* const base = learned.FindFiring(learned.base);

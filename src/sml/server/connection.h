@@ -63,7 +63,6 @@ class Connection {
   virtual void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) = 0;
   virtual void OnOutputInit(HostedAgent& agent) = 0;
   /// The client's answer; none if it gives none.
-  virtual std::optional<std::string> OnStringEvent(int event, std::string_view value) = 0;
   virtual std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
                                                 std::string_view argument) = 0;
 };

@@ -56,13 +56,6 @@ void HostedAgent::Forget(Connection& connection) {
   UpdateListened();
 }
 
-bool HostedAgent::Listens(const Connection& connection, int event) const {
-  for (const Listener& listener : listeners_) {
-    if (listener.connection == &connection) return listener.events.Has(event);
-  }
-  return false;
-}
-
 void HostedAgent::UpdateListened() {
   const bool printed_before = listened_.Has(::sml::smlEVENT_PRINT);
   listened_.Clear();

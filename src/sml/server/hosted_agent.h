@@ -66,7 +66,6 @@ class HostedAgent {
   bool ListensToSteps() const {
     return phase_listeners_ || listened_.HasAnyOf({::sml::smlEVENT_BEFORE_RUNNING, ::sml::smlEVENT_AFTER_RUNNING});
   }
-  bool Listens(const Connection& connection, int event) const;
 
   // Telling ---------------------------------------------------------------------------------------------------------
 

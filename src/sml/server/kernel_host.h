@@ -119,8 +119,6 @@ class KernelHost : public cli::Host {
   }
   void FireUpdate(int event, int run_flags);
   void FireAgent(HostedAgent& hosted, int event);
-  /// The first answer; none if nobody gives one.
-  std::optional<std::string> FireString(int event, std::string_view value);
   /// The answer of the first client that gives one.
   std::optional<std::string> CallFunction(HostedAgent* hosted, int event, std::string_view name,
                                           std::string_view argument);

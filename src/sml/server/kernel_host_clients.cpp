@@ -106,15 +106,6 @@ void KernelHost::FireAgent(HostedAgent& hosted, int event) {
   }
 }
 
-std::optional<std::string> KernelHost::FireString(int event, std::string_view value) {
-  if (!listened_.Has(event)) return std::nullopt;
-  for (std::size_t i = 0; i < connections_.size(); ++i) {
-    if (!connections_[i]->kernel_events.Has(event)) continue;
-    if (auto answer = connections_[i]->OnStringEvent(event, value)) return answer;
-  }
-  return std::nullopt;
-}
-
 std::optional<std::string> KernelHost::CallFunction(HostedAgent* hosted, int event, std::string_view name,
                                                     std::string_view argument) {
   for (std::size_t i = 0; i < functions_.size() && !(hosted && hosted->doomed); ++i) {

@@ -70,7 +70,6 @@ struct Listener::State {
   std::vector<std::unique_ptr<RemoteConnection>> connections;
   bool serving = false;
   unsigned long long next_id = 1;
-  unsigned long long dropped_before = 0;  ///< By clients that have left.
 
   wire::IoThread thread;
   std::unique_ptr<wire::Acceptor> acceptor, local_acceptor;
@@ -140,7 +139,6 @@ bool Listener::Serve() {
   if (state.host.running()) return any;
   std::erase_if(state.connections, [&](const std::unique_ptr<RemoteConnection>& connection) {
     if (!connection->gone()) return false;
-    state.dropped_before += connection->dropped();
     state.host.RemoveConnection(*connection);
     return true;
   });
@@ -157,12 +155,6 @@ void Listener::Close() {
   state.connections.clear();
   const std::lock_guard lock(state.mutex);
   state.arrived.clear();
-}
-
-unsigned long long Listener::dropped() const {
-  unsigned long long total = state_->dropped_before;
-  for (const std::unique_ptr<RemoteConnection>& connection : state_->connections) total += connection->dropped();
-  return total;
 }
 
 }  // namespace soarbox::server

@@ -43,8 +43,6 @@ class Listener {
   void SetWake(std::function<void()> wake);
   /// Disconnects all and stops listening. The caller holds the kernel.
   void Close();
-  /// How many pieces of trace were dropped because clients did not read them.
-  unsigned long long dropped() const;
 
  private:
   struct State;

@@ -268,14 +268,6 @@ void RemoteConnection::OnOutputInit(HostedAgent& agent) {
   Call(call, Wait::kForAnswer);
 }
 
-std::optional<std::string> RemoteConnection::OnStringEvent(int event, std::string_view value) {
-  wire::Message call = EventCall();
-  Command(call).AddArg("eventid", EventName(event)).AddArg("value", std::string(value));
-  const auto answer = Call(call, Wait::kForAnswer);
-  const wire::Element* result = answer ? answer->ResultTag() : nullptr;
-  return result ? std::optional(result->text) : std::nullopt;
-}
-
 std::optional<std::string> RemoteConnection::OnFunction(HostedAgent* agent, int event, std::string_view name,
                                                         std::string_view argument) {
   wire::Message call = EventCall();

@@ -38,7 +38,6 @@ class RemoteConnection : public Connection {
   bool Serve();
   /// The other side is gone and everything that it sent has been served.
   bool gone() const { return gone_; }
-  unsigned long long dropped() const { return channel_->dropped(); }
   bool slow() const { return slow_; }
   bool silent() const { return channel_->silent(); }
   bool closed() const { return channel_->closed(); }
@@ -56,7 +55,6 @@ class RemoteConnection : public Connection {
   void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) override;
   void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) override;
   void OnOutputInit(HostedAgent& agent) override;
-  std::optional<std::string> OnStringEvent(int event, std::string_view value) override;
   std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
                                         std::string_view argument) override;
 

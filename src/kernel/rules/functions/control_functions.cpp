@@ -80,10 +80,8 @@ Symbol Wait(FunctionContext& context, Arguments arguments) {
   return {};
 }
 
-Symbol Count(FunctionContext& context, Arguments arguments) {
-  for (const Symbol argument : arguments) {
-    context.Count(ToString(context.symbols(), argument, false));
-  }
+/// Soar counts for a statistic that no command prints.
+Symbol Count(FunctionContext&, Arguments) {
   return {};
 }
 
@@ -137,8 +135,9 @@ Symbol Timestamp(FunctionContext& context, Arguments) {
   return context.symbols().String(context.Timestamp());
 }
 
+/// Nobody sits at a keyboard.
 Symbol Accept(FunctionContext& context, Arguments) {
-  return context.symbols().String(context.ReadLine());
+  return context.symbols().String("");
 }
 
 Symbol DontLearn(FunctionContext& context, Arguments arguments) {

@@ -43,15 +43,11 @@ class FunctionContext {
   virtual void RequestHalt() = 0;
   virtual void RequestInterrupt() = 0;
   virtual void WaitMilliseconds(std::int64_t milliseconds) = 0;
-  /// A line from the user, without its end; empty if there is nobody to ask.
-  virtual std::string ReadLine() = 0;
   /// The wall clock as "YYYY-MM-DD HH:MM:SS.mmm", or a fixed text in a deterministic run.
   virtual std::string Timestamp() = 0;
   virtual std::uint64_t DecisionCycle() const = 0;
   /// The next number for `make-constant-symbol`; it counts up for the agent's whole life, starting at 1.
   virtual std::uint64_t NextConstantNumber() = 0;
-  /// Adds one to the named counter.
-  virtual void Count(std::string_view counter) = 0;
 
   // Calls outwards ------------------------------------------------------------------------------------------------
 

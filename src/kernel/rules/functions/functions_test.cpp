@@ -23,11 +23,9 @@ class FakeContext : public FunctionContext {
   void RequestHalt() override { halted = true; }
   void RequestInterrupt() override {}
   void WaitMilliseconds(std::int64_t) override {}
-  std::string ReadLine() override { return "typed"; }
   std::string Timestamp() override { return "2000-01-01 00:00:00.000"; }
   std::uint64_t DecisionCycle() const override { return 7; }
   std::uint64_t NextConstantNumber() override { return ++constants_; }
-  void Count(std::string_view) override {}
   std::string RunCommand(std::string_view line) override { return "ran " + std::string(line) + "\n"; }
   bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) override {
     result = "[" + std::string(argument) + "]";

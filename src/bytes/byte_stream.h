@@ -8,9 +8,11 @@
 #include <string>
 #include <string_view>
 
-namespace soarbox::mind {
+namespace soarbox {
 
-/// Appends values to a text of bytes: little-endian, whole numbers in seven-bit groups, lowest first.
+/// Appends values to a string of bytes, little-endian; whole numbers in groups of seven bits, the lowest first.
+/// Everything that Soarbox stores or sends as bytes is written this way: recordings, streams, images of rules,
+/// long-term memories.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& out) : out_(out) {}
@@ -99,15 +101,15 @@ class ByteReader {
     Fail();
     return 0;
   }
-  /// What is made of the input takes so much memory more: fails once that is more than the budget. Few bytes can ask
-  /// for many empty things.
+  /// What is made of the input takes this much more memory: fails once the sum exceeds the budget, since few bytes can
+  /// ask for many empty things.
   void Charge(std::uint64_t bytes) {
     if (bytes > budget_) return Fail();
     budget_ -= bytes;
   }
   void SetBudget(std::uint64_t bytes) { budget_ = bytes; }
   std::uint64_t budget() const { return budget_; }
-  /// Count, and the things are charged for.
+  /// Count, with a charge for the things.
   std::size_t CountOf(std::size_t bytes_each, std::size_t least_bytes = 1) {
     const std::size_t count = Count(least_bytes);
     Charge(static_cast<std::uint64_t>(count) * bytes_each);
@@ -142,4 +144,4 @@ class ByteReader {
   bool failed_ = false;
 };
 
-}  // namespace soarbox::mind
+}  // namespace soarbox
