@@ -10,6 +10,7 @@
 #include "cli/stack_printer.h"
 #include "cli/summary.h"
 #include "cli/trace_printer.h"
+#include "kernel/rules/print_production.h"
 
 namespace soarbox::cli {
 namespace {
@@ -154,7 +155,7 @@ class PreferencePrinter {
     const bool is_operator = preference.slot != SlotId::kNone && agent_.memory().slot(preference.slot).is_operator;
     std::string text = "  ";
     if (is_operator) {
-      text += OperatorText(agent_, preference.value) + " " + PreferenceCharacter(preference.type);
+      text += OperatorText(agent_, preference.value) + " " + std::string(kernel::PreferenceSign(preference.type));
     } else {
       text += fmt::format("({} ^{} {})", SymbolText(agent_, preference.id), SymbolText(agent_, preference.attribute),
                           SymbolText(agent_, preference.value));

@@ -35,22 +35,6 @@ bool ReadUnit(std::string_view letter, RunUnit& unit) {
   return true;
 }
 
-int Size(RunUnit unit) {
-  switch (unit) {
-    case RunUnit::kElaboration:
-      return 0;
-    case RunUnit::kPhase:
-      return 1;
-    case RunUnit::kDecision:
-      return 2;
-    case RunUnit::kOutput:
-      return 3;
-    case RunUnit::kForever:
-      return 4;
-  }
-  return 4;
-}
-
 /// How many cycles a run by decisions is to execute before the way to the stop phase, which nothing cuts off.
 std::uint64_t CyclesOf(const kernel::Agent& agent, const RunRequest& request) {
   const bool at_stop = agent.next_phase() == agent.settings().stop_phase;
@@ -101,7 +85,7 @@ bool CommandRun(CommandCall& call) {
   }
   request.interleave_given = parsed.Has('i');
   const bool fixed = request.unit == RunUnit::kPhase || request.unit == RunUnit::kElaboration;
-  if (Size(request.interleave) > Size(request.unit) || (fixed && request.interleave != request.unit)) {
+  if (request.interleave > request.unit || (fixed && request.interleave != request.unit)) {
     if (parsed.Has('i')) return call.Fail("Run type and interleave setting incompatible.");
     request.interleave = request.unit;
   }

@@ -38,22 +38,6 @@ constexpr OptionSpec kStopPhaseOptions[] = {
     {'i', "input"}, {'p', "propose"}, {'d', "decide"}, {'a', "apply"}, {'o', "output"}, {'B', ""}, {'A', ""},
 };
 
-std::string_view PhaseName(Phase phase) {
-  switch (phase) {
-    case Phase::kInput:
-      return "input";
-    case Phase::kPropose:
-      return "propose";
-    case Phase::kDecide:
-      return "decision";
-    case Phase::kApply:
-      return "apply";
-    case Phase::kOutput:
-      return "output";
-  }
-  return "";
-}
-
 /// Words and options that name a phase.
 bool ReadPhase(std::string_view word, Phase& phase) {
   if (word == "input")

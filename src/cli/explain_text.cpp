@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/name_table.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::cli {
@@ -84,24 +85,15 @@ std::string PathText(const std::vector<std::uint32_t>& path) {
 }
 
 std::string_view ReasonText(JoinReason reason) {
-  switch (reason) {
-    case JoinReason::kRule:
-      return "Two identities propagated into the same variable";
-    case JoinReason::kSingleton:
-    case JoinReason::kSingletonLiteral:
-      return "Tested a super-state singleton WME previously tested by another rule";
-    case JoinReason::kChild:
-      return "Identities joined to connected child result to parent result";
-    case JoinReason::kConstantTested:
-      return "Literal value in another rule compared against RHS variable";
-    case JoinReason::kConstantMade:
-      return "Variable in another rule compared against literal RHS value";
-    case JoinReason::kFunctionResult:
-      return "Variable in another rule tested result of RHS function";
-    case JoinReason::kFunctionArgument:
-      return "Variable was used as argument in a RHS function";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"Two identities propagated into the same variable",
+                                           "Tested a super-state singleton WME previously tested by another rule",
+                                           "Identities joined to connected child result to parent result",
+                                           "Literal value in another rule compared against RHS variable",
+                                           "Variable in another rule compared against literal RHS value",
+                                           "Variable in another rule tested result of RHS function",
+                                           "Variable was used as argument in a RHS function",
+                                           "Tested a super-state singleton WME previously tested by another rule"};
+  return NameIn(kNames, reason);
 }
 
 std::string EventText(const ExplainedRule::Event& event) {

@@ -20,22 +20,6 @@ using kernel::WmeId;
 constexpr int kLineWidth = 79;
 constexpr std::string_view kContinuation = "       ";
 
-std::string ValueType(const Agent& agent, Symbol symbol) {
-  (void)agent;
-  switch (symbol.kind()) {
-    case kernel::SymbolKind::kIdentifier:
-      return "id";
-    case kernel::SymbolKind::kInteger:
-      return "int";
-    case kernel::SymbolKind::kFloat:
-      return "double";
-    case kernel::SymbolKind::kVariable:
-      return "variable";
-    default:
-      return "string";
-  }
-}
-
 std::string Show(const Agent& agent, Symbol symbol, bool variables) {
   std::string text = SymbolText(agent, symbol);
   if (variables && symbol.IsIdentifier()) return "<" + text + ">";
@@ -162,6 +146,10 @@ class ObjectPrinter {
 
 }  // namespace
 
+const char* ValueTypeName(Symbol value) {
+  return value.IsIdentifier() ? "id" : value.IsInteger() ? "int" : value.IsFloat() ? "double" : "string";
+}
+
 void PrintObject(PrintStream& stream, const Agent& agent, Symbol id, const ObjectStyle& style, ResultNode& structured) {
   ObjectPrinter(stream, agent, style, structured).Print(id);
 }
@@ -215,7 +203,7 @@ void AddWmeNode(ResultNode& parent, const Agent& agent, WmeId id, bool with_tag)
   node.Set("id", SymbolText(agent, wme.id));
   if (wme.acceptable) node.Set("preference", "+");
   if (with_tag) node.Set("tag", std::to_string(wme.timetag));
-  node.Set("valtype", ValueType(agent, wme.value));
+  node.Set("valtype", ValueTypeName(wme.value));
   node.Set("value", kernel::ToString(agent.symbols(), wme.value, false));
 }
 

@@ -30,6 +30,9 @@ std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool
 /// An element that a match of this level rests on, as shown where elements are asked for: in full in substates only.
 std::string MatchedText(const kernel::Agent& agent, kernel::WmeId wme, kernel::GoalLevel level);
 
+/// "string", "int", "double" or "id", as documents name the type of a value.
+const char* ValueTypeName(kernel::Symbol value);
+
 /// A symbol as rules and objects show it.
 std::string SymbolText(const kernel::Agent& agent, kernel::Symbol symbol);
 

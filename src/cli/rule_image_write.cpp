@@ -204,11 +204,12 @@ std::string WriteRuleImage(const kernel::Agent& agent) {
   payload.Number(rules.size());
   for (const kernel::ProductionPtr& rule : rules) payload.Rule(*rule, file_numbers.at(rule->file()));
   const std::string body = payload.Take();
-  Writer header(agent.symbols());
-  header.Fixed(kVersion, 4);
-  header.Fixed(body.size(), 8);
-  header.Fixed(Checksum(body), 8);
-  return std::string(kMagic) + header.Take() + body;
+  std::string image(kMagic);
+  ByteWriter header(image);
+  header.Fixed32(kVersion);
+  header.Fixed64(body.size());
+  header.Fixed64(Checksum(body));
+  return image + body;
 }
 
 }  // namespace soarbox::cli

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/object_printer.h"
+#include "diagnostics/name_table.h"
 
 namespace soarbox::cli {
 namespace {
@@ -73,20 +74,14 @@ std::string ObjectText(const Agent& agent, Symbol symbol, int depth) {
 
 }  // namespace
 
+const char* PhaseName(kernel::Phase phase) {
+  static constexpr const char* kNames[] = {"input", "propose", "decision", "apply", "output"};
+  return NameIn(kNames, phase);
+}
+
 const char* ImpasseName(kernel::ImpasseType type) {
-  switch (type) {
-    case kernel::ImpasseType::kTie:
-      return "tie";
-    case kernel::ImpasseType::kConflict:
-      return "conflict";
-    case kernel::ImpasseType::kConstraintFailure:
-      return "constraint-failure";
-    case kernel::ImpasseType::kNoChange:
-      return "no-change";
-    case kernel::ImpasseType::kNone:
-      break;
-  }
-  return "none";
+  static constexpr const char* kNames[] = {"none", "tie", "conflict", "constraint-failure", "no-change"};
+  return NameIn(kNames, type);
 }
 
 std::string ImpasseText(const GoalInfo& goal) {

@@ -10,6 +10,9 @@
 
 namespace soarbox::cli {
 
+/// "input", "propose", "decision", "apply" or "output".
+const char* PhaseName(kernel::Phase phase);
+
 /// "tie", "no-change"; "none" for none.
 const char* ImpasseName(kernel::ImpasseType type);
 

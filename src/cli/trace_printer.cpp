@@ -10,6 +10,7 @@
 #include "cli/rule_text.h"
 #include "cli/session.h"
 #include "cli/stack_printer.h"
+#include "diagnostics/name_table.h"
 #include "kernel/decide/exploration.h"
 #include "kernel/longterm/episodic_memory.h"
 #include "kernel/longterm/long_term.h"
@@ -33,22 +34,11 @@ const char* TypeName(FiringType type) {
 
 /// The input phase's lines end with a blank.
 const char* PhaseTitle(Phase phase) {
-  switch (phase) {
-    case Phase::kInput:
-      return "Input Phase --- ";
-    case Phase::kPropose:
-      return "Propose Phase ---";
-    case Phase::kDecide:
-      return "Decision Phase ---";
-    case Phase::kApply:
-      return "Application Phase ---";
-    case Phase::kOutput:
-      return "Output Phase ---";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"Input Phase --- ", "Propose Phase ---", "Decision Phase ---",
+                                           "Application Phase ---", "Output Phase ---"};
+  return NameIn(kNames, phase);
 }
 
-/// The phase that is under way or was run last, counted from input (0) to output (4).
 std::string Level(kernel::GoalLevel level) {
   return level > 1 ? fmt::format(" [level {}]", level) : std::string();
 }
@@ -499,34 +489,10 @@ void TracePrinter::OnRewardGap(const Agent& agent, kernel::Symbol state, bool be
   Print(fmt::format("gap {} ({})", begins ? "started" : "ended", SymbolText(agent, state)));
 }
 
-char PreferenceCharacter(kernel::PreferenceType type) {
-  switch (type) {
-    case kernel::PreferenceType::kAcceptable:
-      return '+';
-    case kernel::PreferenceType::kRequire:
-      return '!';
-    case kernel::PreferenceType::kReject:
-      return '-';
-    case kernel::PreferenceType::kProhibit:
-      return '~';
-    case kernel::PreferenceType::kBest:
-    case kernel::PreferenceType::kBetter:
-      return '>';
-    case kernel::PreferenceType::kWorst:
-    case kernel::PreferenceType::kWorse:
-      return '<';
-    case kernel::PreferenceType::kUnaryIndifferent:
-    case kernel::PreferenceType::kNumericIndifferent:
-    case kernel::PreferenceType::kBinaryIndifferent:
-      return '=';
-  }
-  return '?';
-}
-
 std::string PreferenceText(const Agent& agent, const kernel::Preference& preference, bool support) {
   std::string text =
       fmt::format("({} ^{} {} {}", SymbolText(agent, preference.id), SymbolText(agent, preference.attribute),
-                  SymbolText(agent, preference.value), PreferenceCharacter(preference.type));
+                  SymbolText(agent, preference.value), kernel::PreferenceSign(preference.type));
   if (preference.referent) text += " " + SymbolText(agent, preference.referent);
   if (support && preference.o_supported) text += "  :O ";
   return text + ")";

@@ -84,7 +84,4 @@ class TracePrinter : public kernel::Observer {
 /// "(S1 ^operator O1 > O2)"; `support`: with "  :O " for o-support, as in traces.
 std::string PreferenceText(const kernel::Agent& agent, const kernel::Preference& preference, bool support = true);
 
-/// The character of a preference's type.
-char PreferenceCharacter(kernel::PreferenceType type);
-
 }  // namespace soarbox::cli

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnostics/name_table.h"
+
 namespace soarbox::dis {
 namespace {
 
@@ -364,19 +366,9 @@ std::string ToText(const EntityType& type) {
 }
 
 std::string_view Name(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::kTooShort:
-      return "too short";
-    case Refusal::kVersion:
-      return "another version";
-    case Refusal::kOtherKind:
-      return "another kind";
-    case Refusal::kBadLength:
-      return "wrong length";
-    case Refusal::kBadContents:
-      return "impossible contents";
-  }
-  return "unknown";
+  static constexpr const char* kNames[] = {"too short", "another version", "another kind", "wrong length",
+                                           "impossible contents"};
+  return NameIn(kNames, refusal);
 }
 
 std::vector<std::byte> Encode(const Pdu& pdu) {

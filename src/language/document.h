@@ -38,7 +38,7 @@ class WordCache {
   std::unordered_map<std::string, std::shared_ptr<const RuleWords>> known_;
 };
 
-/// A file of rules that was read. Never changes: an edit makes another one, which costs what was edited.
+/// A file of rules that was read. It never changes: an edit makes another document, at the cost of what was edited.
 class Document {
  public:
   Document(std::filesystem::path path, std::string text, RuleReader& reader, WordCache& words);
@@ -57,7 +57,7 @@ class Document {
   /// The files that it sources, with the lines of the commands.
   struct Sourced {
     std::string name;            ///< As it is written.
-    std::filesystem::path file;  ///< From the file's own folder on, `pushd` and `cd` before it followed.
+    std::filesystem::path file;  ///< From the file's own folder, after the `pushd` and `cd` before it.
     int line = 1;
   };
   const std::vector<Sourced>& sourced() const { return sourced_; }

@@ -9,7 +9,7 @@ namespace soarbox::language {
 /// A text of rules laid out as people write them: lines stay as they are, but rules begin in the first column, clauses
 /// three columns in, and attributes that go on in the next line stand below the first of their clause. Blanks at line
 /// ends go, as do all but one of several empty lines; the last line ends. Comments and quoted text keep their words.
-/// What is no rule stays. Formatting twice is the same as once, and no rule means anything else afterwards.
+/// Everything else stays. Formatting twice gives the same as once, and no rule changes its meaning.
 std::string FormatRules(std::string_view text);
 
 }  // namespace soarbox::language

@@ -26,8 +26,9 @@ struct LastRun {
 /// "fired 12 times in run-0003.soarrec", "never fired in ..."; empty if the run does not say.
 std::string TellFirings(const LastRun& run, const std::string& rule);
 
-/// What to know about the name at a place, as Markdown: what a rule does, what a percept or a command means and its
-/// unit, where an attribute is made and tested, which rules propose and apply an operator. Empty if nothing is known.
+/// What you want to know about the name at a place, as Markdown: what a rule does, what a percept or a command means
+/// and its unit, where an attribute is made and tested, which rules propose and apply an operator. Empty if nothing is
+/// known.
 std::string Hover(const Program& program, const Document& document, const Name& name, const LastRun* run);
 
 }  // namespace soarbox::language

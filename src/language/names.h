@@ -35,8 +35,8 @@ std::vector<Use> UsesOf(const Program& program, const Name& name, const std::fil
 /// Where it is defined: for an operator, the rules that propose it; for a file that is sourced, its first character.
 std::vector<Use> DefinitionsOf(const Program& program, const Document& document, std::size_t offset);
 
-/// The uses to replace, and the text to put there, if a name is to be called otherwise. Fails for names that the world
-/// or the architecture gives, for names that cannot be, and for those that are taken.
+/// The uses to replace, and the text to put there, to rename something. Fails for names that the world or the
+/// architecture gives, for names that are not allowed, and for those that are taken.
 struct Renaming {
   std::vector<Use> uses;
   std::string text;

@@ -36,7 +36,7 @@ struct ReadCommand {
 
 /// Hands commands to the kernel's reader, and remembers the answers: what was not edited is not read again.
 ///
-/// A rule costs some 50 microseconds, and 2 for one that is known. What rules mention is kept as long as the reader is.
+/// Reading a rule takes some 50 microseconds, and 2 if the rule is known. The reader keeps the symbols of all rules.
 class RuleReader {
  public:
   RuleReader();

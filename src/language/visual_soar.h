@@ -25,7 +25,7 @@ std::filesystem::path FindVisualSoarProject(const std::filesystem::path& folder)
 std::filesystem::path RootOfProject(const std::filesystem::path& project);
 
 /// Reads both formats: text, with a .dm file that holds the datamap, and JSON (format 6). Files outside of the
-/// project's folder are left out. What makes no sense is an error with its line; what can do without is left out and
+/// project's folder are left out. What makes no sense is an error with its line; what is dispensable is left out and
 /// added to `problems`.
 Result<VisualSoarProject> ReadVisualSoar(const std::filesystem::path& file, std::vector<Diagnostic>& problems);
 

@@ -23,7 +23,7 @@ struct Program {
   const Document* Find(const std::filesystem::path& path) const;
 };
 
-/// The files of somebody who edits rules: those that are open hold what was typed, all others what is on disk.
+/// The files of a person who edits rules: open files hold what was typed, all others what is on disk.
 ///
 /// Diagnostics come in two steps. What the kernel's reader says of one file costs what was edited, a few milliseconds.
 /// What only all rules together show (slips, duplicates, gaps, crowds, the datamap) costs all rules.

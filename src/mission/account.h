@@ -15,12 +15,13 @@ namespace soarbox::mission {
 
 /// Whose rules an account is about.
 struct AccountSettings {
-  std::string file;             ///< Name of the file of rules; empty: no account is asked for.
-  std::set<std::string> given;  ///< Rules in it that somebody else wrote: told only if none of the others is to blame.
+  std::string file;  ///< Name of the file of rules; empty: no account is asked for.
+  std::set<std::string>
+      given;  ///< Rules in it that somebody else wrote: blamed only if none of the others is at fault.
 };
 
-/// What a run itself says of one file of rules, for whoever wrote it: slips, why its agent had nothing to do, and at
-/// which condition rules stopped that never fired. Follows a run through all its ticks.
+/// What a run says about one file of rules, for the person who wrote it: slips, why its agent had nothing to do, and
+/// where rules that never fired stopped matching. Follows a run through all its ticks.
 class Account {
  public:
   Account(sim::Simulation& simulation, AccountSettings settings)

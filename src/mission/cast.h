@@ -13,7 +13,7 @@
 
 namespace soarbox::mission {
 
-/// The names that a scenario file and its rules know, to look up what checks speak of.
+/// The names in a scenario file and its rules: what checks may refer to.
 struct Cast {
   std::vector<std::string> agents, teams, items, things, waypoints, regions, ends;
   std::set<std::string> rules;       ///< Names of rules.
@@ -30,8 +30,8 @@ Cast CastOf(const sim::ScenarioFile& file);
 /// Adds a problem for each name that nothing knows, with what was probably meant.
 void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems);
 
-/// Looks over the checks of a .toml file for `soarbox check`; false if it is no scenario besides. `data`: where the
-/// scenarios are that come with the program; none: they are not looked at.
+/// Checks the checks of a .toml file for `soarbox check`; false if the file is not a scenario as well. `data`: where
+/// the scenarios are that come with the program; none: they are not looked at.
 bool CheckMissionFile(const std::filesystem::path& file, const sim::DataFolders* data,
                       std::vector<Diagnostic>& problems);
 /// Whether this text is a mission file, which names a scenario, and not a scenario itself.

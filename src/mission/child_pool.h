@@ -27,8 +27,9 @@ struct ChildEnd {
   double peak_mb = 0;
 };
 
-/// Runs pieces of work in processes of their own, so many at a time: one that crashes, hangs or eats its memory costs
-/// that piece only. The process that owns the pool must have one thread, as its children are forks of it.
+/// Runs pieces of work in processes of their own, a fixed number at a time: a piece that crashes, hangs or runs out of
+/// memory costs nothing but itself. The process that owns the pool must have one thread, as its children are forks of
+/// it.
 class ChildPool {
  public:
   explicit ChildPool(int jobs);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnostics/name_table.h"
 #include "mission/conditions.h"
 #include "mission/sentences.h"
 
@@ -37,19 +38,8 @@ bool IsCounter(const Check& check) {
 }  // namespace
 
 std::string_view NameOf(State state) {
-  switch (state) {
-    case State::kOpen:
-      return "open";
-    case State::kTrue:
-      return "true";
-    case State::kFalse:
-      return "false";
-    case State::kUntested:
-      return "untested";
-    case State::kUndecided:
-      return "undecided";
-  }
-  return {};
+  static constexpr const char* kNames[] = {"open", "true", "false", "untested", "undecided"};
+  return NameIn(kNames, state);
 }
 
 Evaluator::Evaluator(const Mission& mission, bool kernel_tells_all)

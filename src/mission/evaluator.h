@@ -49,7 +49,7 @@ class Evaluator {
   bool IsDecided() const;
   /// A required check that is not counted by itself has failed.
   bool HasFailed() const;
-  /// All required checks that are not counted by themselves are true; call after Finish.
+  /// True if all required checks are true, except those that are counted by themselves; call after Finish.
   bool HasPassed() const;
   /// Checks that held before anybody acted, so that they test nothing, by their index.
   const std::vector<std::size_t>& idle_checks() const { return idle_checks_; }

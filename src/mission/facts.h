@@ -69,7 +69,7 @@ struct PlaceFacts {
 struct TickFacts {
   std::uint64_t tick = 0;
   double time_s = 0;
-  std::vector<AgentFacts> agents;  ///< In creation order; nobody leaves, who is gone is dead.
+  std::vector<AgentFacts> agents;  ///< In creation order. Nobody leaves: an agent that is gone counts as dead.
   std::vector<ItemFacts> items;
   std::vector<PlaceFacts> waypoints, regions;  ///< The same in each tick.
   std::vector<std::string> ended;              ///< Ends and goals reached so far.

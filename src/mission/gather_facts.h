@@ -11,7 +11,7 @@
 
 namespace soarbox::mission {
 
-/// Makes the facts of each tick from a simulation that goes by. It looks only: the run is the same without it.
+/// Makes the facts of each tick from a simulation. It only reads: the run is the same without it.
 class FactGatherer {
  public:
   FactGatherer(sim::Simulation& simulation, Wants wants);

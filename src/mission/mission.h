@@ -74,7 +74,7 @@ struct Check {
 
   std::string hint;
   std::size_t unless = kNoCheck;  ///< Of a mistake: it is none if this check came true.
-  std::string written;            ///< Of a mistake: a rule that its author wrote fits this pattern; empty: any.
+  std::string written;            ///< Of a mistake: the pattern of a rule that the author wrote; empty: any rule.
   bool marker = false;            ///< A moment to refer to, not a requirement.
   std::optional<int> pass;        ///< Counted over the seeds by itself.
 };

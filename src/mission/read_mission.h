@@ -18,7 +18,7 @@ namespace soarbox::mission {
 Mission ParseMission(std::string_view text, const std::filesystem::path& file, bool is_scenario_file,
                      std::vector<Diagnostic>& problems);
 
-/// Reads the seeds, [[check]] and [[mistake]] of a file that says other things, too: a lesson, a sweep. Keys of the
+/// Reads the seeds, [[check]] and [[mistake]] of a file that has other content, too: a lesson, a sweep. Keys of the
 /// whole that are not `known` are problems of `what` ("a lesson"), unless none is known.
 Mission ParseChecksBeside(std::string_view text, const std::filesystem::path& file, std::vector<Diagnostic>& problems,
                           const std::string& what = {}, const std::vector<std::string_view>& known = {});

@@ -66,10 +66,10 @@ struct RunResult {
   std::optional<double> NumberOf(const std::string& name) const;
 };
 
-/// Called after each tick with what there is, for metrics of a sweep's own.
+/// Called after each tick with the simulation and its facts, for the metrics of a sweep.
 using OnFacts = std::function<void(const TickFacts&)>;
 
-/// Runs it in this process. What keeps it from running is told in the result.
+/// Runs it in this process. If it cannot run, the result says why.
 RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts = {});
 
 /// For handing a result from process to process.

@@ -20,7 +20,7 @@ std::string Whom(const Check& check);
 /// What a check demands: "scout should be at gate by 30 s". `who`: instead of all whom it is about. `other`: the names
 /// of the mission's checks.
 std::string Expectation(const Check& check, std::string_view who, const Mission& mission);
-/// What a run alone says of a check that is to be true in so many runs of a mission's seeds, where it was not.
+/// What one run says about a check that must be true in a number of the mission's runs, and was not true in this one.
 std::string OverSeeds(int runs);
 
 }  // namespace soarbox::mission

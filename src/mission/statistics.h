@@ -21,7 +21,7 @@ double Median(std::span<const double> values);
 double StandardDeviation(std::span<const double> values);
 /// 95 % confidence interval of a mean from resampling: the same seed gives the same interval.
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed = 1);
-/// The probability that pairs which differ would differ so one-sidedly by chance (McNemar's exact test, two-sided).
+/// The probability that pairs which differ would be so one-sided by chance (McNemar's exact test, two-sided).
 double McNemar(std::size_t only_first, std::size_t only_second);
 
 }  // namespace soarbox::mission

@@ -25,7 +25,7 @@ struct LoadedMission {
 /// with [[check]]. In the order of their names; a folder without any gives none.
 std::vector<std::filesystem::path> FindMissionFiles(const std::filesystem::path& path, const sim::DataFolders& data);
 
-/// Where the checks of this scenario stand: its own file, or the mission.toml beside it; empty: there are none.
+/// The file with the checks of this scenario: its own, or the mission.toml beside it; empty: there are none.
 std::filesystem::path MissionFileOf(const sim::Scenario& scenario);
 
 /// Reads a mission and looks up its names. What is wrong is added to the problems; then nothing is to be run.

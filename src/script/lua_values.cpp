@@ -4,6 +4,7 @@
 #include <lua.hpp>
 #include <new>
 
+#include "diagnostics/name_table.h"
 #include "script/argument_check.h"
 #include "script/bind_vector.h"
 #include "script/lua_machine.h"
@@ -183,23 +184,9 @@ float CheckFloat(lua_State* state, int index) {
 }
 
 const char* NameOf(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::kVector:
-      return "Vector3Type";
-    case ValueKind::kAgent:
-      return "AgentType";
-    case ValueKind::kSandbox:
-      return "sandbox";
-    case ValueKind::kObject:
-      return "sandbox object";
-    case ValueKind::kNode:
-      return "scene node";
-    case ValueKind::kUi:
-      return "UI component";
-    case ValueKind::kAnimation:
-      return "animation";
-  }
-  return "userdata";
+  static constexpr const char* kNames[] = {"Vector3Type", "AgentType",    "sandbox",  "sandbox object",
+                                           "scene node",  "UI component", "animation"};
+  return NameIn(kNames, kind);
 }
 
 const char* NameOfValue(lua_State* state, int index) {

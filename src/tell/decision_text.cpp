@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostics/name_table.h"
 #include "tell/sentences.h"
 
 namespace soarbox::tell {
@@ -204,23 +205,8 @@ std::string Joined(const std::vector<std::string>& parts, std::string_view betwe
 }  // namespace
 
 std::string_view StageName(mind::Stage stage) {
-  switch (stage) {
-    case Stage::kForced:
-      return "forced";
-    case Stage::kRequire:
-      return "require";
-    case Stage::kProhibit:
-      return "prohibit";
-    case Stage::kReject:
-      return "reject";
-    case Stage::kDominated:
-      return "dominated";
-    case Stage::kBest:
-      return "best";
-    case Stage::kWorst:
-      return "worst";
-  }
-  return {};
+  static constexpr const char* kNames[] = {"forced", "require", "prohibit", "reject", "dominated", "best", "worst"};
+  return NameIn(kNames, stage);
 }
 
 std::string OperatorText(const mind::Decision& decision, std::uint32_t op) {

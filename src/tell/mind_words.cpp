@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "diagnostics/name_table.h"
 #include "mind/decision_codec.h"
 #include "tell/decision_text.h"
 #include "tell/sentences.h"
@@ -96,31 +97,13 @@ std::string CommandText(const mind::CommandEnded& command) {
 }
 
 std::string_view StatusName(mind::CommandStatus status) {
-  switch (status) {
-    case mind::CommandStatus::kComplete:
-      return "complete";
-    case mind::CommandStatus::kInterrupted:
-      return "interrupted";
-    case mind::CommandStatus::kError:
-      return "error";
-  }
-  return {};
+  static constexpr const char* kNames[] = {"complete", "interrupted", "error"};
+  return NameIn(kNames, status);
 }
 
 std::string_view ReasonName(mind::StateReason reason) {
-  switch (reason) {
-    case mind::StateReason::kTop:
-      return "none";
-    case mind::StateReason::kTie:
-      return "tie";
-    case mind::StateReason::kConflict:
-      return "conflict";
-    case mind::StateReason::kConstraintFailure:
-      return "constraint-failure";
-    case mind::StateReason::kNoChange:
-      return "no-change";
-  }
-  return {};
+  static constexpr const char* kNames[] = {"none", "tie", "conflict", "constraint-failure", "no-change"};
+  return NameIn(kNames, reason);
 }
 
 std::string ImpasseText(mind::StateReason reason, bool on_operator) {

@@ -19,7 +19,7 @@ ALLOWED = {
     "kernel": {"bytes", "diagnostics"},
     # Facts about minds as types, and the words for them: neither knows the kernel.
     "mind": {"bytes"},
-    "tell": {"mind"},
+    "tell": {"diagnostics", "mind"},
     # What can be perceived and said, as data.
     "vocabulary": {"diagnostics"},
     "journal": {"bytes", "diagnostics", "kernel"},

@@ -14,32 +14,127 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-class WriteCommand : public SceneCommand {
+class WriteCommand final : public SceneCommand {
  public:
-  explicit WriteCommand(const CommandParts& parts)
-      : SceneCommand(parts.id), parts_(parts), status_(parts.writer, parts.id) {}
-  bool writes() const final { return true; }
-  void Update(bool) final {
+  /// Does it, and returns the status.
+  using Verb = std::string (WriteCommand::*)();
+  WriteCommand(const CommandParts& parts, Verb verb)
+      : SceneCommand(parts.id), parts_(parts), verb_(verb), status_(parts.writer, parts.id) {}
+  bool writes() const override { return true; }
+  void Update(bool) override {
     if (done_) return;
     done_ = true;
-    answer_ = Run();
+    answer_ = (this->*verb_)();
     NoteChange();
     status_.Set(answer_);
     // Once it is done its node may be there: look now.
     if (answer_ != "success") hint_ = HintFor();
   }
-  Trouble trouble() const final {
+  Trouble trouble() const override {
     return answer_.empty() || answer_ == "success" ? Trouble{} : Trouble{answer_, hint_};
   }
-  void Mark(const std::function<void(Symbol)>& mark) const final {
+  void Mark(const std::function<void(Symbol)>& mark) const override {
     mark(parts_.id);
     if (status_.symbol()) mark(status_.symbol());
   }
 
- protected:
-  /// Does it, and returns the status.
-  virtual std::string Run() = 0;
+  std::string AddNode() {
+    Node* const parent = Parent();
+    if (parent == nullptr) return "no parent group node found";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "no id specified";
+    if (scene().Find(*id) != nullptr) return "id already exists";
+    NodeSpec spec;
+    spec.id = *id;
+    ReadPose(spec.pose);
+    const std::string geometry = Text("geometry").value_or("group");
+    if (geometry == "box") {
+      spec.shape = Shape::kHull;
+      for (int corner = 0; corner < 8; ++corner) {
+        spec.points.push_back({corner & 4 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 1 ? 0.5 : -0.5});
+      }
+    } else if (geometry == "point") {
+      spec.shape = Shape::kHull;
+      spec.points.emplace_back();
+    } else if (geometry == "sphere") {
+      spec.shape = Shape::kBall;
+      spec.radius = 1;
+    }
+    Node* const node = scene().Add(*parent, std::move(spec));
+    if (node == nullptr) return "error adding node to scene";
+    SetTags(*node);
+    return "success";
+  }
 
+  std::string CopyNode() {
+    Node* const parent = Parent();
+    if (parent == nullptr) return "no group node parent";
+    const std::optional<std::string> source_id = Text("source");
+    if (!source_id) return "must specify a source";
+    const Node* const source = scene().Find(*source_id);
+    if (source == nullptr) return "Could not find the given source node";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "^id must be specified";
+    if (scene().Find(*id) != nullptr) return "Node already exists";
+    NodeSpec spec;
+    spec.id = *id;
+    spec.shape = source->shape();
+    spec.points = source->points();
+    spec.radius = source->radius();
+    spec.pose = source->pose();
+    ReadPose(spec.pose);
+    Node* const node = scene().Add(*parent, std::move(spec));
+    if (node == nullptr) return "no group node parent";
+    if (Is("copy_tags", {"true"})) {
+      for (const auto& [name, value] : source->tags()) scene().SetTag(*node, name, value);
+    }
+    SetTags(*node);
+    if (Is("adjust", {"true"})) ShrinkToFit(scene(), *node);
+    return "success";
+  }
+
+  std::string CopyTransform() {
+    const std::optional<std::string> source_id = Text("source");
+    if (!source_id) return "must specify a source";
+    const Node* const source = scene().Find(*source_id);
+    if (source == nullptr) return "Could not find the given source node";
+    const std::optional<std::string> destination_id = Text("destination");
+    if (!destination_id) return "must specify a destination";
+    Node* const destination = scene().Find(*destination_id);
+    if (destination == nullptr) return "Could not find the given destination node";
+    Pose pose = destination->pose();
+    if (Is("position", {"yes", "true"})) pose.position = source->pose().position;
+    if (Is("rotation", {"yes", "true"})) pose.rotation = source->pose().rotation;
+    if (Is("scale", {"yes", "true"})) pose.scale = source->pose().scale;
+    scene().Move(*destination, pose);
+    if (Is("adjust", {"yes", "true"})) ShrinkToFit(scene(), *destination);
+    return "success";
+  }
+
+  std::string DeleteNode() {
+    if (!Has("id")) return "^id must be specified";
+    const std::optional<std::string> id = Text("id");
+    if (!id) return "^id must be a string";
+    Node* const node = scene().Find(*id);
+    if (node == nullptr) return "Could not find the given node";
+    if (node == &scene().root()) return "the world cannot be deleted";
+    scene().Remove(*node);
+    return "success";
+  }
+
+  std::string SetTransform() {
+    Node* node = nullptr;
+    if (std::string wrong = FindNode(node); !wrong.empty()) return wrong;
+    Pose pose = node->pose();
+    ReadPose(pose);
+    scene().Move(*node, pose);
+    return "success";
+  }
+
+  std::string SetTag() { return ChangeTag(true); }
+  std::string DeleteTag() { return ChangeTag(false); }
+
+ private:
   Scene& scene() { return parts_.scene; }
   std::optional<std::string> Text(std::string_view attribute) const {
     return parts_.writer.TextOf(parts_.id, attribute);
@@ -87,8 +182,22 @@ class WriteCommand : public SceneCommand {
     }
     return text;
   }
+  std::string ChangeTag(bool sets) {
+    Node* node = nullptr;
+    const std::string missing_node = FindNode(node);
+    std::string wrong = Text("id") ? std::string() : missing_node;
+    const std::optional<std::string> name = Required("tag_name", "no tag_name specified", wrong);
+    const std::optional<std::string> value = sets ? Required("tag_value", "no value specified", wrong) : std::nullopt;
+    if (wrong.empty()) wrong = missing_node;
+    if (!wrong.empty()) return wrong;
+    if (sets) {
+      scene().SetTag(*node, *name, *value);
+    } else {
+      scene().DeleteTag(*node, *name);
+    }
+    return "success";
+  }
 
- private:
   /// About the first name that no node has.
   std::string HintFor() const {
     for (const std::string_view attribute : {"id", "source", "destination", "parent"}) {
@@ -99,172 +208,15 @@ class WriteCommand : public SceneCommand {
   }
 
   CommandParts parts_;
+  Verb verb_;
   std::string answer_, hint_;
   StatusLine status_;
   bool done_ = false;
 };
 
-class AddNode final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    Node* const parent = Parent();
-    if (parent == nullptr) return "no parent group node found";
-    const std::optional<std::string> id = Text("id");
-    if (!id) return "no id specified";
-    if (scene().Find(*id) != nullptr) return "id already exists";
-    NodeSpec spec;
-    spec.id = *id;
-    ReadPose(spec.pose);
-    const std::string geometry = Text("geometry").value_or("group");
-    if (geometry == "box") {
-      spec.shape = Shape::kHull;
-      for (int corner = 0; corner < 8; ++corner) {
-        spec.points.push_back({corner & 4 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 1 ? 0.5 : -0.5});
-      }
-    } else if (geometry == "point") {
-      spec.shape = Shape::kHull;
-      spec.points.emplace_back();
-    } else if (geometry == "sphere") {
-      spec.shape = Shape::kBall;
-      spec.radius = 1;
-    }
-    Node* const node = scene().Add(*parent, std::move(spec));
-    if (node == nullptr) return "error adding node to scene";
-    SetTags(*node);
-    return "success";
-  }
-};
-
-class CopyNode final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    Node* const parent = Parent();
-    if (parent == nullptr) return "no group node parent";
-    const std::optional<std::string> source_id = Text("source");
-    if (!source_id) return "must specify a source";
-    const Node* const source = scene().Find(*source_id);
-    if (source == nullptr) return "Could not find the given source node";
-    const std::optional<std::string> id = Text("id");
-    if (!id) return "^id must be specified";
-    if (scene().Find(*id) != nullptr) return "Node already exists";
-    NodeSpec spec;
-    spec.id = *id;
-    spec.shape = source->shape();
-    spec.points = source->points();
-    spec.radius = source->radius();
-    spec.pose = source->pose();
-    ReadPose(spec.pose);
-    Node* const node = scene().Add(*parent, std::move(spec));
-    if (node == nullptr) return "no group node parent";
-    if (Is("copy_tags", {"true"})) {
-      for (const auto& [name, value] : source->tags()) scene().SetTag(*node, name, value);
-    }
-    SetTags(*node);
-    if (Is("adjust", {"true"})) ShrinkToFit(scene(), *node);
-    return "success";
-  }
-};
-
-class CopyTransform final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    const std::optional<std::string> source_id = Text("source");
-    if (!source_id) return "must specify a source";
-    const Node* const source = scene().Find(*source_id);
-    if (source == nullptr) return "Could not find the given source node";
-    const std::optional<std::string> destination_id = Text("destination");
-    if (!destination_id) return "must specify a destination";
-    Node* const destination = scene().Find(*destination_id);
-    if (destination == nullptr) return "Could not find the given destination node";
-    Pose pose = destination->pose();
-    if (Is("position", {"yes", "true"})) pose.position = source->pose().position;
-    if (Is("rotation", {"yes", "true"})) pose.rotation = source->pose().rotation;
-    if (Is("scale", {"yes", "true"})) pose.scale = source->pose().scale;
-    scene().Move(*destination, pose);
-    if (Is("adjust", {"yes", "true"})) ShrinkToFit(scene(), *destination);
-    return "success";
-  }
-};
-
-class DeleteNode final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    if (!Has("id")) return "^id must be specified";
-    const std::optional<std::string> id = Text("id");
-    if (!id) return "^id must be a string";
-    Node* const node = scene().Find(*id);
-    if (node == nullptr) return "Could not find the given node";
-    if (node == &scene().root()) return "the world cannot be deleted";
-    scene().Remove(*node);
-    return "success";
-  }
-};
-
-class SetTransform final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    Node* node = nullptr;
-    if (std::string wrong = FindNode(node); !wrong.empty()) return wrong;
-    Pose pose = node->pose();
-    ReadPose(pose);
-    scene().Move(*node, pose);
-    return "success";
-  }
-};
-
-class SetTag final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    Node* node = nullptr;
-    const std::string missing_node = FindNode(node);
-    std::string wrong = Text("id") ? std::string() : missing_node;
-    const std::optional<std::string> name = Required("tag_name", "no tag_name specified", wrong);
-    const std::optional<std::string> value = Required("tag_value", "no value specified", wrong);
-    if (wrong.empty()) wrong = missing_node;
-    if (!wrong.empty()) return wrong;
-    scene().SetTag(*node, *name, *value);
-    return "success";
-  }
-};
-
-class DeleteTag final : public WriteCommand {
- public:
-  using WriteCommand::WriteCommand;
-
- private:
-  std::string Run() override {
-    Node* node = nullptr;
-    const std::string missing_node = FindNode(node);
-    std::string wrong = Text("id") ? std::string() : missing_node;
-    const std::optional<std::string> name = Required("tag_name", "no tag_name specified", wrong);
-    if (wrong.empty()) wrong = missing_node;
-    if (!wrong.empty()) return wrong;
-    scene().DeleteTag(*node, *name);
-    return "success";
-  }
-};
-
-template <typename Kind>
+template <WriteCommand::Verb verb>
 std::unique_ptr<SceneCommand> MakeWriter(const CommandParts& parts) {
-  return std::make_unique<Kind>(parts);
+  return std::make_unique<WriteCommand>(parts, verb);
 }
 
 constexpr ParameterInfo kAddNode[] = {
@@ -300,18 +252,18 @@ constexpr ParameterInfo kDeleteTag[] = {{"id", "the node's id", true}, {"tag_nam
 constexpr ParameterInfo kExtract[] = {{"type", "the filter", true}, {"...", "the filter's parameters"}};
 
 constexpr CommandKind kCommandKinds[] = {
-    {"add_node", "adds a node", kAddNode, MakeWriter<AddNode>},
-    {"copy_node", "adds a copy of a node, without its children", kCopyNode, MakeWriter<CopyNode>},
+    {"add_node", "adds a node", kAddNode, MakeWriter<&WriteCommand::AddNode>},
+    {"copy_node", "adds a copy of a node, without its children", kCopyNode, MakeWriter<&WriteCommand::CopyNode>},
     {"copy_transform", "gives a node the position, rotation or scale of another", kCopyTransform,
-     MakeWriter<CopyTransform>},
-    {"delete_node", "removes a node and all below it", kDelete, MakeWriter<DeleteNode>},
-    {"delete_tag", "removes a tag", kDeleteTag, MakeWriter<DeleteTag>},
+     MakeWriter<&WriteCommand::CopyTransform>},
+    {"delete_node", "removes a node and all below it", kDelete, MakeWriter<&WriteCommand::DeleteNode>},
+    {"delete_tag", "removes a tag", kDeleteTag, MakeWriter<&WriteCommand::DeleteTag>},
     {"extract", "tells what a filter finds, and what changes", kExtract,
      [](const CommandParts& parts) { return MakeExtract(parts, false); }},
     {"extract_once", "tells what a filter finds, once", kExtract,
      [](const CommandParts& parts) { return MakeExtract(parts, true); }},
-    {"set_tag", "gives a node a tag", kSetTag, MakeWriter<SetTag>},
-    {"set_transform", "moves, turns or scales a node", kSetTransform, MakeWriter<SetTransform>},
+    {"set_tag", "gives a node a tag", kSetTag, MakeWriter<&WriteCommand::SetTag>},
+    {"set_transform", "moves, turns or scales a node", kSetTransform, MakeWriter<&WriteCommand::SetTransform>},
 };
 
 }  // namespace

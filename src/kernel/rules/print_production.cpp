@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "diagnostics/name_table.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/rules/functions/builtin_functions.h"
 
@@ -191,47 +192,14 @@ void AppendQuoted(std::string& out, std::string_view text) {
 }  // namespace
 
 std::string_view ComparisonSign(TestKind kind) {
-  switch (kind) {
-    case TestKind::kNotEqual:
-      return "<> ";
-    case TestKind::kLess:
-      return "< ";
-    case TestKind::kGreater:
-      return "> ";
-    case TestKind::kLessOrEqual:
-      return "<= ";
-    case TestKind::kGreaterOrEqual:
-      return ">= ";
-    case TestKind::kSameType:
-      return "<=> ";
-    case TestKind::kSameLti:
-      return "@ ";
-    case TestKind::kNotSameLti:
-      return "!@ ";
-    default:
-      return "";
-  }
+  static constexpr const char* kNames[] = {
+      "", "", "<> ", "< ", "> ", "<= ", ">= ", "<=> ", "", "", "", "", "@ ", "!@ "};
+  return NameIn(kNames, kind);
 }
 
 std::string_view PreferenceSign(PreferenceType type) {
-  switch (type) {
-    case PreferenceType::kAcceptable:
-      return "+";
-    case PreferenceType::kRequire:
-      return "!";
-    case PreferenceType::kReject:
-      return "-";
-    case PreferenceType::kProhibit:
-      return "~";
-    case PreferenceType::kBest:
-    case PreferenceType::kBetter:
-      return ">";
-    case PreferenceType::kWorst:
-    case PreferenceType::kWorse:
-      return "<";
-    default:
-      return "=";
-  }
+  static constexpr const char* kNames[] = {"+", "!", "-", "~", ">", "<", "=", "=", "=", ">", "<"};
+  return NameIn(kNames, type);
 }
 
 void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) {

@@ -1,61 +1,40 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <cstddef>
+#include <iterator>
+
 #include "sml/client/sml_ClientErrors.h"
 
 namespace sml {
 
 namespace {
 
+// By ErrorCodeValue.
+constexpr char const* kDescriptions[] = {"No Error",
+                                         "An argument is not valid",
+                                         "There is no handler with this id",
+                                         "A message has no document type",
+                                         "Nobody takes this call",
+                                         "A call was not answered",
+                                         "There is no kernel in this process",
+                                         "A message is no SML document",
+                                         "A library does not export the functions that it needs",
+                                         "The object could not be created",
+                                         "A message has no command",
+                                         "An argument is NULL",
+                                         "The kernel did not answer in time",
+                                         "The socket failed",
+                                         "A message is not well-formed",
+                                         "There is no kernel to connect to",
+                                         "The kernel's answer is not valid",
+                                         "The kernel's answer is no SML document",
+                                         "The kernel did not answer",
+                                         "The kernel answered with an error",
+                                         "The operation failed",
+                                         "Trying to create an agent that already exists in the kernel.",
+                                         "A message about output was not complete"};
+
 char const* Describe(ErrorCode code) {
-  switch (code) {
-    case kNoError:
-      return "No Error";
-    case kInvalidArgument:
-      return "An argument is not valid";
-    case kCallbackNotFound:
-      return "There is no handler with this id";
-    case kNoDocType:
-      return "A message has no document type";
-    case kNoCallback:
-      return "Nobody takes this call";
-    case kNoResponseToCall:
-      return "A call was not answered";
-    case kNoEmbeddedLink:
-      return "There is no kernel in this process";
-    case kArgumentIsNotSML:
-      return "A message is no SML document";
-    case kFunctionsNotFound:
-      return "A library does not export the functions that it needs";
-    case kCreationFailed:
-      return "The object could not be created";
-    case kSMLHasNoCommand:
-      return "A message has no command";
-    case kNullArgument:
-      return "An argument is NULL";
-    case kConnectionTimedOut:
-      return "The kernel did not answer in time";
-    case kSocketError:
-      return "The socket failed";
-    case kParsingXMLError:
-      return "A message is not well-formed";
-    case kConnectionFailed:
-      return "There is no kernel to connect to";
-    case kInvalidResponse:
-      return "The kernel's answer is not valid";
-    case kResponseIsNotSML:
-      return "The kernel's answer is no SML document";
-    case kFailedToGetResponse:
-      return "The kernel did not answer";
-    case kSMLErrorMessage:
-      return "The kernel answered with an error";
-    case kDetailedError:
-      return "The operation failed";
-    case kAgentExists:
-      return "Trying to create an agent that already exists in the kernel.";
-    case kOutputError:
-      return "A message about output was not complete";
-    default:
-      return "Unknown error";
-  }
+  return code >= 0 && static_cast<std::size_t>(code) < std::size(kDescriptions) ? kDescriptions[code] : "Unknown error";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
 #include "cli/stack_printer.h"
+#include "diagnostics/name_table.h"
 #include "kernel/agent.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/rules/print_production.h"
@@ -34,63 +35,19 @@ using kernel::WmeId;
 using kernel::WmeKind;
 
 const char* TypeName(PreferenceType type) {
-  switch (type) {
-    case PreferenceType::kAcceptable:
-      return "acceptable";
-    case PreferenceType::kRequire:
-      return "require";
-    case PreferenceType::kReject:
-      return "reject";
-    case PreferenceType::kProhibit:
-      return "prohibit";
-    case PreferenceType::kBest:
-      return "best";
-    case PreferenceType::kWorst:
-      return "worst";
-    case PreferenceType::kUnaryIndifferent:
-      return "indifferent";
-    case PreferenceType::kNumericIndifferent:
-      return "numeric";
-    case PreferenceType::kBinaryIndifferent:
-      return "equal";
-    case PreferenceType::kBetter:
-      return "better";
-    case PreferenceType::kWorse:
-      return "worse";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"acceptable",  "require", "reject", "prohibit", "best", "worst",
+                                           "indifferent", "numeric", "equal",  "better",   "worse"};
+  return NameIn(kNames, type);
 }
 
 const char* TypeName(ProductionType type) {
-  switch (type) {
-    case ProductionType::kUser:
-      return "user";
-    case ProductionType::kDefault:
-      return "default";
-    case ProductionType::kChunk:
-      return "chunk";
-    case ProductionType::kJustification:
-      return "justification";
-    case ProductionType::kTemplate:
-      return "template";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"user", "default", "chunk", "justification", "template"};
+  return NameIn(kNames, type);
 }
 
 const char* PhaseName(kernel::Phase phase) {
-  switch (phase) {
-    case kernel::Phase::kInput:
-      return "input";
-    case kernel::Phase::kPropose:
-      return "propose";
-    case kernel::Phase::kDecide:
-      return "decide";
-    case kernel::Phase::kApply:
-      return "apply";
-    case kernel::Phase::kOutput:
-      return "output";
-  }
-  return "";
+  static constexpr const char* kNames[] = {"input", "propose", "decide", "apply", "output"};
+  return NameIn(kNames, phase);
 }
 
 class LocalInspection final : public MindInspection {

@@ -17,53 +17,15 @@ using mind::PreferenceKind;
 constexpr std::size_t kMostTried = 64, kMostDropsTried = 16;
 
 PreferenceKind KindOf(PreferenceType type) {
-  switch (type) {
-    case PreferenceType::kAcceptable:
-      return PreferenceKind::kAcceptable;
-    case PreferenceType::kRequire:
-      return PreferenceKind::kRequire;
-    case PreferenceType::kReject:
-      return PreferenceKind::kReject;
-    case PreferenceType::kProhibit:
-      return PreferenceKind::kProhibit;
-    case PreferenceType::kBest:
-      return PreferenceKind::kBest;
-    case PreferenceType::kWorst:
-      return PreferenceKind::kWorst;
-    case PreferenceType::kBetter:
-      return PreferenceKind::kBetter;
-    case PreferenceType::kWorse:
-      return PreferenceKind::kWorse;
-    case PreferenceType::kUnaryIndifferent:
-      return PreferenceKind::kIndifferent;
-    case PreferenceType::kNumericIndifferent:
-      return PreferenceKind::kNumeric;
-    case PreferenceType::kBinaryIndifferent:
-      return PreferenceKind::kEqual;
-  }
-  return PreferenceKind::kAcceptable;
+  using enum PreferenceKind;
+  static constexpr PreferenceKind kKinds[] = {kAcceptable,  kRequire, kReject, kProhibit, kBest, kWorst,
+                                              kIndifferent, kNumeric, kEqual,  kBetter,   kWorse};
+  return kKinds[static_cast<std::size_t>(type)];
 }
 
-mind::Stage StageOf(kernel::DecisionStage stage) {
-  using kernel::DecisionStage;
-  switch (stage) {
-    case DecisionStage::kForced:
-      return mind::Stage::kForced;
-    case DecisionStage::kRequire:
-      return mind::Stage::kRequire;
-    case DecisionStage::kProhibit:
-      return mind::Stage::kProhibit;
-    case DecisionStage::kReject:
-      return mind::Stage::kReject;
-    case DecisionStage::kDominated:
-      return mind::Stage::kDominated;
-    case DecisionStage::kBest:
-      return mind::Stage::kBest;
-    case DecisionStage::kWorst:
-      return mind::Stage::kWorst;
-  }
-  return mind::Stage::kForced;
-}
+// The steps and the policies of the kernel and of minds are the same, in one order.
+static_assert(static_cast<int>(mind::Stage::kWorst) == static_cast<int>(kernel::DecisionStage::kWorst));
+static_assert(static_cast<int>(mind::Policy::kLast) == static_cast<int>(kernel::ExplorationPolicy::kLast));
 
 mind::Impasse ImpasseOf(kernel::ImpasseType impasse) {
   switch (impasse) {
@@ -78,22 +40,6 @@ mind::Impasse ImpasseOf(kernel::ImpasseType impasse) {
       break;
   }
   return mind::Impasse::kNone;
-}
-
-mind::Policy PolicyOf(kernel::ExplorationPolicy policy) {
-  switch (policy) {
-    case kernel::ExplorationPolicy::kBoltzmann:
-      return mind::Policy::kBoltzmann;
-    case kernel::ExplorationPolicy::kEpsilonGreedy:
-      return mind::Policy::kEpsilonGreedy;
-    case kernel::ExplorationPolicy::kSoftmax:
-      return mind::Policy::kSoftmax;
-    case kernel::ExplorationPolicy::kFirst:
-      return mind::Policy::kFirst;
-    case kernel::ExplorationPolicy::kLast:
-      return mind::Policy::kLast;
-  }
-  return mind::Policy::kSoftmax;
 }
 
 bool IsBinary(PreferenceType type) {
@@ -130,7 +76,7 @@ const mind::DecisionView& DecisionReader::Read(const kernel::Agent& agent, const
   operators_.clear();
   used_ = 0;
   decision_.impasse = ImpasseOf(report.impasse);
-  decision_.policy = PolicyOf(agent.exploration().policy);
+  decision_.policy = static_cast<mind::Policy>(agent.exploration().policy);
   decision_.is_forced = report.is_forced;
   for (const kernel::SlotPreference& from : report.preferences) {
     mind::DecisionView::Preference& to = decision_.preferences.emplace_back();
@@ -150,7 +96,8 @@ const mind::DecisionView& DecisionReader::Read(const kernel::Agent& agent, const
     if (is_tried && from.count > 0) {
       decisive = kernel::IsDecisive(report.preferences, trace, from) ? mind::Decisive::kYes : mind::Decisive::kNo;
     }
-    decision_.drops.push_back({PlaceOf(agent, from.value), StageOf(from.stage), decisive, from.first, from.count});
+    decision_.drops.push_back(
+        {PlaceOf(agent, from.value), static_cast<mind::Stage>(from.stage), decisive, from.first, from.count});
   }
 
   const bool is_choice = report.impasse == kernel::ImpasseType::kNone;

@@ -20,7 +20,7 @@ class DecisionReader {
  public:
   /// Valid until the next call, and as long as the rules are there.
   const mind::DecisionView& Read(const kernel::Agent& agent, const kernel::DecisionReport& report);
-  /// An operator of the last decision that was read, likewise; null if that did not speak of it.
+  /// The same for an operator of the last decision that was read; null if the decision does not mention it.
   const mind::DecisionView::Operator* Find(kernel::Symbol op) const;
 
  private:

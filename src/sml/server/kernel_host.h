@@ -76,7 +76,7 @@ class KernelHost : public cli::Host {
   /// `hosted` may be null: the line goes to the agent that was addressed last.
   cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
   cli::Interpreter& interpreter() { return interpreter_; }
-  /// A filter is registered: every command line must pass by Execute.
+  /// A filter is registered: every command line must go through Execute.
   bool HasFilters() const { return !functions_.empty() && SearchFilters(); }
 
   // Runs ------------------------------------------------------------------------------------------------------------
@@ -87,7 +87,7 @@ class KernelHost : public cli::Host {
   bool OnRunList(const HostedAgent& hosted) const { return hosted.last_run != 0 && hosted.last_run == run_.number(); }
   /// Asks all agents to stop, from any thread.
   void StopAll() { stop_requests_.fetch_add(1, std::memory_order_acq_rel); }
-  /// How often that was asked; a run ends when the number changes.
+  /// How often a stop was requested; a run ends when the number changes.
   std::uint64_t stop_requests() const { return stop_requests_.load(std::memory_order_acquire); }
   void SetInterruptCheckRate(int rate) { run_.SetInterruptCheckRate(rate); }
   void Initialize(HostedAgent& hosted);

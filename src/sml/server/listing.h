@@ -8,7 +8,7 @@
 
 namespace soarbox::server {
 
-/// The element that is the output link itself: (I1 ^output-link I3). Its time tag is 0 before the first state exists.
+/// The element of the output link itself: (I1 ^output-link I3). Its time tag is 0 before the first state exists.
 kernel::WmeInfo OutputLinkWme(const kernel::Agent& agent);
 
 /// An element of the input with the tag that its client gave it (or the kernel's).

@@ -30,7 +30,7 @@ class OpenEvents {
   }
   bool Has(std::string_view id) const { return Find(id) != open_.end(); }
   bool empty() const { return open_.empty(); }
-  /// The event is over: what is to be sent once more, if anything.
+  /// The event is over: returns what must be sent once more, if anything.
   std::string Answered(std::string_view id) {
     const auto found = Find(id);
     if (found == open_.end()) return {};
@@ -40,7 +40,7 @@ class OpenEvents {
   }
 
  private:
-  /// One is the rule; more are open only if the client is slow.
+  /// Usually one; more are open only if the client is slow.
   static constexpr std::size_t kMost = 64;
 
   struct Event {

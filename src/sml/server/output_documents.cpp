@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/output_documents.h"
 
+#include "cli/object_printer.h"
 #include "sml/server/listing.h"
-#include "sml/server/xml_trace.h"
 
 namespace soarbox::server {
 
@@ -11,7 +11,7 @@ wire::Element AddedWme(const kernel::Agent& agent, long long tag, kernel::Symbol
   const auto text = [&](kernel::Symbol symbol) { return kernel::ToString(agent.symbols(), symbol, false); };
   wire::Element element("wme");
   element.Set("action", "add").Set("attr", text(attribute)).Set("id", text(id)).Set("tag", std::to_string(tag));
-  if (!value.IsString()) element.Set("valtype", ValueTypeName(value));
+  if (!value.IsString()) element.Set("valtype", cli::ValueTypeName(value));
   element.Set("value", text(value));
   return element;
 }

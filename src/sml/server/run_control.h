@@ -53,7 +53,7 @@ class RunControl {
   void Begin(HostedAgent& addressed, const cli::RunRequest& request);
   void Rounds(const cli::RunRequest& request, kernel::RunUnit interleave);
   void Round(const cli::RunRequest& request, kernel::RunUnit interleave);
-  /// The rounds of an agent that runs alone, as long as nobody listens to them: nothing but its steps is left of them.
+  /// The rounds of an agent that runs alone while nobody listens to rounds: only its steps are left of them.
   void StepAlone(Runner& runner, const cli::RunRequest& request, kernel::RunUnit interleave);
   void EndIfStopRequested(Runner& runner);
   void MoveToStopPhase(Runner& runner);

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <string_view>
 
+#include "cli/object_printer.h"
 #include "cli/rl_update_log.h"
 #include "cli/stack_printer.h"
 #include "cli/trace_printer.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/decide/exploration.h"
+#include "kernel/rules/print_production.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/wire/message.h"
 
@@ -22,34 +24,11 @@ namespace {
 /// A trace that nobody takes is cut off at this many bytes.
 constexpr std::size_t kMaxBytes = 16u << 20;
 
-const char* PhaseName(kernel::Phase phase) {
-  switch (phase) {
-    case kernel::Phase::kInput:
-      return "input";
-    case kernel::Phase::kPropose:
-      return "propose";
-    case kernel::Phase::kDecide:
-      return "decision";
-    case kernel::Phase::kApply:
-      return "apply";
-    case kernel::Phase::kOutput:
-      return "output";
-  }
-  return "";
-}
-
 const char* TypeName(kernel::FiringType type) {
   return type == kernel::FiringType::kPe ? "PE" : "IE";
 }
 
 }  // namespace
-
-const char* ValueTypeName(kernel::Symbol symbol) {
-  if (symbol.IsIdentifier()) return "id";
-  if (symbol.IsInteger()) return "int";
-  if (symbol.IsFloat()) return "double";
-  return "string";
-}
 
 void XmlTracer::Set(const kernel::Agent& agent, std::string_view name, kernel::Symbol symbol) {
   symbol_.clear();
@@ -63,7 +42,7 @@ void XmlTracer::AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme) {
   Set(agent, "attr", wme.attribute);
   Set(agent, "id", wme.id);
   if (wme.acceptable) pen_.Set("preference", "+");
-  pen_.Set("tag", wme.timetag).Set("valtype", ValueTypeName(wme.value));
+  pen_.Set("tag", wme.timetag).Set("valtype", cli::ValueTypeName(wme.value));
   Set(agent, "value", wme.value);
   pen_.End("wme");
 }
@@ -118,13 +97,14 @@ bool XmlTracer::Take(std::string& pieces) {
 
 void XmlTracer::OnPhaseBegin(const kernel::Agent&, kernel::Phase phase) {
   if (pieces_.size() > kMaxBytes) pieces_.clear();
-  if (hosted_.session().trace().On(TraceFlag::kPhases)) pen_.Begin("phase").Set("name", PhaseName(phase)).End("phase");
+  if (hosted_.session().trace().On(TraceFlag::kPhases))
+    pen_.Begin("phase").Set("name", cli::PhaseName(phase)).End("phase");
   if (phase == kernel::Phase::kOutput) hosted_.FlushXmlTrace();
 }
 
 void XmlTracer::OnPhaseEnd(const kernel::Agent&, kernel::Phase phase) {
   if (!hosted_.session().trace().On(TraceFlag::kPhases)) return;
-  pen_.Begin("phase").Set("name", PhaseName(phase)).Set("status", "end").End("phase");
+  pen_.Begin("phase").Set("name", cli::PhaseName(phase)).Set("status", "end").End("phase");
 }
 
 void XmlTracer::OnPreferencePhase(const kernel::Agent& agent, kernel::FiringType type, kernel::GoalLevel level) {
@@ -193,12 +173,11 @@ void XmlTracer::OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& 
 
 void XmlTracer::AddPreference(const kernel::Agent& agent, kernel::PreferenceId id) {
   const kernel::Preference& preference = agent.memory().preference(id);
-  const char type = cli::PreferenceCharacter(preference.type);
   pen_.Begin("preference");
   Set(agent, "attr", preference.attribute);
   Set(agent, "id", preference.id);
   if (preference.o_supported) pen_.Set("o_supported", ":O");
-  pen_.Set("pref_type", std::string_view(&type, 1));
+  pen_.Set("pref_type", kernel::PreferenceSign(preference.type));
   if (preference.referent) Set(agent, "referent", preference.referent);
   Set(agent, "value", preference.value);
   pen_.End("preference");

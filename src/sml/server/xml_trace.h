@@ -72,7 +72,4 @@ class XmlTracer : public kernel::Observer {
   wire::XmlPen pen_{pieces_};
 };
 
-/// "string", "int", "double" or "id".
-const char* ValueTypeName(kernel::Symbol symbol);
-
 }  // namespace soarbox::server

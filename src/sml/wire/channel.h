@@ -67,7 +67,7 @@ class Channel {
   std::uint64_t dropped() const;
   /// No whole message has come yet.
   bool silent() const;
-  /// Calls what SetWake was given after this time, even if no message has come.
+  /// Calls the function given to SetWake after this time, even if no message has come.
   void WakeAfter(std::chrono::milliseconds delay);
   /// Called (from the thread that moves bytes) when a message has come or the channel was closed.
   void SetWake(std::function<void()> wake);

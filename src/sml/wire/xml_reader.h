@@ -9,7 +9,7 @@
 
 namespace soarbox::wire {
 
-/// What a document may at most be. Documents come from strangers.
+/// The limits of a document. Documents come from strangers.
 struct ReadLimits {
   int max_depth = 200;                   ///< Elements inside elements.
   std::size_t max_elements = 1'000'000;  ///< In the whole document.
