@@ -6,6 +6,8 @@
 -- (`needsCode`). `reward`: a reward box; the right one brings that many points and ends the game; it brings `wrongCode`
 -- with another code, and each other box takes one point. A treat { x, y, points } brings its points to each eater that
 -- comes into its cell, and stays.
+require "GridBoard";
+
 EatersBoxes = {};
 
 local kHighestCode, kWrongBox, kWrongCode = 3, -1, 1;
@@ -34,14 +36,6 @@ function EatersBoxes.Place(game)
     end
 end
 
-function EatersBoxes.At(game, x, y)
-    for _, box in ipairs(game.boxes) do
-        if (box.x == x and box.y == y) then
-            return box;
-        end
-    end
-end
-
 -- What an eater gets that has moved, or tried to.
 function EatersBoxes.Take(game, eater)
     for _, treat in ipairs(eater.wish and game.treats or {}) do
@@ -60,7 +54,7 @@ end
 
 -- Opens the box in the eater's cell, if it wants that and the box is closed.
 function EatersBoxes.Open(game, eater)
-    local box = eater.opens and EatersBoxes.At(game, eater.x, eater.y);
+    local box = eater.opens and GridBoard.At(game.boxes, eater.x, eater.y);
     if (not box or box.isOpen) then
         return;
     end

@@ -56,14 +56,6 @@ local function IsWall(game, x, y)
     return not row or not row[x] or row[x] == "wall";
 end
 
-function EatersRules:EaterAt(x, y)
-    for _, eater in ipairs(self.eaters) do
-        if (eater.x == x and eater.y == y) then
-            return eater;
-        end
-    end
-end
-
 -- Walls are straight: none has another at its corner, so that there are neither bends nor dead ends. None stands at
 -- the edge of the board.
 local function BuildWalls(game)
@@ -89,7 +81,7 @@ end
 local function LayFood(game)
     for y = 1, game.height do
         for x = 1, game.width do
-            if (game.cells[y][x] == "empty" and not EatersBoxes.At(game, x, y)) then
+            if (game.cells[y][x] == "empty" and not GridBoard.At(game.boxes, x, y)) then
                 Set(game, x, y, game.foods[game.random(#game.foods)].name);
             end
         end
@@ -175,7 +167,7 @@ local function FreeCell(game, isStart)
     local free, good = {}, {};
     for y = 1, game.height do
         for x = 1, game.width do
-            if (not IsWall(game, x, y) and not game:EaterAt(x, y)) then
+            if (not IsWall(game, x, y) and not GridBoard.At(game.eaters, x, y)) then
                 free[#free + 1] = { x = x, y = y };
                 if (isStart and LeadsOn(game, x, y)) then
                     good[#good + 1] = free[#free];
@@ -333,7 +325,7 @@ end
 
 local function CellOf(game, x, y, other, isNew)
     local cell = { content = game:ContentAt(x, y), _new = isNew };
-    local box = #game.boxes > 0 and EatersBoxes.At(game, x, y);
+    local box = #game.boxes > 0 and GridBoard.At(game.boxes, x, y);
     if (box and cell.content == "empty") then
         cell.content = nil;
     end

@@ -17,6 +17,15 @@ function GridBoard.Turned(direction, quarters)
     end
 end
 
+-- The first of some things that is at a place, or nil.
+function GridBoard.At(things, x, y)
+    for _, thing in ipairs(things) do
+        if (thing.x == x and thing.y == y) then
+            return thing;
+        end
+    end
+end
+
 -- Commands ------------------------------------------------------------------------------------------------------------
 
 local function SortedNames(list)

@@ -46,20 +46,12 @@ local function IsCharger(game, tank)
     return content == "health" or content == "energy";
 end
 
-function TankSoarRules:TankAt(x, y)
-    for _, tank in ipairs(self.tanks) do
-        if (tank.x == x and tank.y == y) then
-            return tank;
-        end
-    end
-end
-
 -- A cell with nothing in it, by chance.
 local function FreeCell(game)
     local free = {};
     for y = 1, game.height do
         for x = 1, game.width do
-            if (game:ContentAt(x, y) == "open" and not game:TankAt(x, y)) then
+            if (game:ContentAt(x, y) == "open" and not GridBoard.At(game.tanks, x, y)) then
                 free[#free + 1] = { x = x, y = y };
             end
         end
@@ -225,7 +217,7 @@ local function FindAims(game)
         end
     end
     for _, tank in ipairs(game.tanks) do
-        local other = tank.course and game:TankAt(aims[tank].x, aims[tank].y);
+        local other = tank.course and GridBoard.At(game.tanks, aims[tank].x, aims[tank].y);
         if (other and other.course == GridBoard.Turned(tank.course, 2)) then
             for _, one in ipairs({ tank, other }) do
                 one.course = nil;
@@ -336,7 +328,7 @@ end
 local function FlyOn(game, missile)
     local step = GridBoard.Steps[missile.direction];
     missile.x, missile.y = missile.x + step.x, missile.y + step.y;
-    local tank = game:TankAt(missile.x, missile.y);
+    local tank = GridBoard.At(game.tanks, missile.x, missile.y);
     if (IsObstacle(game, missile.x, missile.y)) then
         Explode(game, missile.x, missile.y);
     elseif (tank) then
@@ -632,7 +624,7 @@ function TankSoarRules:Percepts(tank)
     local function IsBlocked(direction)
         local step = GridBoard.Steps[direction];
         local x, y = tank.x + step.x, tank.y + step.y;
-        return IsObstacle(self, x, y) or self:TankAt(x, y) ~= nil;
+        return IsObstacle(self, x, y) or GridBoard.At(self.tanks, x, y) ~= nil;
     end
     return {
         x = tank.x, y = tank.y, direction = tank.direction,

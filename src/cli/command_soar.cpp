@@ -12,6 +12,7 @@
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
 #include "cli/setting_store.h"
+#include "cli/stack_printer.h"
 #include "cli/summary.h"
 #include "cli/version.h"
 #include "kernel/imagery/imagery.h"
