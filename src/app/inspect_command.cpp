@@ -82,12 +82,7 @@ Result<void> RunScenario(const InspectOptions& options, const sim::DataFolders& 
   if (!options.kernel.empty()) {
     if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) return read;
   }
-  if (options.seed) {
-    settings.seed = *options.seed;
-  } else if (!scenario->definition.empty()) {
-    const Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario->definition);
-    if (file) settings.seed = file->seed.value_or(1);
-  }
+  settings.seed = sim::SeedOf(*scenario, options.seed);
   Result<std::unique_ptr<sim::Simulation>> made = sim::Simulation::Create(*scenario, settings);
   if (!made) return made.error();
   run.simulation = std::move(*made);

@@ -91,12 +91,7 @@ Result<std::unique_ptr<sim::Simulation>> RunScenario(const WhyOptions& options, 
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
   settings.mind_detail = sim::MindDetail::kDecisions;  // How rules are learned is noted from the beginning.
-  if (options.seed) {
-    settings.seed = *options.seed;
-  } else if (!scenario.value().definition.empty()) {
-    Result<sim::ScenarioFile> file = sim::ReadScenarioFile(scenario.value().definition);
-    if (file) settings.seed = file->seed.value_or(1);
-  }
+  settings.seed = sim::SeedOf(*scenario, options.seed);
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation) return simulation;
   while (!WasInterrupted() && (*simulation)->time_s() < options.at_s) (*simulation)->Tick();

@@ -150,7 +150,6 @@ int Run(const RunOptions& given) {
   settings.screen_height_px = window.height;
   settings.every_command = options.every_command;
   settings.typed_by_strangers = options.by_strangers;
-  settings.soar.seed = seed;
   settings.soar.threads = options.threads;
   settings.limits.memory_bytes = static_cast<std::size_t>(options.memory_mb) << 20;
   settings.soar.remote_limit_ms = static_cast<int>(options.kernel_limit_s * 1000);
@@ -232,7 +231,7 @@ int Run(const RunOptions& given) {
   session.SetMake(
       seed, scenario.value().name,
       [&](std::uint64_t with_seed) {
-        settings.seed = settings.soar.seed = with_seed;
+        settings.seed = with_seed;
         return sim::Simulation::Create(*scenario, settings);
       },
       [&] {

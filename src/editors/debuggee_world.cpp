@@ -210,7 +210,6 @@ Result<std::unique_ptr<Debuggee>> LaunchWorld(const LaunchRequest& request, cons
     if (!request.seconds) seconds = file->seconds.value_or(seconds);
   }
   if (request.seed) settings.seed = *request.seed;
-  settings.soar.seed = settings.seed;
   const WorldDebuggee::Maker maker = [scenario = *scenario, settings]() {
     return sim::Simulation::Create(scenario, settings);
   };

@@ -320,34 +320,22 @@ std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, con
   return name;
 }
 
-/// The same for what a web page put for another character.
-bool ClarifyPasted(Diagnostic& problem, const SourceFile& source) {
+/// A character that makes a rule unreadable: what web pages write for others, or what readers skip. `find` gives its
+/// place in a line, or kNowhere.
+bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t (*find)(std::string_view),
+                      OddCharacter (*describe)(std::string_view, std::size_t), std::string_view verdict) {
   const int begin = BeginOfRule(source, problem.line);
   if (begin == 0 || problem.severity != Severity::kError) return false;
   for (int at = begin; at < EndOfRule(source, begin) && at <= problem.line; ++at) {
-    const std::size_t column = FindPasted(source.Code(at));
+    const std::size_t column = find(source.Code(at));
     if (column == kNowhere) continue;
-    OddCharacter pasted = DescribePasted(source.Code(at), column);
-    problem.message = "rule " + NameOfRule(source, begin) + " cannot be read: " + pasted.message;
-    problem.hint = std::move(pasted.hint);
-    PointAt(problem, source, at, column, static_cast<int>(pasted.length));
-    return true;
-  }
-  return false;
-}
-
-/// A character that readers skip, in a rule that did not load: most likely why.
-bool ClarifyOddCharacter(Diagnostic& problem, const SourceFile& source) {
-  const int begin = BeginOfRule(source, problem.line);
-  if (begin == 0 || problem.severity != Severity::kError) return false;
-  for (int at = begin; at < EndOfRule(source, begin) && at <= problem.line; ++at) {
-    const std::size_t column = FindOddCharacter(source.Code(at));
-    if (column == kNowhere) continue;
-    OddCharacter odd = DescribeOddCharacter(source.Code(at), column);
+    OddCharacter odd = describe(source.Code(at), column);
     if (odd.hint.ends_with("blank")) continue;  // It parts words as a blank does.
-    problem.message = "rule " + NameOfRule(source, begin) + ": " + odd.message;
+    problem.message = "rule " + NameOfRule(source, begin) + std::string(verdict) + odd.message;
     problem.hint = std::move(odd.hint);
-    PointAt(problem, source, at, column, 1);
+    const std::string_view character = std::string_view(source.Code(at)).substr(column, odd.length);
+    PointAt(problem, source, at, column,
+            static_cast<int>(std::ranges::count_if(character, [](char c) { return (c & 0xc0) != 0x80; })));
     return true;
   }
   return false;
@@ -567,7 +555,8 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
           problem.hint.starts_with("the rule's"))
         continue;
       if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
-    } else if (!ClarifyPasted(problem, source) && !ClarifyOddCharacter(problem, source)) {
+    } else if (!ClarifyCharacter(problem, source, FindPasted, DescribePasted, " cannot be read: ") &&
+               !ClarifyCharacter(problem, source, FindOddCharacter, DescribeOddCharacter, ": ")) {
       ClarifyState(problem);
       ClarifyFound(problem, source);
       if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";

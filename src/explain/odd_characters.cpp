@@ -67,15 +67,20 @@ std::size_t LengthAt(std::string_view text, std::size_t at) {
 
 constexpr std::string_view kEnds = " \t()^{}";
 
-}  // namespace
-
-std::size_t FindOddCharacter(std::string_view line) {
+template <typename Fits>
+std::size_t FindOutsideBars(std::string_view line, Fits fits) {
   bool is_quoted = false;
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (line[at] == '|') is_quoted = !is_quoted;
-    if (!is_quoted && !IsAscii(line[at])) return at;
+    if (!is_quoted && fits(at)) return at;
   }
   return std::string_view::npos;
+}
+
+}  // namespace
+
+std::size_t FindOddCharacter(std::string_view line) {
+  return FindOutsideBars(line, [&](std::size_t at) { return !IsAscii(line[at]); });
 }
 
 OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at) {
@@ -101,12 +106,7 @@ OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at) {
 }
 
 std::size_t FindPasted(std::string_view line) {
-  bool is_quoted = false;
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    if (line[at] == '|') is_quoted = !is_quoted;
-    if (!is_quoted && PastedAt(line, at) != nullptr) return at;
-  }
-  return std::string_view::npos;
+  return FindOutsideBars(line, [&](std::size_t at) { return PastedAt(line, at) != nullptr; });
 }
 
 OddCharacter DescribePasted(std::string_view line, std::size_t at) {

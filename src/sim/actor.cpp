@@ -69,6 +69,14 @@ std::optional<CarriedThing> Actor::LetGo(std::string_view name) {
   return thing;
 }
 
+float Actor::RadiusWithout(std::string_view name) const {
+  float radius_m = load_ == world::NodeId::kNone ? body_->Radius() : own_radius_m_;
+  for (const CarriedThing& thing : carried_) {
+    if (thing.name != name) radius_m = std::max(radius_m, thing.item.HalfWidth_m());
+  }
+  return radius_m;
+}
+
 void Actor::HoldLoad() {
   if (load_ == world::NodeId::kNone) own_radius_m_ = body_->Radius();
   const auto widest = std::max_element(

@@ -146,6 +146,8 @@ class Actor {
   void Carry(CarriedThing thing);
   /// What it carries under this name is out of its hands. Nothing if it carries no such thing.
   std::optional<CarriedThing> LetGo(std::string_view name);
+  /// The radius of its body if it did not carry the thing of this name.
+  float RadiusWithout(std::string_view name) const;
   /// Where it supposes an agent to be: friends and agents in view as they are, others as last noticed. Nothing, with a
   /// reason, for agents that it never noticed or has forgotten.
   struct Sighting {

@@ -38,21 +38,22 @@ StepResult PickUp(Actor& actor, Running& command) {
 }
 
 StepResult Drop(Actor& actor, Running& command) {
-  std::optional<CarriedThing> carried = actor.LetGo(command.Word("object"));
-  if (!carried) return StepResult::Failed("not-carried");
+  const std::string name = command.Word("object");
+  const auto carried = std::ranges::find(actor.carried(), name, &CarriedThing::name);
+  if (carried == actor.carried().end()) return StepResult::Failed("not-carried");
   // Before its feet; what is small, or carried between them, lies beneath them where something is in the way.
   constexpr float kBefore_m = 0.4f;
   const float half_m = carried->item.HalfWidth_m();
   world::Vec3 place = actor.body().Position();
-  const world::Vec3 ahead = place + actor.body().Forward() * (actor.body().Radius() + (kBefore_m + half_m));
+  const world::Vec3 ahead = place + actor.body().Forward() * (actor.RadiusWithout(name) + (kBefore_m + half_m));
   const bool is_free = !actor.world().RayCast(place, ahead + actor.body().Forward() * (half_m - kHandy_m));
   if (is_free) place = ahead;
   place.y -= actor.body().Height() / 2;
   if ((!is_free && half_m > kHandy_m) || !actor.arena().PutDown(*carried, place)) {
-    actor.Carry(std::move(*carried));
     return StepResult::Failed("no-room");
   }
-  actor.arena().Tell(actor.id(), "drops", carried->name);
+  actor.LetGo(name);
+  actor.arena().Tell(actor.id(), "drops", name);
   return StepResult::Done();
 }
 

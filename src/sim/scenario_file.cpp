@@ -477,6 +477,13 @@ Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::ve
   return problems.front();
 }
 
+std::uint64_t SeedOf(const Scenario& scenario, std::optional<std::uint64_t> asked) {
+  if (!asked && !scenario.definition.empty()) {
+    if (const Result<ScenarioFile> file = ReadScenarioFile(scenario.definition)) asked = file->seed;
+  }
+  return asked.value_or(1);
+}
+
 int TurnTicks(const Scenario& scenario) {
   if (scenario.definition.empty()) return 1;
   const Result<ScenarioFile> file = ReadScenarioFile(scenario.definition);

@@ -66,6 +66,8 @@ ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::pat
                                std::vector<Diagnostic>& problems);
 /// Reads a file; the first problem if there is any. The others are added to `further`.
 Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::vector<Diagnostic>* further = nullptr);
+/// The seed that was asked for, else that of the scenario's file, else 1 (also if the file cannot be read).
+std::uint64_t SeedOf(const Scenario& scenario, std::optional<std::uint64_t> asked);
 /// How many ticks a turn of the scenario's game has; 1 if it is no game, or cannot be read.
 int TurnTicks(const Scenario& scenario);
 /// Where a scenario that is only rules gets its world from: this word stands in place of an agent's rules.
