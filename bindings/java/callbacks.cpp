@@ -225,14 +225,7 @@ int Register(sml::Kernel* kernel, unsigned long long agent_life, jobject handler
   JNIEnv* env = Environment();
   if (!env || !handler) return 0;
   const std::shared_ptr<KernelEntry> entry = KernelEntry::Of(kernel);
-  auto callback = std::make_shared<Callback>(env, handler, entry);
-  const int id = registers(static_cast<void*>(callback.get()));
-  if (id != 0) entry->Keep(agent_life, id, std::move(callback));
-  return id;
-}
-
-void RequireEvent(bool is_one, int event, const char* kind) {
-  if (!is_one) throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+  return bindings::Register(entry, agent_life, std::make_shared<Callback>(env, handler, entry), registers);
 }
 
 std::recursive_mutex& Values() {
@@ -270,41 +263,28 @@ bool Begin(JavaVM* java) {
   return handler_too_deep != nullptr;
 }
 
-void EndKernels() {
-  for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
-    if (!entry->Enter()) continue;
-    entry->kernel()->StopAllAgents();
-    entry->kernel()->Shutdown();
-    entry->Leave(false);
-  }
-}
-
 void ShutDoor() {
   door_is_shut = true;
 }
 
 int OnRun(sml::Agent& agent, int event, jobject handler) {
-  RequireEvent(sml::IsRunEventID(event), event, "a run event (smlEVENT_BEFORE_INPUT_PHASE, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
-    return agent.RegisterForRunEvent(static_cast<sml::smlRunEventId>(event), RunRun, own);
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&, id = bindings::RunEvent(event)](void* own) {
+    return agent.RegisterForRunEvent(id, RunRun, own);
   });
 }
 int OnProduction(sml::Agent& agent, int event, jobject handler) {
-  RequireEvent(sml::IsProductionEventID(event), event, "a production event (smlEVENT_AFTER_PRODUCTION_FIRED, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
-    return agent.RegisterForProductionEvent(static_cast<sml::smlProductionEventId>(event), RunProduction, own);
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&, id = bindings::ProductionEvent(event)](void* own) {
+    return agent.RegisterForProductionEvent(id, RunProduction, own);
   });
 }
 int OnPrint(sml::Agent& agent, int event, jobject handler, bool ignore_own_echos) {
-  RequireEvent(sml::IsPrintEventID(event), event, "a print event (smlEVENT_PRINT, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
-    return agent.RegisterForPrintEvent(static_cast<sml::smlPrintEventId>(event), RunPrint, own, ignore_own_echos);
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&, id = bindings::PrintEvent(event)](void* own) {
+    return agent.RegisterForPrintEvent(id, RunPrint, own, ignore_own_echos);
   });
 }
 int OnXml(sml::Agent& agent, int event, jobject handler) {
-  RequireEvent(sml::IsXMLEventID(event), event, "an XML event (smlEVENT_XML_TRACE_OUTPUT, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), handler, [&](void* own) {
-    return agent.RegisterForXMLEvent(static_cast<sml::smlXMLEventId>(event), RunXml, own);
+  return Register(agent.GetKernel(), agent.GetLife(), handler, [&, id = bindings::XmlEvent(event)](void* own) {
+    return agent.RegisterForXMLEvent(id, RunXml, own);
   });
 }
 int OnOutput(sml::Agent& agent, const char* attribute, jobject handler) {
@@ -316,27 +296,23 @@ int OnOutputNotification(sml::Agent& agent, jobject handler) {
                   [&](void* own) { return agent.RegisterForOutputNotification(RunOutputNotification, own); });
 }
 int OnSystem(sml::Kernel& kernel, int event, jobject handler) {
-  RequireEvent(sml::IsSystemEventID(event), event, "a system event (smlEVENT_SYSTEM_START, ...)");
-  return Register(&kernel, 0, handler, [&](void* own) {
-    return kernel.RegisterForSystemEvent(static_cast<sml::smlSystemEventId>(event), RunSystem, own);
+  return Register(&kernel, 0, handler, [&, id = bindings::SystemEvent(event)](void* own) {
+    return kernel.RegisterForSystemEvent(id, RunSystem, own);
   });
 }
 int OnUpdate(sml::Kernel& kernel, int event, jobject handler) {
-  RequireEvent(sml::IsUpdateEventID(event), event, "an update event (smlEVENT_AFTER_ALL_OUTPUT_PHASES, ...)");
-  return Register(&kernel, 0, handler, [&](void* own) {
-    return kernel.RegisterForUpdateEvent(static_cast<sml::smlUpdateEventId>(event), RunUpdate, own);
+  return Register(&kernel, 0, handler, [&, id = bindings::UpdateEvent(event)](void* own) {
+    return kernel.RegisterForUpdateEvent(id, RunUpdate, own);
   });
 }
 int OnString(sml::Kernel& kernel, int event, jobject handler) {
-  RequireEvent(sml::IsStringEventID(event), event, "a string event (smlEVENT_LOAD_LIBRARY, ...)");
-  return Register(&kernel, 0, handler, [&](void* own) {
-    return kernel.RegisterForStringEvent(static_cast<sml::smlStringEventId>(event), RunString, own);
+  return Register(&kernel, 0, handler, [&, id = bindings::StringEvent(event)](void* own) {
+    return kernel.RegisterForStringEvent(id, RunString, own);
   });
 }
 int OnAgent(sml::Kernel& kernel, int event, jobject handler) {
-  RequireEvent(sml::IsAgentEventID(event), event, "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
-  return Register(&kernel, 0, handler, [&](void* own) {
-    return kernel.RegisterForAgentEvent(static_cast<sml::smlAgentEventId>(event), RunAgent, own);
+  return Register(&kernel, 0, handler, [&, id = bindings::AgentEvent(event)](void* own) {
+    return kernel.RegisterForAgentEvent(id, RunAgent, own);
   });
 }
 int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler) {
@@ -345,13 +321,6 @@ int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler) {
 int OnClientMessage(sml::Kernel& kernel, const char* client, jobject handler) {
   return Register(&kernel, 0, handler,
                   [&](void* own) { return kernel.RegisterForClientMessageEvent(client, RunFunction, own); });
-}
-
-void Forget(sml::Agent& agent, int id) {
-  KernelEntry::Of(agent.GetKernel())->Drop(agent.GetLife(), id);
-}
-void Forget(sml::Kernel& kernel, int id) {
-  KernelEntry::Of(&kernel)->Drop(0, id);
 }
 
 }  // namespace soarbox::java

@@ -19,7 +19,7 @@ std::unique_lock<std::recursive_mutex> HoldValues();
 /// Learns of the virtual machine and of Java's class Handler; false with an exception in Java if there is none.
 bool Begin(JavaVM* machine);
 /// Stops all runs and shuts all kernels down; may wait for handlers.
-void EndKernels();
+using bindings::EndKernels;
 /// No handler goes into Java any more: the virtual machine is about to end.
 void ShutDoor();
 
@@ -39,7 +39,6 @@ int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler);
 int OnClientMessage(sml::Kernel& kernel, const char* client, jobject handler);
 
 /// Forgets what was registered under an id, after the library has.
-void Forget(sml::Agent& agent, int id);
-void Forget(sml::Kernel& kernel, int id);
+using bindings::Forget;
 
 }  // namespace soarbox::java

@@ -187,15 +187,7 @@ int Register(sml::Kernel* kernel, unsigned long long agent_life, const char* wha
   PyGILState_Release(state);
   if (!callable) return 0;
   const std::shared_ptr<KernelEntry> entry = KernelEntry::Of(kernel);
-  auto callback = std::make_shared<Callback>(function, data, what, entry);
-  const int id = registers(static_cast<void*>(callback.get()));
-  if (id != 0) entry->Keep(agent_life, id, std::move(callback));
-  return id;
-}
-
-void RequireEvent(bool is_one, int event, const char* kind) {
-  if (is_one) return;
-  throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+  return bindings::Register(entry, agent_life, std::make_shared<Callback>(function, data, what, entry), registers);
 }
 
 /// Lets Ctrl+C reach Python during a run: looks for signals now and then, on the thread that Python takes them on.
@@ -278,29 +270,26 @@ void RaiseInPython() {
 }
 
 int OnRun(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsRunEventID(event), event, "a run event (smlEVENT_BEFORE_INPUT_PHASE, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), "a run event", function, data, [&](void* own) {
-    return agent.RegisterForRunEvent(static_cast<sml::smlRunEventId>(event), RunRun, own, to_back);
-  });
+  return Register(
+      agent.GetKernel(), agent.GetLife(), "a run event", function, data,
+      [&, id = bindings::RunEvent(event)](void* own) { return agent.RegisterForRunEvent(id, RunRun, own, to_back); });
 }
 int OnProduction(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsProductionEventID(event), event, "a production event (smlEVENT_AFTER_PRODUCTION_FIRED, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), "a production event", function, data, [&](void* own) {
-    return agent.RegisterForProductionEvent(static_cast<sml::smlProductionEventId>(event), RunProduction, own, to_back);
-  });
+  return Register(agent.GetKernel(), agent.GetLife(), "a production event", function, data,
+                  [&, id = bindings::ProductionEvent(event)](void* own) {
+                    return agent.RegisterForProductionEvent(id, RunProduction, own, to_back);
+                  });
 }
 int OnPrint(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool ignore_own_echos, bool to_back) {
-  RequireEvent(sml::IsPrintEventID(event), event, "a print event (smlEVENT_PRINT, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), "a print event", function, data, [&](void* own) {
-    return agent.RegisterForPrintEvent(static_cast<sml::smlPrintEventId>(event), RunPrint, own, ignore_own_echos,
-                                       to_back);
-  });
+  return Register(agent.GetKernel(), agent.GetLife(), "a print event", function, data,
+                  [&, id = bindings::PrintEvent(event)](void* own) {
+                    return agent.RegisterForPrintEvent(id, RunPrint, own, ignore_own_echos, to_back);
+                  });
 }
 int OnXml(sml::Agent& agent, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsXMLEventID(event), event, "an XML event (smlEVENT_XML_TRACE_OUTPUT, ...)");
-  return Register(agent.GetKernel(), agent.GetLife(), "an XML event", function, data, [&](void* own) {
-    return agent.RegisterForXMLEvent(static_cast<sml::smlXMLEventId>(event), RunXml, own, to_back);
-  });
+  return Register(
+      agent.GetKernel(), agent.GetLife(), "an XML event", function, data,
+      [&, id = bindings::XmlEvent(event)](void* own) { return agent.RegisterForXMLEvent(id, RunXml, own, to_back); });
 }
 int OnOutput(sml::Agent& agent, const char* attribute, PyObject* function, PyObject* data, bool to_back) {
   return Register(agent.GetKernel(), agent.GetLife(), "output", function, data,
@@ -311,27 +300,23 @@ int OnOutputNotification(sml::Agent& agent, PyObject* function, PyObject* data, 
                   [&](void* own) { return agent.RegisterForOutputNotification(RunOutputNotification, own, to_back); });
 }
 int OnSystem(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsSystemEventID(event), event, "a system event (smlEVENT_SYSTEM_START, ...)");
-  return Register(&kernel, 0, "a system event", function, data, [&](void* own) {
-    return kernel.RegisterForSystemEvent(static_cast<sml::smlSystemEventId>(event), RunSystem, own, to_back);
+  return Register(&kernel, 0, "a system event", function, data, [&, id = bindings::SystemEvent(event)](void* own) {
+    return kernel.RegisterForSystemEvent(id, RunSystem, own, to_back);
   });
 }
 int OnUpdate(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsUpdateEventID(event), event, "an update event (smlEVENT_AFTER_ALL_OUTPUT_PHASES, ...)");
-  return Register(&kernel, 0, "an update event", function, data, [&](void* own) {
-    return kernel.RegisterForUpdateEvent(static_cast<sml::smlUpdateEventId>(event), RunUpdate, own, to_back);
+  return Register(&kernel, 0, "an update event", function, data, [&, id = bindings::UpdateEvent(event)](void* own) {
+    return kernel.RegisterForUpdateEvent(id, RunUpdate, own, to_back);
   });
 }
 int OnString(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsStringEventID(event), event, "a string event (smlEVENT_LOAD_LIBRARY, ...)");
-  return Register(&kernel, 0, "a string event", function, data, [&](void* own) {
-    return kernel.RegisterForStringEvent(static_cast<sml::smlStringEventId>(event), RunString, own, to_back);
+  return Register(&kernel, 0, "a string event", function, data, [&, id = bindings::StringEvent(event)](void* own) {
+    return kernel.RegisterForStringEvent(id, RunString, own, to_back);
   });
 }
 int OnAgent(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, bool to_back) {
-  RequireEvent(sml::IsAgentEventID(event), event, "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
-  return Register(&kernel, 0, "an agent event", function, data, [&](void* own) {
-    return kernel.RegisterForAgentEvent(static_cast<sml::smlAgentEventId>(event), RunAgent, own, to_back);
+  return Register(&kernel, 0, "an agent event", function, data, [&, id = bindings::AgentEvent(event)](void* own) {
+    return kernel.RegisterForAgentEvent(id, RunAgent, own, to_back);
   });
 }
 int AddRhsFunction(sml::Kernel& kernel, const char* name, PyObject* function, PyObject* data, bool to_back) {
@@ -343,21 +328,9 @@ int OnClientMessage(sml::Kernel& kernel, const char* client, PyObject* function,
                   [&](void* own) { return kernel.RegisterForClientMessageEvent(client, RunFunction, own, to_back); });
 }
 
-void Forget(sml::Agent& agent, int id) {
-  KernelEntry::Of(agent.GetKernel())->Drop(agent.GetLife(), id);
-}
-void Forget(sml::Kernel& kernel, int id) {
-  KernelEntry::Of(&kernel)->Drop(0, id);
-}
-
 void End() {
   PyThreadState* thread = PyEval_SaveThread();
-  for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
-    if (!entry->Enter()) continue;
-    entry->kernel()->StopAllAgents();
-    entry->kernel()->Shutdown();
-    entry->Leave(false);
-  }
+  bindings::EndKernels();
   {
     Door& door = TheDoor();
     std::unique_lock lock(door.mutex);

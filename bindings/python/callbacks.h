@@ -43,8 +43,7 @@ int AddRhsFunction(sml::Kernel& kernel, const char* name, PyObject* function, Py
 int OnClientMessage(sml::Kernel& kernel, const char* client, PyObject* function, PyObject* data, bool to_back);
 
 /// Forgets what was registered under an id, after the library has.
-void Forget(sml::Agent& agent, int id);
-void Forget(sml::Kernel& kernel, int id);
+using bindings::Forget;
 
 /// Stops all runs, shuts the kernels down, and lets no handler into Python any more: the interpreter is about to end.
 void End();

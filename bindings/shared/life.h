@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,6 +104,70 @@ const Life* LifeOf(const std::shared_ptr<T>& pointer) {
   if (const auto* borrowed = std::get_deleter<Borrowed>(pointer)) return &borrowed->life;
   if (const auto* owned = std::get_deleter<Owned>(pointer)) return &owned->life;
   return nullptr;
+}
+
+// What registering handlers is in every language.
+
+/// The event of a number; std::invalid_argument if the number is none of its kind.
+template <typename Event>
+Event CheckedEvent(int event, bool (*is_one)(int), const char* kind) {
+  if (!is_one(event)) throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+  return static_cast<Event>(event);
+}
+inline auto RunEvent(int event) {
+  return CheckedEvent<sml::smlRunEventId>(event, sml::IsRunEventID, "a run event (smlEVENT_BEFORE_INPUT_PHASE, ...)");
+}
+inline auto ProductionEvent(int event) {
+  return CheckedEvent<sml::smlProductionEventId>(event, sml::IsProductionEventID,
+                                                 "a production event (smlEVENT_AFTER_PRODUCTION_FIRED, ...)");
+}
+inline auto PrintEvent(int event) {
+  return CheckedEvent<sml::smlPrintEventId>(event, sml::IsPrintEventID, "a print event (smlEVENT_PRINT, ...)");
+}
+inline auto XmlEvent(int event) {
+  return CheckedEvent<sml::smlXMLEventId>(event, sml::IsXMLEventID, "an XML event (smlEVENT_XML_TRACE_OUTPUT, ...)");
+}
+inline auto SystemEvent(int event) {
+  return CheckedEvent<sml::smlSystemEventId>(event, sml::IsSystemEventID,
+                                             "a system event (smlEVENT_SYSTEM_START, ...)");
+}
+inline auto UpdateEvent(int event) {
+  return CheckedEvent<sml::smlUpdateEventId>(event, sml::IsUpdateEventID,
+                                             "an update event (smlEVENT_AFTER_ALL_OUTPUT_PHASES, ...)");
+}
+inline auto StringEvent(int event) {
+  return CheckedEvent<sml::smlStringEventId>(event, sml::IsStringEventID,
+                                             "a string event (smlEVENT_LOAD_LIBRARY, ...)");
+}
+inline auto AgentEvent(int event) {
+  return CheckedEvent<sml::smlAgentEventId>(event, sml::IsAgentEventID,
+                                            "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
+}
+
+/// Hands a callback to `registers`, and keeps it if that returns an id. `agent_life` 0: a handler of the kernel.
+template <typename Callback, typename Registers>
+int Register(const std::shared_ptr<KernelEntry>& entry, unsigned long long agent_life,
+             std::shared_ptr<Callback> callback, Registers registers) {
+  const int id = registers(static_cast<void*>(callback.get()));
+  if (id != 0) entry->Keep(agent_life, id, std::move(callback));
+  return id;
+}
+
+inline void Forget(sml::Agent& agent, int id) {
+  KernelEntry::Of(agent.GetKernel())->Drop(agent.GetLife(), id);
+}
+inline void Forget(sml::Kernel& kernel, int id) {
+  KernelEntry::Of(&kernel)->Drop(0, id);
+}
+
+/// Stops and ends every kernel that is left.
+inline void EndKernels() {
+  for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
+    if (!entry->Enter()) continue;
+    entry->kernel()->StopAllAgents();
+    entry->kernel()->Shutdown();
+    entry->Leave(false);
+  }
 }
 
 }  // namespace soarbox::bindings
