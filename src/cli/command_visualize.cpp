@@ -20,6 +20,7 @@
 #include "cli/setting_store.h"
 #include "cli/settings_command.h"
 #include "kernel/agent.h"
+#include "kernel/learn/explanation_log.h"
 #include "kernel/longterm/episodic_memory.h"
 #include "kernel/longterm/knowledge_reader.h"
 #include "kernel/longterm/long_term.h"

@@ -100,51 +100,6 @@ double NearestOf(const Condition& condition, world::Vec3 from, const TickFacts& 
   return nearest;
 }
 
-double ValueOf(Key key, const AgentFacts& agent, const TickFacts&) {
-  switch (key) {
-    case Key::kHealth:
-      return agent.health;
-    case Key::kScore:
-      return agent.score.value_or(0);
-    case Key::kAmmunition:
-      return agent.ammunition.value_or(0);
-    case Key::kSpeed:
-      return agent.speed;
-    case Key::kDistance:
-      return agent.distance;
-    case Key::kRounds:
-      return agent.rounds;
-    case Key::kDamage:
-      return agent.damage;
-    case Key::kIdle:
-      return agent.idle;
-    case Key::kAnswered:
-      return agent.answered;
-    case Key::kRepeats:
-      return agent.repeats;
-    case Key::kDecisions:
-      return agent.decisions;
-    case Key::kFirings:
-      return agent.firings;
-    case Key::kElements:
-      return agent.elements;
-    case Key::kDepth:
-      return agent.depth;
-    case Key::kLearned:
-      return agent.learned;
-    case Key::kReused:
-      return agent.reused;
-    case Key::kReward:
-      return agent.reward;
-    case Key::kUpdates:
-      return agent.updates;
-    case Key::kValues:
-      return agent.values;
-    default:
-      return 0;
-  }
-}
-
 Finding LookAtPlace(const Condition& condition, world::Vec3 position, const TickFacts& facts) {
   Finding found;
   const double distance = NearestOf(condition, position, facts);
@@ -287,7 +242,7 @@ Finding LookAt(const Condition& condition, const AgentFacts* agent, const ItemFa
       break;
   }
   if (condition.row->kind == Kind::kEvent) return LookForEvents(condition, agent, facts);
-  found.value = ValueOf(condition.row->key, *agent, facts);
+  if (const NumberRow* number = FindNumber(condition.row->key)) found.value = number->value(*agent);
   found.holds = condition.bounds.Hold(found.value);
   found.away = std::max(
       {0.0, found.value - condition.bounds.max.value_or(1e30), condition.bounds.min.value_or(-1e30) - found.value});

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mission/facts.h"
+
 namespace soarbox::mission {
 namespace {
 
@@ -67,6 +69,31 @@ constexpr KeyRow kKeys[] = {
      "the run reports a problem: \"error\", \"warning\" or \"any\"", true},
 };
 
+/// The numbers that a check may bound: where each stands, and how a sentence asks for it.
+constexpr NumberRow kNumbers[] = {
+    {Key::kHealth, [](const AgentFacts& agent) { return agent.health; }, "have a health of ", ""},
+    {Key::kScore, [](const AgentFacts& agent) { return agent.score.value_or(0); }, "have a score of ", ""},
+    {Key::kAmmunition, [](const AgentFacts& agent) { return agent.ammunition.value_or(0); }, "have ", " rounds"},
+    {Key::kSpeed, [](const AgentFacts& agent) { return agent.speed; }, "go at ", " m/s"},
+    {Key::kDistance, [](const AgentFacts& agent) { return agent.distance; }, "walk ", " m"},
+    {Key::kRounds, [](const AgentFacts& agent) { return agent.rounds; }, "fire ", " rounds"},
+    {Key::kDamage, [](const AgentFacts& agent) { return agent.damage; }, "lose ", " health"},
+    {Key::kIdle, [](const AgentFacts& agent) { return agent.idle; }, "stand idle ", " s"},
+    {Key::kAnswered, [](const AgentFacts& agent) { return agent.answered; }, "leave ",
+     " answered commands on the output link"},
+    {Key::kRepeats, [](const AgentFacts& agent) { return agent.repeats; },
+     "repeat a command that is still being carried out ", " times"},
+    {Key::kDecisions, [](const AgentFacts& agent) { return agent.decisions; }, "take ", " decisions"},
+    {Key::kFirings, [](const AgentFacts& agent) { return agent.firings; }, "fire rules ", " times"},
+    {Key::kElements, [](const AgentFacts& agent) { return agent.elements; }, "have ", " elements in working memory"},
+    {Key::kDepth, [](const AgentFacts& agent) { return agent.depth; }, "have ", " states in the goal stack"},
+    {Key::kLearned, [](const AgentFacts& agent) { return agent.learned; }, "learn ", " rules"},
+    {Key::kReused, [](const AgentFacts& agent) { return agent.reused; }, "fire learned rules ", " times"},
+    {Key::kReward, [](const AgentFacts& agent) { return agent.reward; }, "collect a reward of ", ""},
+    {Key::kUpdates, [](const AgentFacts& agent) { return agent.updates; }, "update its numbers ", " times"},
+    {Key::kValues, [](const AgentFacts& agent) { return agent.values; }, "have ", " rules whose values are learned"},
+};
+
 }  // namespace
 
 std::span<const KeyRow> Keys() {
@@ -77,6 +104,11 @@ const KeyRow* FindKey(std::string_view name) {
   const auto* at =
       std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyRow& row) { return row.name == name; });
   return at == std::end(kKeys) ? nullptr : at;
+}
+
+const NumberRow* FindNumber(Key key) {
+  const auto* at = std::ranges::find(kNumbers, key, &NumberRow::key);
+  return at == std::end(kNumbers) ? nullptr : at;
 }
 
 }  // namespace soarbox::mission

@@ -108,4 +108,14 @@ std::span<const KeyRow> Keys();
 /// Null if there is none of that name.
 const KeyRow* FindKey(std::string_view name);
 
+struct AgentFacts;
+/// A key that is a number of an agent.
+struct NumberRow {
+  Key key;
+  double (*value)(const AgentFacts& agent);
+  std::string_view verb, unit;  ///< "walk " and " m", around the bounds.
+};
+/// Null for keys that are no numbers of agents.
+const NumberRow* FindNumber(Key key);
+
 }  // namespace soarbox::mission

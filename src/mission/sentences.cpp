@@ -65,6 +65,9 @@ std::string SecondsText(double seconds) {
 
 std::string Infinitive(const Condition& condition) {
   const std::string words = Joined(condition.words, "or");
+  if (const NumberRow* number = FindNumber(condition.row->key)) {
+    return std::string(number->verb) + BoundsText(condition.bounds, number->unit);
+  }
   switch (condition.row->key) {
     case Key::kAt:
       return "be at " + words;
@@ -84,22 +87,6 @@ std::string Infinitive(const Condition& condition) {
       return "carry " + words;
     case Key::kCarried:
       return condition.truth ? "be carried" : "not be carried";
-    case Key::kHealth:
-      return "have a health of " + BoundsText(condition.bounds, "");
-    case Key::kScore:
-      return "have a score of " + BoundsText(condition.bounds, "");
-    case Key::kAmmunition:
-      return "have " + BoundsText(condition.bounds, " rounds");
-    case Key::kSpeed:
-      return "go at " + BoundsText(condition.bounds, " m/s");
-    case Key::kDistance:
-      return "walk " + BoundsText(condition.bounds, " m");
-    case Key::kRounds:
-      return "fire " + BoundsText(condition.bounds, " rounds");
-    case Key::kDamage:
-      return "lose " + BoundsText(condition.bounds, " health");
-    case Key::kIdle:
-      return "stand idle " + BoundsText(condition.bounds, " s");
     case Key::kSees:
       return "see " + OneOf(words, "anybody");
     case Key::kCollides:
@@ -127,18 +114,6 @@ std::string Infinitive(const Condition& condition) {
                WithText(condition);
       }
       return "give " + words + WithText(condition);
-    case Key::kAnswered:
-      return "leave " + BoundsText(condition.bounds, "") + " answered commands on the output link";
-    case Key::kRepeats:
-      return "repeat a command that is still being carried out " + BoundsText(condition.bounds, " times");
-    case Key::kDecisions:
-      return "take " + BoundsText(condition.bounds, " decisions");
-    case Key::kFirings:
-      return "fire rules " + BoundsText(condition.bounds, " times");
-    case Key::kElements:
-      return "have " + BoundsText(condition.bounds, " elements in working memory");
-    case Key::kDepth:
-      return "have " + BoundsText(condition.bounds, " states in the goal stack");
     case Key::kRule:
       return "fire rule " + words;
     case Key::kElement: {
@@ -147,23 +122,14 @@ std::string Infinitive(const Condition& condition) {
       if (condition.support != 0) text += std::string(" with ") + condition.support + "-support";
       return text;
     }
-    case Key::kLearned:
-      return "learn " + BoundsText(condition.bounds, " rules");
-    case Key::kReused:
-      return "fire learned rules " + BoundsText(condition.bounds, " times");
-    case Key::kReward:
-      return "collect a reward of " + BoundsText(condition.bounds, "");
-    case Key::kUpdates:
-      return "update its numbers " + BoundsText(condition.bounds, " times");
-    case Key::kValues:
-      return "have " + BoundsText(condition.bounds, " rules whose values are learned");
     case Key::kRetrieval:
       return "get " + (condition.status.empty() ? std::string("an answer") : "the answer " + condition.status) +
              " from " + (words == "any" ? std::string("a") : "its " + words) + " memory";
     case Key::kProblem:
       return "show " + (words == "any" ? std::string("any problem") : "a problem of severity " + words);
+    default:
+      return {};
   }
-  return {};
 }
 
 std::string Whom(const Check& check) {

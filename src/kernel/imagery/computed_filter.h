@@ -16,6 +16,10 @@ class ComputedFilter : public Filter {
   enum class Verdict { kFail, kNothing, kValue };
   /// kFail: a status has been set.
   virtual Verdict Evaluate(const Combination& combination, Content& content) = 0;
+  Verdict Refuse(std::string_view status) {
+    Fail(status);
+    return Verdict::kFail;
+  }
 
  private:
   bool Compute() final;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Filters that measure or test nodes, each in three forms: the answer, the nodes for which it is right, the best one.
+#include <algorithm>
+#include <array>
 #include <cctype>
+#include <optional>
+#include <type_traits>
 
 #include "kernel/imagery/computed_filter.h"
 #include "kernel/imagery/filter_kinds.h"
@@ -66,9 +70,10 @@ bool Intersects(const Node& a, const Node& b, const Options& options) {
 template <typename Base>
 class Measuring : public Base {
  public:
+  /// `measure`: null for the size of one node.
   template <typename... More>
-  Measuring(FilterParts parts, std::string_view type, More... more)
-      : Base(std::move(parts), more...), type_name_(type), type_(this->SlotsOf(type)) {}
+  Measuring(FilterParts parts, std::string_view type, Measure measure, More... more)
+      : Base(std::move(parts), more...), measure_(measure), type_name_(type), type_(this->SlotsOf(type)) {}
 
  protected:
   using Slots = typename Base::Slots;
@@ -93,24 +98,44 @@ class Measuring : public Base {
     this->Fail("Need nodes a and b as input");
     return false;
   }
-  Node* Single(const Combination& combination, std::string_view complaint) {
-    Node* const a = this->NodeOf(combination, a_, "a");
-    if (a == nullptr) this->Fail(complaint);
-    return a;
+  /// The number of a combination, and the node that has it; none if a node is missing.
+  std::optional<double> Measured(const Combination& combination, Node*& node) {
+    if (measure_ != nullptr) {
+      Node* a;
+      if (!Pair(combination, a, node)) return std::nullopt;
+      return measure_(*a, *node, OptionsOf(combination));
+    }
+    node = this->NodeOf(combination, a_, "a");
+    if (node != nullptr) return SizeOf(*node, OptionsOf(combination));
+    this->Fail(std::is_same_v<Base, RankFilter> ? "Need node a as input" : "Need node a input");
+    return std::nullopt;
   }
 
  private:
+  Measure measure_;
   std::string_view type_name_;
   Slots type_, a_ = this->SlotsOf("a"), b_ = this->SlotsOf("b"), axis_ = this->SlotsOf("axis"),
                reference_ = this->SlotsOf("reference");
 };
 
-/// A range of numbers, from ^min to ^max.
-class RangeFilter : public Measuring<ComputedFilter> {
+/// The number itself, or the node if its number is in the range from ^min to ^max.
+class MeasureFilter final : public Measuring<ComputedFilter> {
  public:
-  using Measuring::Measuring;
+  MeasureFilter(FilterParts parts, std::string_view type, Measure measure, bool select)
+      : Measuring(std::move(parts), type, measure), select_(select) {}
 
- protected:
+ private:
+  Verdict Evaluate(const Combination& combination, Content& content) override {
+    Node* node;
+    const std::optional<double> number = Measured(combination, node);
+    if (!number) return Verdict::kFail;
+    if (!select_) {
+      content = *number;
+      return Verdict::kValue;
+    }
+    content = node;
+    return InRange(combination, *number) ? Verdict::kValue : Verdict::kNothing;
+  }
   bool InRange(const Combination& combination, double number) {
     if (const std::optional<double> min = NumberOf(combination, min_slots_, "min")) min_ = *min;
     if (const std::optional<double> max = NumberOf(combination, max_slots_, "max")) max_ = *max;
@@ -125,93 +150,21 @@ class RangeFilter : public Measuring<ComputedFilter> {
     return above && below;
   }
 
- private:
+  bool select_;
   double min_ = -1e9, max_ = 1e9;
   bool include_min_ = true, include_max_ = true;
   Slots min_slots_ = SlotsOf("min"), max_slots_ = SlotsOf("max"), include_min_slots_ = SlotsOf("include_min"),
         include_max_slots_ = SlotsOf("include_max");
 };
 
-class MeasureFilter final : public Measuring<ComputedFilter> {
- public:
-  MeasureFilter(FilterParts parts, std::string_view type, Measure measure)
-      : Measuring(std::move(parts), type), measure_(measure) {}
-
- private:
-  Verdict Evaluate(const Combination& combination, Content& content) override {
-    Node *a, *b;
-    if (!Pair(combination, a, b)) return Verdict::kFail;
-    content = measure_(*a, *b, OptionsOf(combination));
-    return Verdict::kValue;
-  }
-  Measure measure_;
-};
-
-class MeasureSelectFilter final : public RangeFilter {
- public:
-  MeasureSelectFilter(FilterParts parts, std::string_view type, Measure measure)
-      : RangeFilter(std::move(parts), type), measure_(measure) {}
-
- private:
-  Verdict Evaluate(const Combination& combination, Content& content) override {
-    Node *a, *b;
-    if (!Pair(combination, a, b)) return Verdict::kFail;
-    content = b;
-    const double measured = measure_(*a, *b, OptionsOf(combination));
-    return InRange(combination, measured) ? Verdict::kValue : Verdict::kNothing;
-  }
-  Measure measure_;
-};
-
 class MeasureRankFilter final : public Measuring<RankFilter> {
  public:
-  MeasureRankFilter(FilterParts parts, std::string_view type, Measure measure, bool highest)
-      : Measuring(std::move(parts), type, highest), measure_(measure) {}
+  using Measuring::Measuring;
 
  private:
   std::optional<double> Rank(const Combination& combination) override {
-    Node *a, *b;
-    if (!Pair(combination, a, b)) return std::nullopt;
-    return measure_(*a, *b, OptionsOf(combination));
-  }
-  Measure measure_;
-};
-
-class SizeFilter final : public Measuring<ComputedFilter> {
- public:
-  explicit SizeFilter(FilterParts parts) : Measuring(std::move(parts), "volume_type") {}
-
- private:
-  Verdict Evaluate(const Combination& combination, Content& content) override {
-    const Node* const a = Single(combination, "Need node a input");
-    if (a == nullptr) return Verdict::kFail;
-    content = SizeOf(*a, OptionsOf(combination));
-    return Verdict::kValue;
-  }
-};
-
-class SizeSelectFilter final : public RangeFilter {
- public:
-  explicit SizeSelectFilter(FilterParts parts) : RangeFilter(std::move(parts), "volume_type") {}
-
- private:
-  Verdict Evaluate(const Combination& combination, Content& content) override {
-    Node* const a = Single(combination, "Need node a input");
-    if (a == nullptr) return Verdict::kFail;
-    content = a;
-    return InRange(combination, SizeOf(*a, OptionsOf(combination))) ? Verdict::kValue : Verdict::kNothing;
-  }
-};
-
-class SizeRankFilter final : public Measuring<RankFilter> {
- public:
-  SizeRankFilter(FilterParts parts, bool highest) : Measuring(std::move(parts), "volume_type", highest) {}
-
- private:
-  std::optional<double> Rank(const Combination& combination) override {
-    const Node* const a = Single(combination, "Need node a as input");
-    if (a == nullptr) return std::nullopt;
-    return SizeOf(*a, OptionsOf(combination));
+    Node* node;
+    return Measured(combination, node);
   }
 };
 
@@ -219,7 +172,7 @@ class SizeRankFilter final : public Measuring<RankFilter> {
 class TestFilter final : public Measuring<ComputedFilter> {
  public:
   TestFilter(FilterParts parts, std::string_view type, Test test, bool select)
-      : Measuring(std::move(parts), type), test_(test), select_(select) {}
+      : Measuring(std::move(parts), type, nullptr), test_(test), select_(select) {}
 
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
@@ -241,9 +194,9 @@ class TestFilter final : public Measuring<ComputedFilter> {
 
 template <Measure kMeasure, int kForm>  // 0: the number, 1: select, 2: lowest, 3: highest.
 std::unique_ptr<Filter> MakeMeasure(FilterParts parts) {
-  if constexpr (kForm == 0) return std::make_unique<MeasureFilter>(std::move(parts), "distance_type", kMeasure);
-  if constexpr (kForm == 1) return std::make_unique<MeasureSelectFilter>(std::move(parts), "distance_type", kMeasure);
-  return std::make_unique<MeasureRankFilter>(std::move(parts), "distance_type", kMeasure, kForm == 3);
+  constexpr std::string_view kType = kMeasure == nullptr ? "volume_type" : "distance_type";
+  if constexpr (kForm < 2) return std::make_unique<MeasureFilter>(std::move(parts), kType, kMeasure, kForm == 1);
+  return std::make_unique<MeasureRankFilter>(std::move(parts), kType, kMeasure, kForm == 3);
 }
 
 template <Test kTest, bool kSelect>
@@ -252,50 +205,35 @@ std::unique_ptr<Filter> MakeTest(FilterParts parts) {
   return std::make_unique<TestFilter>(std::move(parts), type, kTest, kSelect);
 }
 
+/// The parameters of a measure, and behind them those of a range.
+template <std::size_t count>
+constexpr auto WithRange(const ParameterInfo (&own)[count], std::string_view least, std::string_view greatest) {
+  std::array<ParameterInfo, count + 4> all{};
+  std::copy_n(own, count, all.begin());
+  all[count] = {"min", least, false, ParameterForm::kNumber};
+  all[count + 1] = {"max", greatest, false, ParameterForm::kNumber};
+  all[count + 2] = {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"};
+  all[count + 3] = {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"};
+  return all;
+}
+
 constexpr ParameterInfo kDistance[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"b", "nodes", true, ParameterForm::kNodes},
     {"distance_type", "centroid (of local positions) or hull", false, ParameterForm::kWord, "centroid hull"}};
-constexpr ParameterInfo kDistanceRange[] = {
-    {"a", "nodes", true, ParameterForm::kNodes},
-    {"b", "nodes", true, ParameterForm::kNodes},
-    {"distance_type", "centroid (of local positions) or hull", false, ParameterForm::kWord, "centroid hull"},
-    {"min", "the least number to select", false, ParameterForm::kNumber},
-    {"max", "the greatest number to select", false, ParameterForm::kNumber},
-    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
-    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr auto kDistanceRange = WithRange(kDistance, "the least number to select", "the greatest number to select");
 constexpr ParameterInfo kAxis[] = {{"a", "nodes", true, ParameterForm::kNodes},
                                    {"b", "nodes", true, ParameterForm::kNodes},
                                    {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
                                    {"reference", "a node along whose axis to measure", false, ParameterForm::kNodes}};
-constexpr ParameterInfo kAxisRange[] = {
-    {"a", "nodes", true, ParameterForm::kNodes},
-    {"b", "nodes", true, ParameterForm::kNodes},
-    {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
-    {"reference", "a node along whose axis to measure", false, ParameterForm::kNodes},
-    {"min", "the least number to select", false, ParameterForm::kNumber},
-    {"max", "the greatest number to select", false, ParameterForm::kNumber},
-    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
-    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr auto kAxisRange = WithRange(kAxis, "the least number to select", "the greatest number to select");
 constexpr ParameterInfo kTwo[] = {{"a", "nodes", true, ParameterForm::kNodes},
                                   {"b", "nodes", true, ParameterForm::kNodes}};
-constexpr ParameterInfo kTwoRange[] = {
-    {"a", "nodes", true, ParameterForm::kNodes},
-    {"b", "nodes", true, ParameterForm::kNodes},
-    {"min", "the least share to select", false, ParameterForm::kNumber},
-    {"max", "the greatest share to select", false, ParameterForm::kNumber},
-    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
-    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr auto kTwoRange = WithRange(kTwo, "the least share to select", "the greatest share to select");
 constexpr ParameterInfo kVolume[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"}};
-constexpr ParameterInfo kVolumeRange[] = {
-    {"a", "nodes", true, ParameterForm::kNodes},
-    {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"},
-    {"min", "the least volume to select", false, ParameterForm::kNumber},
-    {"max", "the greatest volume to select", false, ParameterForm::kNumber},
-    {"include_min", "false: more than min", false, ParameterForm::kWord, "true false"},
-    {"include_max", "false: less than max", false, ParameterForm::kWord, "true false"}};
+constexpr auto kVolumeRange = WithRange(kVolume, "the least volume to select", "the greatest volume to select");
 constexpr ParameterInfo kSizes[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"b", "nodes", true, ParameterForm::kNodes},
@@ -323,20 +261,10 @@ void AppendMeasureFilters(std::vector<FilterKind>& kinds) {
        {"overlap", "the share of a that is in b", kTwo, MakeMeasure<MeasureOverlap, 0>, Sharing::kNever},
        {"overlap_select", "each b within a range of such shares", kTwoRange, MakeMeasure<MeasureOverlap, 1>,
         Sharing::kNever},
-       {"volume", "the volume of each node", kVolume,
-        [](FilterParts parts) -> std::unique_ptr<Filter> { return std::make_unique<SizeFilter>(std::move(parts)); }},
-       {"volume_select", "the nodes within a range of volumes", kVolumeRange,
-        [](FilterParts parts) -> std::unique_ptr<Filter> {
-          return std::make_unique<SizeSelectFilter>(std::move(parts));
-        }},
-       {"largest", "the greatest volume, and of which node", kVolume,
-        [](FilterParts parts) -> std::unique_ptr<Filter> {
-          return std::make_unique<SizeRankFilter>(std::move(parts), true);
-        }},
-       {"smallest", "the least volume, and of which node", kVolume,
-        [](FilterParts parts) -> std::unique_ptr<Filter> {
-          return std::make_unique<SizeRankFilter>(std::move(parts), false);
-        }},
+       {"volume", "the volume of each node", kVolume, MakeMeasure<nullptr, 0>},
+       {"volume_select", "the nodes within a range of volumes", kVolumeRange, MakeMeasure<nullptr, 1>},
+       {"largest", "the greatest volume, and of which node", kVolume, MakeMeasure<nullptr, 3>},
+       {"smallest", "the least volume, and of which node", kVolume, MakeMeasure<nullptr, 2>},
        {"larger", "whether a is larger than b", kSizes, MakeTest<IsLarger, false>},
        {"larger_select", "each b that a is larger than", kSizes, MakeTest<IsLarger, true>},
        {"smaller", "whether a is smaller than b", kSizes, MakeTest<IsSmaller, false>},

@@ -17,10 +17,7 @@ class NodeFilter final : public ComputedFilter {
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
     const std::string* const id = TextOf(combination, id_, "id");
-    if (id == nullptr) {
-      Fail("expecting parameter id");
-      return Verdict::kFail;
-    }
+    if (id == nullptr) return Refuse("expecting parameter id");
     Node* const node = scene().Find(*id);
     missing_ = node == nullptr ? *id : std::string();
     content = node;
@@ -66,20 +63,11 @@ class RemoveNodeFilter final : public ComputedFilter {
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
     Node* const a = NodeOf(combination, a_, "a");
-    if (a == nullptr) {
-      Fail("expecting parameter a");
-      return Verdict::kFail;
-    }
+    if (a == nullptr) return Refuse("expecting parameter a");
     const std::string* const id = TextOf(combination, id_, "id");
-    if (id == nullptr) {
-      Fail("expecting parameter id");
-      return Verdict::kFail;
-    }
+    if (id == nullptr) return Refuse("expecting parameter id");
     const Node* const removed = scene().Find(*id);
-    if (removed == nullptr) {
-      Fail("The given node doesn't exist");
-      return Verdict::kFail;
-    }
+    if (removed == nullptr) return Refuse("The given node doesn't exist");
     content = a;
     return a == removed ? Verdict::kNothing : Verdict::kValue;
   }
@@ -112,20 +100,11 @@ class TagFilter final : public ComputedFilter {
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
     Node* const a = NodeOf(combination, a_, "a");
-    if (a == nullptr) {
-      Fail("Needs node a as input");
-      return Verdict::kFail;
-    }
+    if (a == nullptr) return Refuse("Needs node a as input");
     const std::string* const name = TextOf(combination, name_, "tag_name");
-    if (name == nullptr) {
-      Fail("Needs tag_name as input");
-      return Verdict::kFail;
-    }
+    if (name == nullptr) return Refuse("Needs tag_name as input");
     const std::string* const wanted = TextOf(combination, value_, "tag_value");
-    if (wanted == nullptr) {
-      Fail("Needs tag_value as input");
-      return Verdict::kFail;
-    }
+    if (wanted == nullptr) return Refuse("Needs tag_value as input");
     content = a;
     const std::string* const value = a->Tag(*name);
     return value != nullptr && *value == *wanted ? Verdict::kValue : Verdict::kNothing;
@@ -171,10 +150,7 @@ class MonitorFilter final : public ComputedFilter {
 
   Verdict Evaluate(const Combination& combination, Content& content) override {
     Node* const a = NodeOf(combination, a_, "a");
-    if (a == nullptr) {
-      Fail("expecting parameter a");
-      return Verdict::kFail;
-    }
+    if (a == nullptr) return Refuse("expecting parameter a");
     const Known now = read_(*a);
     content = compare_(known_.try_emplace(a, now).first->second, now);
     return Verdict::kValue;

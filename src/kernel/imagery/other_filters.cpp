@@ -42,10 +42,6 @@ class AxisRelationFilter final : public ComputedFilter {
     content = b;
     return holds ? Verdict::kValue : Verdict::kNothing;
   }
-  Verdict Refuse(std::string_view status) {
-    Fail(status);
-    return Verdict::kFail;
-  }
 
   Slots a_ = SlotsOf("a"), b_ = SlotsOf("b"), axis_ = SlotsOf("axis"), greater_ = SlotsOf("greater"),
         aligned_ = SlotsOf("aligned"), less_ = SlotsOf("less"), bottom_ = SlotsOf("bottom"), top_ = SlotsOf("top"),
@@ -59,15 +55,9 @@ class PlacementFilter final : public ComputedFilter {
  private:
   Verdict Evaluate(const Combination& combination, Content& content) override {
     const Node* const a = NodeOf(combination, a_, "a");
-    if (a == nullptr) {
-      Fail("expecting sgnode parameter 'a'");
-      return Verdict::kFail;
-    }
+    if (a == nullptr) return Refuse("expecting sgnode parameter 'a'");
     const Node* const b = NodeOf(combination, b_, "b");
-    if (b == nullptr) {
-      Fail("expecting sgnode parameter 'b'");
-      return Verdict::kFail;
-    }
+    if (b == nullptr) return Refuse("expecting sgnode parameter 'b'");
     const Node* const reference = NodeOf(combination, reference_, "reference");
     const Vec3 separation{NumberOf(combination, x_, "x_axis_separation").value_or(0),
                           NumberOf(combination, y_, "y_axis_separation").value_or(0),
