@@ -7,7 +7,8 @@ usage: compare.py [--verbatim] EXPECTED ACTUAL
 Semantic comparison (the default) ignores what Soar leaves to the implementation:
 identifier numbers, timetags, the order of attributes in a printed object, the order
 of rule firings and working-memory changes within one wave, the order of preferences
-of one kind, blank lines and padding.
+of one kind, blank lines and padding, the numbers of identities in explanations (what is one
+identity stays one), how many identities the bookkeeping counted, and the order of tests within braces.
 --verbatim compares the text as it stands. Exit status 0: same, 1: different (a diff
 is printed), 2: usage.
 """
@@ -50,6 +51,32 @@ def join_objects(lines):
     return joined
 
 
+IDENTITY = re.compile(r"\[(?:[0-9]+->)?([0-9]+)\]")
+BOOKKEEPING = re.compile(r"^(Identities (created|joined|participating)|Identity propagations|Variables (used|in)|"
+                         r"Operational constraints|Distinct identities)")
+BRACES = re.compile(r"\{ ([^{}]+) \}")
+COMPARISONS = ("<", ">", "<=", ">=", "<>", "<=>", "=")
+
+
+def sort_tests(match):
+    """Puts the tests of a conjunctive test in order: { state <s1> }, { > 0 <o2> }."""
+    words, tests = match.group(1).split(), []
+    while words:
+        word = words.pop(0)
+        if word in COMPARISONS and words:
+            word += " " + words.pop(0)
+        tests.append(word)
+    return "{ " + " ".join(sorted(tests)) + " }"
+
+
+def mask_identities(lines):
+    seen = {}
+
+    def mask(match):
+        return f"[#{seen.setdefault(match.group(1), len(seen) + 1)}]"
+    return [BRACES.sub(sort_tests, IDENTITY.sub(mask, line)) for line in lines]
+
+
 def sort_attributes(line):
     match = MASKED_OBJECT.match(line)
     if not match:
@@ -64,6 +91,7 @@ def normalise(text):
     lines = join_objects(lines)
     lines = [re.sub(r"[ \t]+", " ", TIMETAG.sub("(#: ", line)).strip() for line in lines]
     lines = [sort_attributes(IDENTIFIER.sub("@", EPISODE_IDENTIFIER.sub("<id>", line))) for line in lines]
+    lines = [line for line in mask_identities(lines) if not BOOKKEEPING.match(line)]
     result, wave = [], []
     for line in lines:
         if WAVE_LINE.match(line):
