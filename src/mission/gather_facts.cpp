@@ -150,7 +150,7 @@ void FactGatherer::GatherBodies() {
     if (actor.weapon()) facts.ammunition = actor.weapon()->rounds() + actor.weapon()->reserve();
     facts.carried.clear();
     for (const sim::CarriedThing& thing : actor.carried()) facts.carried.push_back(thing.name);
-    if (!actor.IsBusy() && facts.alive && is_begun_) facts.idle += static_cast<double>(world.settings().step_s);
+    if (actor.running().empty() && facts.alive && is_begun_) facts.idle += static_cast<double>(world.settings().step_s);
     facts.sees.clear();
     for (const auto& [other, contact] : actor.contacts())
       if (const world::Agent* seen = contact.visible ? world.FindAgent(other) : nullptr)

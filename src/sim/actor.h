@@ -123,7 +123,6 @@ class Actor {
   void Step();
   std::vector<Outcome> TakeOutcomes();
   const std::vector<Running>& running() const { return running_; }
-  bool IsBusy() const { return !running_.empty(); }
 
   // For the conducts.
   /// Ground velocity wanted in this step; the legs see to it. Nobody wants any: it stands.

@@ -487,7 +487,7 @@ void Minds::TellGap(Mind& mind, const world::Agent& body) {
 void Minds::TellIdle(Mind& mind, const world::Agent& body) {
   if (mind.soar.Halted()) return TellHalt(mind, body);
   const Actor& actor = *arena_.Find(mind.agent);
-  if (!mind.soar.commands().empty() || actor.IsBusy()) {
+  if (!mind.soar.commands().empty() || !actor.running().empty()) {
     mind.idle_ticks = 0;
     mind.in_gap = false;
     return;
@@ -597,7 +597,7 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent) {
     std::string halted = tell::Say(tell::Situation::kHalted);
     if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
     add(std::move(halted), "reason");
-  } else if (actor == nullptr || !actor->IsBusy()) {
+  } else if (actor == nullptr || actor->running().empty()) {
     explain::WhyNode& idle = add("nothing is under way, because", "reason");
     for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
       idle.below.push_back({std::move(reason), "reason", "", {}});
