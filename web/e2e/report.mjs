@@ -196,7 +196,7 @@ test("on paper all is light and nothing is cut off", async () => {
       assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).colorScheme), "light");
       for (const gone of [".scene", ".bar"]) assert.equal(await page.locator(gone).isVisible(), false, gone);
       assert.deepEqual(await page.locator(".scroll").evaluateAll((all) => all.filter((one) => one.scrollHeight > one.clientHeight + 1).length), 0);
-      if (name === "fight") assert.ok(await page.locator("#messages").isVisible(), "paper has no panels");
+      if (name === "fight") assert.ok((await page.locator("#messages tbody tr").count()) > 5, "paper has no panels");
       assert.equal(await page.locator("details.why:not([open])").count(), 0, "reasons are open");
       assert.ok((await page.pdf({ path: process.env.SOARBOX_PICTURES === undefined ? undefined : `${process.env.SOARBOX_PICTURES}/report_${name}.pdf`, format: "A4" })).length > 10_000);
     }, { draws });

@@ -45,7 +45,7 @@ export class ReportPage {
     if (report.kind === "sweep") return patch(this.main, [sweepSections(report)]);
     const time = this.scene?.time ?? new OwnTime(Math.max(report.seconds, 0.1));
     this.time = time;
-    patch(this.main, [runSections(report, time)]);
+    patch(this.main, [runSections(report, time, this.scene !== null)]);
     this.drawBar(report, time);
   }
 

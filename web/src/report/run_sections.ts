@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { icon } from "../app/icons";
-import { button, h, type Child, type View } from "../dom/view";
+import { button, h, patch, type Child, type View } from "../dom/view";
 import { seconds } from "./chart";
 import { wayOf, type CheckReport, type RunReport } from "./data";
 import { mapFigure } from "./map";
 import { legend, plotFigure, timelineFigure } from "./run_charts";
 import { section } from "./section";
-import { fold, table } from "./table";
+import { fold, table, type TableCell } from "./table";
 import type { Time } from "./time";
 
 const MARKS = { passed: { kind: "check.is-passed", sign: "check" }, failed: { kind: "cross", sign: "cross" }, moment: { kind: "open", sign: "follow" }, "over seeds": { kind: "open", sign: "open" } } as const;
@@ -37,11 +37,11 @@ function moments(run: RunReport, time: Time): Child {
 }
 
 function timeline(run: RunReport, time: Time): Child {
-  const operators = run.spans.map(([agent, from, to, name]) => [run.agents[agent]!.name, name, jump(time, from, seconds(from)), seconds(to)]);
-  const events = run.events.map((event) => [jump(time, event.t, seconds(event.t)), event.a, event.k, event.text]);
+  const operators = (): TableCell[][] => run.spans.map(([agent, from, to, name]) => [run.agents[agent]!.name, name, jump(time, from, seconds(from)), seconds(to)]);
+  const events = (): TableCell[][] => run.events.map((event) => [jump(time, event.t, seconds(event.t)), event.a, event.k, event.text]);
   return section("timeline", "Timeline", timelineFigure(run, time), run.thinned.map((told) => h("p.quiet", null, told)),
-    fold("Operators as table", () => table(["agent", "operator", "from", "to"], operators, "Operators")),
-    fold("Events as table", () => table(["time", "agent", "kind", "what"], events, "Events")));
+    fold("Operators as table", () => table(["agent", "operator", "from", "to"], operators(), "Operators")),
+    fold("Events as table", () => table(["time", "agent", "kind", "what"], events(), "Events")));
 }
 
 function numbers(run: RunReport, time: Time): Child {
@@ -50,9 +50,12 @@ function numbers(run: RunReport, time: Time): Child {
     table(["agent", "team", "metres walked", "health", "health lost", "rounds", "alive"], rows, "Each agent at the end"));
 }
 
-function messages(run: RunReport, time: Time): Child {
-  const rows = run.events.filter((event) => event.k === "message" || event.k === "print").map((event) => [jump(time, event.t, seconds(event.t)), event.a, event.text]);
-  return rows.length > 0 && section("messages", "Messages", table(["time", "agent", "what"], rows, "What agents said and printed"));
+/** With a run in 3D, only for paper: its panels have them. */
+function messages(run: RunReport, time: Time, hasScene: boolean): Child {
+  const said = run.events.filter((event) => event.k === "message" || event.k === "print");
+  const all = (): Child => table(["time", "agent", "what"], said.map((event) => [jump(time, event.t, seconds(event.t)), event.a, event.text]), "What agents said and printed");
+  const onPaper = (place: HTMLElement): void => addEventListener("beforeprint", () => patch(place, [all()]), { once: true });
+  return said.length > 0 && section("messages", "Messages", hasScene ? h("div", { foreign: true, mounted: onPaper }) : all());
 }
 
 function rules(run: RunReport): Child {
@@ -71,10 +74,10 @@ function about(run: RunReport): Child {
 }
 
 /** All that a page tells of a run, below its picture in 3D if it has one. */
-export function runSections(run: RunReport, time: Time): Child {
+export function runSections(run: RunReport, time: Time, hasScene: boolean): Child {
   const ways = run.agents.map(wayOf), lists = [checks(run, time), moments(run, time)].filter((one) => one !== false);
   return [
     h(`div${lists.length > 0 ? ".two" : ""}`, null, lists.length > 0 && h("div", null, lists), section("map", "Map", mapFigure(run, ways, time))),
-    timeline(run, time), numbers(run, time), messages(run, time), rules(run), files(run), about(run),
+    timeline(run, time), numbers(run, time), messages(run, time, hasScene), rules(run), files(run), about(run),
   ];
 }
