@@ -7,6 +7,7 @@ import resource
 import socket
 import subprocess
 import tempfile
+import time
 import unittest
 
 COMMAND = os.environ["SOARBOX"]
@@ -35,9 +36,9 @@ def limit_memory(process_id, memory_bytes):
 
 
 class Run:
-    """One finished run of the command; `memory_bytes`: all that it may have."""
+    """One finished run of the command; `code`: how it must end; `memory_bytes`: all that it may have."""
 
-    def __init__(self, *arguments, display=False, limit_s=240, cwd=None, memory_bytes=None):
+    def __init__(self, *arguments, code=None, display=False, limit_s=240, cwd=None, memory_bytes=None):
         environment = dict(os.environ)
         if not display:
             environment.pop("DISPLAY", None)
@@ -45,6 +46,8 @@ class Run:
                               env=environment, cwd=cwd, check=False,
                               preexec_fn=memory_bytes and (lambda: limit_memory(0, memory_bytes)))
         self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+        if code not in (None, self.code):
+            raise AssertionError(f"{arguments} ended with {self.code}, not with {code}:\n{self.out[-5000:]}{self.err}")
         self.events = [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
 
     def of(self, kind, **fields):
@@ -54,6 +57,30 @@ class Run:
 
     def diagnostics(self):
         return [event["diagnostic"] for event in self.events if "diagnostic" in event]
+
+
+def new_folder(case):
+    """A folder that lasts as long as the test, or the class of tests."""
+    folder = tempfile.TemporaryDirectory()
+    (case.addClassCleanup if isinstance(case, type) else case.addCleanup)(folder.cleanup)
+    return pathlib.Path(folder.name).resolve()
+
+
+def end_with(case, process):
+    """The process ends with the test."""
+    case.addCleanup(process.wait)
+    case.addCleanup(process.kill)
+    return process
+
+
+def wait_until(holds, what="the fact", limit_s=120):
+    """What `holds` gives once it is no longer false, however long the machine takes."""
+    end = time.monotonic() + limit_s
+    while not (found := holds()):
+        if time.monotonic() > end:
+            raise AssertionError(f"{what} did not come in {limit_s} s")
+        time.sleep(0.02)
+    return found
 
 
 def free_port():
@@ -85,9 +112,7 @@ class ScenarioCase(unittest.TestCase):
     """Tests that write a scenario of their own into a temporary folder."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = new_folder(self)
 
     def write(self, name, text):
         path = self.folder / name

@@ -2,13 +2,11 @@
 """What tests of strangers' files share: a folder of theirs, one that lies outside of it, one of one's own, and what must
 hold whatever the program is asked to do."""
 import os
-import pathlib
 import shutil
 import subprocess
-import tempfile
 import unittest
 
-from soarbox_command import COMMAND
+from soarbox_command import COMMAND, new_folder
 
 SECRET = "the-secret-of-somebody-else"
 LIMIT_S = 60
@@ -45,9 +43,7 @@ def run(command, cwd, stdin=""):
 
 class StrangersFolder(unittest.TestCase):
     def setUp(self):
-        top = tempfile.TemporaryDirectory()
-        self.addCleanup(top.cleanup)
-        self.top = pathlib.Path(top.name)
+        self.top = new_folder(self)
         self.outside, self.folder, self.mine = self.top / "outside", self.top / "folder", self.top / "mine"
         for folder in (self.outside, self.mine):
             folder.mkdir()

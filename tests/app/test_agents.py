@@ -77,8 +77,7 @@ class WaypointAgent(unittest.TestCase):
     POINTS = [(0, 0), (20, 0), (20, 30), (-20, 0), (-20, 10)]
 
     def test_visits_the_five_points_in_order_twice(self):
-        run = run_json("thesis", "--seconds", 70, "--every-command")
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json("thesis", "--seconds", 70, "--every-command", code=0)
         agent = next(event["agent"] for event in run.of("agent") if "waypoint" in event["text"])
         switches = [event for event in run.of("command", agent=agent) if event["command"] == "nextwaypoint"]
         # The first switch is from the target that it starts with; from then on it stands at the points in turn.
@@ -91,8 +90,7 @@ class WaypointAgent(unittest.TestCase):
 
 class Groups(unittest.TestCase):
     def test_of_lua_and_soar_agents_keep_together(self):
-        run = run_json("thesis/mixed.lua", "--seconds", 90, "--report", 1, "--every-command")
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json("thesis/mixed.lua", "--seconds", 90, "--report", 1, "--every-command", code=0)
         end = run.of("end")[0]
         self.assertEqual((end["agents"], end["soar_agents"]), (5, 3))
         late = [state for state in run.of("state") if state["time"] > 40]
@@ -101,15 +99,13 @@ class Groups(unittest.TestCase):
             self.assertLess(mean, 12, late[0]["agents"][index]["name"])
 
     def test_with_a_soar_leader_move_as_with_a_lua_leader(self):
-        run = run_json("thesis/soar_leader.lua", "--seconds", 60, "--report", 1)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json("thesis/soar_leader.lua", "--seconds", 60, "--report", 1, code=0)
         self.assertEqual(run.of("end")[0]["soar_agents"], 6)
 
 
 class TheThesisOwnAgents(unittest.TestCase):
     def test_run_unmodified_with_scripts_in_its_dialect(self):
-        run = run_json(THESIS / "scripts", "--path", THESIS / "agents", "--seconds", 60, "--every-command")
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(THESIS / "scripts", "--path", THESIS / "agents", "--seconds", 60, "--every-command", code=0)
         # Their tests leave a gap at exactly 3 and 5, which is true of the thesis' rules, too.
         told = [(diagnostic["severity"], diagnostic["message"].split(",")[0]) for diagnostic in run.diagnostics()]
         self.assertEqual(set(told), {("warning", f"if ^distance is exactly {distance}") for distance in (3, 5)}, told)
@@ -120,12 +116,7 @@ class TheThesisOwnAgents(unittest.TestCase):
 
 class TextOutput(unittest.TestCase):
     def test_is_legible(self):
-        run = Run("run", "thesis", "--headless", "--seconds", 5)
-        self.assertEqual(run.code, 0, run.err)
+        run = Run("run", "thesis", "--headless", "--seconds", 5, code=0)
         first, *_, last = run.out.splitlines()
         self.assertEqual(first, "soarbox: scenario thesis, seed 1, headless")
         self.assertRegex(last, r"^soarbox: 15\d ticks, 5\.\d s simulated, 6 agents \(5 of them Soar\), 0 problems, state [0-9a-f]{16}$")
-
-
-if __name__ == "__main__":
-    unittest.main()

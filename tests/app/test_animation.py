@@ -31,7 +31,3 @@ class Animation(unittest.TestCase):
     def test_the_state_with_all_movements_is_the_same_in_every_run(self):
         again = run_json("animation", "--seconds", 20, "--report", 1, "--seed", 5)
         self.assertEqual(self.first.of("end")[0]["state"], again.of("end")[0]["state"])
-
-
-if __name__ == "__main__":
-    unittest.main()

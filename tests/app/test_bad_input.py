@@ -16,16 +16,14 @@ end
 
 class CommandLine(unittest.TestCase):
     def test_missing_scenario_is_named_with_its_near_miss(self):
-        run = Run("run", "thesys", "--headless")
-        self.assertEqual(run.code, 3)
+        run = Run("run", "thesys", "--headless", code=3)
         self.assertIn("there is no scenario 'thesys'", run.err)
         self.assertIn("did you mean 'thesis'?", run.err)
 
     def test_wrong_options_exit_with_2(self):
         for arguments in (["run", "--sped", "3"], ["run", "--seconds", "-1"], ["rum"], []):
             with self.subTest(arguments=arguments):
-                run = Run(*arguments)
-                self.assertEqual(run.code, 2)
+                run = Run(*arguments, code=2)
                 self.assertTrue(run.err)
 
     def test_taken_port_is_named(self):
@@ -41,24 +39,20 @@ class CommandLine(unittest.TestCase):
         with socket.socket() as holder:
             holder.bind(("127.0.0.1", 0))
             port = holder.getsockname()[1]
-        run = run_json("thesis", "--seconds", 1, "--kernel", f"127.0.0.1:{port}")
-        self.assertEqual(run.code, 3)
+        run = run_json("thesis", "--seconds", 1, "--kernel", f"127.0.0.1:{port}", code=3)
         self.assertIn(f"127.0.0.1:{port}", run.err)
 
     def test_without_a_display_it_runs_headless_and_says_so(self):
-        run = Run("run", "thesis", "--seconds", 1)
-        self.assertEqual(run.code, 0, run.err)
+        run = Run("run", "thesis", "--seconds", 1, code=0)
         self.assertIn("headless", run.err)
         self.assertIn("soarbox: scenario thesis, seed 1, headless", run.out)
 
     def test_a_headless_run_takes_no_picture_and_says_so(self):
-        run = Run("run", "thesis", "--headless", "--screenshot", "x.png")
-        self.assertEqual(run.code, 2)
+        run = Run("run", "thesis", "--headless", "--screenshot", "x.png", code=2)
         self.assertIn("a headless run draws nothing", run.err)
 
     def test_a_picture_needs_a_display(self):
-        run = Run("run", "thesis", "--screenshot", "x.png")
-        self.assertEqual(run.code, 3)
+        run = Run("run", "thesis", "--screenshot", "x.png", code=3)
         self.assertIn("no picture", run.err)
 
 
@@ -80,8 +74,7 @@ class Scripts(ScenarioCase):
 
     def test_syntax_error_in_the_sandbox_script_names_file_and_line(self):
         self.write("Sandbox.lua", "function Sandbox_Initialize(sandbox)\n  local x = = 3\nend\n")
-        run = run_json(self.folder, "--seconds", 1)
-        self.assertEqual(run.code, 3)
+        run = run_json(self.folder, "--seconds", 1, code=3)
         self.assertRegex(run.err, r"Sandbox\.lua:2")
 
     def test_syntax_error_in_an_agent_script_stops_that_agent_only(self):
@@ -201,7 +194,3 @@ class Rules(ScenarioCase):
         self.assertEqual(run.code, 0, run.out)
         self.assertEqual(len(run.of("gap")), 1, run.out)
         self.assertGreater(run.of("end")[0]["time"], 1.9)
-
-
-if __name__ == "__main__":
-    unittest.main()

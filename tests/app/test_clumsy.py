@@ -2,7 +2,6 @@
 """Files, names and values that nobody means: each is told in words that help, and nothing else suffers."""
 import os
 import subprocess
-import unittest
 
 from soarbox_command import COMMAND, WALKER, Run, ScenarioCase, run_json
 
@@ -54,8 +53,7 @@ class Files(ScenarioCase):
         self.put("Large.lua", lambda path: path.write_text("--" + "x" * (9 << 20)))
         self.write("Sandbox.lua", SANDBOX % (lines + 'Sandbox.CreateAgent(sandbox, "Large.lua");'))
         self.write("Walker.lua", WALKER)
-        run = run_json(self.folder, "--seconds", 0.5)
-        self.assertEqual(run.code, 1)
+        run = run_json(self.folder, "--seconds", 0.5, code=1)
         told = [event["text"] for event in run.of("log")]
         for number, (_, said) in enumerate(OTHER_FILES.values()):
             said = "no plain file" if "device" in list(OTHER_FILES)[number] else said
@@ -91,8 +89,7 @@ class Files(ScenarioCase):
 
     def test_other_files_are_no_scenarios(self):
         (self.folder / "x.png").write_bytes(b"\x89PNG")
-        run = Run("run", self.folder / "x.png", "--headless")
-        self.assertEqual(run.code, 3)
+        run = Run("run", self.folder / "x.png", "--headless", code=3)
         self.assertIn("this is no file of rules, script or scenario", run.err)
 
 
@@ -101,8 +98,7 @@ class Scenarios(ScenarioCase):
         self.write("hero.soar", RULES)
         self.write("scenario.toml", AGENT + 'speed = "fast"\nheigth = 2\nteam = 5\nposition = ["a"]\nsenses.sight = -1\n'
                    'body = "persn"\ncount = 2.5\nscript = "x"\n[[agent]]\nname = "a\\nb"\n[[agent]]\nname = "' + "x" * 200 + '"\n')
-        run = Run("run", self.folder, "--headless")
-        self.assertEqual(run.code, 3)
+        run = Run("run", self.folder, "--headless", code=3)
         for place, said in {"4:9": "'speed' takes a number", "5:10": "has an option 'heigth'", "6:8": "'team' takes a name",
                             "7:12": "'position' takes numbers", "8:16": "'senses.sight' is -1", "9:8": "no body 'persn'",
                             "10:9": "'count' takes a whole number", "11:10": "has an option 'script'",
@@ -141,8 +137,7 @@ class Scenarios(ScenarioCase):
         for text, line, said, hint in ((AGENT + AGENT, 4, "another agent named 'hero' in line 1", "called hero-2"),
                                        ('description = "later"\n', 1, "this scenario has no agents", "[[agent]]")):
             self.write("scenario.toml", text)
-            run = Run("check", self.folder)
-            self.assertEqual(run.code, 1)
+            run = Run("check", self.folder, code=1)
             self.assertIn(f"scenario.toml:{line}: warning: ", run.out)
             self.assertIn(said, run.out)
             self.assertIn(hint, run.out)
@@ -212,8 +207,7 @@ class Scenarios(ScenarioCase):
         self.assertIn("standard output cannot be written", done.stderr)
 
     def test_an_option_that_is_given_twice_is_told(self):
-        run = Run("run", "thesis", "--headless", "--seed", 1, "--seed", 2)
-        self.assertEqual(run.code, 2)
+        run = Run("run", "thesis", "--headless", "--seed", 1, "--seed", 2, code=2)
         self.assertIn("--seed is given more than once", run.err)
 
 
@@ -250,10 +244,5 @@ class Scripts(ScenarioCase):
 
     def test_why_nobody_thinks_is_told(self):
         self.run_("")
-        run = Run("why", self.folder, "--at", 0.1)
-        self.assertEqual(run.code, 3)
+        run = Run("why", self.folder, "--at", 0.1, code=3)
         self.assertIn("no agent of this scenario has a Soar mind", run.err)
-
-
-if __name__ == "__main__":
-    unittest.main()

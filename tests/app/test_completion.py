@@ -131,7 +131,3 @@ class WithoutAShell(unittest.TestCase):
     def test_every_value_has_a_name_of_its_own_in_the_help(self):
         for command in (line.split("\t")[0] for line in self.offered("")):
             self.assertNotRegex(Run(command, "--help").out, r"^  \S+ (TEXT|INT|FLOAT)[ :=.]", command)
-
-
-if __name__ == "__main__":
-    unittest.main()

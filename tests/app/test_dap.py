@@ -4,10 +4,10 @@ import json
 import pathlib
 import re
 import subprocess
-import tempfile
 import unittest
 
 from editor_client import COMMAND, Channel
+from soarbox_command import Run, end_with, new_folder
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -47,9 +47,7 @@ sp {done
 
 class Debugger(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.rules = pathlib.Path(folder.name).resolve() / "counter.soar"
+        self.rules = new_folder(self) / "counter.soar"
         self.rules.write_text(COUNTER)
         self.channel = Channel("dap")
         self.addCleanup(self.channel.close)
@@ -170,7 +168,7 @@ class Debugger(unittest.TestCase):
 
     def test_a_recording_is_debugged_too(self):
         recording = self.rules.parent / "run.soarrec"
-        subprocess.run([COMMAND, "run", "soar_seek", "--headless", "--seconds", "2", "--record", recording], check=True, capture_output=True)
+        Run("run", "soar_seek", "--headless", "--seconds", 2, "--record", recording, code=0)
         self.begin(program=str(recording))
         self.assertIn("tick 1,", self.step("next")["description"])
         self.ask("continue", threadId=1)
@@ -179,8 +177,7 @@ class Debugger(unittest.TestCase):
     def test_it_attaches_to_a_kernel_which_goes_on_without_it(self):
         kernel = subprocess.Popen([COMMAND, "kernel", "--port", "0", self.rules], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(kernel.stdout.close)
-        self.addCleanup(kernel.wait)
-        self.addCleanup(kernel.kill)
+        end_with(self, kernel)
         self.assertIn("agent counter", kernel.stdout.readline())
         port = int(re.search(r"127\.0\.0\.1:(\d+)", kernel.stdout.readline()).group(1))
         self.ask("attach", port=port)
@@ -204,7 +201,3 @@ class Debugger(unittest.TestCase):
             pass
         self.assertFalse(message["success"])
         self.ask("threads")
-
-
-if __name__ == "__main__":
-    unittest.main()

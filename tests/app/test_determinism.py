@@ -29,7 +29,3 @@ class Determinism(unittest.TestCase):
 
     def test_the_speed_asked_for_changes_nothing(self):
         self.assertEqual(self.first.out, run(3, "--speed", 1000).out)
-
-
-if __name__ == "__main__":
-    unittest.main()

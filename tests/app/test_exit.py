@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """os.exit ends a headless run with the code that a script asked for; no script runs after it."""
-import unittest
 
 from soarbox_command import ScenarioCase, run_json
 
@@ -50,11 +49,6 @@ class Exit(ScenarioCase):
         self.assertEqual(run.of("end")[0]["ticks"], 1)
 
     def test_a_wrong_code_is_an_error_and_the_run_goes_on(self):
-        run = run_json(self.write("Tests.lua", "print(pcall(os.exit, 'soon'))\n"), "--seconds", 1)
-        self.assertEqual(run.code, 0)
+        run = run_json(self.write("Tests.lua", "print(pcall(os.exit, 'soon'))\n"), "--seconds", 1, code=0)
         self.assertEqual(run.of("end")[0]["ticks"], 30)
         self.assertIn("number expected", self.printed(run)[0])
-
-
-if __name__ == "__main__":
-    unittest.main()

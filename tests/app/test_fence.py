@@ -2,10 +2,8 @@
 """A scenario reads below its folder and writes nothing, whatever its files say."""
 import os
 import pathlib
-import tempfile
-import unittest
 
-from soarbox_command import WALKER, Run, ScenarioCase, run_json
+from soarbox_command import WALKER, Run, ScenarioCase, new_folder, run_json
 from test_bad_input import SANDBOX
 
 SAY = """
@@ -20,9 +18,7 @@ sp {say
 class Fence(ScenarioCase):
     def setUp(self):
         super().setUp()
-        outside = tempfile.TemporaryDirectory()
-        self.addCleanup(outside.cleanup)
-        self.outside = pathlib.Path(outside.name)
+        self.outside = new_folder(self)
         (self.outside / "secret.soar").write_text("sp {secret (state <s> ^superstate nil) --> (<s> ^secret yes)}\n")
         self.write("Good.lua", WALKER)
         self.write("Sandbox.lua", SANDBOX % 'Sandbox.CreateSoarAgent(sandbox, "Good.lua", "own.soar");')
@@ -77,13 +73,11 @@ class Fence(ScenarioCase):
         self.addCleanup(lambda: (self.outside / "secret.lua").unlink())
         for rules in (self.outside / "secret.soar", "../" + self.outside.name + "/secret.soar", "link.soar"):
             self.write("Sandbox.lua", SANDBOX % f'Sandbox.CreateSoarAgent(sandbox, "Good.lua", "{rules}");')
-            run = run_json(self.folder, "--seconds", 0.1)
-            self.assertEqual(run.code, 1, run.out)
+            run = run_json(self.folder, "--seconds", 0.1, code=1)
             self.assertEqual(len(run.of("failed")), 1, run.out)
         for script in ("Link.lua", str(self.outside / "secret.lua"), "../" + self.outside.name + "/secret.lua"):
             self.write("Sandbox.lua", SANDBOX % f'Sandbox.CreateAgent(sandbox, "{script}");')
-            run = run_json(self.folder, "--seconds", 0.1)
-            self.assertEqual(run.code, 1, run.out)
+            run = run_json(self.folder, "--seconds", 0.1, code=1)
             self.assertNotIn('"secret"', run.out)
 
     def test_the_users_own_shell_keeps_all_commands(self):
@@ -91,7 +85,3 @@ class Fence(ScenarioCase):
         run = Run("soar", rules, cwd=self.folder)
         self.assertTrue((self.outside / "log").exists(), run.out)
         self.assertTrue((self.outside / "agent.soar").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

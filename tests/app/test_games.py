@@ -4,7 +4,6 @@ import json
 import os
 import pathlib
 import re
-import unittest
 
 from soarbox_command import Run, ScenarioCase, page_missing, run_json
 
@@ -30,10 +29,8 @@ class Games(ScenarioCase):
         """What the minds perceive and command in the first turns, as text."""
         recording = self.folder / "game.soarrec"
         seconds = TURNS * TICKS_PER_TURN / 30
-        run = run_json(scenario, "--seconds", seconds, "--record", recording, *arguments)
-        self.assertEqual(run.code, 0, run.err)
-        exported = Run("export", recording, "--json")
-        self.assertEqual(exported.code, 0, exported.err)
+        run_json(scenario, "--seconds", seconds, "--record", recording, *arguments, code=0)
+        exported = Run("export", recording, "--json", code=0)
         lines = []
         for line in exported.out.splitlines():
             tick = json.loads(line)
@@ -61,8 +58,7 @@ class Games(ScenarioCase):
             folder = pathlib.Path(__file__).parents[2] / "scenarios" / scenario
             for agent in agents:
                 with self.subTest(scenario=scenario, agent=agent):
-                    run = run_json(scenario, "--seconds", 40, "--rules", f"{seat}={folder / agent}.soar")
-                    self.assertEqual(run.code, 0, run.err)
+                    run = run_json(scenario, "--seconds", 40, "--rules", f"{seat}={folder / agent}.soar", code=0)
                     self.assertEqual(run.diagnostics(), [])
                     self.assertGreater(len(run.of("command", agent=seat)), 3)
 
@@ -81,10 +77,8 @@ class Games(ScenarioCase):
     def test_a_recording_of_other_rules_is_verified(self):
         rules = self.write("north.soar", NORTH)
         recording = self.folder / "run.soarrec"
-        run = run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}", "--record", recording)
-        self.assertEqual(run.code, 0, run.err)
-        verified = Run("verify", recording)
-        self.assertEqual(verified.code, 0, verified.out + verified.err)
+        run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}", "--record", recording, code=0)
+        Run("verify", recording, code=0)
         # The recording holds them, whatever becomes of the file.
         rules.write_text(NORTH.replace("direction north", "direction south"))
         self.assertEqual(Run("verify", recording, "--as-recorded").code, 0)
@@ -229,8 +223,7 @@ class Games(ScenarioCase):
         spec = self.write("cup.toml", 'scenario = "world"\nseeds = "1..2"\nseconds = 2\n[tournament]\n'
                           'seats = ["eater", "eater-2", "eater-3", "eater-4"]\nagents = { still = "still.soar", '
                           'north = "north.soar", south = "south.soar", east = "east.soar", west = "west.soar" }\n')
-        played = Run("sweep", spec)
-        self.assertEqual(played.code, 0, played.out + played.err)
+        played = Run("sweep", spec, code=0)
         # Each four of the five, with each of them once in each seat: 5 * 4 games, with two seeds.
         self.assertIn("40 runs made", played.err)
         head, *rows = [line.split() for line in played.out.splitlines()[:6]]
@@ -245,8 +238,7 @@ class Games(ScenarioCase):
         with self.subTest("report"):
             if page_missing():
                 self.skipTest(page_missing())
-            page = Run("report", spec, "-o", self.folder / "cup.html")
-            self.assertEqual(page.code, 0, page.out + page.err)
+            Run("report", spec, "-o", self.folder / "cup.html", code=0)
             text = (self.folder / "cup.html").read_text()
             self.assertIn('"standings":[{"agent":"', text)
             self.assertIn("score of eater-4", text)
@@ -275,8 +267,7 @@ class Games(ScenarioCase):
         spec = self.write("cup.toml", 'scenario = "world"\nseeds = "1..2"\nseconds = 3\n'
                           '[tournament]\nseats = ["eater", "eater-2"]\nagents = '
                           '{ still = "still.soar", north = "north.soar", east = "east.soar" }\n')
-        played = Run("sweep", spec)
-        self.assertEqual(played.code, 0, played.out + played.err)
+        played = Run("sweep", spec, code=0)
         self.assertIn("12 runs made", played.err)
         table = [line.split() for line in played.out.splitlines()[1:4]]
         self.assertEqual(table[-1][0], "still", played.out)
@@ -287,8 +278,7 @@ class Games(ScenarioCase):
         with self.subTest("report"):
             if page_missing():
                 self.skipTest(page_missing())
-            page = Run("report", spec, "-o", self.folder / "cup.html")
-            self.assertEqual(page.code, 0, page.out + page.err)
+            Run("report", spec, "-o", self.folder / "cup.html", code=0)
         for slip, told in (('seats = ["eater"]', "a tournament has 2 to 8 seats"),
                            ('seats = ["eater", "eater-3"]', "there is no agent 'eater-3'")):
             faulty = self.write("faulty.toml", spec.read_text().replace('seats = ["eater", "eater-2"]', slip))
@@ -305,36 +295,26 @@ class Games(ScenarioCase):
     def test_each_step_with_tanks_is_graded_as_it_should(self):
         self.assertIn("soarbox learn tanks lists another course", Run("learn").out)
         self.assertIn(" 4  Attack what the radar shows", Run("learn", "tanks").out)
-        tested = Run("learn", "tanks", "test")
-        self.assertEqual(tested.code, 0, tested.out + tested.err)
+        tested = Run("learn", "tanks", "test", code=0)
         self.assertEqual(len(re.findall("solution: as it should", tested.out)), 8)
         self.assertGreaterEqual(len(re.findall("wrong/.*: as it should", tested.out)), 30)
 
     def test_each_step_of_the_course_is_graded_as_it_should(self):
-        listed = Run("learn", "eaters")
-        self.assertEqual(listed.code, 0, listed.err)
+        listed = Run("learn", "eaters", code=0)
         self.assertIn(" 8  Jump and move, by value", listed.out)
         self.assertIn("soarbox learn eaters N begins a lesson", listed.out)
         self.assertIn("soarbox learn eaters lists another course", Run("learn").out)
-        tested = Run("learn", "eaters", "test")
-        self.assertEqual(tested.code, 0, tested.out + tested.err)
+        tested = Run("learn", "eaters", "test", code=0)
         self.assertEqual(len(re.findall("solution: as it should", tested.out)), 8)
         self.assertGreaterEqual(len(re.findall("wrong/.*: as it should", tested.out)), 32)
 
     def test_the_files_of_a_step_lead_back_to_the_course(self):
-        begun = Run("learn", "eaters", "3", "--folder", self.folder, "--headless")
-        self.assertEqual(begun.code, 0, begun.err)
+        begun = Run("learn", "eaters", "3", "--folder", self.folder, "--headless", code=0)
         self.assertIn("Grade: soarbox learn eaters check 3", begun.out)
         self.assertTrue((self.folder / "e3-move-north" / "Board.lua").is_file())
-        graded = Run("learn", "eaters", "check", "3", "--folder", self.folder)
-        self.assertEqual(graded.code, 1, graded.out + graded.err)
+        graded = Run("learn", "eaters", "check", "3", "--folder", self.folder, code=1)
         self.assertIn("rule eater*propose*move-north proposes the operator move-north", graded.out)
 
     def test_missions_ask_for_scores(self):
         for scenario in ("eaters", "tanksoar", "simple-eaters"):
-            tested = Run("test", scenario, "--seeds", "1", "--no-keep")
-            self.assertEqual(tested.code, 0, tested.out + tested.err)
-
-
-if __name__ == "__main__":
-    unittest.main()
+            Run("test", scenario, "--seeds", "1", "--no-keep", code=0)

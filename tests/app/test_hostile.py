@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import time
-import unittest
 
 from soarbox_command import COMMAND, WALKER, ScenarioCase, run_json
 
@@ -281,7 +280,3 @@ class Signals(ScenarioCase):
                                 signal.SIGTERM)
         self.assertIn(code, (0, 1))
         self.assertIn("begun", out)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """All that reaches a run from outside comes in by one door, from a file too."""
-import unittest
 
 from soarbox_command import WALKER, ScenarioCase, run_json
 
@@ -82,8 +81,7 @@ class Inputs(ScenarioCase):
         self.assertIn("keys.txt:3:", run.err)
 
     def test_a_file_that_is_not_there_is_named(self):
-        run = run_json("thesis", "--seconds", 1, "--input", self.folder / "none.txt")
-        self.assertEqual(run.code, 3)
+        run = run_json("thesis", "--seconds", 1, "--input", self.folder / "none.txt", code=3)
         self.assertIn("none.txt", run.err)
 
     def test_inputs_after_the_end_are_told(self):
@@ -95,11 +93,6 @@ class Minds(ScenarioCase):
     def test_commands_reach_a_mind_and_edit_its_rules(self):
         inputs = self.write("in.txt", '20 command follower-1 "sp {shout (state <s> ^superstate nil) --> (<s> ^edited yes)}"\n'
                             "30 command follower-1 print s1\n")
-        run = run_json("thesis", "--seconds", 2, "--input", inputs)
-        self.assertEqual(run.code, 0, run.err + run.out)
+        run = run_json("thesis", "--seconds", 2, "--input", inputs, code=0)
         answers = [event["text"] for event in run.of("answer", agent="follower-1")]
         self.assertTrue(any("^edited yes" in text for text in answers), answers)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,7 +6,6 @@ The files in inspect_golden are what it prints of one agent; SOARBOX_UPDATE=1 wr
 import json
 import os
 import pathlib
-import unittest
 
 from soarbox_command import Run, ScenarioCase, end, start_kernel
 from test_soar_authors import WORLD
@@ -156,8 +155,7 @@ class Inspect(ScenarioCase):
 
     def test_a_recording_tells_the_same_as_the_run(self):
         recording = self.folder / "hero.soarbox"
-        run = Run("run", self.folder, "--headless", "--seconds", "0.5", "--record", recording, "--record-level", "all")
-        self.assertEqual(run.code, 0, run.err)
+        Run("run", self.folder, "--headless", "--seconds", "0.5", "--record", recording, "--record-level", "all", code=0)
         for view in VIEWS:
             with self.subTest(view):
                 self.assertEqual(self.text(view, "--agent", "hero", source=recording),
@@ -183,16 +181,14 @@ class Inspect(ScenarioCase):
         why = (r"c \([A-Z]\d\) was selected: (a|b) \([A-Z]\d\) and (a|b) \([A-Z]\d\) are each better than the other "
                r"\(rules hero\*prefer\*(ab|ba) and hero\*prefer\*(ab|ba)\), so both were dropped")
         recording = self.folder / "hero.soarbox"
-        run = Run("run", self.folder, "--headless", "--seconds", "0.5", "--record", recording)
-        self.assertEqual(run.code, 0, run.err)
+        Run("run", self.folder, "--headless", "--seconds", "0.5", "--record", recording, code=0)
         port = self.kernel_elsewhere()
         for mode, told in [("live", self.text("operators")), ("live", self.text("why")),
                            ("simulated again", self.text("operators", "--agent", "hero", source=recording)),
                            ("elsewhere", self.text("operators", "--kernel", f"127.0.0.1:{port}"))]:
             with self.subTest(mode):
                 self.assertRegex(told, why + r"\.")
-        recorded = Run("replay", recording, "--headless")
-        self.assertEqual(recorded.code, 0, recorded.err)
+        recorded = Run("replay", recording, "--headless", code=0)
         self.assertRegex(recorded.out, why.removeprefix(r"c \([A-Z]\d\) was selected: ") + "; proposed by rule hero\\*propose")
 
     def test_what_changed_after_a_decision_is_no_reason_for_it(self):
@@ -214,7 +210,3 @@ class Inspect(ScenarioCase):
         self.assertIn("did you mean 'hero'?", self.inspect("stack", "--agent", "herp").err)
         self.assertIn("say fire RULE", self.inspect("stack", "--until", "never").err)
         self.assertNotEqual(self.inspect("stack", source="no-such-scenario").code, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

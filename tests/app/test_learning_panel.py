@@ -2,11 +2,10 @@
 """What agents learn, as the panel Learning and `soarbox why` tell it: live and of recordings, with real events."""
 import json
 import pathlib
-import subprocess
 import unittest
 
 from png_picture import Picture
-from soarbox_command import COMMAND, Run
+from soarbox_command import Run
 from virtual_display import can_draw
 from window_user import WindowUser
 
@@ -143,10 +142,8 @@ class LearningInTheWindow(WindowUser):
                     """)):
             with self.subTest(scenario):
                 file = self.folder / f"{scenario}.soarrec"
-                done = subprocess.run([COMMAND, "run", scenario, "--headless", "--seconds", str(seconds), "--record",
-                                       str(file), "--record-level", "decisions"],
-                                      capture_output=True, text=True, timeout=240, check=False)
-                self.assertEqual(done.returncode, 0, done.stderr)
+                Run("run", scenario, "--headless", "--seconds", seconds, "--record", file, "--record-level", "decisions",
+                    code=0)
                 self.replay(file, """
                     until 0.2
                     key P
@@ -157,7 +154,3 @@ class LearningInTheWindow(WindowUser):
                     """ + script)
         for name in ("town.png", "values.png", "episodes.png"):
             self.assertTrue(pathlib.Path(self.folder / name).exists(), name)
-
-
-if __name__ == "__main__":
-    unittest.main()

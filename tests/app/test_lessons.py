@@ -5,7 +5,6 @@ import pathlib
 import re
 import shutil
 import subprocess
-import unittest
 
 from soarbox_command import COMMAND, Run, ScenarioCase, run_json
 
@@ -28,8 +27,7 @@ def distances(run, one, other):
 
 class LessonCase(ScenarioCase):
     def run_lesson(self, lesson, *arguments):
-        run = run_json(LESSONS / lesson, *arguments)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(LESSONS / lesson, *arguments, code=0)
         self.assertEqual(run.of("gap"), [], "nobody stands idle")
         self.assertEqual(run.diagnostics(), [])
         return run
@@ -176,8 +174,7 @@ class Danger(LessonCase):
         self.assertGreater(min(distances(run, "sheep", "wolf")), 3)
 
     def test_why_follows_the_command_back_to_what_the_sheep_sees(self):
-        run = Run("why", LESSONS / self.LESSON, "flee", "--agent", "sheep", "--at", 5.6)
-        self.assertEqual(run.code, 0, run.err)
+        run = Run("why", LESSONS / self.LESSON, "flee", "--agent", "sheep", "--at", 5.6, code=0)
         for piece in ("sheep*apply*flee", "sheep*propose*flee", "^danger wolf"):
             self.assertIn(piece, run.out)
 
@@ -262,8 +259,7 @@ class Pages(LessonCase):
         shutil.copytree(lesson, self.folder / lesson.name)
         grades = self.folder / lesson.name / "lesson.toml"
         grades.write_text(grades.read_text(encoding="utf-8").replace("title =", "titel ="), encoding="utf-8")
-        run = Run("check", self.folder / lesson.name)
-        self.assertEqual(run.code, 1)
+        run = Run("check", self.folder / lesson.name, code=1)
         self.assertRegex(run.out, r"lesson\.toml:1:\d+: error: .*'titel'")
 
     def test_each_lesson_names_the_panels_in_which_it_is_to_be_seen(self):
@@ -286,7 +282,3 @@ class Pages(LessonCase):
             done = subprocess.run([COMMAND, "soar"], input=block + f"\nrun {decisions}\nprint s1\n", text=True,
                                   capture_output=True, timeout=60, check=False)
             self.assertIn(expected, done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Edits of rules and scripts while the world runs."""
+import fcntl
 import json
 import os
 import subprocess
 import tempfile
-import unittest
 
 from soarbox_command import COMMAND, ScenarioCase, run_json
 from test_soar_authors import WORLD
@@ -30,6 +30,8 @@ class LiveEditCase(ScenarioCase):
         with tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
             with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--json", "--speed", "2", "--seconds", "6",
                                    "--watch"], stdout=subprocess.PIPE, stderr=errors, text=True, env=environment) as run:
+                # The world waits for its reader: it cannot be over before the edit comes, however busy the machine is.
+                fcntl.fcntl(run.stdout, fcntl.F_SETPIPE_SZ, 4096)
                 for line in run.stdout:
                     events.append(json.loads(line))
                     # The edit comes after a second of the world, however fast the machine is.
@@ -157,7 +159,3 @@ end
         self.assertEqual([problem["message"] for problem in run.diagnostics() if problem["severity"] == "error"],
                          ["the command 'watch 99' failed for hero: Expected trace level from 0 to 5.",
                           "the command 'nonsense' failed for hero: No such command: nonsense"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,7 +3,6 @@
 what ran before goes on."""
 import os
 import time
-import unittest
 
 from test_live_edits import COUNT, LiveEditCase
 
@@ -101,7 +100,3 @@ class LiveMistakes(LiveEditCase):
         texts, err, _ = self.run_and_edit(edit, rules[0] + "source tell.soar\n")
         self.assertNotIn("error", err)
         self.assertGreater(int(texts[-1].split()[1]), 40, err)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,11 +3,10 @@
 import json
 import pathlib
 import random
-import tempfile
 import unittest
 
 from editor_client import Channel, Editor, applied, at
-from soarbox_command import Run
+from soarbox_command import Run, new_folder
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -35,9 +34,7 @@ MOVES = """sp {scout*apply*seek
 
 class WithFolder(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name).resolve()
+        self.folder = new_folder(self)
 
     def write(self, name, text):
         path = self.folder / name
@@ -176,8 +173,8 @@ class LanguageServer(WithFolder):
 
     def test_lenses_tell_how_often_rules_fired_in_the_last_run(self):
         recording = self.folder / "last.soarrec"
-        run = Run("run", SOURCE / "scenarios" / "soar_seek", "--headless", "--seconds", 3, "--record", recording, "--record-level", "all")
-        self.assertEqual(0, run.code, run.err)
+        Run("run", SOURCE / "scenarios" / "soar_seek", "--headless", "--seconds", 3, "--record", recording,
+            "--record-level", "all", code=0)
         rules = next((SOURCE / "scenarios" / "soar_seek").glob("*.soar"))
         path = self.write("seek.soar", rules.read_text() + "\nsp {never*fires (state <s> ^no-such thing) --> (<s> ^x y)}\n")
         uri = self.editor.open(path)
@@ -246,10 +243,5 @@ class Format(WithFolder):
         self.assertEqual("sp {a\n   (state <s> ^superstate nil\n              ^b c)\n-->\n   (<s> ^d e)\n}\n\n# end\n", path.read_text())
 
     def test_what_cannot_be_read_is_named(self):
-        run = Run("format", self.folder / "none.soar")
-        self.assertEqual(1, run.code)
+        run = Run("format", self.folder / "none.soar", code=1)
         self.assertIn("cannot be read", run.err)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -31,11 +31,9 @@ class Manual(ScenarioCase):
             self.assertEqual(Run("help", command).out, Run(command, "--help").out)
 
     def test_help_names_the_sub_command_that_was_meant(self):
-        run = Run("help", "inspct")
-        self.assertEqual(run.code, 2)
+        run = Run("help", "inspct", code=2)
         self.assertIn("did you mean soarbox help inspect?", run.err)
-        run = Run("help", "--pages", "/proc/nowhere")
-        self.assertEqual(run.code, 3)
+        run = Run("help", "--pages", "/proc/nowhere", code=3)
         self.assertIn("this file cannot be written", run.err)
 
     def test_there_is_a_page_for_the_program_and_each_sub_command(self):
@@ -107,7 +105,3 @@ class Manual(ScenarioCase):
             server.send_signal(signal.SIGTERM)
             server.communicate(timeout=60)
         self.assertRegex(said, r"\d", line)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,20 +2,19 @@
 """`soarbox mcp` as a coding assistant uses it: lines of JSON-RPC on standard input and output."""
 import json
 import os
-import pathlib
 import select
 import subprocess
-import tempfile
 import unittest
 
 COMMAND = os.environ["SOARBOX"]
 
 
+from soarbox_command import new_folder
+
+
 class Assistant(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name).resolve()
+        self.folder = new_folder(self)
         (self.folder / "inside").mkdir()
         (self.folder / "secret.soar").write_text("# secret words\n")
         (self.folder / "inside" / "a.soar").write_text("sp {a (state <s> ^superstate nil) --> (<x> ^y z)}\n")
@@ -101,7 +100,3 @@ class Assistant(unittest.TestCase):
                      b'{"id":1,"method":"tools/call"}', b'{"id":1,"method":"tools/call","params":{"name":"why","arguments":[]}}'):
             self.assertIn("error", self.send_line(line), line)
         self.assertEqual({}, self.ask("ping"))
-
-
-if __name__ == "__main__":
-    unittest.main()

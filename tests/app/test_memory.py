@@ -72,8 +72,7 @@ class RuleThatMatchesTooOften(ScenarioCase, test_wire.Case):
     def check_growth(self, rules):
         self.write("greedy.soar", MODEST + rules)
         run = run_json(self.folder, "--seconds", 2, "--every-command", "--report", 0.1, "--memory", 400,
-                       memory_bytes=3 << 29)
-        self.assertEqual(run.code, 1, run.err)
+                       memory_bytes=3 << 29, code=1)
         _, greedy, modest = [event["agent"] for event in run.of("agent")]
         failed = run.of("failed")
         self.assertEqual([event["agent"] for event in failed], [greedy], run.out)
@@ -95,7 +94,3 @@ sp {first (state <s> ^operator.name count -^n) --> (<s> ^n 0)}
 sp {count (state <s> ^operator.name count ^n <n>) --> (<s> ^n (+ <n> 1) <n> -)}
 sp {keep (state <s> ^operator.name count ^n <n> ^digit <a> ^digit <b>) --> (<s> ^<a> (concat <n> |-| <b>))}
 """)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -8,10 +8,9 @@ import pathlib
 import re
 import shutil
 import subprocess
-import time
 import unittest
 
-from soarbox_command import Run
+from soarbox_command import Run, wait_until
 from virtual_display import can_draw
 from window_user import WindowUser
 
@@ -87,8 +86,7 @@ class Missions(WindowUser):
         recording = self.folder / "run.soarrec"
         self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "10", "--record", recording).code, 0)
         kept = self.folder / "kept"
-        failed = Run("test", self.folder, "--keep", kept)
-        self.assertEqual(failed.code, 1, failed.out + failed.err)
+        Run("test", self.folder, "--keep", kept, code=1)
         # The recordings that `soarbox test` keeps are those that one is told to look at.
         for file in (recording, next(kept.glob("*.soarrec"))):
             told = Run("replay", file, "--headless").out
@@ -112,9 +110,7 @@ class Missions(WindowUser):
                 """, size=(1280, 720))
 
     def show(self, recording, script, size):
-        done = subprocess.run(self.window(script, "replay", str(recording), size=size), capture_output=True, text=True,
-                              timeout=280, check=False, cwd=self.folder, env=self.surroundings(size))
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.played(script, "replay", str(recording), size=size)
 
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
@@ -160,8 +156,7 @@ class Lessons(WindowUser):
         failed = self.folder / "failed.png"
 
         def mend(window):
-            while window.poll() is None and not failed.exists():
-                time.sleep(0.01)
+            wait_until(lambda: window.poll() is not None or failed.exists(), limit_s=280)
             self.assertIn("Somebody is there", rules.read_text(encoding="utf-8"), "the starter")
             shutil.copy(LESSONS / "01-a-rule" / "solution" / "porter.soar", rules)
 
@@ -218,11 +213,4 @@ class Lessons(WindowUser):
         self.assertTrue((self.folder / "soarbox-lessons" / "b-mower" / "mower.soar").exists())
 
     def play(self, script, scenario, size=(1280, 720)):
-        done = subprocess.run(self.window(script, "run", scenario, "--no-record", "--port", "0", size=size),
-                              capture_output=True, text=True, timeout=280, check=False, cwd=self.folder,
-                              env=self.surroundings(size))
-        self.assertEqual(done.returncode, 0, done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        self.played(script, "run", scenario, "--no-record", "--port", "0", size=size)

@@ -10,7 +10,7 @@ import time
 import xml.etree.ElementTree as xml
 
 from mission_case import REPOSITORY, RULES, WORLD, MissionCase
-from soarbox_command import COMMAND, Run
+from soarbox_command import COMMAND, Run, wait_until
 
 
 class Missions(MissionCase):
@@ -163,8 +163,7 @@ class Missions(MissionCase):
         self.assertEqual(run.code, 1, run.out + run.err)
         self.assertIn("the recording was not kept", run.out)
         self.assertIn("it came within", run.out)
-        run = Run("learn", "1", "--headless", "--folder", nowhere)
-        self.assertEqual(run.code, 3, run.out)
+        run = Run("learn", "1", "--headless", "--folder", nowhere, code=3)
         self.assertIn("--folder", run.err)
 
     def test_every_scenario_of_soar_agents_has_a_mission_that_passes_and_fails_without_rules(self):
@@ -172,8 +171,7 @@ class Missions(MissionCase):
         for folder in folders:
             self.assertTrue((REPOSITORY / "scenarios" / folder / "mission.toml").exists(), folder)
         missions = [REPOSITORY / "scenarios" / folder / "mission.toml" for folder in folders]
-        run = Run("test", *missions, "--seeds", "1", "--no-keep")
-        self.assertEqual(run.code, 0, run.out + run.err)
+        Run("test", *missions, "--seeds", "1", "--no-keep", code=0)
         empty = Run("test", *missions, "--seeds", "1", "--no-keep", "--empty", "--json")
         self.assertEqual([event["mission"] for event in empty.of("mission") if event["passed"]], [])
 
@@ -181,13 +179,11 @@ class Missions(MissionCase):
         folders = sorted(path.parent for path in (REPOSITORY / "scenarios").glob("*/Sandbox.lua"))
         missions = [folder / "mission.toml" for folder in folders if not folder.name.startswith("soar_")]
         self.assertGreater(len(missions), 8)
-        run = Run("test", *missions, "--seeds", "1", "--no-keep")
-        self.assertEqual(run.code, 0, run.out + run.err)
+        Run("test", *missions, "--seeds", "1", "--no-keep", code=0)
 
     def test_the_starter_passes_its_own_mission(self):
         self.assertEqual(Run("new", self.folder / "mine").code, 0)
-        run = Run("test", self.folder / "mine", "--no-keep")
-        self.assertEqual(run.code, 0, run.out + run.err)
+        Run("test", self.folder / "mine", "--no-keep", code=0)
 
 
 class Watch(MissionCase):
@@ -204,20 +200,14 @@ class Watch(MissionCase):
         return (self.folder / "watch.log").read_text(encoding="utf-8")
 
     def wait_for(self, text, times=1, limit_s=60):
-        end = time.monotonic() + limit_s
-        while self.told().count(text) < times and time.monotonic() < end:
-            time.sleep(0.05)
-        self.assertGreaterEqual(self.told().count(text), times, self.told())
+        wait_until(lambda: self.told().count(text) >= times, f"{times} times {text!r}", limit_s)
 
     def wait_for_a_run(self, watch, limit_s=60):
         """Until a run of its own process has begun."""
         def children():
             tables = pathlib.Path("/proc").glob("[0-9]*/stat")
             return [table for table in tables if self.parent_in(table) == watch.pid]
-        end = time.monotonic() + limit_s
-        while not children() and time.monotonic() < end:
-            time.sleep(0.01)
-        self.assertTrue(children(), self.told())
+        wait_until(children, "a run", limit_s)
 
     @staticmethod
     def parent_in(table):

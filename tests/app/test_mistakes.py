@@ -7,7 +7,6 @@
 import os
 import pathlib
 import re
-import unittest
 
 from soarbox_command import Run, ScenarioCase, run_json
 
@@ -66,7 +65,3 @@ class Mistakes(ScenarioCase):
                 if os.environ.get("WRITE_EXPECTED"):
                     expected.write_text(told, encoding="utf-8")
                 self.assertEqual(told, expected.read_text(encoding="utf-8"))
-
-
-if __name__ == "__main__":
-    unittest.main()

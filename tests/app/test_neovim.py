@@ -74,7 +74,3 @@ class Neovim(unittest.TestCase):
             self.assertTrue({"relation", "range", "bearing"} <= set(result["words"]), result["words"])
             self.assertIn("^prey", (folder / "main.soar").read_text())
             self.assertEqual(MOVES.replace("^foe", "^prey"), (folder / "moves.soar").read_text())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,7 +2,6 @@
 """What an agent of one's own needs: carrying, giving, goals, things remembered, keeping away from somebody."""
 import json
 import math
-import unittest
 
 from soarbox_command import Run, ScenarioCase, run_json
 
@@ -69,8 +68,7 @@ class OwnAgent(ScenarioCase):
     def go(self, rules, world=WORLD, seconds=20, *more):
         self.write("hero.soar", rules)
         self.write("scenario.toml", world)
-        run = run_json(self.folder, "--seconds", seconds, *more)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", seconds, *more, code=0)
         self.texts = [event["text"] for event in run.of("log", agent="hero")]
         return run
 
@@ -137,8 +135,7 @@ class Goals(OwnAgent):
             check = Run("check", self.folder / "scenario.toml", "--json")
             problem = json.loads(check.out.splitlines()[0])
             self.assertEqual((check.code, problem["message"], problem.get("hint", "")), (1, message, hint), check.out)
-            run = Run("run", self.folder, "--headless", "--seconds", 1)
-            self.assertEqual(run.code, 3)
+            run = Run("run", self.folder, "--headless", "--seconds", 1, code=3)
             self.assertIn(message, run.err)
 
 
@@ -199,7 +196,3 @@ position = [0, 0]
     def test_from_nobody_is_an_error(self):
         self.go(script(("move-to", "^x 4 ^z 0 ^away-from ghost")))
         self.assertIn("1 because no-such-agent", self.texts)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
 import subprocess
-import time
 import unittest
 
 from png_picture import Picture
-from soarbox_command import COMMAND, end, start_kernel
+from soarbox_command import Run, end, start_kernel, wait_until
 from virtual_display import can_draw
 from window_user import WALKER, WORLD, WindowUser
 
@@ -137,9 +136,7 @@ class Panels(WindowUser):
             """, record=f"--record={self.folder / 'walk.soarrec'}")
         self.assertIn("seed 2", done.stdout)
         for name in ("walk.soarrec", "walk-2.soarrec", "walk-3.soarrec"):
-            checked = subprocess.run([COMMAND, "verify", str(self.folder / name)], capture_output=True, text=True,
-                                     timeout=60, check=False)
-            self.assertEqual(checked.returncode, 0, checked.stderr + checked.stdout)
+            Run("verify", self.folder / name, code=0)
 
     def test_a_recording_has_the_panels_of_a_run(self):
         self.replay(self.record("decisions"), """
@@ -410,13 +407,7 @@ class Panels(WindowUser):
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
             env=self.surroundings((1280, 720)))
         self.addCleanup(run.kill)
-        latest = time.monotonic() + 120
-        while not mark.exists() and run.poll() is None and time.monotonic() < latest:
-            time.sleep(0.1)
+        wait_until(lambda: mark.exists() or run.poll() is not None)
         kernel.kill()
         _, errors = run.communicate(timeout=150)
         self.assertIn(run.returncode, (0, 1), errors)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -12,7 +12,7 @@ import tempfile
 import time
 import unittest
 
-from soarbox_command import COMMAND, Run
+from soarbox_command import COMMAND, Run, new_folder, wait_until
 
 SECONDS = 12
 
@@ -22,19 +22,13 @@ class Recorded(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.folder = new_folder(cls)
         cls.file = cls.folder / "run.soarrec"
         cls.live = Run("run", "thesis/mixed.lua", "--headless", "--json", "--report", 1, "--seconds", SECONDS, "--seed", 5,
                        "--record", cls.file, "--record-level", "all")
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.scratch.cleanup()
-
     def exported(self, file, *arguments):
-        done = Run("export", file, "--json", *arguments)
-        self.assertEqual(done.code, 0, done.err)
+        done = Run("export", file, "--json", *arguments, code=0)
         lines = [json.loads(line) for line in done.out.splitlines()]
         return lines[0], lines[1:]
 
@@ -85,13 +79,11 @@ class Replay(Recorded):
         self.assertLessEqual(rules - {""}, fired)
 
     def test_text_tells_a_range(self):
-        done = Run("replay", self.file, "--headless", "--from", 2, "--to", 2.1)
-        self.assertEqual(done.code, 0, done.err)
+        done = Run("replay", self.file, "--headless", "--from", 2, "--to", 2.1, code=0)
         self.assertEqual([line.split()[3] for line in done.out.splitlines() if " tick " in line], ["60", "61", "62", "63"])
 
     def test_a_table_for_spreadsheets(self):
-        done = Run("export", self.file, "--csv", "-o", self.folder / "run.csv")
-        self.assertEqual(done.code, 0, done.err)
+        Run("export", self.file, "--csv", "-o", self.folder / "run.csv", code=0)
         rows = list(csv.DictReader(io.StringIO((self.folder / "run.csv").read_text(encoding="utf-8"))))
         agents = {row["agent"] for row in rows}
         self.assertEqual(len(rows), (SECONDS * 30 + 1) * len(agents))
@@ -103,25 +95,21 @@ class Replay(Recorded):
 class Part(Recorded):
     def test_a_part_is_a_recording_that_is_verified_and_resumed_like_the_whole(self):
         part = self.folder / "part.soarrec"
-        done = Run("export", self.file, "--recording", "--from", 4, "--to", 6, "-o", part)
-        self.assertEqual(done.code, 0, done.err)
+        done = Run("export", self.file, "--recording", "--from", 4, "--to", 6, "-o", part, code=0)
         whole = {tick["tick"]: tick for tick in self.exported(self.file)[1]}
         ticks = self.exported(part)[1]
         self.assertEqual([tick["tick"] for tick in ticks], list(range(120, 181)))
         self.assertEqual(ticks, [whole[tick["tick"]] for tick in ticks])
-        done = Run("verify", part)
-        self.assertEqual(done.code, 0, done.out + done.err)
+        done = Run("verify", part, code=0)
         self.assertIn("equal: ticks 120 to 180", done.out)
         done = Run("resume", part, "--at", 5, "--seconds", 1, "--json")
         self.assertEqual(done.of("end")[0]["state"], whole[180]["state"])
 
     def test_what_cannot_be_is_told(self):
         part = self.folder / "none.soarrec"
-        done = Run("export", self.file, "--recording", "--from", 1000, "-o", part)
-        self.assertEqual(done.code, 3)
+        done = Run("export", self.file, "--recording", "--from", 1000, "-o", part, code=3)
         self.assertIn("is not in the recording", done.err)
-        done = Run("export", self.file, "--recording", "-o", self.file)
-        self.assertEqual(done.code, 3)
+        done = Run("export", self.file, "--recording", "-o", self.file, code=3)
         self.assertIn("name another file", done.err)
         self.assertEqual(Run("export", self.file, "--recording").code, 2)
         self.assertEqual(Run("verify", self.file).code, 0)
@@ -129,15 +117,13 @@ class Part(Recorded):
 
 class Verify(Recorded):
     def test_the_run_is_equal(self):
-        done = Run("verify", self.file)
-        self.assertEqual(done.code, 0, done.out + done.err)
+        done = Run("verify", self.file, code=0)
         self.assertIn(f"equal: ticks 0 to {SECONDS * 30}", done.out)
 
     def test_another_seed_is_found(self):
         other = self.folder / "other.soarrec"
         Run("run", "thesis/mixed.lua", "--headless", "--seconds", 2, "--seed", 6, "--record", other, "--record-level", "all")
-        done = Run("compare", self.file, other)
-        self.assertEqual(done.code, 1, done.err)
+        done = Run("compare", self.file, other, code=1)
         self.assertIn("first difference: tick ", done.out)
 
     def test_a_changed_rule_is_found_and_named(self):
@@ -145,17 +131,14 @@ class Verify(Recorded):
         world.mkdir()
         (world / "scout.soar").write_text(RULES.format(speed=2), encoding="utf-8")
         file = self.folder / "scout.soarrec"
-        done = Run("run", world / "scout.soar", "--headless", "--seconds", 3, "--record", file)
-        self.assertEqual(done.code, 0, done.err)
+        done = Run("run", world / "scout.soar", "--headless", "--seconds", 3, "--record", file, code=0)
         self.assertEqual(Run("verify", file).code, 0)
         (world / "scout.soar").write_text(RULES.format(speed=3), encoding="utf-8")
-        done = Run("verify", file)
-        self.assertEqual(done.code, 1, done.out + done.err)
+        done = Run("verify", file, code=1)
         self.assertIn("files of the scenario have changed", done.err)
         self.assertRegex(done.out, r"tick \d+ .* differs: .*command")
         # The recording keeps what the run was made from: it is verified and gone on with as it was.
-        done = Run("verify", file, "--as-recorded")
-        self.assertEqual(done.code, 0, done.out + done.err)
+        done = Run("verify", file, "--as-recorded", code=0)
         self.assertIn("made from them as they were then", done.err)
         again = self.folder / "again.soarrec"
         done = Run("resume", file, "--at", 1, "--record", again)
@@ -181,8 +164,8 @@ class EveryScenario(unittest.TestCase):
             for name in names:
                 with self.subTest(name):
                     file = pathlib.Path(folder) / f"{name}.soarrec"
-                    live = Run("run", name, "--headless", "--json", "--report", 0.1, "--seconds", 0.4, "--record", file)
-                    self.assertEqual(live.code, 0, live.err)
+                    live = Run("run", name, "--headless", "--json", "--report", 0.1, "--seconds", 0.4, "--record",
+                               file, code=0)
                     told = Run("replay", file, "--json")
                     ticks = {tick["tick"]: tick for tick in map(json.loads, told.out.splitlines()[1:])}
                     end = live.of("end")[0]
@@ -222,8 +205,7 @@ class Engagement(unittest.TestCase):
 
     def test_it_is_small_and_replays(self):
         self.assertLess(ENGAGEMENT.stat().st_size, 200_000)
-        told = Run("replay", ENGAGEMENT, "--headless")
-        self.assertEqual(told.code, 0, told.err)
+        told = Run("replay", ENGAGEMENT, "--headless", code=0)
         self.assertRegex(told.out, r"red-1 .*O: O\d+ .*proposed by fighter\*")
         exported = Run("export", ENGAGEMENT, "--json")
         lines = [json.loads(line) for line in exported.out.splitlines()]
@@ -249,8 +231,7 @@ class InWords(unittest.TestCase):
     --seed 1 --record words.soarrec --record-level all`. To be kept as it is."""
 
     def minds(self, file):
-        exported = Run("export", file, "--json")
-        self.assertEqual(exported.code, 0, exported.err)
+        exported = Run("export", file, "--json", code=0)
         return [(line["tick"], line["minds"]) for line in map(json.loads, exported.out.splitlines()[1:]) if "minds" in line]
 
     def test_it_says_what_it_said(self):
@@ -269,8 +250,7 @@ class InWords(unittest.TestCase):
     def test_it_can_be_made_a_recording_of_today(self):
         with tempfile.TemporaryDirectory() as folder:
             newer = pathlib.Path(folder) / "newer.soarrec"
-            made = Run("export", WORDS, "--recording", "-o", newer)
-            self.assertEqual(made.code, 0, made.err)
+            Run("export", WORDS, "--recording", "-o", newer, code=0)
             self.assertEqual(WORDS.read_bytes()[8], 4)
             self.assertEqual(newer.read_bytes()[8], 7)
             self.assertEqual(self.minds(newer), self.minds(WORDS))
@@ -313,8 +293,7 @@ class Abandoned(unittest.TestCase):
             process.stdout.close()
             self.assertEqual((process.wait(timeout=240), process.stderr.read()), (128 + signal.SIGPIPE, b""))
             process.stderr.close()
-            run = Run("verify", kept)
-            self.assertEqual(run.code, 0, run.err)
+            run = Run("verify", kept, code=0)
             self.assertTrue(run.out.startswith("equal: ticks 0 to "), run.out)
 
 
@@ -336,11 +315,9 @@ class Damage(Recorded):
     def test_what_is_no_recording(self):
         for name, content in (("empty", b""), ("text", b"sp {a\n}"), ("magic", b"SOARBOX\x1a" + bytes(200))):
             for command in ("replay", "verify", "export"):
-                done = Run(command, self.copy(name, content))
-                self.assertEqual(done.code, 3, (name, command))
+                done = Run(command, self.copy(name, content), code=3)
                 self.assertIn("error", done.err)
-        done = Run("verify", self.folder / "absent")
-        self.assertEqual(done.code, 3)
+        done = Run("verify", self.folder / "absent", code=3)
         self.assertIn("no such file", done.err)
 
     def test_killed_at_any_moment_the_complete_blocks_are_there(self):
@@ -352,14 +329,11 @@ class Damage(Recorded):
             file = self.folder / f"killed{i}.soarrec"
             process = subprocess.Popen([COMMAND, "run", "thesis/mixed.lua", "--headless", "--seconds", "3600", "--record",
                                         str(file)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            limit = time.monotonic() + 60
-            while time.monotonic() < limit and not (file.exists() and file.stat().st_size > 4000 * (i + 1)):
-                time.sleep(0.01)
+            wait_until(lambda: file.exists() and file.stat().st_size > 4000 * (i + 1))
             time.sleep(random.random() * 0.05)
             process.send_signal(signal.SIGKILL)
             process.wait()
-            done = Run("export", file, "--csv", "--to", 1)
-            self.assertEqual(done.code, 0, done.err)
+            done = Run("export", file, "--csv", "--to", 1, code=0)
             used += len(done.out.splitlines()) > 30
             if i == 0:
                 self.assertEqual(Run("verify", file).code, 0)
@@ -378,11 +352,9 @@ class Why(Recorded):
         self.assertIn("operator", recorded.out)
 
     def test_a_moment_or_an_agent_that_is_not_there(self):
-        done = Run("why", self.file, "--at", 1000)
-        self.assertEqual(done.code, 3)
+        done = Run("why", self.file, "--at", 1000, code=3)
         self.assertIn("is not in the recording", done.err)
-        done = Run("why", self.file, "--at", 1, "--agent", "nobody")
-        self.assertEqual(done.code, 3)
+        done = Run("why", self.file, "--at", 1, "--agent", "nobody", code=3)
         self.assertIn("no agent 'nobody'", done.err)
 
 
@@ -390,11 +362,9 @@ class Resume(Recorded):
     def test_without_a_change_the_future_is_the_same(self):
         for threads in 1, 4:
             again = self.folder / f"again{threads}.soarrec"
-            done = Run("resume", self.file, "--at", 5, "--record", again, "--json", "--threads", threads)
-            self.assertEqual(done.code, 0, done.err)
+            done = Run("resume", self.file, "--at", 5, "--record", again, "--json", "--threads", threads, code=0)
             self.assertEqual(done.of("end")[0]["state"], self.live.of("end")[0]["state"])
-            compared = Run("compare", self.file, again)
-            self.assertEqual(compared.code, 0, compared.out)
+            Run("compare", self.file, again, code=0)
 
     def test_with_a_changed_rule_it_is_told_where_they_part(self):
         rules = self.folder / "halt.soar"
@@ -402,17 +372,10 @@ class Resume(Recorded):
         again = self.folder / "stopped.soarrec"
         done = Run("resume", self.file, "--at", 5, "--rules", rules, "--record", again, "--seconds", 2)
         self.assertIn("tick 150 reached", done.out, done.err)
-        compared = Run("compare", self.file, again)
-        self.assertEqual(compared.code, 1, compared.out)
+        compared = Run("compare", self.file, again, code=1)
         self.assertRegex(compared.out, r"first difference: tick 15\d")
-        verified = Run("verify", again)
-        self.assertEqual(verified.code, 0, verified.out + verified.err)
+        Run("verify", again, code=0)
 
     def test_a_moment_that_is_not_there(self):
-        done = Run("resume", self.file, "--at", 1000)
-        self.assertEqual(done.code, 3)
+        done = Run("resume", self.file, "--at", 1000, code=3)
         self.assertIn("is not in the recording", done.err)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,13 +6,12 @@ import re
 import tempfile
 import unittest
 
-from soarbox_command import Run, run_json
+from soarbox_command import run_json
 
 
 def run_clean(case, scenario, *arguments):
     """A run in which no script fails and nothing is warned of."""
-    run = run_json(scenario, *arguments)
-    case.assertEqual(run.code, 0, run.err)
+    run = run_json(scenario, *arguments, code=0)
     case.assertEqual(run.err, "")
     case.assertEqual(run.diagnostics(), [])
     return run
@@ -185,7 +184,3 @@ class Tactics(unittest.TestCase):
         plain = run_json("tactics", "--seconds", 10)
         hidden = asked(self, "tactics", [(30, "key f4_key press")], "--seconds", 10)
         self.assertEqual(plain.of("end")[0]["state"], hidden.of("end")[0]["state"])
-
-
-if __name__ == "__main__":
-    unittest.main()

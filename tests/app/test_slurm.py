@@ -14,7 +14,7 @@ import threading
 import time
 import unittest
 
-from soarbox_command import COMMAND, Run, free_port
+from soarbox_command import COMMAND, Run, end_with, free_port, wait_until
 from mission_case import RULES, SWEEP, WORLD
 
 DAEMONS = ("slurmctld", "slurmd", "munged", "sbatch", "squeue", "scancel")
@@ -120,19 +120,17 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 
         def kill_one():
             # A task in the middle of its work: what it has made stays, the rest is given out again.
-            end = time.monotonic() + 60
-            while time.monotonic() < end:
-                for entry in pathlib.Path("/proc").glob("[0-9]*"):
-                    try:
-                        words = (entry / "cmdline").read_bytes().decode(errors="replace").split("\0")
-                    except OSError:
-                        continue
-                    if str(there) in words and "--task" in words and any((there / "parts").glob("*.rows")):
-                        os.kill(int(entry.name), signal.SIGKILL)
-                        return
-                time.sleep(0.1)
+            for entry in pathlib.Path("/proc").glob("[0-9]*"):
+                try:
+                    words = (entry / "cmdline").read_bytes().decode(errors="replace").split("\0")
+                except OSError:
+                    continue
+                if str(there) in words and "--task" in words and any((there / "parts").glob("*.rows")):
+                    os.kill(int(entry.name), signal.SIGKILL)
+                    return True
+            return False
 
-        killer = threading.Thread(target=kill_one)
+        killer = threading.Thread(target=wait_until, args=(kill_one, "a task at work"))
         killer.start()
         run = Run("sweep", spec, "--folder", there, "--on", "slurm", "--tasks", "3")
         killer.join()
@@ -154,8 +152,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         ours, its = pty.openpty()
         process = subprocess.Popen([COMMAND, *map(str, words)], stdout=subprocess.DEVNULL, stderr=its)
         os.close(its)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
+        end_with(self, process)
         self.shown = ""
 
         def read():
@@ -175,13 +172,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         return process
 
     def wait_until_shown(self, pattern, limit_s=60):
-        self.wait_for(lambda: re.search(pattern, self.shown), pattern, limit_s)
-
-    def wait_for(self, condition, what, limit_s=60):
-        end = time.monotonic() + limit_s
-        while not condition():
-            self.assertLess(time.monotonic(), end, f"{what}: {self.shown}")
-            time.sleep(0.1)
+        wait_until(lambda: re.search(pattern, self.shown), pattern, limit_s)
 
     def test_who_waits_sees_how_far_it_is_and_that_slurm_is_away(self):
         there = self.folder / "there"
@@ -194,7 +185,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         self.assertIsNone(process.poll(), "the jobs run on, and it waits for them")
         self.start("slurmctld", "-D", "-f", os.environ["SLURM_CONF"])
         # On a busy machine all runs may be over before the controller is up again.
-        self.wait_for(lambda: "Slurm answers again" in self.shown or process.poll() is not None, "an answer")
+        wait_until(lambda: "Slurm answers again" in self.shown or process.poll() is not None, "an answer")
         self.assertEqual(process.wait(120), 0, self.shown)
         counts = [int(number) for number in re.findall(r"\r(\d+) of 300 runs", self.shown)]
         self.assertEqual(counts, sorted(counts))
@@ -209,16 +200,10 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         self.assertEqual(process.wait(60), 3, self.shown)
         self.wait_until_shown(r"job \d+ was cancelled")
         self.assertNotIn("given to Slurm again", self.shown)
-        run = Run("sweep", spec, "--folder", there, "--cancel")
-        self.assertEqual(run.code, 3)
+        run = Run("sweep", spec, "--folder", there, "--cancel", code=3)
         self.assertIn("was not given to Slurm", run.err)
         made = len(list((there / "parts").glob("*.rows")))
         self.assertGreater(made, 0)
-        run = Run("sweep", spec, "--folder", there)
-        self.assertEqual(run.code, 0, run.out + run.err)
+        run = Run("sweep", spec, "--folder", there, code=0)
         self.assertRegex(run.err, r"[1-9]\d* were there")
         self.assertEqual(len(self.rows(there)), 200)
-
-
-if __name__ == "__main__":
-    unittest.main()

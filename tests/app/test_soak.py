@@ -26,7 +26,3 @@ class Soak(unittest.TestCase):
 
     def test_a_fight(self):
         self.check("soar_skirmish", 60)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -86,8 +86,7 @@ def logs(run, agent):
 class RulesAlone(ScenarioCase):
     def test_open_a_world_with_one_agent_that_perceives_and_acts(self):
         for seed in (1, 2, 3):
-            run = run_json(self.write("scout.soar", SCOUT), "--seconds", 40, "--report", 1, "--seed", seed)
-            self.assertEqual(run.code, 0, run.err)
+            run = run_json(self.write("scout.soar", SCOUT), "--seconds", 40, "--report", 1, "--seed", seed, code=0)
             self.assertEqual(run.of("agent")[0]["agent"], "scout")
             self.assertGreaterEqual(len([text for text in logs(run, "scout") if text.startswith("I go to ")]), 3)
             self.assertGreaterEqual(len(run.of("command", agent="scout", command="move-to")), 3)
@@ -100,15 +99,13 @@ class RulesAlone(ScenarioCase):
         self.assertEqual(first, again)
 
     def test_that_are_not_there_are_an_error_that_names_them(self):
-        run = Run("run", self.folder / "scot.soar", "--headless")
-        self.assertEqual(run.code, 3)
+        run = Run("run", self.folder / "scot.soar", "--headless", code=3)
         self.assertIn("scot.soar", run.err)
 
     def test_misnamed_in_a_scenario_are_an_error_with_the_nearest_name(self):
         self.write("scout.soar", SCOUT)
         self.write("scenario.toml", '[[agent]]\nrules = "scuot.soar"\n')
-        run = Run("run", self.folder, "--headless")
-        self.assertEqual(run.code, 3)
+        run = Run("run", self.folder, "--headless", code=3)
         self.assertIn("scuot.soar", run.err)
         self.assertIn("did you mean 'scout.soar'?", run.err)
 
@@ -116,8 +113,7 @@ class RulesAlone(ScenarioCase):
         self.write("seekingagnet.soar", SCOUT)
         self.write("Body.lua", "function Agent_Initialize(agent) end")
         self.write("Sandbox.lua", "function Sandbox_Initialize(sandbox) Sandbox.CreateSoarSeekingAgent(sandbox, 'Body.lua') end")
-        run = run_json(self.folder, "--seconds", 1)
-        self.assertEqual(run.code, 1)
+        run = run_json(self.folder, "--seconds", 1, code=1)
         self.assertIn("did you mean 'seekingagnet.soar'?", run.diagnostics()[0]["hint"])
         self.assertEqual(run.of("command"), [])
 
@@ -126,8 +122,7 @@ class Commands(ScenarioCase):
     def run_hero(self, rules, world=WORLD, seconds=5, *more):
         self.write("hero.soar", rules)
         self.write("scenario.toml", world)
-        run = run_json(self.folder, "--seconds", seconds, *more)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", seconds, *more, code=0)
         return run
 
     def test_are_carried_out_once_though_nobody_removes_them(self):
@@ -185,8 +180,7 @@ class FromOutside(ScenarioCase):
     def run_hero(self, rules, inputs):
         self.write("hero.soar", rules)
         self.write("scenario.toml", WORLD)
-        run = run_json(self.folder, "--seconds", 3, "--input", self.write("inputs.txt", inputs))
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", 3, "--input", self.write("inputs.txt", inputs), code=0)
         return run
 
     def test_orders_of_a_user_are_perceived_with_their_words(self):
@@ -235,8 +229,7 @@ sp {watch*seen
     def watch(self, extra, senses=""):
         self.write("hero.soar", self.WATCH)
         self.write("scenario.toml", WORLD + senses + "[[agent]]\nname = \"other\"\nteam = \"red\"\n" + extra)
-        run = run_json(self.folder, "--seconds", 2)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", 2, code=0)
         return logs(run, "hero")
 
     def test_sees_who_is_in_view(self):
@@ -265,21 +258,18 @@ sp {lamp*propose (state <s> ^superstate nil -^said ^io.input-link.lamp <l>) (<l>
 sp {lamp*apply (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name shine ^level <n>)
 --> (<s> ^said true) (<out> ^shine <c>) (<c> ^level <n> ^how <h>) (<h> ^fast very)}""")
         self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateSoarAgent(s, 'Lamp.lua', 'lamp.soar', {name = 'lamp'}) end")
-        run = run_json(self.folder, "--seconds", 2)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", 2, code=0)
         self.assertEqual([event["text"] for event in run.of("log")], ["Lamp.lua: shine 3 very"])
 
     def test_make_agents_without_a_script_and_learn_of_unknown_options(self):
         self.write("scout.soar", SCOUT)
         make = "function Sandbox_Initialize(s) Sandbox.CreateSoarAgent(s, {rules = 'scout.soar', %s}) end"
         self.write("Sandbox.lua", make % "name = 'anna', body = 'soldier', team = 'blue', position = Vector.new(3, 0, 4)")
-        run = run_json(self.folder, "--seconds", 1, "--report", 1)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", 1, "--report", 1, code=0)
         first = run.of("state")[0]["agents"][0]
         self.assertEqual((first["name"], round(first["position"][0]), round(first["position"][2])), ("anna", 3, 4))
         self.write("Sandbox.lua", make % "bodi = 'soldier'")
-        run = run_json(self.folder, "--seconds", 1)
-        self.assertEqual(run.code, 1)
+        run = run_json(self.folder, "--seconds", 1, code=1)
         self.assertIn("did you mean 'body'?", run.diagnostics()[0]["hint"])
 
 
@@ -293,8 +283,7 @@ class ScenarioFiles(ScenarioCase):
             ('[[agent]]\nname = "x"\n[[end]]\nagent = "x"\nregion = "y"\n', "there is no region 'y'", ""),
         ):
             self.write("scenario.toml", text)
-            run = Run("run", self.folder, "--headless", "--seconds", 1)
-            self.assertEqual(run.code, 3, text)
+            run = Run("run", self.folder, "--headless", "--seconds", 1, code=3)
             self.assertIn("scenario.toml:", run.err)
             self.assertIn(message, run.err)
             self.assertIn(hint, run.err)
@@ -312,8 +301,7 @@ class Starters(ScenarioCase):
         environment.pop("DISPLAY", None)
         for kind in ("--soar", "--lua", "--team"):
             folder = self.folder / ("my" + kind)
-            made = Run("new", folder, kind)
-            self.assertEqual(made.code, 0, made.err)
+            Run("new", folder, kind, code=0)
             done = subprocess.run(["sh", str(folder / "test.sh")], capture_output=True, text=True, env=environment, check=False)
             self.assertEqual((done.returncode, done.stdout.strip()), (0, "passed"), done.stderr)
 
@@ -340,7 +328,3 @@ class Listing(unittest.TestCase):
     def test_describes_each_scenario_in_a_line(self):
         lines = Run("list").out.splitlines()
         self.assertTrue(all(len(line.split(None, 1)) == 2 for line in lines), lines)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -23,8 +23,7 @@ class Behavior(unittest.TestCase):
     def runs(self, scenario, *arguments):
         """The run and the tracks of its agents, {name: [(time, position, speed)]}, for each seed."""
         for seed in SEEDS:
-            run = run_json(scenario, "--seed", seed, "--report", 0.1, *arguments)
-            self.assertEqual(run.code, 0, run.err)
+            run = run_json(scenario, "--seed", seed, "--report", 0.1, *arguments, code=0)
             tracks = collections.defaultdict(list)
             for state in run.of("state"):
                 for agent in state["agents"]:
@@ -144,8 +143,7 @@ class Imagery(Behavior):
     """soar_hide: what the hider imagines, and what can be seen of it."""
 
     def view(self, *arguments):
-        run = Run("inspect", "soar_hide", "--agent", "hider", "--view", *arguments)
-        self.assertEqual(run.code, 0, run.err)
+        run = Run("inspect", "soar_hide", "--agent", "hider", "--view", *arguments, code=0)
         return run.out
 
     def test_it_is_never_in_view_for_long(self):
@@ -174,12 +172,10 @@ class Imagery(Behavior):
     def test_a_recording_tells_what_was_imagined(self):
         with tempfile.TemporaryDirectory() as folder:
             recording = pathlib.Path(folder) / "hide.soarrec"
-            run = Run("run", "soar_hide", "--headless", "--seconds", 11, "--record", recording)
-            self.assertEqual(run.code, 0, run.err)
+            Run("run", "soar_hide", "--headless", "--seconds", 11, "--record", recording, code=0)
 
             def recorded(*arguments):
-                told = Run("inspect", recording, "--agent", "hider", *arguments)
-                self.assertEqual(told.code, 0, told.err)
+                told = Run("inspect", recording, "--agent", "hider", *arguments, code=0)
                 return told.out
 
             places = set()
@@ -189,8 +185,7 @@ class Imagery(Behavior):
                 places.add(str(next(n["at"] for n in json.loads(scene)["scenes"][0]["nodes"] if n["name"] == "self")))
             self.assertEqual(len(places), 3, "it walks, in its scene, too")
             self.assertEqual(recorded("--view", "why", "--at", 10), self.view("why", "--at", 10))
-            why = Run("why", recording, "hide", "--agent", "hider", "--at", 10)
-            self.assertEqual(why.code, 0, why.err)
+            why = Run("why", recording, "hide", "--agent", "hider", "--at", 10, code=0)
             self.assertIn("imagined by extract ", why.out)
             self.assertEqual(why.out, Run("why", "soar_hide", "hide", "--agent", "hider", "--at", 10).out)
             refused = Run("inspect", recording, "--agent", "hider", "--view", "imagery", "--at", 10, "--recorded")
@@ -244,13 +239,11 @@ class ImageryExample(unittest.TestCase):
                 (pathlib.Path(folder) / name).write_text(block[:block.index("```")], encoding="utf-8")
             check = Run("check", folder)
             self.assertEqual((check.code, check.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), check.out)
-            run = run_json(folder, "--seconds", 20)
-            self.assertEqual(run.code, 0, run.err)
+            run = run_json(folder, "--seconds", 20, code=0)
             self.assertEqual([event["command"] for event in run.of("command", agent="porter")],
                              ["move-to", "pick-up", "move-to", "drop"])
             self.assertEqual(run.diagnostics(), [])
-            seen = Run("inspect", folder, "--at", 15, "--view", "imagery", "--json")
-            self.assertEqual(seen.code, 0, seen.err)
+            seen = Run("inspect", folder, "--at", 15, "--view", "imagery", "--json", code=0)
             nodes = {node["name"]: node["at"] for node in json.loads(seen.out)["scenes"][0]["nodes"]}
             # Half the barn, the gap, half the lamp; it drops the lamp before its feet.
             self.assertLess(flat(nodes["lamp"], (8 - 2 - 1 - 0.2, 0, 6)), 0.9)
@@ -261,7 +254,3 @@ class Checked(unittest.TestCase):
         for name in ("seek", "follow", "flee", "hide", "crates", "evade", "pursue", "wander", "path", "obstacles", "hallway", "skirmish"):
             run = Run("check", "scenarios/soar_" + name, cwd=REPOSITORY)
             self.assertEqual((run.code, run.out.splitlines()[-1]), (0, "0 errors, 0 warnings"), run.out)
-
-
-if __name__ == "__main__":
-    unittest.main()

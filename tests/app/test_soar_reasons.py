@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Why an agent does what it does, or nothing: gap reports, `soarbox why`, `soarbox check`."""
 import json
-import unittest
 
 from soarbox_command import Run, ScenarioCase, run_json
 from test_soar_authors import SCOUT, WORLD
@@ -11,8 +10,7 @@ class Reasons(ScenarioCase):
     def gap(self, rules, *arguments):
         self.write("hero.soar", rules)
         self.write("scenario.toml", WORLD)
-        run = run_json(self.folder, "--seconds", 3, *arguments)
-        self.assertEqual(run.code, 0, run.err)
+        run = run_json(self.folder, "--seconds", 3, *arguments, code=0)
         return run.of("gap", agent="hero")
 
     def test_name_an_attribute_that_nothing_writes(self):
@@ -153,8 +151,7 @@ sp {hero*propose (state <s> ^superstate nil ^io.input-link.self (<s> ^operator <
         reasons = run_json(self.folder, "--seconds", 3).of("gap", agent="hero")[0]["reasons"]
         self.assertRegex(reasons[0], r"^no rule proposes an operator: rule hero\*propose in hero.soar:\d+ failed to parse: .")
         self.assertNotIn("write one", reasons[0])
-        why = Run("why", self.folder, "hero*propose", "--agent", "hero", "--at", 1)
-        self.assertEqual(why.code, 0, why.err)
+        why = Run("why", self.folder, "hero*propose", "--agent", "hero", "--at", 1, code=0)
         self.assertRegex(why.out, r"rule hero\*propose in hero.soar:\d+ failed to parse: .")
         unknown = Run("why", self.folder, "dance", "--agent", "hero", "--at", 1)
         self.assertIn("no rule that loaded gives or proposes 'dance'", unknown.err)
@@ -175,8 +172,7 @@ sp {hero*calm (state <s> ^superstate nil ^io.input-link.self.health < 50) --> (<
 sp {hero*run (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name run)}""" + self.GO)
         self.write("scenario.toml", WORLD)
         recording = self.folder / "run.soarbox"
-        run = Run("run", self.folder, "--headless", "--seconds", 2, "--record", recording)
-        self.assertEqual(run.code, 0, run.err)
+        Run("run", self.folder, "--headless", "--seconds", 2, "--record", recording, code=0)
         for topic in ("go", "hero*run", "hero*calm"):
             view = ("--agent", "hero", "--at", 1, "--view", f"why {topic}")
             live, again = Run("inspect", self.folder, *view), Run("inspect", recording, *view)
@@ -207,8 +203,7 @@ sp {hero*apply*a (state <s> ^operator <o> ^io.output-link <out>) (<o> ^name say 
 
 class Why(ScenarioCase):
     def test_goes_from_the_command_to_operator_rule_elements_and_percepts(self):
-        run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scout", "--at", 2)
-        self.assertEqual(run.code, 0, run.err)
+        run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scout", "--at", 2, code=0)
         for piece in ("scout at 2.0", "command move-to ^waypoint", "under way", "given by rule scout*apply*move-to",
                       "operator move-to", "by rule scout*propose*move-to", "^waypoint W", "^path (^status moving"):
             self.assertIn(piece, run.out)
@@ -235,13 +230,11 @@ sp {hero*apply*stroll (state <s> ^operator.name stroll ^io.output-link <out>) --
         happens = Run("why", rules, "wander", "--at", 2)
         for piece in ("  command wander", "rule hero*apply*stroll", "rule hero*propose*stroll"):
             self.assertIn(piece, happens.out)
-        unknown = Run("why", rules, "flea", "--at", 2)
-        self.assertEqual(unknown.code, 3)
+        unknown = Run("why", rules, "flea", "--at", 2, code=3)
         self.assertIn("did you mean flee?", unknown.err)
 
     def test_suggests_the_agent_that_was_meant(self):
-        run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scuot")
-        self.assertEqual(run.code, 3)
+        run = Run("why", self.write("scout.soar", SCOUT), "--agent", "scuot", code=3)
         self.assertIn("did you mean 'scout'?", run.err)
 
 
@@ -344,7 +337,3 @@ region = "y"
         self.assertEqual([(problem["message"], problem["hint"]) for problem in problems],
                          [("there are no rules 'heros.soar' beside this scenario", "did you mean 'hero.soar'?")])
         self.assertEqual(Run("check", self.folder / "no.soar").code, 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -129,7 +129,3 @@ class SceneViewers(unittest.TestCase):
                     done = shell(f"svs --enable\nsvs connect_viewer {where}\necho still here\n")
                     self.assertIn(told, done.stdout)
                     self.assertIn("still here", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

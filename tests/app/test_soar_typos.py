@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """What `soarbox check` says to the slips of those who write their first rules."""
 import json
-import unittest
 
 from soarbox_command import Run, ScenarioCase
 
@@ -332,8 +331,7 @@ class Typos(ScenarioCase):
             # Each in a folder of its own: what rules beside them make would count as known.
             (self.folder / f"{i:03}").mkdir()
             self.write(f"{i:03}/hero.soar", text)
-        run = Run("check", self.folder, "--json")
-        self.assertEqual(run.code, 1)
+        run = Run("check", self.folder, "--json", code=1)
         problems = [json.loads(line) for line in run.out.splitlines()]
         for i, (name, (_, _, line, message, hint)) in enumerate(SLIPS.items()):
             mine = [problem for problem in problems if problem["file"].endswith(f"{i:03}/hero.soar")]
@@ -402,10 +400,5 @@ sp {play*apply*slide
     def test_are_told_with_the_same_words_when_the_rules_run(self):
         self.write("hero.soar", GOOD.replace("-->", "->", 1))
         self.write("scenario.toml", '[[agent]]\nrules = "hero.soar"\n')
-        run = Run("run", self.folder, "--headless", "--seconds", 1)
-        self.assertEqual(run.code, 1)
+        run = Run("run", self.folder, "--headless", "--seconds", 1, code=1)
         self.assertIn("write --> between the conditions and the actions", run.err)
-
-
-if __name__ == "__main__":
-    unittest.main()

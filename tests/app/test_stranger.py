@@ -5,7 +5,6 @@ import os
 import shutil
 import socket
 import threading
-import unittest
 
 import strangers_folder
 from soarbox_command import COMMAND, page_missing
@@ -222,7 +221,3 @@ class Doors(strangers_folder.StrangersFolder):
         done = run([COMMAND, "run", self.folder, "--headless", "--seconds", "0.1", "--input", self.folder / "inputs"], self.mine)
         writer.join()
         self.assertEqual(done.code, 0, done.out)
-
-
-if __name__ == "__main__":
-    unittest.main()

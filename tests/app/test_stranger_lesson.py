@@ -2,7 +2,6 @@
 """A lesson's folder that came from a stranger, times everything that a file can ask for: grading it, asking for a hint,
 beginning it again and running it do no more than a run does."""
 import os
-import unittest
 
 import strangers_folder
 from soarbox_command import COMMAND
@@ -74,7 +73,3 @@ class StrangersLesson(strangers_folder.StrangersFolder):
         done = self.check("grade", [COMMAND, "learn", "check", "2", "--folder", self.folder])
         self.assertNotEqual(done.code, 0, done.out)
         self.assertIn(RULES, done.out)
-
-
-if __name__ == "__main__":
-    unittest.main()

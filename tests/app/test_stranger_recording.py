@@ -6,7 +6,6 @@ import pathlib
 import re
 import subprocess
 import tempfile
-import unittest
 
 import forged_recording as forged
 import strangers_folder
@@ -111,7 +110,3 @@ class OtherKernels(strangers_folder.StrangersFolder):
                             self.assertIn("may", done.out)
                         self.assertIn("wander", done.out, "the rest of the file is loaded")
                         self.assertEqual(list(here.iterdir()), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

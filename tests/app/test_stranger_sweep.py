@@ -4,7 +4,6 @@ import hashlib
 import os
 import socket
 import threading
-import unittest
 
 import strangers_folder
 from soarbox_command import COMMAND, page_missing
@@ -173,7 +172,3 @@ class Sweeps(strangers_folder.StrangersFolder):
                 held.append(server.accept()[0])
         except OSError:
             pass
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,10 +6,9 @@ import os
 import re
 import socket
 import subprocess
-import time
 import unittest
 
-from soarbox_command import COMMAND, Run, ScenarioCase, free_port, page_missing
+from soarbox_command import COMMAND, Run, ScenarioCase, end_with, free_port, page_missing, wait_until
 from mission_case import RULES, WORLD
 
 SPEC = """
@@ -40,20 +39,18 @@ class Elsewhere(ScenarioCase):
         process = subprocess.Popen([COMMAND, "kernel", "--port", str(self.port)], stdin=subprocess.PIPE,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
-        def stop():
-            process.kill()
-            process.wait()
-            process.stdin.close()
+        self.addCleanup(process.stdin.close)
+        end_with(self, process)
 
-        self.addCleanup(stop)
-        end = time.monotonic() + 120
-        while time.monotonic() < end:
+        def answers():
             try:
                 socket.create_connection(("127.0.0.1", self.port), 1).close()
-                return process
             except OSError:
-                time.sleep(0.05)
-        self.fail("the kernel did not come up")
+                return False
+            return True
+
+        wait_until(answers, "the kernel")
+        return process
 
     def is_in_use(self):
         """Whether somebody is connected to the kernel's port: state 01 in the kernel's table of sockets."""
@@ -117,9 +114,7 @@ class Elsewhere(ScenarioCase):
         self.addCleanup(process.wait)
         parts = self.folder / "sweep.sweep" / "parts"
         # The runs in the command's own kernel come first; the next has begun when somebody is connected to this kernel.
-        end = time.monotonic() + 120
-        while time.monotonic() < end and not (any(part.stat().st_size for part in parts.glob("*.rows")) and self.is_in_use()):
-            time.sleep(0.002)
+        wait_until(lambda: any(part.stat().st_size for part in parts.glob("*.rows")) and self.is_in_use())
         os.kill(kernel.pid, 9)
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 1, out + err)
@@ -131,7 +126,3 @@ class Elsewhere(ScenarioCase):
         run = self.sweep(2, 600)
         self.assertEqual(run.code, 0, run.out + run.err)
         self.assertEqual([(row["outcome"], row["passed"]) for row in self.rows()["elsewhere"]], [("ok", "1")] * 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -9,12 +9,11 @@ import shutil
 import signal
 import sqlite3
 import subprocess
-import time
 import unittest
 from unittest import mock
 
 from mission_case import RULES, SWEEP, WORLD, MissionCase
-from soarbox_command import COMMAND, Run, page_missing
+from soarbox_command import COMMAND, Run, end_with, page_missing, wait_until
 
 
 def is_locked(file):
@@ -30,6 +29,10 @@ def is_locked(file):
 
 
 class Sweeps(MissionCase):
+    def begin(self, spec, *words):
+        return end_with(self, subprocess.Popen([COMMAND, "sweep", spec, *words], stdout=subprocess.DEVNULL,
+                                               stderr=subprocess.DEVNULL))
+
     def rows(self, name="sweep.sweep"):
         with open(self.folder / name / "results.csv", newline="", encoding="utf-8") as file:
             return [{key: value for key, value in row.items() if key not in ("cpu_s", "peak_mb")} for row in csv.DictReader(file)]
@@ -37,8 +40,7 @@ class Sweeps(MissionCase):
     def test_seeds_times_variants_become_a_table(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP)
-        run = Run("sweep", spec)
-        self.assertEqual(run.code, 0, run.out + run.err)
+        run = Run("sweep", spec, code=0)
         rows = self.rows()
         self.assertEqual(len(rows), 12)
         self.assertEqual({row["variant"] for row in rows}, {"slow", "fast"})
@@ -52,8 +54,8 @@ class Sweeps(MissionCase):
         self.assertIn("on equal seeds", run.out)
         again = Run("sweep", spec)
         self.assertIn("0 runs made, 12 were there", again.err)
-        replay = Run("run", self.folder / "sweep.sweep" / "variants" / "slow", "--headless", "--seed", "3", "--seconds", "8", "--json")
-        self.assertEqual(replay.code, 0, replay.err)
+        Run("run", self.folder / "sweep.sweep" / "variants" / "slow", "--headless", "--seed", "3", "--seconds", "8",
+            "--json", code=0)
 
     def test_a_folders_missions_leave_out_sweeps_and_worlds_that_join_others(self):
         self.mission('[[check]]\nagent = "scout"\nat = "gate"\n')
@@ -67,22 +69,20 @@ class Sweeps(MissionCase):
         self.assertEqual(Run("check", self.folder / "sweep.toml").out, "0 errors, 0 warnings\n")
         wrong = self.write("wrong.toml", SWEEP.replace("seeds", "sedes"))
         self.assertIn("a sweep has no 'sedes'", Run("check", wrong).out)
-        named = Run("test", self.folder / "sweep.toml")
-        self.assertEqual(named.code, 3)
+        named = Run("test", self.folder / "sweep.toml", code=3)
         self.assertIn("this is a sweep, not a mission", named.err)
 
     def test_what_was_killed_goes_on_and_comes_to_the_same_table(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..12"))
-        for delay in (0.4, 0.8, 1.2):
-            child = subprocess.Popen([COMMAND, "sweep", spec], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            time.sleep(delay)
+        parts = self.folder / "sweep.sweep" / "parts"
+        for rows in (1, 6, 12):
+            child = self.begin(spec)
+            wait_until(lambda: child.poll() is not None or sum(made.read_text().count("\n") for made in parts.glob("*.rows")) >= rows)
             child.send_signal(signal.SIGKILL)
             child.wait()
-        part = sorted((self.folder / "sweep.sweep" / "parts").glob("*.rows"))
-        if part:
-            with open(part[0], "a", encoding="utf-8") as file:
-                file.write("0123456789abcdef {\"half a li")
+        with open(sorted(parts.glob("*.rows"))[0], "a", encoding="utf-8") as file:
+            file.write("0123456789abcdef {\"half a li")
         self.assertEqual(Run("sweep", spec).code, 0)
         self.assertEqual(Run("sweep", spec, "--folder", self.folder / "whole").code, 0)
         drop = lambda rows: [{key: value for key, value in row.items() if key != "tries"} for row in rows]
@@ -98,16 +98,14 @@ class Sweeps(MissionCase):
 
     def test_a_sweep_may_be_named_like_its_scenario(self):
         spec = self.write("thesis.toml", 'scenario = "thesis"\nseeds = "1..2"\nseconds = 2\n')
-        run = Run("sweep", spec.name, cwd=self.folder)
-        self.assertEqual(run.code, 0, run.out + run.err)
+        Run("sweep", spec.name, cwd=self.folder, code=0)
         rows = self.rows("thesis.sweep")
         self.assertEqual([(row["seed"], row["outcome"]) for row in rows], [("1", "ok"), ("2", "ok")])
         self.assertGreater(float(rows[0]["decisions"]), 0)
         self.assertTrue((self.folder / "thesis.sweep" / "variants" / "default" / "Sandbox.lua").exists())
         # So may a mission; and the scenario of the program is found beside both.
         self.write("soar_hallway.toml", 'scenario = "soar_hallway"\n[[check]]\nname = "off"\nagent = "anna"\ncommand = "move-to"\nby = 5\n')
-        test = Run("test", "soar_hallway.toml", "--no-keep", cwd=self.folder)
-        self.assertEqual(test.code, 0, test.out + test.err)
+        Run("test", "soar_hallway.toml", "--no-keep", cwd=self.folder, code=0)
         self.assertEqual(Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).code, 0)
         # A scenario of one's own of this name still comes first.
         self.write("thesis.toml", WORLD)
@@ -123,14 +121,13 @@ class Sweeps(MissionCase):
                                (SWEEP.replace('time_of = "there"', 'max = "distance"\nagent = "scuot"'), "there is no agent 'scuot'"),
                                (SWEEP.replace('time_of = "there"', 'max = "distance"\nmean = "speed"'), "a metric is one of"),
                                (SWEEP.replace('at = "gate"', 'at = "gtae"'), "there is no waypoint 'gtae'")):
-            run = Run("sweep", self.write("wrong.toml", wrong), "--folder", self.folder / "w")
-            self.assertEqual(run.code, 3, run.out + run.err)
+            run = Run("sweep", self.write("wrong.toml", wrong), "--folder", self.folder / "w", code=3)
             self.assertIn(message, run.err)
             shutil.rmtree(self.folder / "w", ignore_errors=True)
         spec = self.write("sweep.toml", SWEEP)
         self.assertEqual(Run("sweep", spec).code, 0)
-        other = Run("sweep", self.write("other.toml", SWEEP.replace("8", "7")), "--folder", self.folder / "sweep.sweep")
-        self.assertEqual(other.code, 3)
+        other = Run("sweep", self.write("other.toml", SWEEP.replace("8", "7")), "--folder",
+                    self.folder / "sweep.sweep", code=3)
         self.assertIn("another sweep lives in this folder", other.err)
 
     def test_a_full_disk_stops_it_and_what_was_made_stays(self):
@@ -143,8 +140,7 @@ class Sweeps(MissionCase):
         self.assertEqual(full.returncode, 3, full.stdout + full.stderr)
         self.assertIn("rows cannot be written", full.stderr)
         self.assertIn("run the same command again when there is room", full.stderr)
-        again = Run("sweep", spec)
-        self.assertEqual(again.code, 0, again.out + again.err)
+        again = Run("sweep", spec, code=0)
         self.assertRegex(again.err, r"runs made, [1-9]\d* were there")
         self.assertEqual(len(self.rows()), 12)
 
@@ -157,13 +153,11 @@ class Sweeps(MissionCase):
         # A check, a metric or the rules of a variant: the rows that are there were made with others.
         for old, new in (('at = "gate"', 'at = "gate"\nby = 3'), ('time_of = "there"', 'max = "distance"'), ("seconds = 8", "seconds = 7")):
             self.write("sweep.toml", kept.replace(old, new))
-            run = Run("sweep", spec)
-            self.assertEqual(run.code, 3, run.out + run.err)
+            run = Run("sweep", spec, code=3)
             self.assertIn("another sweep lives in this folder", run.err)
         self.write("sweep.toml", "# A comment changes nothing.\n" + kept)
         bold.write_text(RULES + "# changed\n", encoding="utf-8")
-        run = Run("sweep", spec)
-        self.assertEqual(run.code, 3, run.out + run.err)
+        run = Run("sweep", spec, code=3)
         self.assertRegex(run.err, r"variant '\w+' has changed since this sweep began")
         bold.write_text(RULES, encoding="utf-8")
         self.write("page.html", "a page beside it changes nothing")
@@ -179,8 +173,7 @@ class Sweeps(MissionCase):
         spec = self.write("sweep.toml", 'scenario = "scenario.toml"\nseeds = "1..2"\nseconds = 4\n' + checks
                           + '[[variant]]\nname = "plain"\n[[variant]]\nname = "both"\n'
                           + 'rules = { "scout" = "calm/scout.soar", "other" = "bold/scout.soar" }\n')
-        run = Run("sweep", spec)
-        self.assertEqual(run.code, 0, run.out + run.err)
+        run = Run("sweep", spec, code=0)
         passed = {(row["variant"], row["passed"]) for row in self.rows()}
         self.assertEqual(passed, {("plain", "0"), ("both", "1")}, run.out)
 
@@ -205,8 +198,7 @@ class Sweeps(MissionCase):
         spec = self.write("sweep.toml", 'mission = "go.toml"\n[[variant]]\nname = "a"\n[[variant]]\nname = "tough"\n'
                           'parameters = { "agent.scout.health" = 90 }\n')
         self.write("go.toml", 'scenario = "."\nseeds = "1..3"\nseconds = 8\n[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\n')
-        run = Run("sweep", spec)
-        self.assertEqual(run.code, 0, run.out + run.err)
+        run = Run("sweep", spec, code=0)
         self.assertRegex(run.out, "tough(-90)? and a have the same numbers on each seed")
         self.assertNotIn("e+0", run.out)
 
@@ -215,8 +207,7 @@ class Sweeps(MissionCase):
         rules = self.write("fast.soar", RULES)
         mission = self.write("go.toml", 'scenario = "."\nseeds = "1..3"\nseconds = 8\n[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\n')
         spec = self.write("sweep.toml", 'mission = "go.toml"\n[[variant]]\nname = "a"\n[[variant]]\nname = "b"\nrules = { "scout" = "fast.soar" }\n')
-        run = Run("sweep", spec, "--folder", self.folder / "made")
-        self.assertEqual(run.code, 0, run.out + run.err)
+        run = Run("sweep", spec, "--folder", self.folder / "made", code=0)
         self.assertIn("b never differs from a", run.out)
         (self.folder / "made").rename(self.folder / "taken")
         for gone in (rules, mission, spec, self.folder / "scenario.toml"):
@@ -224,14 +215,12 @@ class Sweeps(MissionCase):
         if page_missing():
             self.skipTest(page_missing())
         page = self.folder / "page.html"
-        run = Run("report", self.folder / "taken", "-o", page)
-        self.assertEqual(run.code, 0, run.err)
+        Run("report", self.folder / "taken", "-o", page, code=0)
         self.assertIn("taken: 6 runs", page.read_text(encoding="utf-8"))
 
     def test_a_folder_that_cannot_be_made_is_told(self):
         self.mission("")
-        run = Run("sweep", self.write("sweep.toml", SWEEP), "--folder", self.write("file", "") / "below")
-        self.assertEqual(run.code, 3)
+        run = Run("sweep", self.write("sweep.toml", SWEEP), "--folder", self.write("file", "") / "below", code=3)
         self.assertIn("name another with --folder", run.err)
 
     @unittest.skipIf(shutil.which("sbatch"), "Slurm is installed")
@@ -239,14 +228,10 @@ class Sweeps(MissionCase):
         self.mission("")
         # A run that lasts until it is ended, however fast the machine is.
         spec = self.write("sweep.toml", SWEEP.replace("seconds = 8", "seconds = 1000000"))
-        first = subprocess.Popen([COMMAND, "sweep", str(spec), "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(first.wait)
-        self.addCleanup(first.kill)
+        first = self.begin(spec, "--jobs", "1")
         lock = spec.with_suffix(".sweep") / "lock"
-        while first.poll() is None and not is_locked(lock):
-            time.sleep(0.05)
-        second = Run("sweep", spec)
-        self.assertEqual(second.code, 3, second.out + second.err)
+        wait_until(lambda: first.poll() is not None or is_locked(lock))
+        second = Run("sweep", spec, code=3)
         self.assertIn("another sweep is making runs here", second.err)
         first.send_signal(signal.SIGINT)
         self.assertEqual(first.wait(60), 130)
@@ -254,12 +239,9 @@ class Sweeps(MissionCase):
     def test_a_sweep_that_goes_on_makes_no_run_twice(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..100"))
-        first = subprocess.Popen([COMMAND, "sweep", str(spec), "--jobs", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(first.wait)
-        self.addCleanup(first.kill)
+        first = self.begin(spec, "--jobs", "1")
         parts = spec.with_suffix(".sweep") / "parts"
-        while first.poll() is None and not list(parts.glob("*.rows")):
-            time.sleep(0.05)
+        wait_until(lambda: first.poll() is not None or list(parts.glob("*.rows")))
         # It may have made all of them by now: then the second has nothing to do.
         first.send_signal(signal.SIGINT)
         self.assertIn(first.wait(60), (0, 130))

@@ -4,7 +4,6 @@ import os
 import pathlib
 import shutil
 import subprocess
-import unittest
 
 from soarbox_command import COMMAND, Run, ScenarioCase
 
@@ -68,19 +67,17 @@ class Usage(ScenarioCase):
         self.write("small/sandbox.lua", "")
         for folder, hint in (("two", "there are scenarios in it: "), ("rules", "hero.soar runs these rules in a world"),
                              ("small", "rename sandbox.lua to Sandbox.lua")):
-            run = Run("run", self.folder / folder, "--headless")
-            self.assertEqual(run.code, 3)
+            run = Run("run", self.folder / folder, "--headless", code=3)
             self.assertIn("neither scenario.toml nor Sandbox.lua", run.err)
             self.assertIn(hint, run.err)
-        run = Run("sweep", self.folder / "nowhere.toml")
-        self.assertEqual(run.code, 3)
+        run = Run("sweep", self.folder / "nowhere.toml", code=3)
         self.assertIn("nowhere.toml: error: there is no such file\n   note: a sweep is a .toml file", run.err)
 
     def test_says_that_rules_run_without_the_scenario_beside_them(self):
         self.write("scenario.toml", '[[agent]]\nrules = "hero.soar"\n')
         for name in ("hero.soar", "other.soar"):
-            run = Run("run", self.write(name, "sp {a (state <s> ^superstate nil) --> (<s> ^b c)}\n"), "--headless", "--seconds", 0.1)
-            self.assertEqual(run.code, 0)
+            run = Run("run", self.write(name, "sp {a (state <s> ^superstate nil) --> (<s> ^b c)}\n"), "--headless",
+                      "--seconds", 0.1, code=0)
             self.assertEqual(f"soarbox run {self.folder} runs it in the scenario beside it" in run.err, name == "hero.soar", run.err)
 
     def test_runs_as_long_as_the_scenario_says_where_there_is_no_display(self):
@@ -109,7 +106,3 @@ class Usage(ScenarioCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("this build has no window: the world runs headless", done.stderr)
         self.assertIn("soarbox-window beside this program", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

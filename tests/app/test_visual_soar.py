@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Projects of VisualSoar, in both of their formats, with `soarbox check`, `run` and `datamap`, and in the language server."""
 import json
-import pathlib
-import tempfile
 import unittest
 
 from editor_client import Editor
-from soarbox_command import Run
+from soarbox_command import Run, new_folder
 
 RULES = """sp {propose*open
    (state <s> ^superstate nil ^kind door ^io.input-link <in>)
@@ -50,9 +48,7 @@ LAYOUT = "VERSION 4\n/door/door.dm\n0\tROOT door door 1\n1\t0\tFOLDER all all 2\
 
 class Projects(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name).resolve()
+        self.folder = new_folder(self)
         self.write("door.soar", "pushd door\nsource door_source.soar\npopd\n")
         self.write("door/door_source.soar", "pushd all\nsource open.soar\npopd\n")
         self.write("door/comment.dm", "0\n" * 9)
@@ -84,8 +80,7 @@ class Projects(unittest.TestCase):
         self.write("door2.vsa.json", json.dumps({"version": "6", "layout": {"type": "OPERATOR_ROOT", "folder": "door", "children": []}}))
         self.write("door2.soar", "source door.soar\n")
         for project in ("door.vsa", "door2.vsa.json"):
-            run = Run("run", self.folder / project, "--headless", "--seconds", 1)
-            self.assertEqual(0, run.code, run.out + run.err)
+            run = Run("run", self.folder / project, "--headless", "--seconds", 1, code=0)
             self.assertIn("1 of them Soar", run.out + run.err)
 
     def test_what_datamap_writes_knows_the_rules_and_the_world(self):
@@ -127,7 +122,3 @@ class Projects(unittest.TestCase):
         self.assertNotIn("datamap", Run("check", stranger).out)
         self.text.write_bytes(b"\x00" * 50)
         self.assertNotIn("door.vsa", Run("check", stranger).out)
-
-
-if __name__ == "__main__":
-    unittest.main()

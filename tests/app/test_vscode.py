@@ -56,7 +56,3 @@ class Extension(unittest.TestCase):
     def test_its_scripts_are_sound(self):
         for script in ("extension.js", "tests.js"):
             subprocess.run(["node", "--check", FOLDER / script], check=True)
-
-
-if __name__ == "__main__":
-    unittest.main()

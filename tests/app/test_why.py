@@ -14,7 +14,6 @@ holds, and with a mind in a kernel elsewhere. The comments of an agent say what 
 import os
 import pathlib
 import re
-import unittest
 
 from soarbox_command import Run, ScenarioCase, end, start_kernel
 
@@ -95,7 +94,3 @@ class Why(ScenarioCase):
                             continue
                         with self.subTest(situation=situation.name, way=way, view=view):
                             (self.assertNotIn if is_absent else self.assertIn)(text, shown)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The window shows the thesis' world: sky, ground, agents, debug lines and the scripts' text panel."""
-import pathlib
 import subprocess
-import tempfile
 import unittest
 
 from png_picture import Picture
-from soarbox_command import COMMAND
+from soarbox_command import COMMAND, new_folder
 from virtual_display import can_draw, environment
 
 WIDTH, HEIGHT = 1280, 720
@@ -41,9 +39,7 @@ def is_text(r, g, b):
 class Window(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        path = pathlib.Path(folder.name) / "picture.png"
+        path = new_folder(cls) / "picture.png"
         # Soon after the beginning the window still shows all agents, as it opened on them.
         cls.done = subprocess.run(
             [COMMAND, "run", "thesis", "--screenshot", str(path), "--at", "2"],
@@ -74,7 +70,3 @@ class Window(unittest.TestCase):
 
     def test_help_panel_holds_text(self):
         self.assertGreater(self.picture.count(is_text, (940, 495, 1260, 685)), 400)
-
-
-if __name__ == "__main__":
-    unittest.main()

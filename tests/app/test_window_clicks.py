@@ -301,7 +301,3 @@ class Clicks(WindowUser):
     def test_the_sessions_of_all_tasks_do_what_the_page_promises(self):
         self.record("decisions")
         self.play("".join(session for _, session in STORY))
-
-
-if __name__ == "__main__":
-    unittest.main()

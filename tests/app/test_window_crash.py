@@ -2,10 +2,9 @@
 """A window that dies in the middle of something loses neither the recording nor what was typed."""
 import signal
 import subprocess
-import time
 import unittest
 
-from soarbox_command import COMMAND
+from soarbox_command import Run, end_with, wait_until
 from test_window_tasks import TYPE_INTO_EDIT
 from virtual_display import can_draw
 from window_user import WALKER, WindowUser
@@ -21,14 +20,10 @@ class Crash(WindowUser):
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.folder,
             env=self.surroundings((1280, 720)))
         self.addCleanup(window.stderr.close)
-        self.addCleanup(window.wait)
-        self.addCleanup(window.kill)
+        end_with(self, window)
         drafts = self.home / "state" / "soarbox" / "drafts"
-        end = time.monotonic() + 240
-        while not any(text in draft.read_text(encoding="utf-8") for draft in drafts.glob("*.draft")):
-            if window.poll() is not None or time.monotonic() > end:
-                break
-            time.sleep(0.05)
+        wait_until(lambda: window.poll() is not None or any(
+            text in draft.read_text(encoding="utf-8") for draft in drafts.glob("*.draft")), "the draft", 240)
         self.assertIsNone(window.poll(), window.stderr.read() if window.poll() is not None else "")
         self.assertEqual(len(list(drafts.glob("*.draft"))), 1, "it is on the disk while the window is open")
         window.send_signal(how)
@@ -61,13 +56,9 @@ class Crash(WindowUser):
             with self.subTest(how.name):
                 recording = self.folder / f"{how.name}.soarrec"
                 self.die(recording, how)
-                verified = subprocess.run([COMMAND, "verify", str(recording)], capture_output=True, text=True, timeout=60,
-                                          check=False)
-                self.assertEqual(verified.returncode, 0, verified.stderr)
-                exported = subprocess.run([COMMAND, "export", str(recording), "--csv"], capture_output=True, text=True,
-                                          timeout=60, check=False)
-                self.assertEqual(exported.returncode, 0, exported.stderr)
-                seconds = {line.split(",")[0] for line in exported.stdout.splitlines()[1:]}
+                Run("verify", recording, code=0)
+                exported = Run("export", recording, "--csv", code=0)
+                seconds = {line.split(",")[0] for line in exported.out.splitlines()[1:]}
                 self.assertGreaterEqual(len(seconds), 30, "all but the last second is there")
                 self.finds_again()
 
@@ -115,7 +106,3 @@ class Crash(WindowUser):
             expect "a Soar command; Tab completes"
             key Ctrl+Q
             """)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -373,7 +373,3 @@ class Looking(WindowUser):
         (self.folder / "idler.soar").write_text(IDLER, encoding="utf-8")
         (self.folder / "scenario.toml").write_text(
             '[[agent]]\nname = "idler"\nrules = "idler.soar"\ncount = 30\nacross = 6\n', encoding="utf-8")
-
-
-if __name__ == "__main__":
-    unittest.main()

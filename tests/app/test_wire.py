@@ -216,8 +216,7 @@ class RemoteMinds(Case):
         self.start_kernel(port)
         first = self.start("run", "thesis", "--headless", "--json", "--speed", 1, "--kernel", f"127.0.0.1:{port}")
         first.wait_for(is_event("command"))
-        second = run_json("thesis", "--seconds", 1, "--kernel", f"127.0.0.1:{port}")
-        self.assertEqual(second.code, 1, second.out)
+        second = run_json("thesis", "--seconds", 1, "--kernel", f"127.0.0.1:{port}", code=1)
         self.assertIn("already has an agent named", second.out)
         self.assertEqual(first.interrupt(), 0)
 
@@ -400,7 +399,3 @@ class Watched(Case):
 
 def struct_length(length):
     return length.to_bytes(4, "big")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """What tests share that play a user of the window, with real events of mouse and keyboard."""
-import pathlib
 import subprocess
-import tempfile
 import unittest
 
-from soarbox_command import COMMAND
+from soarbox_command import COMMAND, Run, new_folder
 from virtual_display import environment
 
 WORLD = """
@@ -111,9 +109,7 @@ class WindowUser(unittest.TestCase):
     """Plays a user of the window. What the window keeps between runs lies in a folder of the test."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = new_folder(self)
         for name, text in (("scenario.toml", WORLD), ("walker.soar", WALKER), ("idler.soar", IDLER)):
             (self.folder / name).write_text(text, encoding="utf-8")
         self.home = self.folder / "home"
@@ -131,21 +127,19 @@ class WindowUser(unittest.TestCase):
 
     def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
         """Plays a user and expects that everything could be done; 1: something in the run was a problem."""
-        done = subprocess.run(
-            self.window(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size),
-            capture_output=True, text=True, timeout=280, check=False, cwd=self.folder, env=self.surroundings(size))
+        return self.played(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size, code=code)
+
+    def played(self, script, *command, size=(1280, 720), code=0):
+        done = subprocess.run(self.window(script, *command, size=size), capture_output=True, text=True, timeout=280,
+                              check=False, cwd=self.folder, env=self.surroundings(size))
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
     def record(self, level):
         """Records three seconds of the run and returns the file."""
         file = self.folder / f"{level}.soarrec"
-        done = subprocess.run([COMMAND, "run", str(self.folder), "--headless", "--seconds", "3", "--record", str(file),
-                               "--record-level", level], capture_output=True, text=True, timeout=60, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        Run("run", self.folder, "--headless", "--seconds", 3, "--record", file, "--record-level", level, code=0)
         return file
 
     def replay(self, file, script):
-        done = subprocess.run(self.window(script, "replay", str(file)), capture_output=True, text=True, timeout=280,
-                              check=False, cwd=self.folder, env=self.surroundings((1280, 720)))
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.played(script, "replay", str(file))

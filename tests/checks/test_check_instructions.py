@@ -98,7 +98,3 @@ class TheInstructionGate(unittest.TestCase):
         status, printed = self.check("| recording everything | 12 | 9,000,000 |")
         self.assertEqual(status, 1, printed)
         self.assertIn("recording_cost failed", printed)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -61,7 +61,3 @@ class TheCheckOfLayers(unittest.TestCase):
 
     def test_tests_may_use_the_face(self):
         self.assert_passes("kernel/match/rete_test.cpp", "kernel/agent.h")
-
-
-if __name__ == "__main__":
-    unittest.main()

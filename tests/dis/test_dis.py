@@ -321,7 +321,3 @@ class Exercise(unittest.TestCase):
         self.assertEqual(fields["forceId"], 1)
         self.assertEqual(fields["marking"], "guard")
         self.assertLess(math.dist(fields["location"], exercise.on_earth(0, 0, 0)), 0.05)
-
-
-if __name__ == "__main__":
-    unittest.main()

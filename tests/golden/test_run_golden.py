@@ -64,7 +64,3 @@ class TheRunner(unittest.TestCase):
         self.assertIn("more agree than required", printed)
         self.run_area(1, "--raise")
         self.assertEqual(json.loads(self.minimum.read_text(encoding="utf-8")), {"area": {"semantic": 2}, "other": {"semantic": 9}})
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Every world ends in the same state, wherever its minds live: in its own process, in a kernel of ours in another process,
 and in the kernel that SOARBOX_SOAR_KERNEL=HOST:PORT names, which may be one of Soar 9.6.3 (docs/official_soar.md)."""
-import json
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "tests" / "app"))
 
-from soarbox_command import COMMAND, run_json  # noqa: E402
+from soarbox_command import COMMAND, new_folder, run_json  # noqa: E402
 
 SCENARIOS, LESSONS, PAGES = REPOSITORY / "scenarios", REPOSITORY / "lessons", REPOSITORY / "docs" / "lessons"
 OFFICIAL = os.environ.get("SOARBOX_SOAR_KERNEL", "")
@@ -116,9 +114,7 @@ class Worlds(unittest.TestCase):
         cls.addClassCleanup(cls.kernel.stdout.close)
         cls.addClassCleanup(cls.kernel.terminate)
         cls.elsewhere = re.search(r"listens on (\S+:\d+)", cls.kernel.stdout.readline()).group(1)
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = new_folder(cls)
 
     def solved(self, lesson):
         """A copy of a lesson in which the solution is written."""
@@ -185,7 +181,3 @@ class Worlds(unittest.TestCase):
         there = {name_of(world) for world in worlds()}
         self.assertGreater(len(there), 60)
         self.assertEqual((set(LEFT_OUT) | set(ONE_DRAWS) | set(ASKED_ANEW)) - there, set())
-
-
-if __name__ == "__main__":
-    unittest.main()
