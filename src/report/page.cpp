@@ -15,6 +15,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRuns = 50;
+/// Of the page of one recording; of one of several, which has no run in 3D.
+constexpr std::size_t kMostBytes = 10'000'000, kMostBytesOfEach = 9'000'000;
+/// What is told of a run gets that much, however much room the run in 3D takes: some 6 MB at most.
+constexpr std::size_t kLeastBytes = 2'000'000;
+constexpr std::size_t kPlainBytes = 400'000;  ///< For readers without scripts: rarely more.
 
 /// What stands on the page for readers without scripts: title, checks and key moments.
 std::string PlainBody(const Json& data) {
@@ -116,6 +121,7 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
                              const RecordedRun& recorded_run) {
   std::error_code error;
   std::vector<std::string> parts;
+  std::string recorded = "null", scene_script;
   if (fs::is_directory(source, error)) {
     if (fs::exists(source / "sweep.id", error)) {
       Result<std::string> made = SweepData(source, data);
@@ -131,13 +137,20 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
                          "soarbox test and soarbox run --record make recordings");
       if (files.size() > kMostRuns) files.resize(kMostRuns);
       for (const fs::path& file : files) {
-        Result<std::string> made = RunData(file, data);
+        Result<std::string> made = RunData(file, data, kMostBytesOfEach);
         if (!made) return made;
         parts.push_back(std::move(*made));
       }
     }
   } else if (record::IsRecording(source)) {
-    Result<std::string> made = RunData(source, data);
+    Result<std::string> in_3d = recorded_run(source);
+    if (!in_3d) return in_3d;
+    recorded = ForScriptElement(*in_3d);
+    scene_script = texts.scene;
+    const std::size_t taken =
+        kPlainBytes + recorded.size() + texts.page.size() + texts.script.size() + scene_script.size();
+    Result<std::string> made =
+        RunData(source, data, kMostBytes > taken + kLeastBytes ? kMostBytes - taken : kLeastBytes);
     if (!made) return made;
     parts.push_back(std::move(*made));
   } else if (source.extension() == ".toml" &&
@@ -158,24 +171,18 @@ Result<std::string> MakePage(const fs::path& source, const sim::DataFolders& dat
   const Json first = Json::parse(parts.front());
   char nonce[20];
   std::snprintf(nonce, sizeof nonce, "%016llx", static_cast<unsigned long long>(HashOf(all)));
-  const bool has_scene = record::IsRecording(source);
-  std::string recorded = "null";
-  if (has_scene) {
-    Result<std::string> made = recorded_run(source);
-    if (!made) return made;
-    recorded = std::move(*made);
-  }
-  return FillIn(texts.page,
-                {{"title", EscapeHtml(first.value("title", "Soarbox"))},
-                 {"policy", std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
-                                        "script-src 'nonce-") +
-                                nonce + "'" + (has_scene ? "; worker-src blob:; connect-src data: blob:" : "")},
-                 {"plain", PlainBody(first)},
-                 {"nonce", nonce},
-                 {"data", ForScriptElement(all)},
-                 {"recorded", ForScriptElement(recorded)},
-                 {"scene_script", has_scene ? texts.scene : std::string()},
-                 {"script", texts.script}});
+  return FillIn(
+      texts.page,
+      {{"title", EscapeHtml(first.value("title", "Soarbox"))},
+       {"policy", std::string("default-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; "
+                              "script-src 'nonce-") +
+                      nonce + "'" + (scene_script.empty() ? "" : "; worker-src blob:; connect-src data: blob:")},
+       {"plain", PlainBody(first)},
+       {"nonce", nonce},
+       {"data", ForScriptElement(all)},
+       {"recorded", recorded},
+       {"scene_script", scene_script},
+       {"script", texts.script}});
 }
 
 }  // namespace soarbox::report

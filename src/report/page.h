@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
@@ -24,13 +25,16 @@ struct PageTexts {
 using RecordedRun = std::function<Result<std::string>(const std::filesystem::path& recording)>;
 
 /// One page about a recording, a folder of recordings or a sweep's folder, as one file that needs nothing else: texts
-/// reach it as data only, and it runs no script but its own. That of one recording shows its run in 3D, too.
+/// reach it as data only, and it runs no script but its own. That of one recording shows its run in 3D, too; it takes
+/// 10 MB at most.
 Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data, const PageTexts& texts,
                              const RecordedRun& recorded_run);
 
 /// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
-/// by these checks; empty: by those of its scenario, if it has any.
-Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data);
+/// by these checks; empty: by those of its scenario, if it has any. `most_bytes`: what it may take in a page, at least
+/// a million; what that leaves out is told.
+Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data,
+                            std::size_t most_bytes);
 /// The data of a sweep, from what its folder holds.
 Result<std::string> SweepData(const std::filesystem::path& folder, const sim::DataFolders& data);
 

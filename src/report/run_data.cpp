@@ -29,8 +29,7 @@ constexpr std::size_t kMostKept = 400'000;
 constexpr std::size_t kMostGaps = 1'000;  ///< As moments to choose from.
 constexpr std::size_t kLargestText = 240, kLargestName = 80, kMostReasonLines = 60;
 
-/// What a page takes of one run. An hour of ten agents takes half of it; a run that would take more is thinned.
-constexpr std::size_t kMostBytes = 9'000'000;
+/// What is told of one run. A run that would take more bytes than there is room for gets half of it, and half again.
 struct Budget {
   std::size_t samples = 181'000;  ///< Of all agents together: an hour of ten, with its ends.
   std::size_t event_bytes = 2'500'000;
@@ -433,7 +432,7 @@ mission::Mission MissionOf(const record::Header& header, const sim::DataFolders&
 
 }  // namespace
 
-Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& data) {
+Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& data, std::size_t most_bytes) {
   Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(recording);
   if (!reader) return reader.error();
   const record::Header& header = (*reader)->header();
@@ -495,7 +494,7 @@ Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& d
     }
     whole["files"] = std::move(files);
     std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (ForScriptElement(json).size() <= kMostBytes || budget.samples < 1000) return json;
+    if (ForScriptElement(json).size() <= most_bytes || budget.samples < 1000) return json;
     budget = budget.Half();
   }
 }

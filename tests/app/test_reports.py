@@ -134,6 +134,25 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
                 self.assertAlmostEqual(sum(agent["x"]) / 100, float(ends[agent["name"]]["x_m"]), delta=0.006)
         self.assertEqual(data["agents"][9]["name"], "teller")
 
+    def test_many_rules_and_prints_leave_a_page_of_10_mb(self):
+        say = ('sp {teller*propose*tell (state <s> ^superstate nil ^io.input-link.time <t>) --> (<s> ^operator <o> +) (<o> ^name tell ^time <t>)}\n'
+               'sp {teller*apply*tell (state <s> ^operator <o>) (<o> ^name tell ^time <t>) --> (<s> ^told <t>) (write |%s | <t> (crlf))}\n' % ("x" * 220))
+        never = "".join('sp {teller*%s*%d (state <s> ^superstate nil ^%s-%d <x>) --> (<s> ^y <x>)}\n' % ("name-" * 11, i, "attribute-" * 20, i) for i in range(3500))
+        self.write("teller.soar", say + never)
+        agents = "".join('[[agent]]\nname = "teller-%d"\nrules = "teller.soar"\nposition = [%d, 0]\n' % (i, 4 * i) for i in range(4))
+        self.write("scenario.toml", "seconds = 100\n" + agents)
+        recording, page = self.folder / "busy.soarrec", self.folder / "busy.html"
+        made = Run("run", self.folder, "--headless", "--seconds", "99", "--record", recording)
+        self.assertEqual(made.code, 0, made.err)
+        run = Run("report", recording, "-o", page)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertLessEqual(page.stat().st_size, 10_000_000, run.out)
+        data = data_of(page)[0]
+        told = " ".join(data["thinned"])
+        self.assertIn("events, commands and prints", told)
+        self.assertIn("rules are left out", told)
+        self.assertGreater(sum(len(agent["rules"]) for agent in data["agents"]), 2000)
+
     def test_a_sweep_becomes_a_page(self):
         self.mission("")
         spec = self.write("sweep.toml", SWEEP)
