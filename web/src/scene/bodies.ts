@@ -4,17 +4,19 @@ import type { Drawable } from "../format/scene";
 import { lookOf, teamColor, type Look, type Rgb } from "./looks";
 import { geometryOf, type Materials } from "./materials";
 import { BONE_NUMBERS, moveSkin, poseBones, type Moved } from "./skinning";
-import type { BodyLook, Level, ShapeLibrary } from "./shape_library";
+import { withoutSmall, type BodyLook, type Level, type ShapeLibrary, type ShapeMesh } from "./shape_library";
 import type { Between } from "../run/playout";
 
 /** How near bodies are drawn in full and coarsely, how many at most, and how near rifles are drawn; the same where the processor draws. */
 const DETAIL = { fineUntil: 14, mostFine: 24, coarseUntil: 45, mostCoarse: 200, rifleUntil: 150 }, SLOW_DETAIL = { fineUntil: 0, mostFine: 0, coarseUntil: 14, mostCoarse: 6, rifleUntil: 24 };
+/** Where the processor draws, bodies far away lack what is smaller than this: caps of limbs, seams. */
+const SEEN_FROM_AFAR_M = 0.12;
 /** Around a body, with its arms out and its rifle up. */
 const REACH_M = 1.6;
 
 interface Wanted { now: Drawable; old: Drawable | undefined }
 /** All bodies of one look, detail and team: one mesh, whose corners are moved by the processor. */
-interface Batch { mesh: Mesh<BufferGeometry>; room: number; wanted: Wanted[]; look: BodyLook; level: Level; moved: Moved }
+interface Batch { mesh: Mesh<BufferGeometry>; room: number; wanted: Wanted[]; look: BodyLook; level: Level; shape: ShapeMesh; moved: Moved }
 
 /** Bodies with bones: soldiers and their rifles. */
 export class Bodies {
@@ -47,22 +49,22 @@ export class Bodies {
     for (const [i, { id, away }] of near.sort((a, b) => a.away - b.away).entries()) {
       const look = looks.get(id)!, level = i < detail.mostFine && away < detail.fineUntil ? 0 : i < detail.mostCoarse && away < detail.coarseUntil ? 1 : 2;
       const now = after.drawables.get(id)!, team = now.ofAgent ? (after.agents.get(now.owner)?.team ?? "") : "";
-      this.batchFor(look, level, team, isSlow).wanted.push({ now, old: before.drawables.get(id) });
+      this.batchFor(look, level, team, isSlow)?.wanted.push({ now, old: before.drawables.get(id) });
     }
     for (const [key, batch] of this.batches) this.fill(key, batch, share);
   }
 
   private fill(key: string, batch: Batch, share: number): void {
-    const { wanted, look, moved } = batch, shape = this.shapes.mesh(look, batch.level);
-    batch.mesh.visible = wanted.length > 0 && shape !== null;
-    if (shape === null || wanted.length === 0) return;
+    const { wanted, look, shape } = batch;
+    batch.mesh.visible = wanted.length > 0;
+    if (wanted.length === 0) return;
     if (wanted.length > batch.room) this.grow(key, batch, wanted.length);
     const bones = this.shapes.bones(look);
     if (this.bones.length < bones.length * BONE_NUMBERS) this.bones = new Float32Array(bones.length * BONE_NUMBERS);
     const { geometry } = batch.mesh;
     wanted.forEach(({ now, old }, i) => {
       poseBones(bones, now, old, share, this.bones);
-      moveSkin(shape, this.bones, moved, i * shape.count);
+      moveSkin(shape, this.bones, batch.moved, i * shape.count);
     });
     for (const name of ["position", "normal"] as const) {
       const attribute = geometry.getAttribute(name) as BufferAttribute;
@@ -73,22 +75,24 @@ export class Bodies {
     geometry.setDrawRange(0, wanted.length * shape.indices.length);
   }
 
-  private batchFor(look: BodyLook, level: Level, team: string, isSlow: boolean): Batch {
+  private batchFor(look: BodyLook, level: Level, team: string, isSlow: boolean): Batch | null {
     const key = `${look}|${level}|${team}`, known = this.batches.get(key);
     if (known !== undefined) return known;
+    const told = this.shapes.mesh(look, level);
+    if (told === null) return null;
     const mesh = new Mesh(new BufferGeometry(), this.materials.of("Soarbox/Soldier", CLOTH_LOOK));
     mesh.castShadow = mesh.receiveShadow = !isSlow || level < 2;
     // What is out of sight is not in it.
     mesh.frustumCulled = false;
     this.group.add(mesh);
-    const batch: Batch = { mesh, room: 0, wanted: [], look, level, moved: { positions: new Float32Array(0), normals: new Int8Array(0) } };
+    const batch: Batch = { mesh, room: 0, wanted: [], look, level, shape: isSlow && level === 2 ? withoutSmall(told, SEEN_FROM_AFAR_M) : told, moved: { positions: new Float32Array(0), normals: new Int8Array(0) } };
     this.batches.set(key, batch);
     return batch;
   }
 
   /** Makes room for more bodies: what stays the same of each corner stands there once for each of them. */
   private grow(key: string, batch: Batch, least: number): void {
-    const shape = this.shapes.mesh(batch.look, batch.level)!, one = geometryOf(shape, { ...CLOTH_LOOK, trim: teamColor(key.slice(key.lastIndexOf("|") + 1)) });
+    const { shape } = batch, one = geometryOf(shape, { ...CLOTH_LOOK, trim: teamColor(key.slice(key.lastIndexOf("|") + 1)) });
     const room = Math.max(least, 2 * batch.room, 4), { count, indices } = shape, all = new Uint32Array(room * indices.length), geometry = new BufferGeometry();
     for (let i = 0; i < room; ++i) for (let k = 0; k < indices.length; ++k) all[i * indices.length + k] = indices[k]! + i * count;
     geometry.setIndex(new BufferAttribute(all, 1));

@@ -19,7 +19,7 @@ void main() {
   float away = length(gl_PointCoord - 0.5) * size, rim = 0.5 * size - 1.0;
   float alpha = clamp(rim + 0.5 - away, 0.0, 1.0);
   if (alpha <= 0.0) discard;
-  gl_FragColor = vec4(mix(vInk, vec3(0.05, 0.07, 0.1), smoothstep(rim - 2.0, rim - 1.0, away)), alpha);
+  gl_FragColor = vec4(mix(vInk, vec3(0.05, 0.07, 0.1), smoothstep(0.25 * size, 0.25 * size + 1.0, away)), alpha);
 }`;
 const SIZE_PX = 11;
 

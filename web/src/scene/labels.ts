@@ -6,7 +6,9 @@ import { LabelLayout, type Box } from "./label_layout";
 import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 
-const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, SPEECH_S = 3.5;
+const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
+/** Who looks from far away sees the names of what is so much further away than what is looked at. */
+const FURTHER = 2;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {
@@ -38,6 +40,8 @@ export interface LabelScene {
   width: number;
   height: number;
   camera: PerspectiveCamera;
+  /** From the camera to what is looked at, in m. */
+  away: number;
 }
 
 interface Point { x: number; y: number; away: number }
@@ -71,7 +75,7 @@ export class Labels {
     const heads: { one: Placed; point: Point }[] = [];
     for (const one of placed.values()) {
       const point = this.project(headOf(one), view);
-      if (point !== null && point.away < GONE_M) heads.push({ one, point });
+      if (point !== null && point.away < Math.max(GONE_M, FURTHER * view.away)) heads.push({ one, point });
     }
     heads.sort((a, b) => (a.one.id === selected ? -1 : b.one.id === selected ? 1 : a.point.away - b.point.away));
     for (const { point } of heads.slice(0, 24)) {
@@ -132,7 +136,7 @@ export class Labels {
   }
 
   private places(view: LabelScene, layout: LabelLayout): Child[] {
-    const near = view.scene.places.map((place) => ({ place, point: this.project(place.place, view) })).filter((one) => one.point !== null && one.point.away < 90)
+    const near = view.scene.places.map((place) => ({ place, point: this.project(place.place, view) })).filter((one) => one.point !== null && one.point.away < Math.max(PLACE_GONE_M, FURTHER * view.away))
       .sort((a, b) => a.point!.away - b.point!.away).slice(0, MOST_PLACES);
     return near.map(({ place, point }) => {
       const box = layout.place(point!.x, point!.y - 4, place.name.length * 6.8 + 24, 19);

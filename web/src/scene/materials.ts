@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, Color, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type Material, type WebGLProgramParametersWithUniforms } from "three";
 import { lookOf, type Look, type Rgb } from "./looks";
 import type { ShapeMesh } from "./shape_library";
-import { grainTexture, paintTexture, plainTexture } from "./paint";
+import { grainTexture, paintTexture, plainTexture, sampleCoarsely } from "./paint";
 
 /** Worlds whose ground is a square plain of this size have hills, woods and a fence around it. */
 export const PLAIN_SIDE_M = 200;
@@ -106,7 +106,7 @@ vWorldNormal = normalize(mat3(modelMatrix) * faced);`);
 
 /** The same as one picture: cheaper to draw, coarser to look at. */
 function addPlain(shader: WebGLProgramParametersWithUniforms, look: Look): void {
-  shader.uniforms["plain"] = { value: plainTexture(look.base, look.trim, PLAIN_SIDE_M) };
+  shader.uniforms["plain"] = { value: sampleCoarsely(plainTexture(look.base, look.trim, PLAIN_SIDE_M)) };
   shader.vertexShader = shader.vertexShader
     .replace("#include <common>", "#include <common>\nvarying vec2 vOnPlain;")
     .replace("#include <begin_vertex>", `#include <begin_vertex>
@@ -133,8 +133,10 @@ export class Materials {
   of(name: string, look: Look): Material {
     const known = this.made.get(name);
     if (known !== undefined) return known;
+    const texture = paintTexture(look.paint);
+    if (texture !== null && this.isSlow) sampleCoarsely(texture);
     const common = {
-      vertexColors: look.paint !== "ground", map: paintTexture(look.paint), transparent: look.opacity < 1, opacity: look.opacity, depthWrite: look.opacity >= 1,
+      vertexColors: look.paint !== "ground", map: texture, transparent: look.opacity < 1, opacity: look.opacity, depthWrite: look.opacity >= 1,
     };
     let material: MeshLambertMaterial | MeshStandardMaterial;
     if (this.isSlow || look.paint === "ground") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, RepeatWrapping, RGBAFormat, SRGBColorSpace, UnsignedByteType } from "three";
+import { DataTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, RGBAFormat, SRGBColorSpace, UnsignedByteType } from "three";
 import type { Paint, Rgb } from "./looks";
 import { fractal2, latticeValue, noise2 } from "./noise";
 
@@ -111,6 +111,14 @@ const made = new Map<string, DataTexture>();
 function once(name: string, make: () => DataTexture): DataTexture {
   let texture = made.get(name);
   if (texture === undefined) made.set(name, (texture = make()));
+  return texture;
+}
+
+/** A texture as the processor draws it: each further sample of a pixel costs it as much as the first. */
+export function sampleCoarsely(texture: DataTexture): DataTexture {
+  texture.anisotropy = 1;
+  texture.minFilter = LinearMipmapNearestFilter;
+  texture.needsUpdate = true;
   return texture;
 }
 

@@ -10,7 +10,11 @@ export function listenToPointer(canvas: HTMLElement, view: SceneView, select: (n
 
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
+    try {
+      canvas.setPointerCapture(event.pointerId);
+    } catch {
+      // A finger that has gone by now cannot be held; what it did counts all the same.
+    }
     if (pointers.size === 0) travelled = 0;
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     buttons = event.button;

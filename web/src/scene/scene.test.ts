@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { Shape, type Agent, type Drawable } from "../format/scene";
 import { LabelLayout } from "./label_layout";
 import { kindColor, lookOf, teamColor } from "./looks";
-import { looksLikeABody, readShape, shapeKey, ShapeLibrary } from "./shape_library";
+import { looksLikeABody, readShape, shapeKey, ShapeLibrary, withoutSmall } from "./shape_library";
 import { parseMarkup } from "./script_ui";
 
 const box = (more: Partial<Drawable> = {}): Drawable => ({
@@ -48,6 +48,13 @@ test("a shape is read as it was told", () => {
   assert.deepEqual([...mesh.indices], [0, 1, 2]);
   assert.deepEqual([...mesh.skin!.bones], [0, 0, 0, 0, 1, 0, 0, 0, 2, 1, 0, 0]);
   assert.deepEqual([...mesh.skin!.shares].map((one) => Math.round(one * 100)), [100, 0, 0, 0, 100, 0, 0, 0, 40, 60, 0, 0]);
+});
+
+test("triangles that cover nothing are not drawn, nor small ones of what is far away", () => {
+  const mesh = readShape(triangle(true, [0, 1, 2, 0, 0, 2, 2, 1, 2]), "White");
+  assert.deepEqual([...mesh.indices], [0, 1, 2]);
+  assert.deepEqual([...withoutSmall(mesh, 2.5).indices], [0, 1, 2]);
+  assert.deepEqual([...withoutSmall(mesh, 3).indices], []);
 });
 
 test("what is cut off or names no corner is no shape", () => {

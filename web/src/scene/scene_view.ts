@@ -9,6 +9,7 @@ import { Playout, type Between } from "../run/playout";
 import { Bodies } from "./bodies";
 import { AMONG_OTHERS_M, CameraRig } from "./camera_rig";
 import { Dots } from "./dots";
+import { FIRST_OF_PROCESSOR, Governor, SLOW_EVERY_MS } from "./governor";
 import { Labels } from "./labels";
 import { LineBatch } from "./line_batch";
 import { paintImagined } from "./imagined";
@@ -20,8 +21,6 @@ import { ShapeLibrary, type ShapeContent } from "./shape_library";
 import { Sky } from "./sky";
 import { Things } from "./things";
 
-const SLOW_FRAME_S = 0.055, FRAMES_TO_JUDGE = 20;
-const SLOW_EVERY_MS = 60;
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
 const BACKDROP = ["backdrop/hills", "backdrop/trees", "backdrop/fence"] as const;
@@ -59,8 +58,7 @@ export class SceneView {
   private placed = new Map<number, Placed>();
   private selectedId = 0;
   private lastFrame = 0;
-  private frameTimes: number[] = [];
-  private detail = 2;
+  private readonly governor: Governor;
   private restless = 2;
   private stopped = false;
   private isFramed = false;
@@ -72,22 +70,23 @@ export class SceneView {
 
   constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents) {
     const isSlow = isDrawnByProcessor();
+    this.governor = new Governor(isSlow ? FIRST_OF_PROCESSOR : 0);
     this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: "high-performance" });
     // Errors of shaders are looked for while they are written; to ask costs time at each first look.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = ACESFilmicToneMapping;
     this.renderer.toneMappingExposure = 0.98;
     this.world.fog = new FogExp2(0xd0dde6, 0.0042);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.03;
     this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines, this.dots.points);
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
     this.scriptUi = new ScriptUi(scriptLayer);
-    if (isSlow) this.lowerTo(0);
+    this.drawAs();
     new ResizeObserver(() => this.wake()).observe(place);
     canvas.addEventListener("webglcontextrestored", () => this.wake());
     requestAnimationFrame((now) => this.frame(now));
@@ -184,8 +183,7 @@ export class SceneView {
   private frame(now: number): void {
     if (this.stopped) return;
     requestAnimationFrame((next) => this.frame(next));
-    // Where the processor draws, it has other things to do as well.
-    if (this.detail === 0 && now - this.lastFrame < SLOW_EVERY_MS) return;
+    if (this.governor.quality.isSlow && now - this.lastFrame < SLOW_EVERY_MS) return;
     const seconds = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     if (this.canvas.clientWidth === 0) return;
@@ -206,7 +204,7 @@ export class SceneView {
     this.place3d(between);
     this.light(after);
     this.things.show(between);
-    this.bodies.show(between, this.rig.camera, this.detail === 0);
+    this.bodies.show(between, this.rig.camera, this.governor.quality.isSlow);
     if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place))) this.isFramed = true;
     if (!this.isFramed && after.agents.size > 0) {
       this.isFramed = true;
@@ -304,14 +302,14 @@ export class SceneView {
     if (scene !== null) {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
       if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
-      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera });
+      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away });
       this.dots.show(dots, this.renderer.getPixelRatio());
       this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height);
     }
     this.showGhosts(ghosts.filter((one) => one.radius > 0));
     this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());
-    // Where the processor draws, shadows follow with every third picture.
-    if (!this.renderer.shadowMap.autoUpdate && this.pictures % 3 === 0) this.renderer.shadowMap.needsUpdate = true;
+    // Also with the last one before the picture rests.
+    if (this.restless <= 0 || this.pictures % this.governor.quality.shadowsEvery === 0) this.renderer.shadowMap.needsUpdate = true;
     this.pictures += 1;
     this.renderer.render(this.world, this.rig.camera);
   }
@@ -335,7 +333,7 @@ export class SceneView {
   }
 
   private fit(): void {
-    const width = this.place.clientWidth, height = this.place.clientHeight, ratio = this.detail === 0 ? Math.min(0.75, window.devicePixelRatio) : Math.min(window.devicePixelRatio, this.detail === 1 ? 1 : 2);
+    const width = this.place.clientWidth, height = this.place.clientHeight, ratio = Math.min(window.devicePixelRatio, this.governor.quality.ratio);
     const wanted = Math.floor(width * ratio), high = Math.floor(height * ratio);
     if (this.canvas.width === wanted && this.canvas.height === high) return;
     this.renderer.setPixelRatio(ratio);
@@ -343,7 +341,6 @@ export class SceneView {
     this.rig.setSize(width, height);
   }
 
-  /** Where pictures take long, less is drawn. */
   private judge(seconds: number, now: number): void {
     this.frames += 1;
     if (now - this.framesSince > 1000) {
@@ -351,31 +348,26 @@ export class SceneView {
       this.frames = 0;
       this.framesSince = now;
     }
-    this.frameTimes.push(seconds);
-    const isVerySlow = this.frameTimes.length >= 4 && this.frameTimes.every((one) => one > 2 * SLOW_FRAME_S);
-    if (this.frameTimes.length < FRAMES_TO_JUDGE && !isVerySlow) return;
-    const median = [...this.frameTimes].sort((a, b) => a - b)[Math.floor(this.frameTimes.length / 2)]!;
-    this.frameTimes = [];
-    if (median > SLOW_FRAME_S && this.detail > 0) this.lowerTo(isVerySlow ? 0 : this.detail - 1);
+    if (this.governor.note(seconds)) this.drawAs();
   }
 
-  private lowerTo(detail: number): void {
-    this.detail = detail;
-    const side = detail === 0 ? 1024 : 2048;
-    if (this.sun.shadow.mapSize.x !== side) {
-      this.sun.shadow.mapSize.set(side, side);
-      this.sun.shadow.map?.dispose();
-      this.sun.shadow.map = null;
+  /** As well as the governor says. */
+  private drawAs(): void {
+    const { shadowSide, isSlow } = this.governor.quality, { shadow } = this.sun;
+    if (shadow.mapSize.x !== shadowSide) {
+      shadow.mapSize.set(shadowSide, shadowSide);
+      shadow.map?.dispose();
+      shadow.map = null;
     }
-    if (detail > 0) return;
-    this.renderer.shadowMap.autoUpdate = false;
+    this.renderer.shadowMap.needsUpdate = true;
+    this.wake();
+    if (!isSlow || this.materials.isSlow) return;
     this.renderer.shadowMap.type = BasicShadowMap;
     this.materials.isSlow = true;
     this.materials.dispose();
     this.things.clear();
     this.bodies.clear();
     this.removeBackdrop();
-    this.wake();
   }
 }
 

@@ -89,12 +89,32 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   for (const axis of [0, 1, 2]) input.signed(normals, axis, 3, count);
   for (const part of [0, 2]) input.shares(paint, part, 3, count);
   if (indices.some((index) => index >= count)) throw new Error("a shape has no such corner");
-  if (!hasSkin) return { count, positions, normals, uvs, paint, indices, material, skin: null };
+  const seen = trianglesOf(indices, positions, (_, shortest) => shortest > 0);
+  if (!hasSkin) return { count, positions, normals, uvs, paint, indices: seen, material, skin: null };
   const bones = new Uint16Array(4 * count), shares = new Float32Array(4 * count);
   for (const part of [0, 1]) input.bytes(bones, part, 4, count);
   input.shares(shares, 0, 4, count);
   for (let i = 0; i < count; ++i) shares[4 * i + 1] = 1 - shares[4 * i]!;
-  return { count, positions, normals, uvs, paint, indices, material, skin: { bones, shares } };
+  return { count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
+}
+
+/** The triangles that a test of their longest and shortest edge, in m, lets through. */
+function trianglesOf(indices: Uint32Array<ArrayBuffer>, positions: Float32Array, test: (longest: number, shortest: number) => boolean): Uint32Array<ArrayBuffer> {
+  const edge = (a: number, b: number): number => Math.hypot(positions[3 * a]! - positions[3 * b]!, positions[3 * a + 1]! - positions[3 * b + 1]!, positions[3 * a + 2]! - positions[3 * b + 2]!);
+  let kept = 0;
+  const all = new Uint32Array(indices.length);
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const a = indices[i]!, b = indices[i + 1]!, c = indices[i + 2]!, edges = [edge(a, b), edge(b, c), edge(c, a)];
+    if (!test(Math.max(...edges), Math.min(...edges))) continue;
+    all.set([a, b, c], kept);
+    kept += 3;
+  }
+  return all.slice(0, kept);
+}
+
+/** The same shape without triangles that are small from afar. */
+export function withoutSmall(shape: ShapeMesh, leastM: number): ShapeMesh {
+  return { ...shape, indices: trianglesOf(shape.indices, shape.positions, (longest) => longest >= leastM) };
 }
 
 async function unpack(packed: string): Promise<ArrayBuffer> {

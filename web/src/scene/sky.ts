@@ -64,7 +64,7 @@ export class Sky {
   private shown: string | null = null;
 
   constructor() {
-    this.mesh = new Mesh(new SphereGeometry(1, 48, 24), new MeshBasicMaterial({ side: BackSide, fog: false, depthWrite: false, toneMapped: false }));
+    this.mesh = new Mesh(new SphereGeometry(1, 32, 16), new MeshBasicMaterial({ side: BackSide, fog: false, depthWrite: false, toneMapped: false }));
     // After all that is solid, so that only what is seen of it is drawn.
     this.mesh.renderOrder = 2;
     this.mesh.frustumCulled = false;

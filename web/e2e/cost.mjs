@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What a picture costs where the processor draws, counted in draw calls, triangles and pixels: times say more about the machine than about the page.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { closeBrowser, openBrowser, PATIENCE_MS, picture, until } from "./browser.mjs";
+import { COMMAND, startServer } from "./own_server.mjs";
+
+after(closeBrowser);
+const SKIRMISH = fileURLToPath(new URL("../../scenarios/soar_skirmish", import.meta.url));
+const MOST_CALLS = 16, MOST_TRIANGLES = 70_000;
+
+test("two hundred soldiers are drawn with few calls, triangles and pixels", { skip: COMMAND === "" ? "SOARBOX_COMMAND names no program" : false }, async () => {
+  const folder = mkdtempSync(join(tmpdir(), "soarbox-"));
+  cpSync(SKIRMISH, folder, { recursive: true });
+  cpSync(join(SKIRMISH, "skirmish_200.toml"), join(folder, "scenario.toml"));
+  const server = await startServer([folder, "--memory", "2000"]);
+  const page = await (await (await openBrowser()).newContext({ viewport: { width: 1280, height: 720 } })).newPage();
+  page.setDefaultTimeout(PATIENCE_MS);
+  // Of each picture: how often it drew, and how much.
+  await page.addInitScript(() => {
+    const told = (window.drawn = { calls: 0, triangles: 0, of: [] }), prototype = WebGL2RenderingContext.prototype;
+    const count = (name, triangles) => {
+      const draw = prototype[name];
+      prototype[name] = function (...all) {
+        told.calls += 1;
+        told.triangles += triangles(all);
+        return draw.apply(this, all);
+      };
+    };
+    count("drawElements", ([, corners]) => corners / 3);
+    count("drawArrays", () => 0);
+    count("drawElementsInstanced", ([, corners, , , instances]) => (corners * instances) / 3);
+    const next = window.requestAnimationFrame;
+    window.requestAnimationFrame = (call) => next.call(window, (now) => {
+      const before = told.calls, triangles = told.triangles;
+      call(now);
+      if (told.calls > before) told.of.push({ calls: told.calls - before, triangles: told.triangles - triangles });
+    });
+  });
+  await page.goto(server.address);
+  await page.waitForSelector(".labels .name");
+  // Soldiers, ground, hills and boxes have come when a picture has most of what there is.
+  await until(() => page.evaluate(() => window.drawn.of.at(-1)?.triangles > 30_000), "the soldiers are drawn");
+  await page.locator(".stage canvas").focus();
+  await page.keyboard.press("Space");
+  await page.waitForSelector(".flow-bar button[aria-label=Run]");
+  const before = await page.evaluate(() => window.drawn.of.length);
+  await until(async () => {
+    await page.keyboard.press("ArrowLeft");
+    return (await page.evaluate(() => window.drawn.of.length)) > before + 6;
+  }, "the camera turns");
+  const { of, canvas, stage } = await page.evaluate((from) => {
+    const shown = document.querySelector(".stage canvas");
+    return { of: window.drawn.of.slice(from), canvas: shown.width * shown.height, stage: shown.clientWidth * shown.clientHeight };
+  }, before);
+  await picture(page, "two_hundred");
+  for (const one of of) {
+    assert.ok(one.calls <= MOST_CALLS, `${one.calls} draw calls`);
+    assert.ok(one.triangles <= MOST_TRIANGLES, `${Math.round(one.triangles)} triangles`);
+  }
+  assert.ok(canvas <= stage, `${canvas} pixels for ${stage} of the page`);
+  console.log(`draw calls ${Math.max(...of.map((one) => one.calls))}, triangles ${Math.round(Math.max(...of.map((one) => one.triangles)))}, pixels ${canvas} for ${stage}`);
+  await page.context().close();
+  await server.kill();
+});

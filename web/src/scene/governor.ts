@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** How well pictures are drawn. */
+export interface Quality {
+  /** Pixels of the picture for each pixel of the page, at most. */
+  readonly ratio: number;
+  readonly shadowSide: number;
+  /** Shadows follow with every picture, or with every third. */
+  readonly shadowsEvery: number;
+  /** Cheaper light, coarser bodies, fewer pictures: where the processor draws. */
+  readonly isSlow: boolean;
+  /** Pictures that take longer, in seconds, are too slow; those that take less leave room for more. */
+  readonly tooSlow: number;
+  readonly hasRoom: number;
+}
+
+/** Between two pictures where the processor draws: it has other things to do as well. */
+export const SLOW_EVERY_MS = 60;
+const card = { isSlow: false, shadowSide: 2048, shadowsEvery: 1, tooSlow: 0.055, hasRoom: 0.025 };
+const processor = { isSlow: true, shadowSide: 1024, shadowsEvery: 3, tooSlow: 0.076, hasRoom: 0.07 };
+/** From the best to the cheapest. */
+export const QUALITIES: readonly Quality[] = [
+  { ...card, ratio: 2 }, { ...card, ratio: 1 },
+  { ...processor, ratio: 1 }, { ...processor, ratio: 0.75 }, { ...processor, ratio: 0.6 }, { ...processor, ratio: 0.5, shadowSide: 512, shadowsEvery: 6 },
+];
+export const FIRST_OF_PROCESSOR = 3;
+
+const FRAMES_TO_JUDGE = 20, FEW_FRAMES = 4, VERY_SLOW = 2;
+/** So many good pictures in a row before more is tried; twice as many after each try that failed. */
+const FIRST_PATIENCE = 100, MOST_PATIENCE = 3200, SOON = 3 * FRAMES_TO_JUDGE;
+
+/** Chooses how well to draw by how long pictures take: less where they are slow, and more again where there is room. */
+export class Governor {
+  private times: number[] = [];
+  private good = 0;
+  private patience = FIRST_PATIENCE;
+  private sinceRaised = Infinity;
+
+  constructor(private step = 0) {}
+
+  get quality(): Quality {
+    return QUALITIES[this.step]!;
+  }
+
+  /** A picture came so many seconds after the one before it. True: from now on they are drawn otherwise. */
+  note(seconds: number): boolean {
+    this.times.push(seconds);
+    this.sinceRaised += 1;
+    const { tooSlow, hasRoom } = this.quality, isVerySlow = this.times.length >= FEW_FRAMES && this.times.every((one) => one > VERY_SLOW * tooSlow);
+    if (this.times.length < FRAMES_TO_JUDGE && !isVerySlow) return false;
+    const median = [...this.times].sort((a, b) => a - b)[Math.floor(this.times.length / 2)]!, count = this.times.length;
+    this.times = [];
+    this.good = median < hasRoom ? this.good + count : 0;
+    if (median > tooSlow) return this.lower(isVerySlow);
+    if (this.good < this.patience) return false;
+    this.good = 0;
+    return this.raise();
+  }
+
+  private lower(isVerySlow: boolean): boolean {
+    if (this.step === QUALITIES.length - 1) return false;
+    if (this.sinceRaised < SOON) this.patience = Math.min(2 * this.patience, MOST_PATIENCE);
+    const isCard = !this.quality.isSlow;
+    this.step = isCard && isVerySlow ? FIRST_OF_PROCESSOR : this.step + 1;
+    return true;
+  }
+
+  /** Never from what is right for a processor to what is right for a card: all materials would be made anew. */
+  private raise(): boolean {
+    const better = QUALITIES[this.step - 1];
+    if (better === undefined || better.isSlow !== this.quality.isSlow) return false;
+    this.step -= 1;
+    this.sinceRaised = 0;
+    return true;
+  }
+}
