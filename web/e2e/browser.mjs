@@ -76,7 +76,7 @@ export async function show(page, title) {
 export async function until(fact, what) {
   for (const end = Date.now() + PATIENCE_MS; Date.now() < end;) {
     if (await fact()) return;
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    await new Promise((resolve) => setTimeout(resolve, 50));
   }
   assert.fail(`it never was so: ${what}`);
 }

@@ -14,7 +14,7 @@ const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
 const RESIZED_AFTER_MS = 400;
 /** Contents that tell what something looks like begin so. */
 const SHAPES = "shapes:";
-const OVERLAYS_KEY = "soarbox.overlays";
+const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full";
 
 /** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
 export class Stage {
@@ -62,7 +62,9 @@ export class Stage {
         this.isOpen = !this.isOpen;
         this.draw();
       }, { attributes: { title: "What is drawn over the picture", "aria-label": "What is drawn over the picture", "aria-expanded": String(this.isOpen) } }, "button.tool")),
-      this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title))),
+      this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title)),
+        h("label", { attributes: { title: "Draws everything, however long a picture takes; otherwise the page draws less where pictures are slow" } },
+          h("input", { checked: view?.isInFullDetail ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggleDetail() } }), "Full detail")),
     ]);
   }
 
@@ -80,6 +82,13 @@ export class Stage {
     localStorage.setItem(OVERLAYS_KEY, [...on].join());
     this.askOverlays();
     this.view?.wake();
+    this.draw();
+  }
+
+  private toggleDetail(): void {
+    const isFull = this.view?.isInFullDetail !== true;
+    this.view?.setFullDetail(isFull);
+    localStorage.setItem(DETAIL_KEY, isFull ? FULL : "");
     this.draw();
   }
 
@@ -104,7 +113,7 @@ export class Stage {
     const [{ SceneView }, { listenToPointer }] = await Promise.all([import("../scene/scene_view"), import("../scene/pointer")]);
     let view: SceneView;
     try {
-      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? "") });
+      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? "") }, localStorage.getItem(DETAIL_KEY) === FULL);
     } catch {
       patch(labels, [h("p.no-picture", null, "This browser cannot draw the world: WebGL is switched off. All panels work without it.")]);
       return;

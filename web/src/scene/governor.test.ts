@@ -48,3 +48,9 @@ test("now and then a slow picture changes nothing", () => {
   const governor = new Governor(FIRST_OF_PROCESSOR);
   for (let i = 0; i < 300; ++i) assert.equal(governor.note(i % 5 === 0 ? 0.5 : 0.072), false);
 });
+
+test("who wants full detail gets it, however long pictures take", () => {
+  const governor = new Governor(0, true);
+  assert.equal(draw(governor, 200, 1), 0);
+  assert.equal(governor.quality, QUALITIES[0]);
+});

@@ -36,7 +36,8 @@ export class Governor {
   private patience = FIRST_PATIENCE;
   private sinceRaised = Infinity;
 
-  constructor(private step = 0) {}
+  /** `isFixed`: it stays as it begins, however long pictures take. */
+  constructor(private step = 0, private readonly isFixed = false) {}
 
   get quality(): Quality {
     return QUALITIES[this.step]!;
@@ -44,6 +45,7 @@ export class Governor {
 
   /** A picture came so many seconds after the one before it. True: from now on they are drawn otherwise. */
   note(seconds: number): boolean {
+    if (this.isFixed) return false;
     this.times.push(seconds);
     this.sinceRaised += 1;
     const { tooSlow, hasRoom } = this.quality, isVerySlow = this.times.length >= FEW_FRAMES && this.times.every((one) => one > VERY_SLOW * tooSlow);

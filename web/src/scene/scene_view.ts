@@ -58,7 +58,7 @@ export class SceneView {
   private placed = new Map<number, Placed>();
   private selectedId = 0;
   private lastFrame = 0;
-  private readonly governor: Governor;
+  private governor: Governor;
   private restless = 2;
   private stopped = false;
   private isFramed = false;
@@ -68,10 +68,10 @@ export class SceneView {
   private pictures = 0;
   private framesSince = 0;
 
-  constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents) {
-    const isSlow = isDrawnByProcessor();
-    this.governor = new Governor(isSlow ? FIRST_OF_PROCESSOR : 0);
-    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, powerPreference: "high-performance" });
+  /** `isFull`: all is drawn in full detail, however long that takes. */
+  constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents, private isFull: boolean) {
+    this.governor = this.newGovernor();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.governor.quality.isSlow, powerPreference: "high-performance" });
     // Errors of shaders are looked for while they are written; to ask costs time at each first look.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
@@ -351,6 +351,21 @@ export class SceneView {
     if (this.governor.note(seconds)) this.drawAs();
   }
 
+  get isInFullDetail(): boolean {
+    return this.isFull;
+  }
+
+  /** Smooth edges come, or go, when the page is loaded again. */
+  setFullDetail(isFull: boolean): void {
+    this.isFull = isFull;
+    this.governor = this.newGovernor();
+    this.drawAs();
+  }
+
+  private newGovernor(): Governor {
+    return this.isFull ? new Governor(0, true) : new Governor(isDrawnByProcessor() ? FIRST_OF_PROCESSOR : 0);
+  }
+
   /** As well as the governor says. */
   private drawAs(): void {
     const { shadowSide, isSlow } = this.governor.quality, { shadow } = this.sun;
@@ -361,9 +376,9 @@ export class SceneView {
     }
     this.renderer.shadowMap.needsUpdate = true;
     this.wake();
-    if (!isSlow || this.materials.isSlow) return;
-    this.renderer.shadowMap.type = BasicShadowMap;
-    this.materials.isSlow = true;
+    if (isSlow === this.materials.isSlow) return;
+    this.renderer.shadowMap.type = isSlow ? BasicShadowMap : PCFShadowMap;
+    this.materials.isSlow = isSlow;
     this.materials.dispose();
     this.things.clear();
     this.bodies.clear();
