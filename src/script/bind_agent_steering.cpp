@@ -134,13 +134,17 @@ int ForceToWander(lua_State* state) {
 
 constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 4, 4, WrongCount::kIgnored},
-    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored},
-    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored},
+    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored,
+     PlainLookAheadForce<&Agent::ForceToAvoidAgents>},
+    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored,
+     PlainLookAheadForce<&Agent::ForceToAvoidObjects>},
     {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 4, 4, WrongCount::kIgnored},
     {"ForceToEvade", PushChaseForce<&Agent::ForceToEvade>, 2, 3, WrongCount::kError},
-    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError},
+    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError,
+     PlainPositionForce<&Agent::ForceToFleePosition>},
     {"ForceToFollowPath", PushLookAheadForce<&Agent::ForceToFollowPath>, 1, 3, WrongCount::kError},
-    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError},
+    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError,
+     PlainPositionForce<&Agent::ForceToPosition>},
     {"ForceToPursue", PushChaseForce<&Agent::ForceToPursue>, 2, 3, WrongCount::kError},
     {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 4, 4, WrongCount::kError},
     {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},
@@ -148,17 +152,10 @@ constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},
 };
 
-constexpr PlainCall kPlainCalls[] = {
-    {"ForceToAvoidAgents", PlainLookAheadForce<&Agent::ForceToAvoidAgents>},
-    {"ForceToAvoidObjects", PlainLookAheadForce<&Agent::ForceToAvoidObjects>},
-    {"ForceToFleePosition", PlainPositionForce<&Agent::ForceToFleePosition>},
-    {"ForceToPosition", PlainPositionForce<&Agent::ForceToPosition>},
-};
-
 }  // namespace
 
 void BindAgentSteering(lua_State* state) {
-  RegisterTable(state, "Agent", kAgentSteeringBindings, kPlainCalls);
+  RegisterTable(state, "Agent", kAgentSteeringBindings);
 }
 
 }  // namespace soarbox::script

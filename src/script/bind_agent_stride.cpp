@@ -113,22 +113,17 @@ int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
 }
 
 constexpr Binding kAgentStrideBindings[] = {
-    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},     {"Push", Push, 3, 3, WrongCount::kError},
-    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError}, {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
-    {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError},
-};
-
-constexpr PlainCall kPlainCalls[] = {
-    {"ClampSpeed", PlainClampSpeed},
-    {"Push", PlainPush},
-    {"WalkTo", PlainWalkTo},
-    {"WalkToTarget", PlainWalkToTarget},
+    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError, PlainClampSpeed},
+    {"Push", Push, 3, 3, WrongCount::kError, PlainPush},
+    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError},
+    {"WalkTo", WalkTo, 3, 5, WrongCount::kError, PlainWalkTo},
+    {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError, PlainWalkToTarget},
 };
 
 }  // namespace
 
 void BindAgentStride(lua_State* state) {
-  RegisterTable(state, "Agent", kAgentStrideBindings, kPlainCalls);
+  RegisterTable(state, "Agent", kAgentStrideBindings);
 }
 
 }  // namespace soarbox::script

@@ -78,21 +78,16 @@ int DrawSquare(lua_State* state) {
 }
 
 constexpr Binding kCoreDrawBindings[] = {
-    {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored},
-    {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored},
+    {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored, PlainDrawCircle},
+    {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored, PlainDrawLine},
     {"DrawSphere", DrawSphere, 3, kAnyCount, WrongCount::kIgnored},
     {"DrawSquare", DrawSquare, 3, kAnyCount, WrongCount::kIgnored},
-};
-
-constexpr PlainCall kPlainCalls[] = {
-    {"DrawCircle", PlainDrawCircle},
-    {"DrawLine", PlainDrawLine},
 };
 
 }  // namespace
 
 void BindCoreDraw(lua_State* state) {
-  RegisterTable(state, "Core", kCoreDrawBindings, kPlainCalls);
+  RegisterTable(state, "Core", kCoreDrawBindings);
 }
 
 }  // namespace soarbox::script

@@ -128,22 +128,16 @@ int RotationTo(lua_State* state) {
 }
 
 constexpr Binding kVectorBindings[] = {
-    {"new", New, 0, kAnyCount, WrongCount::kIgnored},
+    {"new", New, 0, kAnyCount, WrongCount::kIgnored, PlainNew},
     {"CrossProduct", CrossProduct, 2, 2, WrongCount::kIgnored},
-    {"Distance", Distance, 2, 2, WrongCount::kIgnored},
-    {"DistanceSquared", DistanceSquared, 2, 2, WrongCount::kIgnored},
+    {"Distance", Distance, 2, 2, WrongCount::kIgnored, PlainDistance},
+    {"DistanceSquared", DistanceSquared, 2, 2, WrongCount::kIgnored, PlainDistanceSquared},
     {"DotProduct", DotProduct, 2, 2, WrongCount::kIgnored},
     {"Length", Length, 1, 1, WrongCount::kIgnored},
     {"LengthSquared", LengthSquared, 1, 1, WrongCount::kIgnored},
     {"Normalize", Normalize, 1, 1, WrongCount::kIgnored},
     {"Rotate", Rotate, 2, 2, WrongCount::kIgnored},
     {"RotationTo", RotationTo, 2, 2, WrongCount::kIgnored},
-};
-
-constexpr PlainCall kPlainCalls[] = {
-    {"new", PlainNew},
-    {"Distance", PlainDistance},
-    {"DistanceSquared", PlainDistanceSquared},
 };
 
 /// Says why an operation on vectors gives nil.
@@ -264,7 +258,7 @@ int ToText(lua_State* state) {
 }  // namespace
 
 void BindVector(lua_State* state) {
-  RegisterTable(state, "Vector", kVectorBindings, kPlainCalls);
+  RegisterTable(state, "Vector", kVectorBindings);
 }
 
 void InstallVectorMetamethods(lua_State* state) {

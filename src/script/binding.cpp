@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/binding.h"
 
-#include <algorithm>
 #include <lua.hpp>
 #include <map>
 #include <mutex>
@@ -27,13 +26,12 @@ constexpr std::uint64_t kWarningPrice = 200;
 /// What every machine's function of this binding refers to.
 struct Bound {
   const Binding* binding;
-  std::string name;                       ///< "Table.Name".
-  const CheckedCall* call;                ///< From the table of the API; null: it is not there.
-  int (*plain)(lua_State*, LuaMachine&);  ///< May be null.
+  std::string name;         ///< "Table.Name".
+  const CheckedCall* call;  ///< From the table of the API; null: it is not there.
 };
 
 /// Made once for each binding; it stays where it is.
-const Bound& BoundOf(const Binding& binding, const char* table, std::span<const PlainCall> plain) {
+const Bound& BoundOf(const Binding& binding, const char* table) {
   // Worlds of several threads share them.
   static std::mutex mutex;
   static std::map<std::pair<const Binding*, std::string_view>, Bound> all;
@@ -42,12 +40,9 @@ const Bound& BoundOf(const Binding& binding, const char* table, std::span<const 
   if (found != all.end()) return found->second;
   std::string name = std::string(table) + "." + binding.name;
   const ApiFunction* entry = FindApiFunction(name);
-  const auto short_way = std::find_if(
-      plain.begin(), plain.end(), [&](const PlainCall& call) { return std::string_view(call.name) == binding.name; });
   return all
       .emplace(std::pair{&binding, std::string_view(table)},
-               Bound{&binding, std::move(name), entry ? &CheckedCallOf(*entry) : nullptr,
-                     short_way != plain.end() ? short_way->call : nullptr})
+               Bound{&binding, std::move(name), entry ? &CheckedCallOf(*entry) : nullptr})
       .first->second;
 }
 
@@ -76,8 +71,8 @@ int CallBinding(lua_State* state) {
   LuaMachine& machine = LuaMachine::Of(state);
   machine.Charge(kCallPrice);
   if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
-  if (bound.plain) {
-    if (const int results = bound.plain(state, machine); results != kNotPlain) return results;
+  if (bound.binding->plain) {
+    if (const int results = bound.binding->plain(state, machine); results != kNotPlain) return results;
   }
   return CallChecked(state, bound);
 }
@@ -85,11 +80,6 @@ int CallBinding(lua_State* state) {
 }  // namespace
 
 void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings) {
-  RegisterTable(state, table, bindings, {});
-}
-
-void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings,
-                   std::span<const PlainCall> plain) {
   lua_getglobal(state, table);
   if (!lua_istable(state, -1)) {
     lua_pop(state, 1);
@@ -100,7 +90,7 @@ void RegisterTable(lua_State* state, const char* table, std::span<const Binding>
     GuardNames(state, table);
   }
   for (const Binding& binding : bindings) {
-    lua_pushlightuserdata(state, const_cast<Bound*>(&BoundOf(binding, table, plain)));
+    lua_pushlightuserdata(state, const_cast<Bound*>(&BoundOf(binding, table)));
     lua_pushcclosure(state, CallBinding, 1);
     lua_setfield(state, -2, binding.name);
   }

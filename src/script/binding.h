@@ -15,6 +15,8 @@ enum class WrongCount : unsigned char {
   kError,    ///< A Lua error.
 };
 
+class LuaMachine;
+
 /// One function of the sandbox's API: the count of its arguments is checked before `function` runs.
 struct Binding {
   const char* name;
@@ -22,6 +24,7 @@ struct Binding {
   int min_arguments;
   int max_arguments;
   WrongCount wrong_count;
+  int (*plain)(lua_State*, LuaMachine&) = nullptr;  ///< A short way (plain_call.h); null: there is none.
 };
 
 /// For functions that take any number of arguments.

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <lua.hpp>
-#include <span>
 
 #include "script/binding.h"
 #include "script/lua_machine.h"
@@ -12,18 +11,10 @@
 
 namespace soarbox::script {
 
-/// A short way through a function that scripts call in every step: does what the function does if each argument is
-/// exactly what it should be, without looking at anything twice; else answers kNotPlain, before anything has happened,
-/// and the function itself sees to the call.
-struct PlainCall {
-  const char* name;
-  int (*call)(lua_State*, LuaMachine&);
-};
+/// A short way through a function that scripts call in every step (Binding::plain) does what the function does if each
+/// argument is exactly what it should be, without looking at anything twice; else it answers kNotPlain, before anything
+/// has happened, and the function itself sees to the call.
 inline constexpr int kNotPlain = -1;
-
-/// As the other RegisterTable, with short ways for some of the functions.
-void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings,
-                   std::span<const PlainCall> plain);
 
 /// The whole name of the function of the API that runs, "Agent.GetPosition"; null if it is no such function.
 const char* NameOfRunning(lua_State* state);
