@@ -18,27 +18,11 @@ world::World& WorldOf(lua_State* state) {
   return ContextOf(state).world;
 }
 
-template <class Value>
-int PushOfCamera(lua_State* state, Value value) {
+template <Vec3 (world::Camera::*Getter)() const>
+int GetOfCamera(lua_State* state) {
   if (!SandboxArgument(state, 1)) return 0;
-  PushVector(state, value(WorldOf(state).camera()));
+  PushVector(state, (WorldOf(state).camera().*Getter)());
   return 1;
-}
-
-int GetCameraPosition(lua_State* state) {
-  return PushOfCamera(state, [](const world::Camera& camera) { return camera.Position(); });
-}
-int GetCameraForward(lua_State* state) {
-  return PushOfCamera(state, [](const world::Camera& camera) { return camera.Forward(); });
-}
-int GetCameraLeft(lua_State* state) {
-  return PushOfCamera(state, [](const world::Camera& camera) { return camera.Left(); });
-}
-int GetCameraUp(lua_State* state) {
-  return PushOfCamera(state, [](const world::Camera& camera) { return camera.Up(); });
-}
-int GetCameraOrientation(lua_State* state) {
-  return PushOfCamera(state, [](const world::Camera& camera) { return camera.RotationVector(); });
 }
 
 int SetCameraPosition(lua_State* state) {
@@ -173,11 +157,11 @@ constexpr Binding kSandboxViewBindings[] = {
     {"CreateSkyBox", CreateSkyBox, 2, 3, WrongCount::kIgnored},
     {"CreateUIComponent", CreateUIComponent, 2, 2, WrongCount::kError},
     {"CreateUIComponent3d", CreateUIComponent3d, 2, 2, WrongCount::kError},
-    {"GetCameraForward", GetCameraForward, 1, 1, WrongCount::kIgnored},
-    {"GetCameraLeft", GetCameraLeft, 1, 1, WrongCount::kIgnored},
-    {"GetCameraOrientation", GetCameraOrientation, 1, 1, WrongCount::kIgnored},
-    {"GetCameraPosition", GetCameraPosition, 1, 1, WrongCount::kIgnored},
-    {"GetCameraUp", GetCameraUp, 1, 1, WrongCount::kIgnored},
+    {"GetCameraForward", GetOfCamera<&world::Camera::Forward>, 1, 1, WrongCount::kIgnored},
+    {"GetCameraLeft", GetOfCamera<&world::Camera::Left>, 1, 1, WrongCount::kIgnored},
+    {"GetCameraOrientation", GetOfCamera<&world::Camera::RotationVector>, 1, 1, WrongCount::kIgnored},
+    {"GetCameraPosition", GetOfCamera<&world::Camera::Position>, 1, 1, WrongCount::kIgnored},
+    {"GetCameraUp", GetOfCamera<&world::Camera::Up>, 1, 1, WrongCount::kIgnored},
     {"GetDrawPhysicsWorld", GetDrawPhysicsWorld, 1, 1, WrongCount::kIgnored},
     {"GetMarkupColor", GetMarkupColor, 2, 2, WrongCount::kIgnored},
     {"GetRenderTime", GetRenderTime, 1, 1, WrongCount::kError},
