@@ -44,8 +44,7 @@ bool IsFree(const Actor& actor, const world::BodiesAround& bodies, Vec3 directio
   const float reach_m = ahead_m + body.Radius();
   for (const float offset : {0.0f, 1.0f, -1.0f}) {
     const Vec3 from = foot + side * (offset * body.Radius() * kHalfWidth);
-    const auto hit = bodies.RayCast(from, from + direction * reach_m);
-    if (hit && hit->entity != through && hit->entity != body.id()) return false;
+    if (!bodies.IsOpen(from, from + direction * reach_m, through, body.id())) return false;
   }
   return true;
 }

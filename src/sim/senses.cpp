@@ -349,12 +349,21 @@ void NoticeOthers(Actor& actor) {
   const SenseSettings& senses = actor.kind().senses;
   const world::World& world = actor.world();
   auto& contacts = actor.contacts();
-  for (const world::EntityId id : NearOrKnown(actor)) {
+  const std::vector<world::EntityId> others = NearOrKnown(actor);
+  // Where many stand close together, all lines of sight are tested against what is there.
+  constexpr std::size_t kMany = 8;
+  constexpr float kClose_m = 15;
+  std::optional<world::BodiesAround> around;
+  if (others.size() > kMany && senses.sight_m <= kClose_m) around = world::AroundEyes(actor.body(), senses.sight_m);
+  const auto sees = [&](const world::Agent& other, Vec3 point) {
+    return SeesAgent(actor.body(), other, point, around ? &*around : nullptr);
+  };
+  for (const world::EntityId id : others) {
     if (id == actor.id()) continue;
     const world::Agent& other = *world.FindAgent(id);
     const float range_m = FlatDistance(actor.body().Position(), other.Position());
-    const bool seen = IsInView(actor, other.Position()) && (SeesAgent(actor.body(), other, other.Position()) ||
-                                                            SeesAgent(actor.body(), other, world::EyesOf(other)));
+    const bool seen = IsInView(actor, other.Position()) &&
+                      (sees(other, other.Position()) || sees(other, world::EyesOf(other)));
     // Who runs is heard at the full range, who walks at a part of it.
     const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
     const bool heard = !seen && other.Health() > 0 && range_m <= senses.hearing_m * loudness;

@@ -39,8 +39,8 @@ class AgentStore {
   void ReadBodies();
 
   /// Whether nothing but these two agents is on the segment in front of the target.
-  bool IsClear(Vec3 from, Vec3 to, const Agent& viewer, const Agent& target) const {
-    return physics_.IsClear(from, to, viewer.body_, target.body_);
+  bool IsClear(Vec3 from, Vec3 to, const Agent& viewer, const Agent& target, const BodiesAround* around) const {
+    return physics_.IsClear(from, to, viewer.body_, target.body_, around);
   }
 
   PhysicsWorld& physics() { return physics_; }

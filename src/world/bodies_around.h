@@ -21,8 +21,11 @@ class BodiesAround {
 
   /// What World::RayCast answers, for segments within the reach that was asked for.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// Whether RayCast would hit nothing, or one of these two. Cheaper where much is in the way.
+  bool IsOpen(Vec3 from, Vec3 to, EntityId through, EntityId self) const;
 
  private:
+  friend class PhysicsWorld;
   std::unique_ptr<const Bodies> bodies_;
 };
 

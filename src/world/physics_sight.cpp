@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "world/physics_crowd.h"
@@ -93,6 +94,14 @@ void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btV
   share = entry->fraction;
 }
 
+/// The part of the segment in front of the target's surface; all of it if there is none.
+btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, const btVector3& to) {
+  if (target == nullptr) return 1;
+  // What stands behind the target's surface, or leans into it, hides nothing.
+  const auto surface = EntryOf(*target, from, to);
+  return surface ? surface->fraction : 1;
+}
+
 }  // namespace
 
 FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to) {
@@ -105,39 +114,96 @@ FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, cons
   return first;
 }
 
-FirstHit FindFirstHit(const std::vector<BoxedBody>& bodies, const btVector3& from, const btVector3& to) {
-  FirstHit first;
-  btScalar share = 1;
-  const Probe probe(from, to);
-  for (const BoxedBody& each : bodies) {
-    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
-  }
-  return first;
-}
-
-void FindInBox(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high,
-               std::vector<BoxedBody>& found) {
+NearBodies::NearBodies(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high) {
+  constexpr std::size_t kUsual = 48;
+  bodies_.reserve(kUsual);
   const btDbvtVolume wanted = btDbvtVolume::FromMM(low, high);
   VisitTrees(
       bodies, [&](const btDbvtVolume& box) { return Intersect(box, wanted); },
       [&](const btDbvtVolume& box, const btCollisionObject& body) {
-        found.push_back({box, &body});
+        bodies_.push_back({box, &body});
         return true;
       });
+  // More than what rounding can take away.
+  constexpr btScalar kSlack_m = 0.02f, kSlack = 4e-6f;
+  circles_.resize((bodies_.size() + kLanes - 1) / kLanes);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const btVector3 center = bodies_[i].box.Center(), half = bodies_[i].box.Extents();
+    const btScalar far = std::abs(center.x()) + std::abs(center.z()) + (high - low).x() + half.x() + half.z();
+    Circles& circles = circles_[i / kLanes];
+    circles.x[i % kLanes] = center.x();
+    circles.z[i % kLanes] = center.z();
+    circles.radius[i % kLanes] = std::sqrt(half.x() * half.x() + half.z() * half.z()) + kSlack_m + kSlack * far;
+  }
+}
+
+/// Calls visit for each body that the segment may enter, until it answers false; returns whether it never did.
+template <class Visit>
+bool NearBodies::VisitNear(const btVector3& from, const btVector3& to, const Visit& visit) const {
+  const btScalar dx = to.x() - from.x(), dz = to.z() - from.z();
+  const btScalar length = std::sqrt(dx * dx + dz * dz);
+  for (std::size_t n = 0; n < circles_.size(); ++n) {
+    const Circles& four = circles_[n];
+    // How far its centre is beside the segment and along it, and its radius, all times the segment's length.
+    const Four x = four.x - from.x(), z = four.z - from.z();
+    const Four beside = x * dz - z * dx, along = x * dx + z * dz, radius = four.radius * length;
+    const auto near =
+        (beside <= radius) & (beside >= -radius) & (along >= -radius) & (along <= radius + length * length);
+    std::uint64_t halves[2];
+    static_assert(sizeof(halves) == sizeof(near));
+    std::memcpy(halves, &near, sizeof(halves));
+    if ((halves[0] | halves[1]) == 0) continue;
+    for (std::size_t lane = 0; lane < kLanes && n * kLanes + lane < bodies_.size(); ++lane)
+      if (near[lane] != 0 && !visit(bodies_[n * kLanes + lane])) return false;
+  }
+  return true;
+}
+
+FirstHit NearBodies::FindFirst(const btVector3& from, const btVector3& to) const {
+  FirstHit first;
+  btScalar share = 1;
+  const Probe probe(from, to);
+  VisitNear(from, to, [&](const Boxed& each) {
+    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
+    return true;
+  });
+  return first;
+}
+
+bool NearBodies::IsOpen(const btVector3& from, const btVector3& to, int owner, int other) const {
+  const Probe probe(from, to);
+  const auto is_of_these = [&](const Boxed& each) {
+    const int its = each.body->getUserIndex();
+    return its == owner || its == other;
+  };
+  const auto enters = [&](const Boxed& each) {
+    return probe.Meets(each.box, 1) && EntryOf(*each.body, from, to).has_value();
+  };
+  if (VisitNear(from, to, [&](const Boxed& each) { return is_of_these(each) || !enters(each); })) return true;
+  // Something is in the way, unless one of these stands in front of it.
+  if (VisitNear(from, to, [&](const Boxed& each) { return !is_of_these(each) || !enters(each); })) return false;
+  const int first = FindFirst(from, to).body->getUserIndex();
+  return first == owner || first == other;
 }
 
 bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target) {
-  btScalar share = 1;
-  if (target != nullptr) {
-    // What stands behind the target's surface, or leans into it, hides nothing.
-    if (const auto surface = EntryOf(*target, from, to)) share = surface->fraction;
-  }
-  const btScalar limit = share;
+  btScalar share = ShareInFrontOf(target, from, to);
   return VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
     if (&body == viewer || &body == target) return true;
     const auto entry = EntryOf(body, from, to);
-    return !entry || entry->fraction >= limit;
+    return !entry || entry->fraction >= share;
+  });
+}
+
+bool NearBodies::IsClear(const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
+                         const btCollisionObject* target) const {
+  const btScalar share = ShareInFrontOf(target, from, to);
+  const Probe probe(from, to);
+  return VisitNear(from, to, [&](const Boxed& each) {
+    if (each.body == viewer || each.body == target || !probe.Meets(each.box, share)) return true;
+    const auto entry = EntryOf(*each.body, from, to);
+    return !entry || entry->fraction >= share;
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "world/physics_bullet.h"
@@ -19,16 +20,37 @@ struct FirstHit {
 /// The first body that the segment enters; of several at one point, the one of the smallest owner.
 FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to);
 
-/// A body and the bounding box in which the broad phase has it.
-struct BoxedBody {
-  btDbvtVolume box;
-  const btCollisionObject* body = nullptr;
+/// The bodies about a place, for many segments there. Answers what the functions for all bodies answer, for segments
+/// within the box: four bodies at a time are passed over if the segment, seen from above, does not come near them.
+class NearBodies {
+ public:
+  /// Those whose boxes touch that box.
+  NearBodies(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high);
+
+  FirstHit FindFirst(const btVector3& from, const btVector3& to) const;
+  /// Whether the first body that the segment enters is of one of these two owners, or there is none.
+  bool IsOpen(const btVector3& from, const btVector3& to, int owner, int other) const;
+  bool IsClear(const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
+               const btCollisionObject* target) const;
+
+ private:
+  struct Boxed {
+    btDbvtVolume box;
+    const btCollisionObject* body = nullptr;
+  };
+  static constexpr std::size_t kLanes = 4;
+  using Four [[gnu::vector_size(16)]] = btScalar;
+  /// Circles around four bodies' boxes, seen from above.
+  struct Circles {
+    Four x{}, z{}, radius{};
+  };
+
+  template <class Visit>
+  bool VisitNear(const btVector3& from, const btVector3& to, const Visit& visit) const;
+
+  std::vector<Boxed> bodies_;
+  std::vector<Circles> circles_;
 };
-/// Appends the bodies whose boxes touch that box, in the order of the trees.
-void FindInBox(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high,
-               std::vector<BoxedBody>& found);
-/// FindFirstHit of these bodies alone.
-FirstHit FindFirstHit(const std::vector<BoxedBody>& bodies, const btVector3& from, const btVector3& to);
 
 /// Whether nothing but these two is on the segment in front of the target. The target may be null.
 bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,

@@ -509,10 +509,7 @@ const std::vector<Collision>& PhysicsWorld::Collisions() const {
 
 namespace {
 
-/// `bodies` is anything that FindFirstHit takes.
-std::optional<RayHit> FirstAmong(const auto& bodies, Vec3 from, Vec3 to) {
-  if (from == to) return std::nullopt;
-  const FirstHit hit = FindFirstHit(bodies, ToBullet(from), ToBullet(to));
+std::optional<RayHit> HitOf(const FirstHit& hit, Vec3 from, Vec3 to) {
   if (hit.body == nullptr) return std::nullopt;
   return RayHit{static_cast<EntityId>(hit.body->getUserIndex()), from + (to - from) * hit.entry.fraction,
                 FromBullet(hit.entry.normal)};
@@ -521,11 +518,12 @@ std::optional<RayHit> FirstAmong(const auto& bodies, Vec3 from, Vec3 to) {
 }  // namespace
 
 std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
-  return FirstAmong(impl_->broadphase, from, to);
+  if (from == to) return std::nullopt;
+  return HitOf(FindFirstHit(impl_->broadphase, ToBullet(from), ToBullet(to)), from, to);
 }
 
 struct BodiesAround::Bodies {
-  std::vector<BoxedBody> boxed;
+  NearBodies near;
 };
 
 BodiesAround::BodiesAround(std::unique_ptr<const Bodies> bodies) : bodies_(std::move(bodies)) {}
@@ -534,23 +532,31 @@ BodiesAround& BodiesAround::operator=(BodiesAround&&) noexcept = default;
 BodiesAround::~BodiesAround() = default;
 
 std::optional<RayHit> BodiesAround::RayCast(Vec3 from, Vec3 to) const {
-  if (!IsFinite(from) || !IsFinite(to)) return std::nullopt;
-  return FirstAmong(bodies_->boxed, LimitPosition(from), LimitPosition(to));
+  if (bodies_ == nullptr || !IsFinite(from) || !IsFinite(to)) return std::nullopt;
+  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
+  if (begin == end) return std::nullopt;
+  return HitOf(bodies_->near.FindFirst(ToBullet(begin), ToBullet(end)), begin, end);
 }
 
-BodiesAround PhysicsWorld::Around(Vec3 place, float reach_m) const {
-  auto found = std::make_unique<BodiesAround::Bodies>();
-  const Vec3 reach{reach_m, reach_m, reach_m};
-  if (IsFinite(place) && IsFinite(reach)) {
-    FindInBox(impl_->broadphase, ToBullet(LimitPosition(place - reach)), ToBullet(LimitPosition(place + reach)),
-              found->boxed);
-  }
-  return BodiesAround(std::move(found));
+bool BodiesAround::IsOpen(Vec3 from, Vec3 to, EntityId through, EntityId self) const {
+  if (bodies_ == nullptr || !IsFinite(from) || !IsFinite(to)) return true;
+  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
+  return begin == end || bodies_->near.IsOpen(ToBullet(begin), ToBullet(end), static_cast<int>(Number(through)),
+                                              static_cast<int>(Number(self)));
 }
 
-bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const {
+BodiesAround PhysicsWorld::Around(Vec3 place, Vec3 reach_m) const {
+  if (!IsFinite(place) || !IsFinite(reach_m)) return BodiesAround(nullptr);
+  const btVector3 low = ToBullet(LimitPosition(place - reach_m)), high = ToBullet(LimitPosition(place + reach_m));
+  return BodiesAround(std::make_unique<BodiesAround::Bodies>(NearBodies(impl_->broadphase, low, high)));
+}
+
+bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around) const {
   const auto object = [this](BodyId body) { return body == BodyId::kNone ? nullptr : Get(body).rigid.get(); };
-  return world::IsClear(impl_->broadphase, ToBullet(from), ToBullet(to), object(viewer), object(target));
+  const btVector3 begin = ToBullet(from), end = ToBullet(to);
+  if (around != nullptr && around->bodies_ != nullptr)
+    return around->bodies_->near.IsClear(begin, end, object(viewer), object(target));
+  return world::IsClear(impl_->broadphase, begin, end, object(viewer), object(target));
 }
 
 std::span<const Obstacle> PhysicsWorld::Obstacles() {

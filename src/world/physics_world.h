@@ -99,11 +99,11 @@ class PhysicsWorld {
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// Those whose bounding boxes come within that reach of the place along some axis.
-  BodiesAround Around(Vec3 place, float reach_m) const;
+  /// Those whose bounding boxes come within that reach of the place, along each axis.
+  BodiesAround Around(Vec3 place, Vec3 reach_m) const;
   /// Whether nothing but these two is on the segment in front of the target's surface; either may be kNone. Much faster
-  /// than RayCast where many bodies are on the way.
-  bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target) const;
+  /// than RayCast where many bodies are on the way. `around`: those about the segment, if somebody has them.
+  bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around = nullptr) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
   /// that is not const.
   std::span<const Obstacle> Obstacles();

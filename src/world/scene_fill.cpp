@@ -154,31 +154,21 @@ void Scene::Refresh() const {
   }
   picture.gone.clear();
   picture.last_drawn = {};
-  std::vector<Node*> below;
-  const auto redraw_all = [&](Node& top) {
-    if (top.children.empty()) {
-      if (std::exchange(top.drawn_in, picture.refreshings) != picture.refreshings) Redraw(top);
-      return;
-    }
-    below.push_back(&top);
-    while (!below.empty()) {
-      Node& node = *below.back();
-      below.pop_back();
-      if (node.drawn_in == picture.refreshings) continue;
-      node.drawn_in = picture.refreshings;
-      Redraw(node);
-      below.insert(below.end(), node.children.rbegin(), node.children.rend());
-    }
+  // No deeper than kDeepest.
+  const auto redraw_all = [&](const auto& self, Node& node) -> void {
+    if (std::exchange(node.drawn_in, picture.refreshings) == picture.refreshings) return;
+    Redraw(node);
+    for (Node* child : node.children) self(self, *child);
   };
   for (Node* node : picture.waiting) {
     node->waits_at = Node::kNotWaiting;
-    redraw_all(*node);
+    redraw_all(redraw_all, *node);
   }
   picture.waiting.clear();
   // Bodies move their bones by themselves.
   for (const NodeId id : animated_) {
     Node& node = const_cast<Node&>(*Find(id));
-    if (node.drawn_pose != node.animator->changes()) redraw_all(node);
+    if (node.drawn_pose != node.animator->changes()) redraw_all(redraw_all, node);
   }
   if (!picture.few_changed) return;
   picture.few_changed = false;

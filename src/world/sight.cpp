@@ -8,11 +8,17 @@
 
 namespace soarbox::world {
 
-bool SeesAgent(const Agent& from, const Agent& target, Vec3 point) {
+bool SeesAgent(const Agent& from, const Agent& target, Vec3 point, const BodiesAround* around) {
   const Vec3 eyes = EyesOf(from);
   if (LengthSquared(point - eyes) < 1e-6f || !IsFinite(eyes) || !IsFinite(point)) return true;
   const Vec3 begin = LimitPosition(eyes), end = LimitPosition(point);
-  return begin == end || AgentStore::Of(from).IsClear(begin, end, from, target);
+  return begin == end || AgentStore::Of(from).IsClear(begin, end, from, target, around);
+}
+
+BodiesAround AroundEyes(const Agent& from, float range_m) {
+  // What is seen may be far above or below.
+  constexpr float kSlack_m = 0.1f, kHigh_m = 1e6f;
+  return AgentStore::Of(from).physics().Around(EyesOf(from), {range_m + kSlack_m, kHigh_m, range_m + kSlack_m});
 }
 
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m) {

@@ -183,7 +183,7 @@ std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
 }
 
 BodiesAround World::Around(Vec3 place, float reach_m) const {
-  return impl_->physics.Around(place, reach_m);
+  return impl_->physics.Around(place, {reach_m, reach_m, reach_m});
 }
 
 Scene& World::scene() {

@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "kernel/base/make_room.h"
+
 namespace soarbox::kernel {
 
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
@@ -68,6 +70,8 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
     records_[Index(wme)] = WmeRecord{};
   } else {
     wme = static_cast<WmeId>(wmes_.size());
+    MakeRoom(wmes_);
+    MakeRoom(records_);
     wmes_.emplace_back();
     records_.emplace_back();
   }
