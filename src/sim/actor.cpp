@@ -197,6 +197,17 @@ std::vector<Outcome> Actor::TakeOutcomes() {
   return std::exchange(outcomes_, {});
 }
 
+bool Actor::OnlyWalks() const {
+  if (is_scripted_) return true;
+  if (!IsAlive()) return dead_;
+  return std::ranges::all_of(running_, [](const Running& command) { return IsWalk(command.said.name); });
+}
+
+void Actor::Foresee() {
+  if (is_scripted_ || !IsAlive()) return;
+  for (Running& command : running_) ForeseeWander(*this, command);
+}
+
 void Actor::Step() {
   if (is_scripted_) return;
   if (!IsAlive()) return Die();

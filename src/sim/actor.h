@@ -78,6 +78,14 @@ struct Running {
   world::Vec3 path_goal;
   std::uint64_t path_tick = 0;
   int told_tenths = -1;  ///< Progress reported last.
+  /// The way that its next step is going to look for, found beforehand (Arena::Foresee).
+  struct FreeWay {
+    world::Vec3 wanted;
+    float turn_before_deg = 0;
+    world::Vec3 direction;
+    float turn_deg = 0;
+  };
+  std::optional<FreeWay> foreseen = std::nullopt;
 
   const vocabulary::Percept* Get(std::string_view name) const { return vocabulary::FindPercept(said.parameters, name); }
   double Number(std::string_view name, double otherwise) const;
@@ -121,6 +129,10 @@ class Actor {
   void Cancel(std::uint64_t tag);
   /// One tick: weapons, commands, legs.
   void Step();
+  /// Whether the next Step lets others meet the same bodies at the same places: it walks and turns at most.
+  bool OnlyWalks() const;
+  /// Finds what the next Step would look for longest. Reads the world and changes only this.
+  void Foresee();
   std::vector<Outcome> TakeOutcomes();
   const std::vector<Running>& running() const { return running_; }
 

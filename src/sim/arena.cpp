@@ -160,6 +160,11 @@ bool Arena::MayReach(world::Vec3 from, world::Vec3 to, float within_m) {
          mesh.value()->MayReach(from, to, within_m);
 }
 
+void Arena::Foresee(const ForEach& each) {
+  const auto last = std::ranges::find_if(actors_, [](const auto& actor) { return !actor->OnlyWalks(); });
+  each(static_cast<std::size_t>(last - actors_.begin()), [this](std::size_t i) { actors_[i]->Foresee(); });
+}
+
 void Arena::Step() {
   board_.Forget(world_.tick(), static_cast<std::uint64_t>(kMessagesKept_s / world_.settings().step_s));
   for (const auto& actor : actors_) {

@@ -52,6 +52,11 @@ class Arena {
   /// after a thing has gone that was there when the mesh was made.
   bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
+  /// Before Step: actors find what they will look for, as far as nobody who acts before them does more than walk. They
+  /// only read the world, so that it does not matter who is first or how many threads `each` has: it calls what it is
+  /// given with every number below that of its first argument.
+  using ForEach = std::function<void(std::size_t, const std::function<void(std::size_t)>&)>;
+  void Foresee(const ForEach& each);
   void Step();
   /// Collisions of the world's last step, as happenings of those who took part.
   void HearCollisions();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/arena.h"
 #include "sim/conduct.h"
@@ -161,15 +162,31 @@ StepResult Flee(Actor& actor, Running& command) {
   return StepResult::Going(now_m / until_m);
 }
 
+constexpr std::string_view kWander = "wander";
+constexpr float kWanderAhead_m = 3;
+
+/// A heading that drifts, drawn from the agent's own stream.
+float Drift(const Actor& actor, const Running& command, world::RandomStream& random) {
+  const float heading = command.ticks == 0 ? HeadingOf(actor.body().Forward()) : command.best_m;
+  return WrapDegrees(heading + (random.Unit() - 0.5f) * 12);
+}
+
+/// As it was foreseen, or found now.
+Vec3 FreeWander(const Actor& actor, Running& command, Vec3 wanted) {
+  const auto known = std::exchange(command.foreseen, std::nullopt);
+  if (known && known->wanted == wanted && known->turn_before_deg == command.turn_deg) {
+    command.turn_deg = known->turn_deg;
+    return known->direction;
+  }
+  return FreeDirection(actor, wanted, kWanderAhead_m, world::kNoEntity, command.turn_deg);
+}
+
 StepResult Wander(Actor& actor, Running& command) {
   const double seconds = command.Number("seconds", 0);
   const double passed = static_cast<double>(command.ticks) * static_cast<double>(StepOf(actor));
   if (seconds > 0 && passed >= seconds) return StepResult::Done();
-  // A heading that drifts, drawn from the agent's own stream.
-  if (command.ticks == 0) command.best_m = HeadingOf(actor.body().Forward());
-  command.best_m = WrapDegrees(command.best_m + (actor.body().random().Unit() - 0.5f) * 12);
-  const Vec3 wanted = AlongHeading(command.best_m);
-  const Vec3 free = FreeDirection(actor, wanted, 3, world::kNoEntity, command.turn_deg);
+  command.best_m = Drift(actor, command, actor.body().random());
+  const Vec3 free = FreeWander(actor, command, AlongHeading(command.best_m));
   if (std::abs(WrapDegrees(HeadingOf(free) - command.best_m)) > 1) command.best_m = HeadingOf(free);
   actor.Walk(free * actor.speed_mps());
   return StepResult::Going(seconds > 0 ? static_cast<float>(passed / seconds) : 0);
@@ -212,13 +229,27 @@ StepResult Stop(Actor&, Running&) {
 
 constexpr Conduct kMoveConducts[] = {
     {"move-to", MoveTo}, {"arrive", Arrive}, {"seek", Seek}, {"flee", Flee},
-    {"wander", Wander},  {"patrol", Patrol}, {"stop", Stop},
+    {kWander, Wander},   {"patrol", Patrol}, {"stop", Stop},
 };
 
 }  // namespace
 
 std::span<const Conduct> MovingConducts() {
   return kMoveConducts;
+}
+
+bool IsWalk(std::string_view command) {
+  return std::ranges::any_of(kMoveConducts, [&](const Conduct& conduct) { return conduct.command == command; });
+}
+
+void ForeseeWander(Actor& actor, Running& command) {
+  if (command.said.name != kWander) return;
+  world::RandomStream random = actor.body().random();
+  Running::FreeWay way;
+  way.wanted = AlongHeading(Drift(actor, command, random));
+  way.turn_before_deg = way.turn_deg = command.turn_deg;
+  way.direction = FreeDirection(actor, way.wanted, kWanderAhead_m, world::kNoEntity, way.turn_deg);
+  command.foreseen = way;
 }
 
 Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::EntityId through, float& turn_deg) {

@@ -24,6 +24,10 @@ std::span<const Conduct> CarryingConducts();   // command_carry.cpp
 std::span<const Conduct> OtherConducts();      // command_other.cpp
 /// Null for a command that has none.
 ConductStep FindConduct(std::string_view command);
+/// Whether a command moves legs and neck at most.
+bool IsWalk(std::string_view command);
+/// If it is `wander`: finds the way that its next step is going to take, if nothing else moves until then.
+void ForeseeWander(Actor& actor, Running& command);
 
 /// Walks towards a point, round what is in the way. `slow_down`: comes to rest on it. Fails with "no-way" as soon as
 /// the ways show that there is none, and with "blocked" after 4 s without progress. For the conducts.

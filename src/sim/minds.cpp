@@ -302,6 +302,19 @@ void Minds::Decide() {
   BeginBesideScripts();
 }
 
+void Minds::LookAhead() {
+  constexpr std::size_t kWorthThreads = 16;
+  pool_.Join();  // Scripted minds have been awaited one by one.
+  arena_.Foresee([this](std::size_t count, const std::function<void(std::size_t)>& look) {
+    const std::size_t threads = count < kWorthThreads ? 1 : host_.threads();
+    const auto part = [&](std::size_t thread) {
+      for (std::size_t i = thread; i < count; i += threads) look(i);
+    };
+    if (threads == 1) return part(0);
+    pool_.Run(part);
+  });
+}
+
 /// Bodies learn of orders and of each other. Each changes only what it knows itself, draws from its own stream and sees
 /// the world as it is now, so that it does not matter which thread is whose.
 void Minds::Notice() {

@@ -68,6 +68,8 @@ class Minds final : public script::MindFactory {
   struct Mind;
   /// Before a body acts: its mind has decided when this returns.
   void Await(Mind& mind);
+  /// Before the bodies act that no script drives: they look ahead, on all threads.
+  void LookAhead();
   /// Notes how a command of a scripted mind went, for Answer.
   void NoteAnswer(Mind& mind, Outcome outcome);
   /// After the bodies have acted: tells the minds how their commands went. Scripted minds on other threads have heard

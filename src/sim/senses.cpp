@@ -362,8 +362,8 @@ void NoticeOthers(Actor& actor) {
     if (id == actor.id()) continue;
     const world::Agent& other = *world.FindAgent(id);
     const float range_m = FlatDistance(actor.body().Position(), other.Position());
-    const bool seen = IsInView(actor, other.Position()) &&
-                      (sees(other, other.Position()) || sees(other, world::EyesOf(other)));
+    const bool seen =
+        IsInView(actor, other.Position()) && (sees(other, other.Position()) || sees(other, world::EyesOf(other)));
     // Who runs is heard at the full range, who walks at a part of it.
     const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
     const bool heard = !seen && other.Health() > 0 && range_m <= senses.hearing_m * loudness;

@@ -420,6 +420,7 @@ void Simulation::Tick() {
     s.scripts->Foresee(s.order, i);
     s.Act(s.order[i]);
   }
+  s.minds->LookAhead();
   s.arena->Step();
   s.foreign->Move();
   s.minds->Answer();

@@ -67,6 +67,51 @@ TEST(Threads, TheRunIsTheSameOnAnyNumberOfThem) {
   }
 }
 
+/// Agents that wander in a crowd, and one among them that at first does something else: who comes after it must not
+/// trust what was found before.
+std::vector<std::uint64_t> Stroll(int threads) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("soarbox_stroll_" + std::to_string(threads));
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const char* text) { std::ofstream(folder / name) << text; };
+  write("scenario.toml", R"(
+[[agent]]
+name = "early"
+rules = "stroll.soar"
+count = 20
+across = 5
+[[agent]]
+name = "waiter"
+rules = "wait.soar"
+position = [10, 0]
+[[agent]]
+name = "late"
+rules = "stroll.soar"
+count = 20
+across = 5
+position = [0.7, 0.7]
+)");
+  write("stroll.soar", R"(
+sp {propose*wander (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name wander)}
+sp {apply*wander (state <s> ^operator.name wander ^io.output-link <out>) --> (<out> ^wander <c>)}
+)");
+  write("wait.soar", R"(
+sp {propose*wait (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name wait)}
+sp {apply*wait (state <s> ^operator.name wait ^io.output-link <out>) --> (<out> ^wait <c>) (<c> ^seconds 0.3)}
+)");
+  auto hashes = Play((folder / "scenario.toml").c_str(), threads, 7, 24);
+  std::filesystem::remove_all(folder);
+  return hashes;
+}
+
+TEST(Threads, WaysThroughACrowdAreTheSameOnAnyNumberOfThem) {
+  const auto one = Stroll(1);
+  EXPECT_NE(one.front(), one.back());
+  EXPECT_EQ(Stroll(2), one);
+  EXPECT_EQ(Stroll(5), one);
+}
+
 /// What happens in a world whose scripts make agents with minds while others decide, and whose minds have gaps, halt
 /// and write.
 std::string Happenings(int threads) {
