@@ -67,8 +67,8 @@ TEST(Threads, TheRunIsTheSameOnAnyNumberOfThem) {
   }
 }
 
-/// Agents that wander in a crowd, and one among them that at first does something else: who comes after it must not
-/// trust what was found before.
+/// Agents that wander in a crowd, and one among them that at first does something else: who comes after it finds its
+/// way in its own turn then.
 std::vector<std::uint64_t> Stroll(int threads) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("soarbox_stroll_" + std::to_string(threads));

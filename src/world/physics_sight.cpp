@@ -94,6 +94,22 @@ void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btV
   share = entry->fraction;
 }
 
+/// What a body fills, seen from above.
+struct Circle {
+  btScalar x, z, radius;
+};
+
+Circle CircleAround(const btCollisionObject& body, const btDbvtVolume& box) {
+  const btTransform& place = body.getWorldTransform();
+  const bool stands = place.getBasis()[1][1] == 1;
+  if (stands && body.getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE) {
+    const auto& capsule = static_cast<const btCapsuleShape&>(*body.getCollisionShape());
+    return {place.getOrigin().x(), place.getOrigin().z(), capsule.getRadius()};
+  }
+  const btVector3 center = box.Center(), half = box.Extents();
+  return {center.x(), center.z(), std::sqrt(half.x() * half.x() + half.z() * half.z())};
+}
+
 /// The part of the segment in front of the target's surface; all of it if there is none.
 btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, const btVector3& to) {
   if (target == nullptr) return 1;
@@ -124,16 +140,16 @@ NearBodies::NearBodies(const CrowdBroadphase& bodies, const btVector3& low, cons
         bodies_.push_back({box, &body});
         return true;
       });
-  // More than what rounding can take away.
-  constexpr btScalar kSlack_m = 0.02f, kSlack = 4e-6f;
   circles_.resize((bodies_.size() + kLanes - 1) / kLanes);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const btVector3 center = bodies_[i].box.Center(), half = bodies_[i].box.Extents();
-    const btScalar far = std::abs(center.x()) + std::abs(center.z()) + (high - low).x() + half.x() + half.z();
+    const Circle circle = CircleAround(*bodies_[i].body, bodies_[i].box);
+    // More than what rounding can take away.
+    constexpr btScalar kSlack_m = 0.02f, kSlack = 4e-6f;
+    const btScalar far = std::abs(circle.x) + std::abs(circle.z) + (high - low).x() + circle.radius;
     Circles& circles = circles_[i / kLanes];
-    circles.x[i % kLanes] = center.x();
-    circles.z[i % kLanes] = center.z();
-    circles.radius[i % kLanes] = std::sqrt(half.x() * half.x() + half.z() * half.z()) + kSlack_m + kSlack * far;
+    circles.x[i % kLanes] = circle.x;
+    circles.z[i % kLanes] = circle.z;
+    circles.radius[i % kLanes] = circle.radius + kSlack_m + kSlack * far;
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/io/input_link.h"
 
-#include "kernel/base/make_room.h"
 #include "kernel/io/input_tap.h"
 
 namespace soarbox::kernel {
@@ -87,7 +86,6 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
     free_elements_.pop_back();
   } else {
     place = static_cast<std::uint32_t>(elements_.size());
-    MakeRoom(elements_);
     elements_.emplace_back().generation = first_generation_;
   }
   Element& element = elements_[place];

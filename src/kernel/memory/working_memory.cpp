@@ -3,8 +3,6 @@
 
 #include <cassert>
 
-#include "kernel/base/make_room.h"
-
 namespace soarbox::kernel {
 
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
@@ -70,8 +68,6 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
     records_[Index(wme)] = WmeRecord{};
   } else {
     wme = static_cast<WmeId>(wmes_.size());
-    MakeRoom(wmes_);
-    MakeRoom(records_);
     wmes_.emplace_back();
     records_.emplace_back();
   }
