@@ -139,7 +139,7 @@ export class Labels {
     const near = view.scene.places.map((place) => ({ place, point: this.project(place.place, view) })).filter((one) => one.point !== null && one.point.away < Math.max(PLACE_GONE_M, FURTHER * view.away))
       .sort((a, b) => a.point!.away - b.point!.away).slice(0, MOST_PLACES);
     return near.map(({ place, point }) => {
-      const box = layout.place(point!.x, point!.y - 4, place.name.length * 6.8 + 24, 19);
+      const box = layout.place(point!.x, point!.y - 4, place.name.length * 7.2 + 30, 19);
       return box !== null && h(`div.place.${place.kind}`, { key: `p${place.kind}${place.name}`, style: position(box) }, h("i", null, PLACE_SIGNS[place.kind]), place.name);
     });
   }

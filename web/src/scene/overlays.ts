@@ -256,7 +256,6 @@ export function paintOverlays(out: LineBatch, { scene, time, placed, selected, o
     }
   }
   if (shown.has("forces")) paintForces(pen, scene, placed, trails);
-  if (shown.has("places")) for (const place of scene.places) if (place.kind === "waypoint") pen.circle(lifted(place.place, 0.08), 0.5, [1, 1, 1, 0.85]);
   const chosen = placed.get(selected);
   if (chosen !== undefined) {
     const feet = lifted(feetOf(chosen), 0.08);

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, RGBAFormat, SRGBColorSpace, UnsignedByteType } from "three";
+import { LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, type DataTexture } from "three";
 import type { Paint, Rgb } from "./looks";
 import { fractal2, latticeValue, noise2 } from "./noise";
+import { paintLater } from "./painter";
 
 /** What bodies are made of: cells of one picture, as their shapes name them. */
 enum Cloth { Camouflage, Webbing, Skin, Leather, Metal, Glass, Helmet, Rubber, Steel, Team, DarkCamouflage, DarkWebbing, DarkHelmet }
 const CLOTHS = 13;
 
-/** Pictures for surfaces, painted by code when they are first needed. */
+/** Pictures for surfaces, painted by code after they are first needed. */
 type Shade = (u: number, v: number, x: number, y: number) => Rgb;
 
-function painted(size: number, shade: Shade, isData = false): DataTexture {
-  const pixels = new Uint8Array(size * size * 4);
-  for (let y = 0; y < size; ++y) {
-    for (let x = 0; x < size; ++x) {
-      const tone = shade((x + 0.5) / size, (y + 0.5) / size, x, y), at = 4 * (y * size + x);
-      for (let c = 0; c < 3; ++c) pixels[at + c] = Math.min(Math.max(tone[c]!, 0), 1) * 255 + 0.5;
-      pixels[at + 3] = 255;
-    }
-  }
-  const texture = new DataTexture(pixels, size, size, RGBAFormat, UnsignedByteType);
+const byteOf = (tone: number): number => Math.min(Math.max(tone, 0), 1) * 255 + 0.5;
+
+/** `first`: its colour until it is painted. */
+function painted(size: number, first: Rgb, shade: Shade, isData = false): DataTexture {
+  const texture = paintLater(Uint8Array.of(...first.map(byteOf), 255), 1, {
+    width: size, height: size,
+    row: (y, pixels) => {
+      for (let x = 0; x < size; ++x) {
+        const tone = shade((x + 0.5) / size, (y + 0.5) / size, x, y), at = 4 * x;
+        for (let c = 0; c < 3; ++c) pixels[at + c] = byteOf(tone[c]!);
+        pixels[at + 3] = 255;
+      }
+    },
+  });
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
@@ -125,31 +130,32 @@ export function sampleCoarsely(texture: DataTexture): DataTexture {
 /** Null for paint without a picture. */
 export function paintTexture(paint: Paint): DataTexture | null {
   switch (paint) {
-    case "concrete": return once(paint, () => painted(256, concrete));
-    case "brick": return once(paint, () => painted(256, brick));
-    case "crate": return once(paint, () => painted(256, crate));
-    case "leaves": return once(paint, () => painted(128, leaves));
-    case "stone": return once(paint, () => painted(256, stone));
-    case "cloth": return once(paint, () => painted(CELL * 4, cloths));
-    case "missing": return once(paint, () => painted(64, missing));
+    case "concrete": return once(paint, () => painted(256, grey(0.8), concrete));
+    case "brick": return once(paint, () => painted(256, [0.66, 0.4, 0.32], brick));
+    case "crate": return once(paint, () => painted(256, [0.82, 0.8, 0.74], crate));
+    case "leaves": return once(paint, () => painted(128, [0.5, 0.64, 0.38], leaves));
+    case "stone": return once(paint, () => painted(256, grey(0.62), stone));
+    case "cloth": return once(paint, () => painted(CELL * 4, [0.36, 0.35, 0.26], cloths));
+    case "missing": return once(paint, () => painted(64, [0.5, 0, 0.5], missing));
     default: return null;
   }
 }
 
 /** Three kinds of noise that repeats, for the ground. */
 export function grainTexture(): DataTexture {
-  return once("grain", () => painted(256, (u, v) => [fractal2(u * 8, v * 8, 5, 11, 8), fractal2(u * 8, v * 8, 5, 23, 8), fractal2(u * 8, v * 8, 5, 37, 8)], true));
+  return once("grain", () => painted(256, grey(0.5), (u, v) => [fractal2(u * 8, v * 8, 5, 11, 8), fractal2(u * 8, v * 8, 5, 23, 8), fractal2(u * 8, v * 8, 5, 37, 8)], true));
 }
 
 /** The plain of a world as one picture, where the processor draws: grass, soil, tracks and the lines every ten metres. */
 export function plainTexture(base: Rgb, grass: Rgb | null, sideM: number): DataTexture {
   return once(`plain${base.join()}${grass?.join() ?? ""}${sideM}`, () => {
-    const size = 1024, grain = grainTexture().image as { data: Uint8Array };
+    const size = 1024, grain = grainTexture();
     const noise = (x: number, y: number, channel: number): number => {
       const wrap = (value: number): number => ((Math.floor(value * 256) % 256) + 256) % 256;
-      return grain.data[4 * (wrap(y) * 256 + wrap(x)) + channel]! / 255;
+      return (grain.image.data as Uint8Array)[4 * (wrap(y) * 256 + wrap(x)) + channel]! / 255;
     };
-    const texture = painted(size, (u, v) => {
+    // The grain is painted by then: it was asked for before.
+    const texture = painted(size, grass ?? base, (u, v) => {
       const x = (u - 0.5) * sideM, z = (v - 0.5) * sideM, bx = z * 0.0061 + 0.11, by = x * 0.0061 + 0.11;
       const broad = noise(bx, by, 1), dry = noise(bx, by, 2), grains = 0.45 * noise(x * 0.31, z * 0.31, 0) + 0.3 * broad + 0.25 * dry;
       const along = Math.abs(z - 15 - 6 * Math.sin(x * 0.045) - 2 * Math.sin(x * 0.13 + 1.3)), across = Math.abs(x + 19 - 5 * Math.sin(z * 0.05 + 0.7) - 1.5 * Math.sin(z * 0.17));

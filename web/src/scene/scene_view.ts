@@ -16,6 +16,7 @@ import { paintImagined } from "./imagined";
 import { lookOf } from "./looks";
 import { geometryOf, Materials, PLAIN_SIDE_M } from "./materials";
 import { paintOverlays, Trails, type BelievedBody, type OverlayWord, type Placed } from "./overlays";
+import { whenPainted } from "./painter";
 import { ScriptUi } from "./script_ui";
 import { ShapeLibrary, type ShapeContent } from "./shape_library";
 import { Sky } from "./sky";
@@ -58,6 +59,7 @@ export class SceneView {
   private placed = new Map<number, Placed>();
   private selectedId = 0;
   private lastFrame = 0;
+  private readonly isProcessor: boolean;
   private governor: Governor;
   private restless = 2;
   private stopped = false;
@@ -70,8 +72,10 @@ export class SceneView {
 
   /** `isFull`: all is drawn in full detail, however long that takes. */
   constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents, private isFull: boolean) {
+    const context = contextOf(canvas);
+    this.isProcessor = isDrawnByProcessor(context);
     this.governor = this.newGovernor();
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.governor.quality.isSlow, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, context });
     // Errors of shaders are looked for while they are written; to ask costs time at each first look.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
@@ -84,6 +88,7 @@ export class SceneView {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.03;
     this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines, this.dots.points);
+    whenPainted(() => this.wake());
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
     this.scriptUi = new ScriptUi(scriptLayer);
     this.drawAs();
@@ -363,7 +368,7 @@ export class SceneView {
   }
 
   private newGovernor(): Governor {
-    return this.isFull ? new Governor(0, true) : new Governor(isDrawnByProcessor() ? FIRST_OF_PROCESSOR : 0);
+    return this.isFull ? new Governor(0, true) : new Governor(this.isProcessor ? FIRST_OF_PROCESSOR : 0);
   }
 
   /** As well as the governor says. */
@@ -386,10 +391,15 @@ export class SceneView {
   }
 }
 
-/** Whether no graphics card draws. */
-function isDrawnByProcessor(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2"), info = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = gl === null || info === null || info === undefined ? "" : String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software/i.test(name);
+/** With smooth edges only where a graphics card draws: a browser gives none that asks for that where it knows that the processor would. */
+function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
+  const wanted: WebGLContextAttributes = { alpha: false, depth: true, stencil: false, powerPreference: "high-performance" };
+  const context = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true }) ?? canvas.getContext("webgl2", { ...wanted, antialias: false });
+  if (context === null) throw new Error("WebGL is switched off");
+  return context;
+}
+
+function isDrawnByProcessor(context: WebGL2RenderingContext): boolean {
+  const info = context.getExtension("WEBGL_debug_renderer_info");
+  return info !== null && /swiftshader|llvmpipe|software/i.test(String(context.getParameter(info.UNMASKED_RENDERER_WEBGL)));
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { BackSide, Color, DataTexture, LinearFilter, Mesh, MeshBasicMaterial, RepeatWrapping, SphereGeometry, SRGBColorSpace } from "three";
+import { BackSide, Color, LinearFilter, Mesh, MeshBasicMaterial, RepeatWrapping, SphereGeometry, SRGBColorSpace, type DataTexture } from "three";
 import type { Rgb } from "./looks";
 import { fractal2, latticeValue } from "./noise";
+import { paintLater } from "./painter";
 
 interface SkyStyle { zenith: Rgb; horizon: Rgb; cloudLight: Rgb; cloudDark: Rgb; below: Rgb; cover: number; stars: number }
 
@@ -14,7 +15,7 @@ const SKIES: Readonly<Record<string, SkyStyle>> = {
   DarkStormy: { zenith: [0.18, 0.21, 0.26], horizon: [0.44, 0.47, 0.5], cloudLight: [0.58, 0.6, 0.62], cloudDark: [0.2, 0.22, 0.26], below: [0.25, 0.28, 0.3], cover: 0.85, stars: 0 },
   FullMoon: { zenith: [0.02, 0.03, 0.09], horizon: [0.12, 0.16, 0.26], cloudLight: [0.3, 0.34, 0.44], cloudDark: [0.08, 0.1, 0.16], below: [0.06, 0.08, 0.12], cover: 0.34, stars: 1 },
 };
-const WIDTH = 640, HEIGHT = 320;
+const WIDTH = 640, HEIGHT = 320, FEW_ROWS = 64;
 
 const mix = (a: Rgb, b: Rgb, t: number): Rgb => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 function smooth(low: number, high: number, value: number): number {
@@ -37,19 +38,24 @@ function above(style: SkyStyle, x: number, y: number, z: number): Rgb {
   return mix(air, mix(style.horizon, mix(style.cloudDark, style.cloudLight, shade), smooth(-0.02, 0.22, y)), cover * smooth(0, 0.07, y));
 }
 
-function picture(style: SkyStyle): DataTexture {
-  const pixels = new Uint8Array(WIDTH * HEIGHT * 4);
-  for (let row = 0; row < HEIGHT; ++row) {
-    const tilt = Math.PI * ((row + 0.5) / HEIGHT - 0.5), y = Math.sin(tilt), wide = Math.cos(tilt);
-    for (let column = 0; column < WIDTH; ++column) {
-      const angle = (2 * Math.PI * column) / WIDTH;
-      const tone = y >= 0 ? above(style, wide * Math.sin(angle), y, wide * Math.cos(angle)) : mix(style.horizon, style.below, smooth(0, 0.2, -y));
-      const at = 4 * (row * WIDTH + column);
-      for (let c = 0; c < 3; ++c) pixels[at + c] = tone[c]! * 255;
-      pixels[at + 3] = 255;
-    }
+function toneAt(style: SkyStyle, row: number, column: number, rows: number, columns: number): Rgb {
+  const tilt = Math.PI * ((row + 0.5) / rows - 0.5), y = Math.sin(tilt), wide = Math.cos(tilt), angle = (2 * Math.PI * column) / columns;
+  return y >= 0 ? above(style, wide * Math.sin(angle), y, wide * Math.cos(angle)) : mix(style.horizon, style.below, smooth(0, 0.2, -y));
+}
+
+function paintRow(style: SkyStyle, row: number, rows: number, columns: number, into: Uint8Array): void {
+  for (let column = 0; column < columns; ++column) {
+    const tone = toneAt(style, row, column, rows, columns), at = 4 * column;
+    for (let c = 0; c < 3; ++c) into[at + c] = tone[c]! * 255;
+    into[at + 3] = 255;
   }
-  const texture = new DataTexture(pixels, WIDTH, HEIGHT);
+}
+
+/** Clear at first; clouds and stars take their time. */
+function picture(style: SkyStyle): DataTexture {
+  const clear = new Uint8Array(4 * FEW_ROWS), air: SkyStyle = { ...style, cover: 0, stars: 0 };
+  for (let row = 0; row < FEW_ROWS; ++row) paintRow(air, row, FEW_ROWS, 1, clear.subarray(4 * row, 4 * row + 4));
+  const texture = paintLater(clear, FEW_ROWS, { width: WIDTH, height: HEIGHT, row: (row, pixels) => paintRow(style, row, HEIGHT, WIDTH, pixels) });
   texture.wrapS = RepeatWrapping;
   texture.magFilter = texture.minFilter = LinearFilter;
   texture.colorSpace = SRGBColorSpace;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import { DataTexture, type Texture } from "three";
+
+const SLICE_MS = 10;
+
+/** Gives the rows of a picture one after another. */
+export interface Canvas { readonly width: number; readonly height: number; row(y: number, into: Uint8Array): void }
+
+let painted = (): void => {};
+const waiting: (() => boolean)[] = [];
+let isBusy = false;
+
+/** `call` is called whenever a picture is there. */
+export function whenPainted(call: () => void): void {
+  painted = call;
+}
+
+/** Paints for a moment, then lets others do their work. */
+function work(): void {
+  for (const end = performance.now() + SLICE_MS; performance.now() < end;) {
+    if (waiting.length === 0) {
+      isBusy = false;
+      return;
+    }
+    if (waiting[0]!()) waiting.shift();
+  }
+  setTimeout(work, 0);
+}
+
+/**
+ * A texture of one row that stands for the picture until that is painted, in the order of the calls: to paint takes longer than to
+ * draw, and nobody should wait for it to see something.
+ */
+export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, canvas: Canvas): DataTexture {
+  const { width, height } = canvas, texture = new DataTexture(first, first.length / 4 / firstHeight, firstHeight);
+  let pixels: Uint8Array<ArrayBuffer> | null = null, y = 0, isGone = false;
+  const gone = (): void => {
+    isGone = true;
+  };
+  texture.addEventListener("dispose", gone);
+  waiting.push(() => {
+    if (isGone) return true;
+    pixels ??= new Uint8Array(width * height * 4);
+    canvas.row(y, pixels.subarray(4 * width * y, 4 * width * (y + 1)));
+    y += 1;
+    if (y < height) return false;
+    replace(texture, gone, pixels, width, height);
+    painted();
+    return true;
+  });
+  if (!isBusy) {
+    isBusy = true;
+    setTimeout(work, 0);
+  }
+  return texture;
+}
+
+/** Of another size: the card makes room anew. */
+function replace(texture: DataTexture, gone: () => void, data: Uint8Array<ArrayBuffer>, width: number, height: number): void {
+  texture.removeEventListener("dispose", gone);
+  (texture as Texture).dispose();
+  texture.image = { data, width, height };
+  texture.needsUpdate = true;
+}
