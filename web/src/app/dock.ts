@@ -56,6 +56,7 @@ export class Dock {
       this.panels.find((one) => one.word === word)?.shown?.(true);
     }
     this.drawTabs();
+    this.tabs.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest", inline: "nearest" });
     this.stale.add(word);
     this.later();
     if (focus) this.bodies.get(word)?.focus();

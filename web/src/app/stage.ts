@@ -135,7 +135,14 @@ export class Stage {
       view.take(scene);
       if (scene.components.length > 0) this.tellSize();
     });
+    const tellCovered = (): void => {
+      const { offsetLeft: left, offsetTop: top, offsetWidth: width, offsetHeight: height } = this.tools;
+      view.covered = [{ left, top, width, height }];
+      view.wake();
+    };
+    new ResizeObserver(tellCovered).observe(this.tools);
     new ResizeObserver(() => {
+      tellCovered();
       clearTimeout(this.resized);
       this.resized = setTimeout(() => (this.run.scene?.components.length ?? 0) > 0 && this.tellSize(), RESIZED_AFTER_MS);
     }).observe(this.element);

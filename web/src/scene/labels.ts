@@ -8,7 +8,7 @@ import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 
 const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
 /** Who looks from far away sees the names of what is so much further away than what is looked at. */
-const FURTHER = 2;
+const FURTHER = 2, MOST_COVERED = 0.4;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {
@@ -40,6 +40,8 @@ export interface LabelScene {
   width: number;
   height: number;
   camera: PerspectiveCamera;
+  /** What lies over the picture: no label is put under it. */
+  covered: readonly Box[];
   /** From the camera to what is looked at, in m. */
   away: number;
 }
@@ -78,6 +80,8 @@ export class Labels {
       if (point !== null && point.away < Math.max(GONE_M, FURTHER * view.away)) heads.push({ one, point });
     }
     heads.sort((a, b) => (a.one.id === selected ? -1 : b.one.id === selected ? 1 : a.point.away - b.point.away));
+    // Who covers most of the picture wants it so.
+    for (const box of view.covered) if (box.width * box.height < MOST_COVERED * view.width * view.height) layout.block(box);
     for (const { point } of heads.slice(0, 24)) {
       const size = Math.min(600 / point.away, 60);
       layout.block({ left: point.x - size / 3, top: point.y, width: (2 * size) / 3, height: size * 1.4 });

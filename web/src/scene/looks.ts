@@ -52,6 +52,8 @@ const LOOKS: Readonly<Record<string, Look>> = {
   "Soarbox/Silver": look([0.82, 0.85, 0.89], DARK, 0.6), "Soarbox/Bronze": look([0.68, 0.38, 0.17], DARK, 0.6),
   "Soarbox/RedFlower": look([0.86, 0.12, 0.14], [0.52, 0.62, 0.14], 0.05), "Soarbox/BlueFlower": look([0.2, 0.34, 0.9], [0.52, 0.62, 0.14], 0.05),
   "Soarbox/WhiteFlower": look([0.95, 0.95, 0.93], [0.52, 0.62, 0.14], 0.05), "Soarbox/Hedge": look([0.2, 0.38, 0.13], DARK, 0.02),
+  "Soarbox/Yellow": look(YELLOW, DARK, 0.3), "Soarbox/Purple": look([0.46, 0.2, 0.62], DARK, 0.3), "Soarbox/Orange": look([0.94, 0.46, 0.1], DARK, 0.3),
+  "Soarbox/Black": look([0.07, 0.07, 0.08], DARK, 0.4), "Soarbox/BoardLight": look([0.66, 0.68, 0.62], DARK, 0.05), "Soarbox/BoardDark": look([0.56, 0.59, 0.53], DARK, 0.05),
   "Soarbox/Hills": look([0.4, 0.47, 0.24], [0.33, 0.28, 0.22], 0.02), "Soarbox/Missing": look([1, 1, 1], DARK, 0.1, { glow: 0.35, paint: "missing" }),
 };
 

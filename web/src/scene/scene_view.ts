@@ -10,6 +10,7 @@ import { Bodies } from "./bodies";
 import { AMONG_OTHERS_M, CameraRig } from "./camera_rig";
 import { Dots } from "./dots";
 import { FIRST_OF_PROCESSOR, Governor, SLOW_EVERY_MS } from "./governor";
+import type { Box } from "./label_layout";
 import { Labels } from "./labels";
 import { LineBatch } from "./line_batch";
 import { paintImagined } from "./imagined";
@@ -36,6 +37,8 @@ export class SceneView {
   readonly on = new Set<OverlayWord>(["labels", "shots", "places"]);
   readonly playout = new Playout();
   isPaused = false;
+  /** What lies over the picture, in its pixels: no label is put under it. */
+  covered: readonly Box[] = [];
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
   private readonly materials = new Materials();
@@ -307,9 +310,9 @@ export class SceneView {
     if (scene !== null) {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
       if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
-      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away });
+      const boxes = this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height), covered = [...this.covered, ...boxes];
+      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered });
       this.dots.show(dots, this.renderer.getPixelRatio());
-      this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height);
     }
     this.showGhosts(ghosts.filter((one) => one.radius > 0));
     this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());

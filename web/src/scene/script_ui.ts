@@ -2,6 +2,7 @@
 import { Matrix4, Quaternion, Vector3, type PerspectiveCamera } from "three";
 import { h, patch, type Child } from "../dom/view";
 import { Font, type Color, type Component } from "../format/scene";
+import type { Box } from "./label_layout";
 import { cssColor } from "./looks";
 
 const FONT_OF: Readonly<Record<string, Font>> = { "9": Font.Small, "91": Font.SmallMono, "14": Font.Medium, "141": Font.MediumMono, "24": Font.Large, "241": Font.LargeMono };
@@ -67,8 +68,9 @@ function body(one: Component, palette: readonly Color[]): Child[] {
 export class ScriptUi {
   constructor(private readonly layer: HTMLElement) {}
 
-  draw(components: readonly Component[], palette: readonly Color[], camera: PerspectiveCamera, width: number, height: number): void {
-    const byId = new Map(components.map((one) => [one.id, one])), shown: Child[] = [];
+  /** Gives back what the boxes on the screen cover. */
+  draw(components: readonly Component[], palette: readonly Color[], camera: PerspectiveCamera, width: number, height: number): Box[] {
+    const covered: Box[] = [], byId = new Map(components.map((one) => [one.id, one])), shown: Child[] = [];
     for (const one of [...components].sort((a, b) => a.layer - b.layer)) {
       if (!one.visible || (one.width < 1 && one.text === "")) continue;
       let { x, y } = one, isShown = true, world = one.world;
@@ -90,6 +92,7 @@ export class ScriptUi {
         y = ((1 - point.y) / 2) * height;
         scale = ((METRES_PER_PX * height) / (2 * Math.tan((camera.fov * Math.PI) / 360) * -away)).toFixed(3);
       }
+      if (world === null) covered.push({ left: x, top: y, width: one.width, height: one.height });
       const gradient = one.gradient;
       const angle = gradient?.direction === "diagonal" ? "135deg" : gradient?.direction === "vertical" ? "180deg" : "90deg";
       shown.push(h(`div.box.${CLASS_OF[one.font] ?? "small"}`, {
@@ -101,5 +104,6 @@ export class ScriptUi {
       }, body(one, palette)));
     }
     patch(this.layer, shown);
+    return covered;
   }
 }
