@@ -146,9 +146,14 @@ export class Stage {
       clearTimeout(this.resized);
       this.resized = setTimeout(() => (this.run.scene?.components.length ?? 0) > 0 && this.tellSize(), RESIZED_AFTER_MS);
     }).observe(this.element);
+    const tellBoard = (): void => {
+      view.isBoard = (this.run.hello?.turn_ticks ?? 1) > 1;
+    };
+    tellBoard();
     this.run.on("hello", () => {
       this.toldSize = "";
       view.forget();
+      tellBoard();
       this.askOverlays();
       this.draw();
     });

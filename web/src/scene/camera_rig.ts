@@ -9,6 +9,8 @@ const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FART
 const MOST_CLOSE = 12;
 /** Few who stand close together are shown with so much of the world around them. */
 export const AMONG_OTHERS_M = 9;
+/** Scripts place the camera for pictures of this width to height. */
+const WINDOW_ASPECT = 16 / 9;
 const TURN_PER_PX = 0.006, EASE_PER_S = 9;
 
 interface View { target: [number, number, number]; heading: number; tilt: number; away: number }
@@ -80,8 +82,8 @@ export class CameraRig {
     if (!ease) this.shown = copy(this.wanted);
   }
 
-  /** Takes over where scripts want the camera, when they say so anew. True if it did. */
-  obey(order: Camera, actors: readonly Vec3[] = []): boolean {
+  /** Takes over where scripts want the camera, when they say so anew. True if it did. `isBoard`: what they show is shown whole. */
+  obey(order: Camera, actors: readonly Vec3[] = [], isBoard = false): boolean {
     if (order.moves === this.moves) return false;
     const isFirst = this.moves < 0;
     this.moves = order.moves;
@@ -95,7 +97,8 @@ export class CameraRig {
     if (order.fovDeg > 10 && order.fovDeg < 120) this.camera.fov = order.fovDeg;
     this.camera.updateProjectionMatrix();
     // Scripts think of a whole window; few actors are shown larger in the page's smaller picture.
-    if (isFirst && actors.length > 0 && actors.length <= MOST_CLOSE) {
+    if (isFirst && isBoard) this.wanted.away *= Math.max(1, WINDOW_ASPECT / this.camera.aspect);
+    else if (isFirst && actors.length > 0 && actors.length <= MOST_CLOSE) {
       const { away: far } = this.wanted;
       this.frame(actors, false, AMONG_OTHERS_M);
       if (this.wanted.away > far) this.wanted.away = far;

@@ -37,6 +37,8 @@ export class SceneView {
   readonly on = new Set<OverlayWord>(["labels", "shots", "places"]);
   readonly playout = new Playout();
   isPaused = false;
+  /** Whether it shows a game on a board. */
+  isBoard = false;
   /** What lies over the picture, in its pixels: no label is put under it. */
   covered: readonly Box[] = [];
   private readonly renderer: WebGLRenderer;
@@ -213,7 +215,7 @@ export class SceneView {
     this.light(after);
     this.things.show(between);
     this.bodies.show(between, this.rig.camera, this.governor.quality.isSlow);
-    if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place))) this.isFramed = true;
+    if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place), this.isBoard)) this.isFramed = true;
     if (!this.isFramed && after.agents.size > 0) {
       this.isFramed = true;
       this.rig.frame([...after.agents.values()].map((agent) => agent.place), false);
