@@ -381,14 +381,8 @@ void Viewer::SelectAgent(std::uint32_t agent_id) {
   impl_->selection.clear();
   if (agent_id != 0) impl_->selection.push_back(agent_id);
 }
-void Viewer::SelectAgents(std::vector<std::uint32_t> agent_ids) {
-  impl_->selection = std::move(agent_ids);
-}
 std::uint32_t Viewer::selected_agent() const {
   return impl_->selection.empty() ? 0 : impl_->selection.front();
-}
-const std::vector<std::uint32_t>& Viewer::selection() const {
-  return impl_->selection;
 }
 
 void Viewer::ShowOverlays(const world::OverlaySnapshot& overlays) {

@@ -86,6 +86,13 @@ struct FrameCosts {
 /// Width and height in px that the display has for windows, without its own bars; nothing if there is no display.
 std::optional<std::pair<int, int>> RoomOnDisplay();
 
+/// How far the script that plays a user has come.
+struct UiScriptProgress {
+  bool is_over = true;  ///< Or none was given.
+  std::size_t steps_done = 0;
+  std::optional<Diagnostic> failure;  ///< What went wrong with it.
+};
+
 /// The window: it shows the newest snapshot of a world and reports what the user does.
 ///
 /// One viewer at a time per process, used by the thread that opened it. It never changes the world: keys and mouse
@@ -153,11 +160,7 @@ class Viewer {
   void OfferPanel(workbench::PanelId panel);
   /// As the user has arranged it, to be remembered.
   const Layout& layout() const;
-  /// The script that plays a user has come to its end, or none was given; and what went wrong with it.
-  bool ui_script_over() const;
-  const std::optional<Diagnostic>& ui_script_failure() const;
-  /// How many of its steps are done.
-  std::size_t ui_script_at() const;
+  UiScriptProgress ui_script() const;
 
   /// Where the user looks from now; scripts ask for it (Sandbox.GetCameraPosition and its siblings).
   world::CameraSnapshot Camera() const;
@@ -169,11 +172,8 @@ class Viewer {
 
   /// Selects an agent as a click on it would, or none with id 0.
   void SelectAgent(std::uint32_t agent_id);
-  /// Selects several; the first is the one that panels are about.
-  void SelectAgents(std::vector<std::uint32_t> agent_ids);
-  /// The first of selection(); 0: none.
+  /// Of several that the user has selected, the one that panels are about; 0: none.
   std::uint32_t selected_agent() const;
-  const std::vector<std::uint32_t>& selection() const;
 
   /// Draws the current scene once more and writes it as a PNG.
   Result<void> SaveScreenshot(const std::filesystem::path& path);

@@ -130,13 +130,6 @@ const CommandInfo& InfoOf(ViewerCommand command) {
   return kInfos[static_cast<std::size_t>(command)];
 }
 
-std::optional<ViewerCommand> CommandNamed(std::string_view word) {
-  for (const CommandInfo& info : kInfos) {
-    if (!word.empty() && info.word == word) return info.command;
-  }
-  return std::nullopt;
-}
-
 std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control) {
   for (const Key& key : kKeys) {
     if (key.scancode == scancode && key.shift == shift && key.control == control) return key.command;

@@ -86,8 +86,6 @@ inline bool IsOverlay(ViewerCommand command) {
   return command >= ViewerCommand::kLabels && command <= ViewerCommand::kPhysics;
 }
 
-/// The camera or overlay of this word.
-std::optional<ViewerCommand> CommandNamed(std::string_view word);
 /// The command behind a key (SDL's scan code); none for other keys.
 std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control);
 

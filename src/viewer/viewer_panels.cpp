@@ -114,16 +114,8 @@ const Layout& Viewer::layout() const {
   return impl_->workspace ? impl_->workspace->layout() : Nothing<Layout>();
 }
 
-bool Viewer::ui_script_over() const {
-  return !impl_->workspace || impl_->workspace->script_over();
-}
-
-std::size_t Viewer::ui_script_at() const {
-  return impl_->workspace ? impl_->workspace->script_at() : 0;
-}
-
-const std::optional<Diagnostic>& Viewer::ui_script_failure() const {
-  return impl_->workspace ? impl_->workspace->script_failure() : Nothing<std::optional<Diagnostic>>();
+UiScriptProgress Viewer::ui_script() const {
+  return impl_->workspace ? impl_->workspace->script() : UiScriptProgress{};
 }
 
 }  // namespace soarbox::viewer

@@ -213,9 +213,9 @@ void WorkspaceHost::AfterDrawing(const Drawn& drawn) {
   script_->Advance(stage);
 }
 
-const std::optional<Diagnostic>& WorkspaceHost::script_failure() const {
-  static const std::optional<Diagnostic> none;
-  return script_ ? script_->failure() : none;
+UiScriptProgress WorkspaceHost::script() const {
+  if (!script_) return {};
+  return {script_->is_over(), script_->at(), script_->failure()};
 }
 
 }  // namespace soarbox::viewer

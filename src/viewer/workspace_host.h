@@ -29,7 +29,6 @@ class WorkspaceHost {
 
   /// A script that plays a user, from this step on.
   Result<void> LoadScript(const std::filesystem::path& file, std::size_t from);
-  std::size_t script_at() const { return script_ ? script_->at() : 0; }
   /// Sets text size and picture as the layout wants them; before the input of a frame is read.
   void PlacePicture();
   InputClaims Claims();
@@ -68,8 +67,7 @@ class WorkspaceHost {
   bool TakeClosesHelp() { return std::exchange(closes_help_, false); }
   /// Whether the window may close now; else the user is asked first.
   bool MayClose() { return workspace_.MayClose(contents); }
-  bool script_over() const { return !script_ || script_->is_over(); }
-  const std::optional<Diagnostic>& script_failure() const;
+  UiScriptProgress script() const;
 
  private:
   bool TakeShortcut(const SDL_Event& event);

@@ -48,7 +48,7 @@ class ConsoleDesk {
   debugger::Console& ConsoleOf(const std::string& agent) { return consoles_.try_emplace(agent, agent).first->second; }
   /// The line that was begun for this agent, here or in an earlier session.
   const std::string& BegunLine(const std::string& agent);
-  /// What the drafts call the agent's line: a file that is not there.
+  /// The name under which drafts keep the agent's line: no such file exists.
   std::filesystem::path PlaceOfLine(const std::string& agent) const {
     return std::filesystem::path(world_).concat(" console of " + agent);
   }

@@ -33,9 +33,9 @@
 namespace soarbox::workbench {
 
 /// What panels show, as values. A desk fills in what the panels that are looked at need, when the tick or what the user
-/// looks at has changed; who shows them asks nobody anything. contents_json.h has their form as JSON.
+/// looks at has changed; whoever shows them needs nothing else. contents_json.h has their form as JSON.
 
-/// Something that a user should mend.
+/// Something for the user to correct.
 struct ProblemRow {
   Diagnostic diagnostic;
   std::string agent;  ///< Empty: the scenario's or the sandbox's own.
@@ -59,12 +59,12 @@ struct CheckRow {
 struct LessonContents {
   std::string name, title, idea, task, panel;
   std::vector<std::string> new_panels;  ///< Words of the panels that this lesson is about.
-  std::vector<std::string> hints;       ///< Those that the learner has asked for.
+  std::vector<std::string> hints;       ///< Those that the learner asked for.
   std::size_t hint_count = 0;           ///< All that there are.
   bool is_passed = false;
-  bool is_graded = false;          ///< Grading goes on.
-  std::vector<std::string> grade;  ///< What came of it, line by line.
-  std::string next;                ///< The lesson after this one; empty: it is the last.
+  bool is_graded = false;          ///< Being graded.
+  std::vector<std::string> grade;  ///< The result, line by line.
+  std::string next;                ///< The lesson after this one; empty: this is the last.
 };
 
 /// A lesson that can be begun.
@@ -75,30 +75,31 @@ struct LessonOffer {
 
 /// Where the picture and the panels stand in the run.
 struct Moment {
-  std::uint64_t first_tick = 0;  ///< The oldest that one can go back to.
+  std::uint64_t first_tick = 0;  ///< The oldest that can be shown.
   std::uint64_t shown_tick = 0;
   std::uint64_t last_tick = 0;  ///< The newest.
   double step_s = 1.0 / 30;
-  bool is_recording = false;                 ///< All of it is past: nothing but the moment that is shown can change.
+  int turn_ticks = 1;                        ///< Ticks in a turn of a game: a step goes on by a turn.
+  bool is_recording = false;                 ///< All of it is past: only the moment that is shown can change.
   bool is_live = true;                       ///< Shows the newest tick and follows it.
   bool can_go_back = false;                  ///< There is a history.
-  bool can_resume = false;                   ///< The run can go on from a past tick.
+  bool can_resume = false;                   ///< The run can continue from a past tick.
   std::string resume_refusal;                ///< Why not, if it cannot.
   std::optional<std::uint64_t> branch_tick;  ///< Where the old future was left.
-  std::uint32_t branches = 0;                ///< How often the run went back and on.
+  std::uint32_t branches = 0;                ///< How often the run went back and continued.
 };
 
 /// A file that is being edited.
 struct EditContents {
   std::string file;  ///< Empty: none.
   bool is_rules = true;
-  std::uint64_t version = 0;  ///< Grows when the text comes from elsewhere than the panel: from the disk.
+  std::uint64_t version = 0;  ///< Grows when the text comes from the disk rather than from the panel.
   std::string text;
   std::vector<Diagnostic> problems;  ///< Of the text that was checked or applied last.
-  std::string notice;                ///< What came of the last thing asked: "3 rules changed".
+  std::string notice;                ///< The outcome of the last request: "3 rules changed".
   bool is_changed = false, is_unsaved = false;
   int go_to_line = 0;             ///< Where to look first; 0: nowhere.
-  std::uint64_t go_to_count = 0;  ///< Grows each time that somebody wants to go there.
+  std::uint64_t go_to_count = 0;  ///< Grows with each request to go there.
 };
 
 /// A file that was opened to be edited, whether it is looked at or not.
@@ -114,14 +115,14 @@ struct WhyContents {
   std::optional<debugger::WhyNode> answer;
 };
 
-/// Something that is printed of minds again and again.
+/// A watch: what it finds in each mind, looked at again after each decision.
 struct WatchRow {
   struct Cell {
     std::string agent;
-    std::string text;     ///< What is there now.
-    bool is_new = false;  ///< It differs from what was there before the last change of the mind.
+    std::string text;     ///< The value now.
+    bool is_new = false;  ///< It changed when the mind changed last.
     bool is_error = false;
-    std::uint64_t tick = 0;  ///< In which it became so.
+    std::uint64_t tick = 0;  ///< Since when it has this value.
   };
   std::string what;         ///< "S1.io.input-link.self.health", "print s1".
   std::vector<Cell> cells;  ///< One for each agent of Contents::beside.
@@ -136,7 +137,7 @@ struct MindColumn {
   std::string command;  ///< What it said last.
 };
 
-/// A place where a text that is searched everywhere stands.
+/// A place where the text that the user searches everywhere was found.
 struct FoundPlace {
   enum class Kind : std::uint8_t { kRule, kFile, kMemory, kTrace, kMessage } kind = Kind::kRule;
   std::string title;   ///< The line itself.
@@ -162,7 +163,7 @@ struct FuturesContents {
   record::Comparison comparison;
 };
 
-/// A figure that is not there: where somebody would be in another future, or what an agent remembers.
+/// A ghost: where somebody would be in another future, or what an agent remembers.
 struct GhostBody {
   std::string name;
   std::uint32_t agent_id = 0;  ///< Whose figure it is; 0: nobody's.
@@ -176,11 +177,11 @@ struct GhostBody {
 struct ExerciseContents {
   struct Entity {
     std::string id;     ///< "7:8:9"
-    std::string agent;  ///< Its body here; empty: it has none, as it is too far away.
+    std::string agent;  ///< Its body here; empty: it is too far away to have one.
     std::string marking, team, body, type;
-    int silent_s = 0;  ///< Since it was heard of last.
+    int silent_s = 0;  ///< Since its last PDU.
   };
-  /// Of the entities so many are listed.
+  /// At most so many entities are listed.
   static constexpr std::size_t kMostListed = 200;
 
   int exercise = 1;
@@ -201,7 +202,7 @@ struct Contents {
   /// The agent that the panels are about; empty: none is selected.
   std::string agent;
   bool has_mind = false;
-  /// Not empty: why nothing of the mind's inside is shown now.
+  /// Not empty: why the mind cannot be looked into now.
   std::string not_available;
   /// Not empty: how far a recorded moment is from being simulated again, or why it cannot be.
   std::string past_note;
@@ -209,7 +210,7 @@ struct Contents {
   std::string not_recorded;
 
   std::vector<debugger::AgentRow> agents;
-  std::map<std::uint32_t, std::string> activities;  ///< By agent: "move-to gate", what its body does now.
+  std::map<std::uint32_t, std::string> activities;  ///< By agent: what its body does now, "move-to gate".
   std::vector<ProblemRow> problems;                 ///< In order of time.
   std::vector<CheckRow> checks;                     ///< Of the run's mission; none: it has none.
   std::optional<LessonContents> lesson;
@@ -218,7 +219,7 @@ struct Contents {
   std::uint64_t console_lines = 0;  ///< Grows with each new line.
   debugger::Completion completion;  ///< Of the line last asked for.
   std::string completed_line;       ///< That line.
-  std::string begun_line;           ///< That the user typed for this agent and did not send, perhaps in another window.
+  std::string begun_line;           ///< Typed for this agent and not sent, perhaps in another window.
 
   debugger::StackView stack;
   debugger::OperatorsView operators;
@@ -250,7 +251,7 @@ struct Contents {
   std::vector<ScenarioOffer> scenarios;
   std::vector<std::string> recent;  ///< Scenarios and recordings that were opened before, the newest first.
   std::vector<debugger::Breakpoint> breakpoints;
-  std::vector<debugger::BreakHit> hits;  ///< Why the world stands still; empty once it goes on.
+  std::vector<debugger::BreakHit> hits;  ///< Why the world stopped; empty once it runs again.
   std::vector<std::string> plottable;
   std::optional<FuturesContents> futures;
   std::vector<GhostBody> ghosts;

@@ -49,6 +49,7 @@ Json MomentJson(const Moment& at) {
   json["shown_tick"] = at.shown_tick;
   json["last_tick"] = at.last_tick;
   json["step_s"] = at.step_s;
+  json["turn_ticks"] = at.turn_ticks;
   json["is_recording"] = at.is_recording;
   json["is_live"] = at.is_live;
   json["can_go_back"] = at.can_go_back;
@@ -232,7 +233,8 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) -> Json { return c.agent; }},
     {"moment", "has_mind", "", "whether it has a Soar mind", [](const Contents& c) -> Json { return c.has_mind; }},
     {"moment", "time", "",
-     "`first_tick`, `shown_tick`, `last_tick`, `step_s`, `is_recording`, `is_live`, `can_go_back`, `can_resume` (else "
+     "`first_tick`, `shown_tick`, `last_tick`, `step_s`, `turn_ticks`, `is_recording`, `is_live`, `can_go_back`, "
+     "`can_resume` (else "
      "`resume_refusal`), `branch_tick` (null: none) and `branches`",
      [](const Contents& c) { return MomentJson(c.moment); }},
     {"moment", "not_available", "", "why nothing of the mind's inside is shown; empty: something is",

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "record/rerun.h"
+#include "sim/scenario_file.h"
+
 namespace soarbox::workbench {
 namespace {
 
@@ -44,6 +47,7 @@ Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scen
            const sim::SimulationSettings& settings, Surroundings& surroundings)
     : run_(&run),
       surroundings_(surroundings),
+      turn_ticks_(sim::TurnTicks(scenario)),
       past_(header, scenario, settings),
       common_{&run, past_, surroundings, NoteProblems()},
       files_(common_),
@@ -57,6 +61,7 @@ Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scen
 Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range, Surroundings& surroundings)
     : recording_(&recording),
       surroundings_(surroundings),
+      turn_ticks_(record::TurnTicks(recording.header())),
       next_tick_(recording.first_tick()),
       recorded_(recording.header().level),
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),

@@ -34,7 +34,7 @@ namespace soarbox::workbench {
 /// what the panels in view show whenever the tick or the question has changed. The same code shows a recording: a run
 /// whose every tick is past.
 ///
-/// Watching changes nothing: only what the user does makes the run another one.
+/// Watching changes nothing: only what the user does changes the run.
 ///
 ///   Desk desk(run, header, scenario, settings, surroundings);
 ///   Contents contents;
@@ -52,7 +52,7 @@ class Desk {
   Desk(record::Reader& recording, const sim::DataFolders& data, record::TickRange range, Surroundings& surroundings);
   ~Desk();
 
-  /// What the user has made and what outlives the run: files that are edited, breakpoints, what consoles say.
+  /// What outlives the run: files that are being edited, breakpoints, the text of consoles, watches.
   struct Belongings;
   Belongings TakeBelongings();
   /// Of a desk whose run has begun again.
@@ -76,7 +76,7 @@ class Desk {
   /// The scene to draw instead of the live one; null while live.
   const world::SceneSnapshot* PastScene();
   bool is_live() const { return past_.is_live(); }
-  /// Lets the world go on: clears what stopped it, and shows the newest moment.
+  /// Lets the world run again: forgets why it stopped, and shows the newest moment.
   void GoOn();
   /// From now on compares the selected agent's mind after each tick with what it is now. Returns why it cannot; empty
   /// if it can.
@@ -138,6 +138,7 @@ class Desk {
   LiveRun* run_ = nullptr;               ///< Null: a recording.
   record::Reader* recording_ = nullptr;  ///< Null: a live run.
   Surroundings& surroundings_;
+  const int turn_ticks_;
   std::uint64_t next_tick_ = 0;  ///< Of the recording, for the models.
   debugger::RecordedMinds recorded_;
   TimeMachine past_;
@@ -177,7 +178,7 @@ class Desk {
   ImagineRequest imagined_;
   Clock::time_point kept_drafts_, read_recent_;
 
-  bool is_stale_ = true;  ///< The user asked for something else than what is shown.
+  bool is_stale_ = true;  ///< The user asked for something that is not shown yet.
   std::uint64_t refreshed_tick_ = ~std::uint64_t{0};
   PanelSet refreshed_panels_;
   std::string refreshed_note_;

@@ -114,6 +114,7 @@ void Desk::FillMoment(Contents& contents) {
   at.shown_tick = past_.shown_tick();
   const sim::Simulation* live = common_.Live();
   at.step_s = live != nullptr ? static_cast<double>(live->world().settings().step_s) : recording_->header().step_s;
+  at.turn_ticks = turn_ticks_;
   at.is_recording = past_.is_recording();
   at.is_live = past_.is_live();
   at.can_go_back = past_.last_tick() > past_.first_tick();

@@ -38,7 +38,7 @@ class FileDesk {
   void GoOn();
   /// Keeps what was typed and not saved on the disk.
   void KeepDrafts();
-  /// True once after each change that nobody asked for.
+  /// True once after each change that no request made.
   bool TakeNews() { return std::exchange(has_news_, false); }
   void Fill(Contents& contents) const;
   /// The text of an open file that runs as it was typed; null if there is none.

@@ -5,7 +5,7 @@
 
 namespace soarbox::workbench {
 
-/// What a user can ask of the flow of time.
+/// What a user can do to the flow of time.
 enum class Flow : std::uint8_t {
   kTogglePause,
   kStepTick,      ///< Pauses and goes on by one tick.

@@ -23,9 +23,9 @@ class LiveRun {
   /// Calls the function with what is there now, and then with each tick; an empty function ends that.
   using OnTick = std::function<void(const record::TickRecord&)>;
   virtual void Watch(OnTick on_tick) = 0;
-  /// The exercise of other simulations that it takes part in, as it is now; nothing: in none.
+  /// The exercise of other simulations that the run takes part in; nothing: none.
   virtual std::optional<ExerciseContents> Exercise() { return std::nullopt; }
-  /// Hears what live edits report: what was reloaded (notes), and what is wrong with a file. It takes effect in no run.
+  /// Gets what live edits report: what was reloaded (notes), and what is wrong with a file. It changes no run.
   using OnEdit = std::function<void(const Diagnostic& told)>;
   virtual void SetOnEdit(OnEdit on_edit) = 0;
   /// Goes on with another simulation of the same run, as it was at an earlier tick, which is recorded as `at`; `inputs`

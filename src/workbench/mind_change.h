@@ -9,7 +9,7 @@
 
 namespace soarbox::workbench {
 
-/// The last command that a mind gave in a tick, or how that went; empty if it gave none.
+/// The last command that a mind gave in a tick, or its outcome; empty if it gave none.
 std::string LastCommand(const mind::EventLog& events);
 
 /// Waits until an agent's operators, its goal stack or its command change.
@@ -23,7 +23,7 @@ class MindChange {
   }
   /// After each tick.
   void Look(sim::Simulation& live, const record::TickRecord& tick);
-  /// One sentence, told once: what changed in the last tick, or that nothing has changed for long.
+  /// One sentence, told once: what changed in the last tick, or that nothing has changed for a long time.
   std::string Take();
 
  private:

@@ -8,10 +8,10 @@
 
 namespace soarbox::workbench {
 
-/// The user's hold on the flow of time in a window, and the simulated time that the wall clock has earned.
+/// How fast the user lets time flow in a window, and how much simulated time is due by the wall clock.
 ///
 /// The world does not wait for frames: after a slow one it catches up with up to a quarter of a second, as fast as it
-/// can for a tenth of a second; what it then still lacks is forgotten, so that the window stays in hand.
+/// can for a tenth of a second; the rest is forgotten, so that the window keeps answering.
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}

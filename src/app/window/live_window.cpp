@@ -9,7 +9,6 @@
 #include "app/next_run.h"
 #include "app/window/run_commands.h"
 #include "sim/scenario_file.h"
-#include "viewer/step_word.h"
 #include "world/world.h"
 
 namespace soarbox::app {
@@ -68,7 +67,6 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       lessons_(scenario_, session.lesson()),
       window_desk_(viewer, pace_, &lessons_) {
   desk_.emplace(session, header_, scenario_, settings_, window_desk_);
-  viewer::SetTurnTicks(turn_ticks_);
   if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
   // A lesson stands beside the scene, and so does the panel that it is about.
   if (lessons_.HasLesson()) {
@@ -181,7 +179,7 @@ int LiveWindow::Run() {
     }
     window_desk_.Serve(*desk_);
     if (std::optional<NextRun> wanted = window_desk_.TakeWantedRun()) {
-      wanted->script_line = viewer_.ui_script_at();
+      wanted->script_line = viewer_.ui_script().steps_done;
       KeepNextRun(std::move(*wanted));
       break;
     }
@@ -194,7 +192,7 @@ int LiveWindow::Run() {
       pace_.Skip();
     }
     was_live_ = desk_->is_live();
-    if (has_script_ && viewer_.ui_script_over()) break;
+    if (has_script_ && viewer_.ui_script().is_over) break;
   }
   return session_.Finish();
 }

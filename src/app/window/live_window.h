@@ -30,7 +30,7 @@ class SmoothTime {
 class Deliverer {
  public:
   void Deliver(viewer::Viewer& viewer, sim::Simulation& simulation);
-  /// What the user does now is not for the world: it is not the one that is shown.
+  /// Drops what the user does now: the world that is shown is a past one.
   static void Drop(viewer::Viewer& viewer) { viewer.TakeEvents(); }
 
  private:
@@ -38,7 +38,7 @@ class Deliverer {
   sim::CameraInput camera_;
 };
 
-/// A run in a visible window: frames, ticks as the pace has it, and the panels' desk.
+/// A run in a visible window: its frames, its ticks at the user's pace, and the panels' desk.
 class LiveWindow {
  public:
   LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options);

@@ -14,7 +14,6 @@
 #include "app/window/window_desk.h"
 #include "app/window/window_options.h"
 #include "record/rerun.h"
-#include "viewer/step_word.h"
 #include "viewer/viewer.h"
 #include "workbench/recent.h"
 
@@ -33,9 +32,7 @@ class ReplayWindow {
         step_s_(recording.header().step_s),
         turn_ticks_(record::TurnTicks(recording.header())),
         ticks_per_second_(std::max<std::int64_t>(1, std::llround(1 / recording.header().step_s))),
-        has_script_(has_script) {
-    viewer::SetTurnTicks(turn_ticks_);
-  }
+        has_script_(has_script) {}
 
   /// The agent that is selected from the start: this one, or else one that has a mind. False if it is not there.
   bool Select(const std::string& wanted) {
@@ -62,11 +59,11 @@ class ReplayWindow {
       Move(pace_.TicksDue(step_s_, desk_.past().shown_tick(), turn_ticks_));
       window_desk_.Serve(desk_);
       if (std::optional<NextRun> wanted = window_desk_.TakeWantedRun()) {
-        wanted->script_line = viewer_.ui_script_at();
+        wanted->script_line = viewer_.ui_script().steps_done;
         KeepNextRun(std::move(*wanted));
         break;
       }
-      if (has_script_ && viewer_.ui_script_over()) break;
+      if (has_script_ && viewer_.ui_script().is_over) break;
     }
     return kOk;
   }

@@ -9,7 +9,7 @@
 namespace soarbox::app {
 
 /// Shows a recording in the window, forwards and backwards, with the panels of a run around it; returns an ExitCode
-/// once the window was closed.
+/// when the window has closed.
 int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
                const RecordingOptions& options);
 

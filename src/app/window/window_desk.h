@@ -14,7 +14,7 @@
 
 namespace soarbox::app {
 
-/// The way between a window and a desk: what its user asks for goes to the desk, contents to its panels. And what the
+/// Connects a window with a desk: requests go to the desk, contents to the panels. Does what the
 /// desk leaves to the window: remarks, pictures, editors, the next run.
 class WindowDesk final : public workbench::Surroundings {
  public:

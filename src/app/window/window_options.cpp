@@ -44,7 +44,8 @@ int AfterWindow(const viewer::Viewer& viewer, const WindowWishes& wishes, int co
     if (const Result<void> saved = viewer::SaveLayout(viewer.layout(), viewer::LayoutFile()); !saved)
       std::cerr << Format(saved.error());
   }
-  return viewer.ui_script_failure() ? Refuse(*viewer.ui_script_failure()) : code;
+  const std::optional<Diagnostic> failure = viewer.ui_script().failure;
+  return failure ? Refuse(*failure) : code;
 }
 
 }  // namespace soarbox::app

@@ -8,8 +8,8 @@
 
 namespace soarbox::app {
 
-/// What a window is opened with, but for its size and title. A hidden one is for a picture. The error names a panel
-/// that there is not.
+/// What a window is opened with, except its size and title. A hidden one is for a picture. The error names a panel
+/// that does not exist.
 Result<viewer::ViewerOptions> WindowOptionsOf(const WindowWishes& wishes, const sim::DataFolders& data, bool hidden);
 
 /// When a window that a user saw has closed: keeps the user's own arrangement of panels, and tells what stopped the

@@ -41,12 +41,8 @@ void Closing::Draw(PanelFrame& frame, float width, float height) {
   }
   ImGui::SetNextWindowPos({width / 2, height / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(frame.Px(520), width - 20), 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("Close the window?", nullptr,
-               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize);
-  ImGui::PopStyleColor();
+  BeginOver("Close the window?", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   const bool has_files = HasUnsaved(frame.contents);
   if (has_files) WrappedText("These files have changes that are not saved:");
   for (const workbench::OpenFile& file : frame.contents.open_files) {

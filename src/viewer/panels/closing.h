@@ -11,8 +11,8 @@ namespace soarbox::viewer {
 /// Asks before the window closes over something that was typed and not saved.
 class Closing {
  public:
-  /// Somebody wants to close the window. True if it may close at once: nothing would be lost, or the user has agreed.
-  /// False: the question is shown, and answered by a command kQuit later, or never. `unsent`: what was typed into
+  /// The window is about to close. True if it may close at once: nothing would be lost, or the user has agreed.
+  /// False: the user is asked, and a command kQuit follows if the user agrees. `unsent`: what was typed into
   /// panels and not sent, a sentence each.
   bool MayClose(const workbench::Contents& contents, std::vector<std::string> unsent);
   /// The question, while there is one.
@@ -22,7 +22,7 @@ class Closing {
 
  private:
   bool is_open_ = false, agreed_ = false;
-  bool saves_ = false;  ///< It closes once everything is saved.
+  bool saves_ = false;  ///< The window closes once everything is saved.
   int waited_ = 0;      ///< Frames since then.
   std::vector<std::string> unsent_;
 };

@@ -85,10 +85,10 @@ void Finder::AddPlaces(PanelFrame& frame, std::vector<Item>& items) const {
                            break;
                          case workbench::FoundPlace::Kind::kTrace:
                          case workbench::FoundPlace::Kind::kMessage:
-                           frame.Ask(workbench::SeekRequest{place.tick});
-                           frame.layout.Show(place.kind == workbench::FoundPlace::Kind::kTrace
-                                                 ? workbench::PanelId::kTrace
-                                                 : workbench::PanelId::kMessages);
+                           frame.AskIn(place.kind == workbench::FoundPlace::Kind::kTrace
+                                           ? workbench::PanelId::kTrace
+                                           : workbench::PanelId::kMessages,
+                                       workbench::SeekRequest{place.tick});
                            break;
                        }
                      }});
@@ -109,10 +109,7 @@ void Finder::AddAnything(PanelFrame& frame, const std::vector<Action>& more, std
   for (const Action& action : more) add("command", action.title, action.detail, action.act);
   for (const explain::RuleFact& rule : frame.contents.rules) {
     add("rule", rule.name, rule.file.empty() ? rule.type : NameOf(rule.file) + ":" + std::to_string(rule.line),
-        [&frame, name = rule.name] {
-          frame.Ask(workbench::RuleRequest{name});
-          frame.layout.Show(workbench::PanelId::kRules);
-        });
+        [&frame, name = rule.name] { frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{name}); });
   }
   for (const std::string& file : frame.contents.all_files)
     add("file", NameOf(file), file, [&frame, file] { GoToFile(frame, file, 1); });
@@ -162,25 +159,22 @@ void Finder::Draw(PanelFrame& frame, float width, float height, const std::vecto
   const float wide = std::min(frame.Px(640), width - 20), high = std::min(frame.Px(420), height - 40);
   ImGui::SetNextWindowPos({(width - wide) / 2, std::min(frame.Px(70), height * 0.1f)});
   ImGui::SetNextWindowSize({wide, high});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("Find", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleColor();
+  BeginOver("Find", nullptr, ImGuiWindowFlags_NoTitleBar);
   if (std::exchange(wants_focus_, false)) FocusNextField();
   SearchField("##find", HintOf(for_), text_);
-  const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+  const bool entered = WasEntered();
   const std::vector<Item> items = Items(frame, more);
   const std::size_t count = std::min(items.size(), kMostShown);
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
   if (pressed(ImGuiKey_DownArrow) && at_ + 1 < count) ++at_;
   if (pressed(ImGuiKey_UpArrow) && at_ > 0) --at_;
   if (count > 0) at_ = std::min(at_, count - 1);
-  ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NoNav);
-  if (items.empty()) EmptyNote("Nothing is like this.", "Type less, or another part of the name.");
-  DrawRows(frame, items, entered);
-  ImGui::EndChild();
+  {
+    const Part rows("rows");
+    if (items.empty()) EmptyNote("Nothing is like this.", "Type less, or another part of the name.");
+    DrawRows(frame, items, entered);
+  }
   ImGui::End();
 }
 
@@ -189,7 +183,7 @@ void Finder::DrawRows(PanelFrame& frame, const std::vector<Item>& items, bool en
   const float kind_width = ImGui::CalcTextSize("recording  ").x;
   for (std::size_t i = 0; i < std::min(items.size(), kMostShown); ++i) {
     const Item& item = items[i];
-    ImGui::PushID(static_cast<int>(i));
+    const IdScope id(static_cast<int>(i));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable("##row", i == at_)) chosen = i;
     if (i == at_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
@@ -202,7 +196,6 @@ void Finder::DrawRows(PanelFrame& frame, const std::vector<Item>& items, bool en
       ImGui::SameLine(kind_width + room * 0.62f);
       CutText(item.detail, theme::kQuiet);
     }
-    ImGui::PopID();
   }
   if (items.size() > kMostShown)
     ColoredText(theme::kQuiet, std::to_string(items.size() - kMostShown) + " more: type more of the name");

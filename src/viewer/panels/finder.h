@@ -11,8 +11,8 @@
 
 namespace soarbox::viewer {
 
-/// A list over the picture in which one types a part of what one wants: commands, panels, agents, rules, files, texts
-/// anywhere; or, to open something, scenarios and recordings. Enter does the chosen line, Esc closes.
+/// A list over the picture: type a part of what you want, and it offers commands, panels, agents, rules, files, texts
+/// anywhere; or, to open something, scenarios and recordings. Enter takes the chosen line, Esc closes.
 class Finder {
  public:
   enum class For : std::uint8_t { kAnything, kScenario, kRecording };

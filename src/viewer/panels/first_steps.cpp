@@ -105,12 +105,10 @@ ScreenBox DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, const ScreenBox& 
   ImGui::SetNextWindowPos({place.left, is_low ? place.bottom : place.top}, ImGuiCond_Always, {0, is_low ? 1.0f : 0.0f});
   ImGui::SetNextWindowSizeConstraints({place.width(), 0}, {place.width(), area.height()});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
   ImGui::PushStyleColor(ImGuiCol_Border, theme::kAccent);
-  ImGui::Begin(kTitle, nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollbar);
+  BeginOver(kTitle, nullptr,
+            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                ImGuiWindowFlags_NoScrollbar);
   const bool is_end = steps.at() >= FirstSteps::kSteps;
   Heading(frame, kTitle);
   if (!is_end) {
@@ -129,7 +127,7 @@ ScreenBox DrawFirstSteps(PanelFrame& frame, FirstSteps& steps, const ScreenBox& 
   WrappedText(steps.text());
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::End();
-  ImGui::PopStyleColor(2);
+  ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   return {corner.x, corner.y, corner.x + size.x, corner.y + size.y};
 }

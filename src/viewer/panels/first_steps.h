@@ -13,8 +13,8 @@
 
 namespace soarbox::viewer {
 
-/// Leads somebody new through the window: one thing to do at a time, told in a strip over the picture, until all were
-/// done or the user wants no more of it.
+/// Leads a new user through the window: one thing to do at a time, told in a strip over the picture, until all are
+/// done or the user closes it.
 class FirstSteps {
  public:
   /// What can be seen of the user in a frame.
@@ -23,7 +23,7 @@ class FirstSteps {
     std::size_t agents = 0;
     bool shows_why = false, has_asked = false, is_paused = false, is_in_past = false, is_recording = false;
   };
-  /// Takes note of what the user has done; a step that is done makes way for the next.
+  /// Notes what the user has done; when a step is done, the next one follows.
   void Note(const Seen& seen);
   void Skip() { ++at_; }
   void Begin() { *this = FirstSteps(); }

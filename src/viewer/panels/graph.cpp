@@ -76,8 +76,8 @@ std::vector<ImVec2> LineOf(const GraphCurve& curve, double first, double last, b
 
 }  // namespace
 
-std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves,
-                                       float height, double first, double last, bool is_stepped) {
+void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves, float height, double first,
+               double last, bool is_stepped) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(frame.Px(60), ImGui::GetContentRegionAvail().x);
   const bool clicked = ImGui::InvisibleButton(id, {width, height});
@@ -116,7 +116,7 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
     label(end.y - font - 2, range.low);
   }
   out.PopClipRect();
-  if (!hovered) return std::nullopt;
+  if (!hovered) return;
   const double tick = first + static_cast<double>((ImGui::GetIO().MousePos.x - at.x) / width) * span;
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(TimeText(tick * moment.step_s).c_str());
@@ -128,8 +128,7 @@ std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::s
   }
   ImGui::TextDisabled("click: go there");
   ImGui::EndTooltip();
-  if (clicked && tick >= 0) return static_cast<std::uint64_t>(tick);
-  return std::nullopt;
+  if (clicked && tick >= 0) frame.Ask(workbench::SeekRequest{static_cast<std::uint64_t>(tick)});
 }
 
 float TimeAxisHeight() {
@@ -142,15 +141,8 @@ void DrawTimeAxis(PanelFrame& frame, double first, double last) {
   ImGui::Dummy({width, TimeAxisHeight()});
   const double step_s = frame.contents.moment.step_s, span = std::max(1.0, last - first);
   // Round steps, so few that the texts stand apart.
-  constexpr double kSteps_s[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600, 7200, 36000};
   const float room = 1.5f * ImGui::CalcTextSize("00:00.00").x;
-  const double least_s = span * step_s * static_cast<double>(room / width);
-  double every_s = kSteps_s[std::size(kSteps_s) - 1];
-  for (const double step : kSteps_s) {
-    if (step < least_s) continue;
-    every_s = step;
-    break;
-  }
+  const double every_s = RoundStep_s(span * step_s * static_cast<double>(room / width));
   ImDrawList& out = *ImGui::GetWindowDrawList();
   out.AddLine(at, {at.x + width, at.y}, theme::Packed(theme::kEdge));
   const auto begin = static_cast<long>(std::ceil(first * step_s / every_s - 1e-6));

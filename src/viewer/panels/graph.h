@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +17,9 @@ struct GraphCurve {
 };
 
 /// Draws curves over time into a box of this height, with their range, the present moment, and the values under the
-/// mouse. Gives the tick that was clicked. `is_stepped`: values hold until the next.
-std::optional<std::uint64_t> DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves,
-                                       float height, double first_tick, double last_tick, bool is_stepped = false);
+/// mouse. A click goes to that moment. `is_stepped`: values hold until the next.
+void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves, float height, double first_tick,
+               double last_tick, bool is_stepped = false);
 
 /// The times below such graphs, one box for all that stand above each other.
 void DrawTimeAxis(PanelFrame& frame, double first_tick, double last_tick);

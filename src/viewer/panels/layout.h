@@ -34,7 +34,7 @@ struct Layout {
   std::array<AreaLayout, kAreaCount> areas;
   int text_percent = 100;
   bool light = false;        ///< Dark letters on a light ground.
-  bool first_steps = false;  ///< Somebody new is led through the window.
+  bool first_steps = false;  ///< A new user is led through the window.
 
   AreaLayout& at(Area area) { return areas[static_cast<std::size_t>(area)]; }
   const AreaLayout& at(Area area) const { return areas[static_cast<std::size_t>(area)]; }
@@ -77,8 +77,8 @@ Result<void> RemoveLayout(const std::string& name);
 
 /// Where the layout is remembered: $XDG_CONFIG_HOME/soarbox/window.ini, or below ~/.config. Empty if there is no home.
 std::filesystem::path LayoutFile();
-/// The remembered layout, or the default one if there is none or it cannot be read; who has none is led through the
-/// window.
+/// The remembered layout, or the default one if there is none or it cannot be read; users without one are led through
+/// the window.
 Layout LoadLayout(const std::filesystem::path& file);
 /// Writes it, whole or not at all.
 Result<void> SaveLayout(const Layout& layout, const std::filesystem::path& file);

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/panels/mind_note.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "debugger/file_place.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
-namespace {
-
-/// The text, or as much of it as stands in `width` px with "..." behind it.
-std::string Shortened(std::string_view text, float width) {
-  const char* end = text.data() + text.size();
-  if (ImGui::CalcTextSize(text.data(), end).x <= width) return std::string(text);
-  const float dots = ImGui::CalcTextSize("...").x;
-  const char* fits = text.data();
-  ImFont* font = ImGui::GetFont();
-  font->CalcTextSizeA(ImGui::GetFontSize(), std::max(1.0f, width - dots), 0, text.data(), end, &fits);
-  return std::string(text.data(), fits) + "...";
-}
-
-}  // namespace
 
 bool HasMind(PanelFrame& frame) {
   const workbench::Contents& contents = frame.contents;
@@ -48,11 +33,8 @@ bool HasMind(PanelFrame& frame) {
 
 void RuleLink(PanelFrame& frame, std::string_view rule) {
   const std::string name(rule);
-  const std::string shown = Shortened(name, ImGui::GetContentRegionAvail().x);
-  if (Link(name.c_str(), shown)) {
-    frame.Ask(workbench::RuleRequest{name});
-    frame.layout.Show(workbench::PanelId::kRules);
-  }
+  const std::string shown = FittingText(name, ImGui::GetContentRegionAvail().x);
+  if (Link(name.c_str(), shown)) frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{name});
   Tooltip(shown == name ? "Click to see this rule" : name);
 }
 
@@ -60,8 +42,7 @@ void GoToFile(PanelFrame& frame, const std::string& file, int line) {
   if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
     frame.Ask(workbench::OpenFileRequest{file, line});
   } else {
-    frame.Ask(workbench::EditRequest{file, line});
-    frame.layout.Show(workbench::PanelId::kEdit);
+    frame.AskIn(workbench::PanelId::kEdit, workbench::EditRequest{file, line});
   }
 }
 
@@ -74,8 +55,7 @@ void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImV
 
 void ShowObject(PanelFrame& frame, std::string_view id) {
   frame.shown_object = id;
-  frame.Ask(workbench::ObjectRequest{std::string(id), true});
-  frame.layout.Show(workbench::PanelId::kMemory);
+  frame.AskIn(workbench::PanelId::kMemory, workbench::ObjectRequest{std::string(id), true});
 }
 
 }  // namespace soarbox::viewer

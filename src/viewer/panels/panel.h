@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/panels/layout.h"
@@ -35,12 +36,23 @@ struct PanelFrame {
   /// A length in px that grows with the text.
   float Px(float length) const { return length * scale; }
   void Ask(workbench::Request request) { requests.push_back(std::move(request)); }
+  /// Asks for what another panel shows, and brings that panel to the front.
+  void AskIn(workbench::PanelId panel, workbench::Request request) {
+    Ask(std::move(request));
+    layout.Show(panel);
+  }
   void Command(ViewerCommand command) { commands.push_back(command); }
   const world::AgentSnapshot* Selected() const {
     for (const world::AgentSnapshot& agent : scene.agents) {
       if (agent.id == selected) return &agent;
     }
     return nullptr;
+  }
+  /// Selects the agent of this name if it is in the scene.
+  void Select(std::string_view name) {
+    for (const world::AgentSnapshot& agent : scene.agents) {
+      if (agent.name == name) selected = agent.id;
+    }
   }
 };
 
@@ -49,7 +61,7 @@ class Panel {
  public:
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
-  /// What it shows, to be copied; empty: nothing that is worth it.
+  /// What it shows, to be copied; empty: nothing worth copying.
   virtual std::string Text(const PanelFrame& frame) const = 0;
   /// What was typed into it and would be lost with the window, a sentence; empty: nothing.
   virtual std::string Unsent() const { return {}; }

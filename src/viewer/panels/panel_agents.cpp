@@ -77,9 +77,6 @@ class AgentsPanel final : public Panel {
     SearchField("##filter", "Filter", filter_);
     Tooltip("By name, kind, team, state, operator, command or error");
     const bool is_wide = ImGui::GetContentRegionAvail().x > frame.Px(480);
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
-                                       ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV |
-                                       ImGuiTableFlags_SizingStretchProp;
     // Names first: as wide as the longest, if that leaves room for what they do.
     float longest = 0;
     // What they do changes all the time: the columns only move when something longer comes.
@@ -108,21 +105,21 @@ class AgentsPanel final : public Panel {
                                      : has_health ? "agents"
                                                   : "agents-narrow",
                                      static_cast<double>(names), static_cast<double>(frame.scale * 100));
-    if (!ImGui::BeginTable(id.c_str(), is_wide ? 6 : has_health ? 3 : 2, kFlags)) return;
-    const auto column = [](const char* name, float weight, AgentColumn by) {
-      ImGui::TableSetupColumn(name, 0, weight, static_cast<ImGuiID>(by));
+    std::vector<ListColumn> columns;
+    const auto column = [&](bool wanted, const char* name, float width, AgentColumn by,
+                            ImGuiTableColumnFlags flags = 0) {
+      if (wanted) columns.push_back({name, width, flags, static_cast<ImGuiID>(by)});
     };
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthFixed, names, static_cast<ImGuiID>(AgentColumn::kName));
-    if (is_wide) column("Team", 2, AgentColumn::kTeam);
-    column("Doing", 3, AgentColumn::kOperator);
-    if (has_health) {
-      ImGui::TableSetupColumn("Health", ImGuiTableColumnFlags_WidthFixed, health,
-                              static_cast<ImGuiID>(AgentColumn::kHealth));
-    }
-    if (is_wide) column("Kind", 2, AgentColumn::kKind);
-    if (is_wide) column("Decision", 2, AgentColumn::kTime);
-    ImGui::TableHeadersRow();
+    column(true, "Name", names, AgentColumn::kName, ImGuiTableColumnFlags_WidthFixed);
+    column(is_wide, "Team", 2, AgentColumn::kTeam);
+    column(true, "Doing", 3, AgentColumn::kOperator);
+    column(has_health, "Health", health, AgentColumn::kHealth, ImGuiTableColumnFlags_WidthFixed);
+    column(is_wide, "Kind", 2, AgentColumn::kKind);
+    column(is_wide, "Decision", 2, AgentColumn::kTime);
+    const List list(
+        id, columns,
+        List::kUsual | ImGuiTableFlags_Sortable | ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV);
+    if (!list) return;
     Tooltip("Click to sort by this");
     std::vector<AgentRow> rows = filter_.empty() ? all : debugger::FilterAgents(all, filter_);
     if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
@@ -130,16 +127,9 @@ class AgentsPanel final : public Panel {
       debugger::SortAgents(rows, static_cast<AgentColumn>(by.ColumnUserID),
                            by.SortDirection == ImGuiSortDirection_Descending);
     }
-    if (const int step = ListStep(); step != 0 && !rows.empty()) {
-      const auto at = std::find_if(rows.begin(), rows.end(), [&](const AgentRow& r) { return r.id == frame.selected; });
-      const auto now =
-          at == rows.end() ? (step > 0 ? -1 : static_cast<std::ptrdiff_t>(rows.size())) : at - rows.begin();
-      const auto next = std::clamp<std::ptrdiff_t>(now + step, 0, static_cast<std::ptrdiff_t>(rows.size()) - 1);
-      frame.selected = rows[static_cast<std::size_t>(next)].id;
-      ScrollToRow(static_cast<int>(next));
-    }
+    if (const auto next = StepInList(rows.size(), [&](std::size_t row) { return rows[row].id == frame.selected; }))
+      frame.selected = rows[*next].id;
     ForRowsInSight(rows.size(), [&](int i) { DrawRow(frame, rows[static_cast<std::size_t>(i)], is_wide, has_health); });
-    ImGui::EndTable();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -148,9 +138,8 @@ class AgentsPanel final : public Panel {
 
  private:
   static void DrawRow(PanelFrame& frame, const AgentRow& row, bool is_wide, bool has_health) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(static_cast<int>(row.id));
+    const IdScope id(static_cast<int>(row.id));
+    NextRow();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float font = ImGui::GetFontSize();
     if (ImGui::Selectable("##row", row.id == frame.selected,
@@ -184,24 +173,13 @@ class AgentsPanel final : public Panel {
         frame.layout.Show(workbench::PanelId::kProblems);
       }
     }
-    if (is_wide) {
-      ImGui::TableNextColumn();
-      CutText(row.team, theme::kQuiet);
-    }
-    ImGui::TableNextColumn();
-    CutText(Doing(row, ActivityOf(frame, row.id)), IsInTrouble(row) ? theme::kWarn : theme::kText);
+    if (is_wide) CutCell(row.team, theme::kQuiet);
+    CutCell(Doing(row, ActivityOf(frame, row.id)), IsInTrouble(row) ? theme::kWarn : theme::kText);
     if (!ImpasseOf(row).empty()) TermTooltip(ImpasseOf(row));
-    if (has_health) {
-      ImGui::TableNextColumn();
-      ColoredText(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
-    }
-    if (is_wide) {
-      ImGui::TableNextColumn();
-      CutText(row.kind, theme::kQuiet);
-      ImGui::TableNextColumn();
-      if (row.decide_us > 0) ColoredText(theme::kQuiet, Formatted("%.0f \xc2\xb5s", row.decide_us));
-    }
-    ImGui::PopID();
+    if (has_health) Cell(row.health < 35 || dull ? theme::kBad : theme::kQuiet, Condition(row));
+    if (!is_wide) return;
+    CutCell(row.kind, theme::kQuiet);
+    if (row.decide_us > 0) Cell(theme::kQuiet, Formatted("%.0f \xc2\xb5s", row.decide_us));
   }
 
   static void DrawTooltip(const AgentRow& row) {

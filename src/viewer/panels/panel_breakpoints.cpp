@@ -38,9 +38,8 @@ class BreakpointsPanel final : public Panel {
     ImGui::BeginDisabled(contents.agent.empty());
     ImGui::Checkbox(only.c_str(), &only_selected_);
     ImGui::EndDisabled();
-    const float button = ImGui::CalcTextSize("Add").x + 2 * ImGui::GetStyle().FramePadding.x;
-    SearchField("##what", kHints[kind_], what_, button + ImGui::GetStyle().ItemSpacing.x);
-    const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    SearchField("##what", kHints[kind_], what_, ButtonWidth("Add") + ImGui::GetStyle().ItemSpacing.x);
+    const bool entered = WasEntered();
     ImGui::SameLine();
     if (ImGui::Button("Add") || entered) {
       frame.Ask(workbench::BreakRequest{kKinds[kind_], only_selected_ ? contents.agent : std::string{}, what_});
@@ -61,19 +60,12 @@ class BreakpointsPanel final : public Panel {
  private:
   static void DrawList(PanelFrame& frame) {
     using What = workbench::ChangeBreakRequest::What;
-    if (!ImGui::BeginTable("breakpoints", 4,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit))
-      return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("On");
-    ImGui::TableSetupColumn("When", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("Hits");
-    ImGui::TableSetupColumn("");
-    ImGui::TableHeadersRow();
+    const List list("breakpoints", {{"On"}, {"When", 0, ImGuiTableColumnFlags_WidthStretch}, {"Hits"}, {""}},
+                    ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit);
+    if (!list) return;
     for (const Breakpoint& point : frame.contents.breakpoints) {
-      ImGui::TableNextRow();
-      ImGui::PushID(point.number);
-      ImGui::TableNextColumn();
+      const IdScope id(point.number);
+      NextRow();
       bool enabled = point.enabled;
       if (ImGui::Checkbox("##on", &enabled))
         frame.Ask(workbench::ChangeBreakRequest{point.number, enabled ? What::kEnable : What::kDisable});
@@ -82,14 +74,11 @@ class BreakpointsPanel final : public Panel {
       WrappedText(
           point.enabled ? theme::kText : theme::kQuiet,
           where + ": " + kTitles[static_cast<std::size_t>(point.kind)] + (point.what.empty() ? "" : ": ") + point.what);
-      ImGui::TableNextColumn();
-      ColoredText(point.hits > 0 ? theme::kWarn : theme::kQuiet, std::to_string(point.hits));
+      Cell(point.hits > 0 ? theme::kWarn : theme::kQuiet, std::to_string(point.hits));
       ImGui::TableNextColumn();
       if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::ChangeBreakRequest{point.number, What::kClear});
       Tooltip("Remove");
-      ImGui::PopID();
     }
-    ImGui::EndTable();
   }
 
   int kind_ = 0;

@@ -71,36 +71,31 @@ class ConsolePanel final : public Panel {
     const auto* lines = contents.console != nullptr ? &contents.console->lines() : nullptr;
     const float field =
         ImGui::GetFrameHeightWithSpacing() + (offered_.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
-    ImGui::BeginChild("output", {0, -field}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
-    ImGui::PushFont(frame.fonts.mono);
-    if (lines == nullptr || lines->empty())
-      ColoredText(theme::kQuiet, "Type a Soar command: print s1, matches RULE, preferences, help ...");
-    ImGuiListClipper clipper;
-    clipper.Begin(lines != nullptr ? static_cast<int>(lines->size()) : 0, ImGui::GetTextLineHeightWithSpacing());
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+    {
+      ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
+      const Part output("output", {0, -field}, ImGuiWindowFlags_HorizontalScrollbar);
+      ImGui::PopStyleColor();
+      const FontScope mono(frame.fonts.mono);
+      if (lines == nullptr || lines->empty())
+        ColoredText(theme::kQuiet, "Type a Soar command: print s1, matches RULE, preferences, help ...");
+      const auto draw = [&](int i) {
         const debugger::ConsoleLine& line = (*lines)[static_cast<std::size_t>(i)];
-        ImGui::PushID(i);
+        const IdScope id(i);
         if (line.kind == debugger::ConsoleLine::Kind::kInput) {
           ColoredText(ColorOf(line.kind), "> " + line.text);
         } else {
           TextWithPlace(frame, "place", line.text, ColorOf(line.kind));
         }
-        ImGui::PopID();
+      };
+      ForRowsInSight(lines != nullptr ? lines->size() : 0, draw, ImGui::GetTextLineHeightWithSpacing());
+      if (seen_lines_ != contents.console_lines) {
+        ImGui::SetScrollHereY(1);
+        if (++frames_since_new_ > 2) {  // The child knows its new height a frame later.
+          seen_lines_ = contents.console_lines;
+          frames_since_new_ = 0;
+        }
       }
     }
-    clipper.End();
-    ImGui::PopFont();
-    if (seen_lines_ != contents.console_lines) {
-      ImGui::SetScrollHereY(1);
-      if (++frames_since_new_ > 2) {  // The child knows its new height a frame later.
-        seen_lines_ = contents.console_lines;
-        frames_since_new_ = 0;
-      }
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
     if (ImGui::BeginPopupContextItem("output-menu")) {
       if (ImGui::MenuItem("Copy all") && lines != nullptr) ImGui::SetClipboardText(debugger::ToText(*lines).c_str());
       if (ImGui::MenuItem("Clear")) frame.Ask(workbench::ClearConsoleRequest{});
@@ -113,7 +108,7 @@ class ConsolePanel final : public Panel {
     ImGui::AlignTextToFramePadding();
     ColoredText(theme::kAccent, frame.contents.agent + ">");
     ImGui::SameLine();
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     ImGui::SetNextItemWidth(-1);
     constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory |
                                            ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways |
@@ -126,7 +121,6 @@ class ConsolePanel final : public Panel {
                                                   line_.capacity() + 1, kFlags, &ConsolePanel::OnEdit, this);
     is_active_ = ImGui::IsItemActive();
     if (is_active_ && !line_.empty()) KeepKeyboard();
-    ImGui::PopFont();
     if (asked_) frame.Ask(workbench::CompleteRequest{frame.contents.agent, line_});
     if (entered) Send(frame);
     if (line_ == kept_) return;

@@ -73,10 +73,11 @@ class EditPanel final : public Panel {
     TextHistory& history = histories_[file_];
     if (forth ? !history.CanRedo() : !history.CanUndo()) return;
     Take(forth ? history.Redo() : history.Undo());
-    const auto at = static_cast<std::ptrdiff_t>(history.changed_at());
-    scroll_to_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + at, '\n'));
+    ScrollTo(history.changed_at());
     frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kType, text_});
   }
+
+  void ScrollTo(std::size_t place) { scroll_to_ = LineCount(std::string_view(text_).substr(0, place)); }
 
   void Tokenize() {
     tokens_ = debugger::Tokenize(text_);
@@ -134,15 +135,9 @@ class EditPanel final : public Panel {
     button("Revert", What::kRevert, "Back to what is on the disk; Undo takes that back, too");
     const TextHistory& history = histories_[file_];
     FlowLine(ButtonWidth("Undo"), frame.Px(4));
-    ImGui::BeginDisabled(!history.CanUndo());
-    const bool back = ImGui::Button("Undo");
-    ImGui::EndDisabled();
-    Tooltip("Take the last change back (Ctrl+Z)");
+    const bool back = ButtonIf(history.CanUndo(), "Undo", "Take the last change back (Ctrl+Z)");
     FlowLine(ButtonWidth("Redo"), frame.Px(4));
-    ImGui::BeginDisabled(!history.CanRedo());
-    const bool forth = ImGui::Button("Redo");
-    ImGui::EndDisabled();
-    Tooltip("Do again what was taken back (Ctrl+Y)");
+    const bool forth = ButtonIf(history.CanRedo(), "Redo", "Do again what was taken back (Ctrl+Y)");
     if (back || forth) Undo(frame, forth);
     FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
     if (ImGui::Button("Open in editor")) frame.Ask(workbench::OpenFileRequest{edit.file, went_to_});
@@ -164,12 +159,8 @@ class EditPanel final : public Panel {
     if (std::exchange(goes_on_, false)) FocusNextField();
     if (SearchField("##find", "Find; Enter: next", find_)) Find();
     Tooltip(find_.empty() ? "Ctrl+F" : std::to_string(places_.size()) + " places; Enter goes to the next");
-    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) {
-      if (!places_.empty()) {
-        place_ = (place_ + 1) % places_.size();
-        scroll_to_ = 1 + static_cast<int>(std::count(
-                             text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(places_[place_]), '\n'));
-      }
+    if (WasEntered()) {
+      if (!places_.empty()) ScrollTo(places_[place_ = (place_ + 1) % places_.size()]);
       goes_on_ = true;  // Enter again.
     }
     if (find_ != found_ || text_.size() != found_in_) Find();
@@ -182,15 +173,8 @@ class EditPanel final : public Panel {
     found_in_ = text_.size();
     places_.clear();
     place_ = static_cast<std::size_t>(-1);
-    const auto same = [](char a, char b) {
-      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    for (auto at = text_.begin(); !find_.empty();) {
-      at = std::search(at, text_.end(), find_.begin(), find_.end(), same);
-      if (at == text_.end()) break;
-      places_.push_back(static_cast<std::size_t>(at - text_.begin()));
-      ++at;
-    }
+    for (std::size_t at = 0; !find_.empty() && (at = FindPart(text_, find_, at)) != std::string_view::npos; ++at)
+      places_.push_back(at);
   }
 
   static int OnEdit(ImGuiInputTextCallbackData* data) {
@@ -209,7 +193,7 @@ class EditPanel final : public Panel {
   }
 
   void DrawText(PanelFrame& frame, float below) {
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     const float gutter = ImGui::CalcTextSize("00000").x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gutter);
@@ -230,17 +214,16 @@ class EditPanel final : public Panel {
     }
     const ImGuiIO& io = ImGui::GetIO();
     is_active_ = ImGui::IsItemActive();
-    const bool asks_undo = is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Z));
-    const bool asks_redo = is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Y));
-    if (asks_undo || asks_redo) Undo(frame, asks_redo || io.KeyShift);
-    if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)))
+    const auto asks = [&](int key) { return is_active_ && io.KeyCtrl && ImGui::IsKeyPressed(key); };
+    const bool asks_redo = asks(ImGui::GetKeyIndex(ImGuiKey_Y));
+    if (asks_redo || asks(ImGui::GetKeyIndex(ImGuiKey_Z))) Undo(frame, asks_redo || io.KeyShift);
+    if (asks(ImGui::GetKeyIndex(ImGuiKey_Enter)))
       frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kApply, text_});
-    if (ImGui::IsItemActive() && io.KeyCtrl && ImGui::IsKeyPressed(SDL_SCANCODE_S))
-      frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kSave, text_});
-    MayCut(corner, ImGui::GetItemRectMax());  // Long lines go on to the right of it.
+    if (asks(SDL_SCANCODE_S)) frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kSave, text_});
+    MayCut(corner,
+           ImGui::GetItemRectMax());  // Long lines go on to the right of it.
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);
-    ImGui::PopFont();
   }
 
   void DrawOver(PanelFrame& frame, ImGuiWindow& field, ImVec2 corner, float gutter) {
@@ -295,18 +278,16 @@ class EditPanel final : public Panel {
   }
 
   void DrawProblems(PanelFrame& frame) {
-    ImGui::BeginChild("problems", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part problems("problems");
     int number = 0;
     for (const Diagnostic& problem : frame.contents.edit.problems) {
-      ImGui::PushID(++number);
+      const IdScope id(++number);
       const std::string line = problem.line > 0 ? "line " + std::to_string(problem.line) : "file";
       if (Link("line", line, theme::ColorOf(problem.severity))) scroll_to_ = problem.line;
       ImGui::SameLine();
       WrappedText(problem.message);
       if (!problem.hint.empty()) WrappedText(theme::kGood, problem.hint);
-      ImGui::PopID();
     }
-    ImGui::EndChild();
   }
 
   std::string file_, text_, went_file_, find_, found_;

@@ -43,32 +43,13 @@ class ExercisePanel final : public Panel {
     const ExerciseContents& exercise = *frame.contents.exercise;
     Heading(frame, "Exercise " + std::to_string(exercise.exercise));
     if (exercise.is_frozen) WrappedText(theme::kWarn, "Frozen: the exercise's manager let the run stand still.");
-    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
-      ImGui::TableSetupColumn("what");
-      ImGui::TableSetupColumn("is", ImGuiTableColumnFlags_WidthStretch);
-      const auto row = [](const char* what, const std::string& is, ImVec4 color = theme::kText) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ColoredText(theme::kQuiet, what);
-        ImGui::TableNextColumn();
-        WrappedText(color, is);
-      };
-      row("Address", exercise.address + (exercise.is_of_this_machine ? " (this machine only)" : ""),
-          exercise.is_of_this_machine ? theme::kText : theme::kWarn);
-      row("We are", exercise.as + (exercise.listens_only ? ", and only listen" : "") +
-                        (exercise.takes_orders ? ", and take orders" : ""));
-      row("Sent", Count(exercise.sent, exercise.sent_per_s));
-      if (exercise.not_sent > 0) row("Not sent", std::to_string(exercise.not_sent), theme::kWarn);
-      row("Received", Count(exercise.received, exercise.received_per_s));
-      row("Dropped", DroppedText(exercise), exercise.dropped.empty() ? theme::kText : theme::kWarn);
-      ImGui::EndTable();
-    }
+    DrawFacts(exercise);
     Heading(frame, EntityCount(exercise));
     if (exercise.entities.empty()) return;
-    if (!BeginList("entities", {{"Name", 3}, {"Id", 2}, {"Heard", 2}})) return;
+    const List list("entities", {{"Name", 3}, {"Id", 2}, {"Heard", 2}});
+    if (!list) return;
     ForRowsInSight(exercise.entities.size(),
                    [&](int i) { DrawRow(frame, exercise.entities[static_cast<std::size_t>(i)]); });
-    ImGui::EndTable();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -84,10 +65,21 @@ class ExercisePanel final : public Panel {
   }
 
  private:
+  static void DrawFacts(const ExerciseContents& exercise) {
+    const FactTable facts("facts");
+    facts.Row("Address", exercise.address + (exercise.is_of_this_machine ? " (this machine only)" : ""),
+              exercise.is_of_this_machine ? theme::kText : theme::kWarn);
+    facts.Row("We are", exercise.as + (exercise.listens_only ? ", and only listen" : "") +
+                            (exercise.takes_orders ? ", and take orders" : ""));
+    facts.Row("Sent", Count(exercise.sent, exercise.sent_per_s));
+    if (exercise.not_sent > 0) facts.Row("Not sent", std::to_string(exercise.not_sent), theme::kWarn);
+    facts.Row("Received", Count(exercise.received, exercise.received_per_s));
+    facts.Row("Dropped", DroppedText(exercise), exercise.dropped.empty() ? theme::kText : theme::kWarn);
+  }
+
   static void DrawRow(PanelFrame& frame, const ExerciseContents::Entity& one) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(one.id.c_str());
+    const IdScope id(one.id);
+    NextRow();
     const auto body = std::ranges::find(frame.scene.agents, one.agent, &world::AgentSnapshot::name);
     const bool has_body = !one.agent.empty() && body != frame.scene.agents.end();
     const std::string name = has_body ? one.agent : one.marking.empty() ? one.id : one.marking;
@@ -102,12 +94,9 @@ class ExercisePanel final : public Panel {
     ColoredText({color.r, color.g, color.b, 1}, "\xe2\x97\x87");
     ImGui::SameLine();
     CutText(name, has_body ? theme::kText : theme::kQuiet);
-    ImGui::TableNextColumn();
-    CutText(one.id, theme::kQuiet);
-    ImGui::TableNextColumn();
-    ColoredText(one.silent_s >= 6 ? theme::kWarn : theme::kQuiet,
-                one.silent_s == 0 ? "now" : std::to_string(one.silent_s) + " s ago");
-    ImGui::PopID();
+    CutCell(one.id, theme::kQuiet);
+    Cell(one.silent_s >= 6 ? theme::kWarn : theme::kQuiet,
+         one.silent_s == 0 ? "now" : std::to_string(one.silent_s) + " s ago");
   }
 };
 

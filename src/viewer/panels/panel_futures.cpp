@@ -24,8 +24,6 @@ class FuturesPanel final : public Panel {
       return;
     }
     const workbench::FuturesContents& futures = *frame.contents.futures;
-    const double step_s = frame.contents.moment.step_s;
-    const auto time = [&](std::uint64_t tick) { return TimeText(static_cast<double>(tick) * step_s); };
     const record::Comparison& found = futures.comparison;
     // The answer first: who decided otherwise, and why.
     if (found.decision) {
@@ -39,7 +37,7 @@ class FuturesPanel final : public Panel {
                   found.difference ? "So far everybody decides as before." : "So far both futures are the same.");
     }
     WrappedText(theme::kQuiet,
-                "The run went back to " + time(futures.branch_tick) + ". " +
+                "The run went back to " + TimeOf(frame, futures.branch_tick) + ". " +
                     (futures.old_is_known ? "Ghosts show where everybody was at this time before."
                                           : "Before, the run did not come this far: there are no ghosts."));
     if (found.difference && !IsSame(found.difference, found.decision)) DrawFirst(frame, *found.difference);
@@ -67,9 +65,8 @@ class FuturesPanel final : public Panel {
 
   /// What differed first of all is mostly the edit that made this future: a line that unfolds.
   static void DrawFirst(PanelFrame& frame, const record::Difference& difference) {
-    const double time_s = static_cast<double>(difference.tick) * frame.contents.moment.step_s;
     const std::string what = difference.agent + (difference.agent.empty() ? "" : " ") + difference.element;
-    const std::string title = "What differed first: " + TimeText(time_s) + "  " + what;
+    const std::string title = "What differed first: " + TimeOf(frame, difference.tick) + "  " + what;
     if (!ImGui::TreeNodeEx("first", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.substr(0, 120).c_str())) return;
     DrawDifference(frame, "What differed first", difference);
     ImGui::TreePop();
@@ -77,27 +74,16 @@ class FuturesPanel final : public Panel {
 
   static void DrawDifference(PanelFrame& frame, const char* title, const record::Difference& difference) {
     Heading(frame, title);
-    ImGui::PushID(title);
-    const double time_s = static_cast<double>(difference.tick) * frame.contents.moment.step_s;
-    if (Link("time", TimeText(time_s))) frame.Ask(workbench::SeekRequest{difference.tick});
-    Tooltip("Click to go there");
+    const IdScope id(title);
+    TimeLink(frame, difference.tick);
     ImGui::SameLine();
     ColoredText(theme::kText, difference.agent + "  " + difference.element);
-    if (ImGui::BeginTable("both", 2, ImGuiTableFlags_SizingFixedFit)) {
-      ImGui::TableSetupColumn("which");
-      ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-      const auto row = [](const char* which, const std::string& what, ImVec4 color) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ColoredText(theme::kQuiet, which);
-        ImGui::TableNextColumn();
-        FoldedText(which, what.empty() ? "nothing" : what, color);
-      };
-      row("before", difference.recorded, theme::kWarn);
-      row("now", difference.now, theme::kAccent);
-      ImGui::EndTable();
-    }
-    ImGui::PopID();
+    const FactTable both("both");
+    const auto row = [&](const char* which, const std::string& what, ImVec4 color) {
+      if (both.Name(which)) FoldedText(which, what.empty() ? "nothing" : what, color);
+    };
+    row("before", difference.recorded, theme::kWarn);
+    row("now", difference.now, theme::kAccent);
   }
 
   /// Which curve is which, in words of its colour.
@@ -123,13 +109,11 @@ class FuturesPanel final : public Panel {
     Heading(frame, "How far apart");
     Legend(mean, most);
     const GraphCurve distances[] = {mean, most};
-    if (const auto tick = DrawGraph(frame, "distance", distances, frame.Px(80), first, last))
-      frame.Ask(workbench::SeekRequest{*tick});
+    DrawGraph(frame, "distance", distances, frame.Px(80), first, last);
     Heading(frame, "Health of all");
     Legend(before, now);
     const GraphCurve healths[] = {before, now};
-    if (const auto tick = DrawGraph(frame, "health", healths, frame.Px(60), first, last))
-      frame.Ask(workbench::SeekRequest{*tick});
+    DrawGraph(frame, "health", healths, frame.Px(60), first, last);
   }
 };
 

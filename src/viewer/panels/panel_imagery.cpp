@@ -40,9 +40,8 @@ class ImageryPanel final : public Panel {
     const debugger::ImageryView& view = frame.contents.imagery;
     if (!view.note.empty()) return EmptyNote(view.note);
     DrawChoice(frame, view);
-    ImGui::BeginChild("scenes", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part scenes("scenes");
     for (const SceneView& scene : view.scenes) DrawScene(frame, scene, view.scenes.size() == 1);
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -53,11 +52,8 @@ class ImageryPanel final : public Panel {
   /// What of it is drawn over the world.
   static void DrawChoice(PanelFrame& frame, const debugger::ImageryView& view) {
     const auto choice = [&](const std::string& state, const std::string& label, const char* tip) {
-      const bool is_on = frame.contents.imagined_state == state;
-      if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-      if (ImGui::Button(label.c_str())) frame.Ask(workbench::ImagineRequest{state, frame.contents.imagined_record});
-      if (is_on) ImGui::PopStyleColor();
-      Tooltip(tip);
+      if (LitButton(label.c_str(), frame.contents.imagined_state == state, tip))
+        frame.Ask(workbench::ImagineRequest{state, frame.contents.imagined_record});
     };
     ImGui::AlignTextToFramePadding();
     ColoredText(theme::kQuiet, "Draw");
@@ -71,7 +67,7 @@ class ImageryPanel final : public Panel {
   }
 
   void DrawScene(PanelFrame& frame, const SceneView& scene, bool is_only) {
-    ImGui::PushID(scene.state.c_str());
+    const IdScope id(scene.state);
     Heading(frame, scene.state);
     if (!scene.extracts.empty()) {
       for (const SceneExtractRow& extract : scene.extracts) DrawExtract(frame, extract);
@@ -83,11 +79,10 @@ class ImageryPanel final : public Panel {
       DrawNodes(scene);
       ImGui::TreePop();
     }
-    ImGui::PopID();
   }
 
   static void DrawExtract(PanelFrame& frame, const SceneExtractRow& extract) {
-    ImGui::PushID(extract.id.c_str());
+    const IdScope id(extract.id);
     ColoredText(theme::kNumber, extract.filter.empty() ? extract.command : extract.filter);
     ImGui::SameLine();
     ColoredText(theme::kQuiet, extract.id + (extract.rule.empty() ? "" : ", asked by"));
@@ -102,12 +97,11 @@ class ImageryPanel final : public Panel {
     if (extract.count > extract.values.size())
       ColoredText(theme::kQuiet, "and " + std::to_string(extract.count - extract.values.size()) + " more");
     ImGui::Unindent(frame.Px(14));
-    ImGui::PopID();
   }
 
   static void DrawValue(PanelFrame& frame, const SceneValueRow& value) {
     const bool is_shown = !value.record.empty() && frame.contents.imagined_record == value.record;
-    ImGui::PushID(&value);
+    const IdScope id(&value);
     if (ImGui::Selectable("##value", is_shown, ImGuiSelectableFlags_AllowItemOverlap) && !value.record.empty())
       frame.Ask(workbench::ImagineRequest{frame.contents.imagined_state, is_shown ? std::string() : value.record});
     Tooltip(value.lines.empty() ? "Click to see what it was made from"
@@ -119,28 +113,22 @@ class ImageryPanel final : public Panel {
       CutText(about, theme::kQuiet);
     }
     if (is_shown) DrawWhyTree(frame, value.why);
-    ImGui::PopID();
   }
 
   static void DrawNodes(const SceneView& scene) {
     const float height = ImGui::GetTextLineHeightWithSpacing() * (static_cast<float>(scene.nodes.size()) + 1.5f);
-    if (!ImGui::BeginTable("nodes", 3, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg, {0, height})) return;
-    ImGui::TableSetupColumn("Node", 0, 3);
-    ImGui::TableSetupColumn("At", 0, 3);
-    ImGui::TableSetupColumn("Tags", 0, 4);
-    ImGui::TableHeadersRow();
+    const List list("nodes", {{"Node", 3}, {"At", 3}, {"Tags", 4}},
+                    ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg, height);
+    if (!list) return;
     ForRowsInSight(scene.nodes.size(), [&](int i) {
       const SceneNodeRow& node = scene.nodes[static_cast<std::size_t>(i)];
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
+      NextRow();
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFontSize() * 0.7f * static_cast<float>(node.depth));
       CutText(node.name, node.tags.contains("solid") ? theme::kText : theme::kVariable);
       ImGui::TableNextColumn();
       if (node.depth > 0) CutText(Formatted("%.2f, %.2f, %.2f", node.at[0], node.at[1], node.at[2]), theme::kQuiet);
-      ImGui::TableNextColumn();
-      CutText((node.shape == "hull" || node.depth == 0 ? "" : node.shape + " ") + TagsText(node), theme::kQuiet);
+      CutCell((node.shape == "hull" || node.depth == 0 ? "" : node.shape + " ") + TagsText(node), theme::kQuiet);
     });
-    ImGui::EndTable();
   }
 };
 

@@ -12,7 +12,7 @@ namespace soarbox::viewer {
 
 /// Gives the panels their share of the user's input: the mouse over panels and menus, keys while somebody types there.
 ///
-/// What it hands to ImGui it hands over in order, a press and its release never in one frame, so that a click that is
+/// ImGui gets everything in order, and never a press and its release in one frame, so that a click that is
 /// shorter than a frame is not lost.
 class PanelInput {
  public:

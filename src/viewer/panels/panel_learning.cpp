@@ -18,18 +18,13 @@ namespace {
 using debugger::LearnedRuleRow;
 using debugger::LearningLog;
 
-constexpr ImGuiTableFlags kLearningTable =
-    ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
 constexpr std::size_t kMostCurves = 6;  ///< As many as colours.
 
-double SecondsOf(const PanelFrame& frame, std::uint64_t tick) {
-  return static_cast<double>(tick) * frame.contents.moment.step_s;
-}
-
-/// A time that a click leads to.
-void TimeLink(PanelFrame& frame, std::uint64_t tick) {
-  if (Link("when", TimeText(SecondsOf(frame, tick)))) frame.Ask(workbench::SeekRequest{tick});
-  Tooltip("Go there");
+/// Where a list and its curves stand side by side, the size of the list; else above each other.
+ImVec2 SizeOfList(const PanelFrame& frame, float share, bool& is_wide) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
+  return is_wide ? ImVec2{room.x * share, 0} : ImVec2{0, room.y * 0.55f};
 }
 
 /// What the selected agent learns: rules, each with its reasons, numbers by reward, and reward per episode.
@@ -41,7 +36,7 @@ class LearningPanel final : public Panel {
     // Until somebody chooses, it shows what there is.
     if (!has_chosen_) page_ = view.rules.empty() && view.learners > 0 ? kValues : kRules;
     DrawLearningBar(frame, view);
-    ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part page("page");
     if (page_ == kRules) {
       DrawRules(frame, view);
     } else if (page_ == kValues) {
@@ -49,7 +44,6 @@ class LearningPanel final : public Panel {
     } else {
       DrawEpisodes(frame);
     }
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -73,22 +67,11 @@ class LearningPanel final : public Panel {
   }
 
   void DrawLearningBar(PanelFrame& frame, const debugger::LearningView& view) {
-    const std::pair<std::string, const char*> pages[] = {
-        {"Rules " + std::to_string(view.rules.size()), "Rules that were learned in substates, the newest first"},
-        {"Values " + std::to_string(view.learners), "Numbers that reward moves, the highest first"},
-        {"Episodes " + std::to_string(EpisodesSoFar(frame)), "The reward of each episode"}};
-    for (int page = 0; page < 3; ++page) {
-      if (page > 0) ImGui::SameLine();
-      const bool is_on = page_ == page;
-      if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-      const std::string label = pages[page].first + "###page" + std::to_string(page);
-      if (ImGui::Button(label.c_str())) {
-        page_ = page;
-        has_chosen_ = true;
-      }
-      if (is_on) ImGui::PopStyleColor();
-      Tooltip(pages[page].second);
-    }
+    has_chosen_ |= PageButtons(
+        page_,
+        {{"Rules " + std::to_string(view.rules.size()), "Rules that were learned in substates, the newest first"},
+         {"Values " + std::to_string(view.learners), "Numbers that reward moves, the highest first"},
+         {"Episodes " + std::to_string(EpisodesSoFar(frame)), "The reward of each episode"}});
     if (page_ == kEpisodes) return;
     FlowLine(frame.Px(90));
     SearchField("##filter", "Filter by text", filter_);
@@ -103,10 +86,9 @@ class LearningPanel final : public Panel {
       DrawRule(frame);
       return;
     }
-    std::vector<const LearnedRuleRow*> rows;
-    for (const LearnedRuleRow& row : view.rules) {
-      if (HasPart(row.name + " " + row.purpose + " " + row.source, filter_)) rows.push_back(&row);
-    }
+    const auto rows = RowsThat(view.rules, [&](const LearnedRuleRow& row) {
+      return HasPart(row.name + " " + row.purpose + " " + row.source, filter_);
+    });
     if (rows.empty()) {
       const bool is_untold = view.rules.empty() && view.learners == 0 && !view.note.empty();
       if (is_untold) WrappedText(theme::kQuiet, view.note);
@@ -119,64 +101,46 @@ class LearningPanel final : public Panel {
       }
       return;
     }
-    const float width = is_chosen ? ImGui::GetContentRegionAvail().x * 0.5f : 0;
-    ImGui::BeginChild("list", {width, 0}, false, ImGuiWindowFlags_NoNav);
-    DrawRuleTable(frame, rows);
-    ImGui::EndChild();
+    {
+      const Part list("list", {is_chosen ? ImGui::GetContentRegionAvail().x * 0.5f : 0, 0});
+      DrawRuleTable(frame, rows);
+    }
     if (!is_chosen) return;
     ImGui::SameLine();
-    ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part rule("rule");
     DrawRule(frame);
-    ImGui::EndChild();
   }
 
   static void DrawRuleTable(PanelFrame& frame, const std::vector<const LearnedRuleRow*>& rows) {
     const bool has_sources = ImGui::GetContentRegionAvail().x > frame.Px(620);
-    if (!ImGui::BeginTable("learned", has_sources ? 5 : 4, kLearningTable)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Learned", 0, 1.3f);
-    ImGui::TableSetupColumn("Fired", 0, 0.8f);
-    ImGui::TableSetupColumn("Rule", 0, 4);
-    ImGui::TableSetupColumn("What it does", 0, 3.5f);
-    if (has_sources) ImGui::TableSetupColumn("Learned in", 0, 4.5f);
-    ImGui::TableHeadersRow();
+    const ListColumn columns[] = {
+        {"Learned", 1.3f}, {"Fired", 0.8f}, {"Rule", 4}, {"What it does", 3.5f}, {"Learned in", 4.5f}};
+    const List list("learned", std::span(columns, has_sources ? 5 : 4));
+    if (!list) return;
     ForRowsInSight(rows.size(), [&](int i) { DrawRuleRow(frame, *rows[static_cast<std::size_t>(i)], i, has_sources); });
-    ImGui::EndTable();
   }
 
   static void DrawRuleRow(PanelFrame& frame, const LearnedRuleRow& row, int number, bool has_sources) {
-    ImGui::PushID(number);
-    ImGui::TableNextRow();
+    const IdScope id(number);
+    NextRow();
     if (row.name == frame.contents.learned_rule.name)
       ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, theme::Packed(theme::kAccent, 0.2f));
-    ImGui::TableNextColumn();
     if (row.tick) {
       TimeLink(frame, *row.tick);
     } else {
       ColoredText(theme::kQuiet, "-");
       Tooltip("It was learned before anybody watched, or loaded");
     }
+    Cell(row.firings > 0 ? theme::kGood : theme::kQuiet, std::to_string(row.firings));
     ImGui::TableNextColumn();
-    ColoredText(row.firings > 0 ? theme::kGood : theme::kQuiet, std::to_string(row.firings));
-    ImGui::TableNextColumn();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    CutText(row.name, row.is_gone ? theme::kQuiet : theme::kAccent);
-    const ImVec2 end{at.x + width, at.y + ImGui::GetTextLineHeight()};
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end)) {
-      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) frame.Ask(workbench::LearnedRuleRequest{row.name});
-    }
+    if (CutLink(row.name, row.is_gone ? theme::kQuiet : theme::kAccent))
+      frame.Ask(workbench::LearnedRuleRequest{row.name});
     Tooltip(row.name + (row.is_gone ? "\nExcised since. " : "\n") + "Click to see why it is as it is");
-    ImGui::TableNextColumn();
-    CutText(row.purpose.empty() ? "not known" : row.purpose, row.purpose.empty() ? theme::kQuiet : theme::kText);
+    CutCell(row.purpose.empty() ? "not known" : row.purpose, row.purpose.empty() ? theme::kQuiet : theme::kText);
     Tooltip(row.purpose);
-    if (has_sources) {
-      ImGui::TableNextColumn();
-      CutText(row.source, theme::kQuiet);
-      Tooltip(row.source);
-    }
-    ImGui::PopID();
+    if (!has_sources) return;
+    CutCell(row.source, theme::kQuiet);
+    Tooltip(row.source);
   }
 
   /// Why the chosen rule is as it is, and where it fired since.
@@ -197,12 +161,11 @@ class LearningPanel final : public Panel {
       std::size_t shown = 0;
       for (; shown < rule.fired.size(); ++shown) {
         const std::uint64_t tick = rule.fired[rule.fired.size() - 1 - shown];
-        used += ImGui::CalcTextSize(TimeText(SecondsOf(frame, tick)).c_str()).x + space;
+        used += ImGui::CalcTextSize(TimeOf(frame, tick).c_str()).x + space;
         if (shown > 0 && used + (shown + 1 < rule.fired.size() ? rest : 0) > end) break;
         ImGui::SameLine();
-        ImGui::PushID(static_cast<int>(shown));
+        const IdScope id(static_cast<int>(shown));
         TimeLink(frame, tick);
-        ImGui::PopID();
       }
       if (shown < rule.fired.size()) {
         const std::string more = "and " + std::to_string(rule.fired.size() - shown) + " times before";
@@ -211,12 +174,11 @@ class LearningPanel final : public Panel {
       }
     }
     ImGui::Separator();
-    ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part tree("tree");
     // Its name is above already.
     debugger::WhyNode why = rule.why;
     if (const std::string name = rule.name + ": "; why.text.starts_with(name)) why.text.erase(0, name.size());
     DrawWhyTree(frame, why, 2);
-    ImGui::EndChild();
   }
 
   // Values ------------------------------------------------------------------------------------------------------------
@@ -229,28 +191,24 @@ class LearningPanel final : public Panel {
                   "rl --set learning on, and a rule whose only action is a numeric preference.");
       return;
     }
-    std::vector<const explain::NumberFact*> rows;
-    for (const explain::NumberFact& number : view.numbers) {
-      if (HasPart(number.rule, filter_)) rows.push_back(&number);
-    }
+    auto rows =
+        RowsThat(view.numbers, [&](const explain::NumberFact& number) { return HasPart(number.rule, filter_); });
     if (rows.empty()) {
       EmptyNote("No rule with a number has this text.");
       return;
     }
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
-    const ImVec2 size = is_wide ? ImVec2{room.x * 0.5f, 0} : ImVec2{0, room.y * 0.55f};
     const std::vector<std::string> curves = Curves(rows);
     // Those whose curves are drawn come first: their colours say which curve is whose.
     std::ranges::stable_partition(
         rows, [&](const explain::NumberFact* row) { return std::ranges::find(curves, row->rule) != curves.end(); });
-    ImGui::BeginChild("numbers", size, false, ImGuiWindowFlags_NoNav);
-    DrawValueTable(frame, rows, curves);
-    ImGui::EndChild();
+    bool is_wide = false;
+    {
+      const Part numbers("numbers", SizeOfList(frame, 0.5f, is_wide));
+      DrawValueTable(frame, rows, curves);
+    }
     if (is_wide) ImGui::SameLine();
-    ImGui::BeginChild("curves", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part part("curves");
     DrawCurves(frame, curves);
-    ImGui::EndChild();
   }
 
   /// Those that the user chose, or the ones that moved most often.
@@ -271,43 +229,28 @@ class LearningPanel final : public Panel {
 
   void DrawValueTable(PanelFrame& frame, const std::vector<const explain::NumberFact*>& rows,
                       const std::vector<std::string>& curves) {
-    if (!BeginList("values", {{"Value", 2},
-                              {"Updates", ImGui::CalcTextSize("Updates").x, ImGuiTableColumnFlags_WidthFixed},
-                              {"Rule", 5}}))
-      return;
+    const List list(
+        "values",
+        {{"Value", 2}, {"Updates", ImGui::CalcTextSize("Updates").x, ImGuiTableColumnFlags_WidthFixed}, {"Rule", 5}});
+    if (!list) return;
     double most = 1e-9;
     for (const explain::NumberFact* number : rows) most = std::max(most, std::abs(number->value));
     ForRowsInSight(rows.size(),
                    [&](int i) { DrawValueRow(frame, *rows[static_cast<std::size_t>(i)], i, most, curves); });
-    ImGui::EndTable();
   }
 
   void DrawValueRow(PanelFrame& frame, const explain::NumberFact& number, int row, double most,
                     const std::vector<std::string>& curves) {
-    ImGui::PushID(row);
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-    const float length = width * static_cast<float>(std::abs(number.value) / most);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + frame.Px(2)}, {at.x + length, at.y + height - frame.Px(2)},
-                                              theme::Packed(number.value < 0 ? theme::kWarn : theme::kGood, 0.35f));
-    ColoredText(theme::kText, Formatted("%.3f", number.value));
-    ImGui::TableNextColumn();
-    ColoredText(number.updates > 0 ? theme::kText : theme::kQuiet, std::to_string(number.updates));
+    const IdScope id(row);
+    NextRow();
+    BarText(frame, number.value, most);
+    Cell(number.updates > 0 ? theme::kText : theme::kQuiet, std::to_string(number.updates));
     ImGui::TableNextColumn();
     const auto curve = std::ranges::find(curves, number.rule);
     const bool is_drawn = curve != curves.end();
     const ImVec4 color = is_drawn ? theme::Series(static_cast<std::size_t>(curve - curves.begin())) : theme::kText;
-    const float room = ImGui::GetContentRegionAvail().x;
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    CutText(number.rule, color);
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, {from.x + room, from.y + height})) {
-      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) Toggle(number.rule, curves);
-    }
+    if (CutLink(number.rule, color)) Toggle(number.rule, curves);
     Tooltip(number.rule + (is_drawn ? "\nClick to take its curve away" : "\nClick to draw its curve"));
-    ImGui::PopID();
   }
 
   void Toggle(const std::string& rule, const std::vector<std::string>& curves) {
@@ -343,8 +286,7 @@ class LearningPanel final : public Panel {
     const float height =
         std::max(frame.Px(44), ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y);
     const auto first = static_cast<double>(moment.first_tick), last = static_cast<double>(moment.last_tick);
-    if (const auto tick = DrawGraph(frame, id, curves, height, first, last, true))
-      frame.Ask(workbench::SeekRequest{*tick});
+    DrawGraph(frame, id, curves, height, first, last, true);
     DrawTimeAxis(frame, first, last);
   }
 
@@ -359,44 +301,36 @@ class LearningPanel final : public Panel {
       return;
     }
     const auto& episodes = frame.contents.learning_log->episodes();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool is_wide = room.x > frame.Px(480) && room.x > 1.6f * room.y;
-    ImGui::BeginChild("episodes", is_wide ? ImVec2{room.x * 0.4f, 0} : ImVec2{0, room.y * 0.55f}, false,
-                      ImGuiWindowFlags_NoNav);
-    if (ImGui::BeginTable("rewards", 4, kLearningTable)) {
-      ImGui::TableSetupScrollFreeze(0, 1);
-      ImGui::TableSetupColumn("Episode", 0, 1);
-      ImGui::TableSetupColumn("Ended", 0, 1.2f);
-      ImGui::TableSetupColumn("Took", 0, 1);
-      ImGui::TableSetupColumn("Reward", 0, 1.2f);
-      ImGui::TableHeadersRow();
-      ForRowsInSight(count, [&](int i) {
-        const std::size_t number = count - 1 - static_cast<std::size_t>(i);
-        const debugger::RewardEpisode& episode = episodes[number];
-        ImGui::PushID(i);
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ColoredText(theme::kQuiet, std::to_string(number + 1));
-        ImGui::TableNextColumn();
-        TimeLink(frame, episode.last_tick);
-        ImGui::TableNextColumn();
-        ColoredText(theme::kText, Formatted("%.1f s", SecondsOf(frame, episode.last_tick - episode.first_tick)));
-        ImGui::TableNextColumn();
-        ColoredText(episode.reward < 0 ? theme::kWarn : theme::kGood, Formatted("%.4g", episode.reward));
-        ImGui::PopID();
-      });
-      ImGui::EndTable();
+    bool is_wide = false;
+    {
+      const Part part("episodes", SizeOfList(frame, 0.4f, is_wide));
+      DrawEpisodeTable(frame, episodes, count);
     }
-    ImGui::EndChild();
     if (is_wide) ImGui::SameLine();
-    ImGui::BeginChild("curve", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part part("curve");
     std::vector<GraphCurve> curves(1);
     curves[0].name = "reward of an episode";
     curves[0].color = theme::Series(0);
     for (const debugger::RewardEpisode& episode : episodes)
       curves[0].points.emplace_back(static_cast<double>(episode.last_tick), episode.reward);
     DrawOverTime(frame, curves, "rewards");
-    ImGui::EndChild();
+  }
+
+  static void DrawEpisodeTable(PanelFrame& frame, const std::deque<debugger::RewardEpisode>& episodes,
+                               std::size_t count) {
+    const List list("rewards", {{"Episode", 1}, {"Ended", 1.2f}, {"Took", 1}, {"Reward", 1.2f}});
+    if (!list) return;
+    ForRowsInSight(count, [&](int i) {
+      const std::size_t number = count - 1 - static_cast<std::size_t>(i);
+      const debugger::RewardEpisode& episode = episodes[number];
+      const IdScope id(i);
+      NextRow();
+      ColoredText(theme::kQuiet, std::to_string(number + 1));
+      ImGui::TableNextColumn();
+      TimeLink(frame, episode.last_tick);
+      Cell(theme::kText, Formatted("%.1f s", SecondsOf(frame, episode.last_tick - episode.first_tick)));
+      Cell(episode.reward < 0 ? theme::kWarn : theme::kGood, Formatted("%.4g", episode.reward));
+    });
   }
 
   int page_ = kRules;

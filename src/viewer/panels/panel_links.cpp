@@ -27,19 +27,17 @@ class LinksPanel final : public Panel {
       WrappedText(theme::kQuiet, "There is no command on the output link. Rules give commands there.");
     int number = 0;
     for (const CommandRow& command : io.commands) {
-      ImGui::PushID(++number);
+      const IdScope id(++number);
       DrawCommand(frame, command);
-      ImGui::PopID();
     }
     ImGui::Separator();
     Heading(frame, "Percepts (input link)");
     TermTooltip("input link");
     SearchField("##filter", "Filter by attribute or value", filter_);
-    ImGui::BeginChild("percepts", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part percepts("percepts");
     if (io.input.rows.empty())
       WrappedText(theme::kQuiet, io.input.note.empty() ? "It perceives nothing." : io.input.note);
     for (const MemoryRow& row : io.input.rows) DrawPercept(frame, row, {}, 0);
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -55,10 +53,9 @@ class LinksPanel final : public Panel {
   }
 
   static void DrawCommand(PanelFrame& frame, const CommandRow& command) {
-    if (Link("name", command.name, theme::kNumber)) {
-      frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kCommand, command.name});
-      frame.layout.Show(workbench::PanelId::kWhy);
-    }
+    if (Link("name", command.name, theme::kNumber))
+      frame.AskIn(workbench::PanelId::kWhy,
+                  workbench::WhyRequest{workbench::WhyRequest::About::kCommand, command.name});
     Tooltip("Click to ask why it gives this command");
     ImGui::SameLine();
     Tag(command.status.empty() ? "under way" : command.status, StatusColor(command.status));
@@ -88,7 +85,7 @@ class LinksPanel final : public Panel {
     if (depth > kDeepest || !IsWanted(row)) return;
     const explain::ElementFact& element = row.element;
     const std::string path = above.empty() ? element.attribute : above + "." + element.attribute;
-    ImGui::PushID(static_cast<int>(element.timetag));
+    const IdScope id(static_cast<int>(element.timetag));
     const bool open = element.is_object && !row.below.empty();
     ImGui::Dummy({frame.Px(14) * static_cast<float>(depth), 1});
     ImGui::SameLine(0, 0);
@@ -116,7 +113,6 @@ class LinksPanel final : public Panel {
     if (open) {
       for (const MemoryRow& below : row.below) DrawPercept(frame, below, path, depth + 1);
     }
-    ImGui::PopID();
   }
 
   std::string filter_;
@@ -143,12 +139,6 @@ class MessagesPanel final : public Panel {
     // Where columns would leave no room for what is said, all of it is one text.
     constexpr float kNarrow_em = 22;
     const bool is_narrow = ImGui::GetContentRegionAvail().x < kNarrow_em * ImGui::GetFontSize();
-    if (!ImGui::BeginTable(is_narrow ? "messages-narrow" : "messages", is_narrow ? 2 : 4,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
-                               ImGuiTableFlags_SizingStretchProp))
-      return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Time", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00:00.00").x);
     // As wide as the newest names are, so that the message has the rest.
     constexpr std::size_t kLookAt = 40;
     float from = ImGui::CalcTextSize("From").x, to = ImGui::CalcTextSize("To").x;
@@ -157,36 +147,24 @@ class MessagesPanel final : public Panel {
       to = std::max(to, ImGui::CalcTextSize(rows[rows.size() - 1 - i].to.c_str()).x);
     }
     const float most = 9 * ImGui::GetFontSize();
-    if (!is_narrow) {
-      ImGui::TableSetupColumn("From", ImGuiTableColumnFlags_WidthFixed, std::min(from, most));
-      ImGui::TableSetupColumn("To", ImGuiTableColumnFlags_WidthFixed, std::min(to, most));
-    }
-    ImGui::TableSetupColumn("Message", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableHeadersRow();
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const debugger::MessageRow& row = rows[rows.size() - 1 - static_cast<std::size_t>(i)];  // The newest first.
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushID(i);
-        if (Link("time", TimeText(row.time_s), theme::kQuiet)) frame.Ask(workbench::SeekRequest{row.tick});
-        ImGui::PopID();
-        ImGui::TableNextColumn();
-        const std::string who = row.from.empty() ? "you" : row.from;
-        if (is_narrow) {
-          CutText(who + " to " + row.to + ": " + row.text);
-          continue;
-        }
-        CutText(who);
-        ImGui::TableNextColumn();
-        CutText(row.to);
-        ImGui::TableNextColumn();
-        CutText(row.text);
-      }
-    }
-    ImGui::EndTable();
+    constexpr ImGuiTableColumnFlags kFixed = ImGuiTableColumnFlags_WidthFixed;
+    std::vector<ListColumn> columns{{"Time", ImGui::CalcTextSize("00:00.00").x, kFixed}};
+    if (!is_narrow)
+      columns.insert(columns.end(), {{"From", std::min(from, most), kFixed}, {"To", std::min(to, most), kFixed}});
+    columns.push_back({"Message", 0, ImGuiTableColumnFlags_WidthStretch});
+    const List list(is_narrow ? "messages-narrow" : "messages", columns, List::kUsual | ImGuiTableFlags_Resizable);
+    if (!list) return;
+    ForRowsInSight(rows.size(), [&](int i) {
+      const debugger::MessageRow& row = rows[rows.size() - 1 - static_cast<std::size_t>(i)];  // The newest first.
+      const IdScope id(i);
+      NextRow();
+      TimeLink(frame, row.tick, {}, theme::kQuiet);
+      const std::string who = row.from.empty() ? "you" : row.from;
+      if (is_narrow) return CutCell(who + " to " + row.to + ": " + row.text);
+      CutCell(who);
+      CutCell(row.to);
+      CutCell(row.text);
+    });
   }
 
   std::string Text(const PanelFrame& frame) const override {

@@ -21,7 +21,7 @@ class LongTermPanel final : public Panel {
     if (frame.contents.known_search != filter_) frame.Ask(workbench::SearchKnownRequest{filter_});
     const debugger::LongTermView& view = frame.contents.long_term;
     DrawBar(frame, view);
-    ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part page("page");
     if (page_ == kKnown) {
       DrawKnown(frame, view);
     } else if (page_ == kRecalled) {
@@ -29,7 +29,6 @@ class LongTermPanel final : public Panel {
     } else {
       DrawEpisodes(frame, view);
     }
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -37,8 +36,7 @@ class LongTermPanel final : public Panel {
     std::string text = debugger::ToText(frame.contents.long_term);
     if (const RecallLog* const log = frame.contents.recalls) {
       for (const Recall& recall : log->recalls()) {
-        text += TimeText(static_cast<double>(recall.tick) * frame.contents.moment.step_s) + " " +
-                debugger::ToText(recall) + "\n";
+        text += TimeOf(frame, recall.tick) + " " + debugger::ToText(recall) + "\n";
       }
     }
     if (frame.contents.episode.number != 0) text += "\n" + debugger::ToText(frame.contents.episode);
@@ -50,19 +48,12 @@ class LongTermPanel final : public Panel {
 
   void DrawBar(PanelFrame& frame, const debugger::LongTermView& view) {
     const RecallLog* const log = frame.contents.recalls;
-    const std::pair<std::string, const char*> pages[] = {
-        {"Known " + std::to_string(view.facts.objects), "Objects of semantic memory, the most active first"},
-        {"Recalled " + std::to_string(log == nullptr ? 0 : log->count()),
-         "What rules asked of long-term memory, what came, and why"},
-        {"Episodes " + std::to_string(view.facts.episodes), "What episodic memory holds: click one to see that world"}};
-    for (int page = 0; page < 3; ++page) {
-      if (page > 0) ImGui::SameLine();
-      const bool is_on = page_ == page;
-      if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-      if (ImGui::Button((pages[page].first + "###page" + std::to_string(page)).c_str())) page_ = page;
-      if (is_on) ImGui::PopStyleColor();
-      Tooltip(pages[page].second);
-    }
+    PageButtons(page_,
+                {{"Known " + std::to_string(view.facts.objects), "Objects of semantic memory, the most active first"},
+                 {"Recalled " + std::to_string(log == nullptr ? 0 : log->count()),
+                  "What rules asked of long-term memory, what came, and why"},
+                 {"Episodes " + std::to_string(view.facts.episodes),
+                  "What episodic memory holds: click one to see that world"}});
     if (page_ == kEpisodes) return;
     FlowLine(frame.Px(90));
     SearchField("##filter", "Filter by text", filter_);
@@ -84,25 +75,22 @@ class LongTermPanel final : public Panel {
       WrappedText(theme::kQuiet, "The " + std::to_string(view.facts.known.size()) +
                                      " most active. The filter looks through all that is known.");
     }
-    if (!BeginList("known", {{"Object", 1.1f}, {"Activation", 2}, {"Uses", 0.9f}, {"What is known of it", 8}})) return;
+    const List list("known", {{"Object", 1.1f}, {"Activation", 2}, {"Uses", 0.9f}, {"What is known of it", 8}});
+    if (!list) return;
     double most = 1e-9;
     for (const explain::KnownObjectFact& object : view.facts.known) most = std::max(most, std::abs(object.activation));
     const std::uint64_t recalled = LastRecalled(frame);
     ForRowsInSight(view.facts.known.size(), [&](int i) {
       const explain::KnownObjectFact& object = view.facts.known[static_cast<std::size_t>(i)];
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
+      NextRow();
       ColoredText(object.number == recalled ? theme::kGood : theme::kVariable, "@" + std::to_string(object.number));
       if (object.number == recalled) Tooltip("Recalled last");
       ImGui::TableNextColumn();
-      DrawActivation(frame, object.activation, most);
-      ImGui::TableNextColumn();
-      ColoredText(object.uses > 0 ? theme::kText : theme::kQuiet, std::to_string(object.uses));
-      ImGui::TableNextColumn();
-      CutText(object.text);
+      BarText(frame, object.activation, most);
+      Cell(object.uses > 0 ? theme::kText : theme::kQuiet, std::to_string(object.uses));
+      CutCell(object.text);
       Tooltip(object.text);
     });
-    ImGui::EndTable();
   }
 
   /// The object that was recalled last; 0: none was.
@@ -114,16 +102,6 @@ class LongTermPanel final : public Panel {
         return recall->number;
     }
     return 0;
-  }
-
-  /// A bar as long as the activation is far from 0, in another colour below 0.
-  static void DrawActivation(PanelFrame& frame, double value, double most) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-    const float length = width * static_cast<float>(std::abs(value) / most);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + frame.Px(2)}, {at.x + length, at.y + height - frame.Px(2)},
-                                              theme::Packed(value < 0 ? theme::kWarn : theme::kGood, 0.35f));
-    ColoredText(theme::kText, Formatted("%.3f", value));
   }
 
   // Recalled ----------------------------------------------------------------------------------------------------------
@@ -139,22 +117,17 @@ class LongTermPanel final : public Panel {
     for (auto recall = log->recalls().rbegin(); recall != log->recalls().rend(); ++recall) {
       if (HasPart(recall->question + " " + recall->answer, filter_)) rows.push_back(&*recall);
     }
-    if (!BeginList("recalled", {{"When", 1.2f}, {"Asked for", 4}, {"Came", 4}, {"Why", 5}})) return;
-    ForRowsInSight(rows.size(), [&](int i) { DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i); });
-    ImGui::EndTable();
+    const List list("recalled", {{"When", 1.2f}, {"Asked for", 4}, {"Came", 4}, {"Why", 5}});
+    if (list) ForRowsInSight(rows.size(), [&](int i) { DrawRecall(frame, *rows[static_cast<std::size_t>(i)], i); });
   }
 
   void DrawRecall(PanelFrame& frame, const Recall& recall, int number) {
-    ImGui::PushID(number);
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
+    const IdScope id(number);
+    NextRow();
     const bool is_later = recall.tick > frame.contents.moment.shown_tick;
-    if (Link("when", TimeText(static_cast<double>(recall.tick) * frame.contents.moment.step_s),
-             is_later ? theme::kQuiet : theme::kAccent))
-      frame.Ask(workbench::SeekRequest{recall.tick});
-    Tooltip(is_later ? "Later than the moment that is shown; a click goes there" : "Go there");
-    ImGui::TableNextColumn();
-    CutText(recall.question);
+    TimeLink(frame, recall.tick, is_later ? "Later than the moment that is shown; a click goes there" : "Go there",
+             is_later ? theme::kQuiet : theme::kAccent);
+    CutCell(recall.question);
     Tooltip(recall.question);
     ImGui::TableNextColumn();
     if (recall.number == 0) {
@@ -169,10 +142,8 @@ class LongTermPanel final : public Panel {
       CutText(came, theme::kVariable);
       Tooltip(came);
     }
-    ImGui::TableNextColumn();
-    CutText(recall.reason, theme::kQuiet);
+    CutCell(recall.reason, theme::kQuiet);
     Tooltip(recall.reason);
-    ImGui::PopID();
   }
 
   // Episodes ----------------------------------------------------------------------------------------------------------
@@ -207,13 +178,11 @@ class LongTermPanel final : public Panel {
     }
     DrawStrip(frame, episodes, chosen);
     if (chosen == 0) return;
-    ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part lines("lines");
     if (episode.things.empty())
       WrappedText(theme::kQuiet, "Nothing in this episode has a ^position, so it has no ghosts.");
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     ForRowsInSight(episode.lines.size(), [&](int i) { CutText(episode.lines[static_cast<std::size_t>(i)]); });
-    ImGui::PopFont();
-    ImGui::EndChild();
   }
 
   /// All episodes from left to right, those that were recalled marked; a click or a drag chooses one.

@@ -28,11 +28,12 @@ class MemoryPanel final : public Panel {
       return;
     }
     const bool has_story = frame.contents.story.has_value();
-    ImGui::BeginChild("tree", {0, has_story ? -ImGui::GetContentRegionAvail().y * 0.42f : 0}, false,
-                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
-    depth_ = 0;
-    DrawObject(frame, root_);
-    ImGui::EndChild();
+    {
+      const Part tree("tree", {0, has_story ? -ImGui::GetContentRegionAvail().y * 0.42f : 0},
+                      ImGuiWindowFlags_HorizontalScrollbar);
+      depth_ = 0;
+      DrawObject(frame, root_);
+    }
     if (has_story) DrawStory(frame, *frame.contents.story);
   }
 
@@ -77,15 +78,9 @@ class MemoryPanel final : public Panel {
   }
 
   void DrawBar(PanelFrame& frame) {
-    ImGui::BeginDisabled(at_ == 0);
-    if (ImGui::Button("\xe2\x86\x90")) Step(frame, -1);
-    ImGui::EndDisabled();
-    Tooltip("Back to the object looked at before");
+    if (ButtonIf(at_ > 0, "\xe2\x86\x90", "Back to the object looked at before")) Step(frame, -1);
     ImGui::SameLine(0, frame.Px(3));
-    ImGui::BeginDisabled(at_ + 1 >= trail_.size());
-    if (ImGui::Button("\xe2\x86\x92")) Step(frame, 1);
-    ImGui::EndDisabled();
-    Tooltip("Forward again");
+    if (ButtonIf(at_ + 1 < trail_.size(), "\xe2\x86\x92", "Forward again")) Step(frame, 1);
     for (const debugger::StackLevel& level : frame.contents.stack.levels) {
       ImGui::SameLine(0, frame.Px(3));
       if (ImGui::GetContentRegionAvail().x < frame.Px(130)) break;
@@ -104,9 +99,7 @@ class MemoryPanel final : public Panel {
     }
     const MemoryObject& object = found->second;
     if (depth_ == 0) {
-      ImGui::PushFont(frame.fonts.bold);
-      ColoredText(theme::kVariable, id);
-      ImGui::PopFont();
+      Heading(frame, id, theme::kVariable);
       if (!object.about.empty()) {
         ImGui::SameLine();
         ColoredText(theme::kQuiet, object.about);
@@ -121,7 +114,7 @@ class MemoryPanel final : public Panel {
   void DrawRow(PanelFrame& frame, const MemoryRow& row) {
     constexpr int kDeepest = 24;
     const explain::ElementFact& element = row.element;
-    ImGui::PushID(static_cast<int>(element.timetag));
+    const IdScope id(static_cast<int>(element.timetag));
     bool open = false;
     const float label = ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() - frame.Px(5);
     if (element.is_object && row.change != Change::kRemoved && depth_ < kDeepest) {
@@ -154,17 +147,17 @@ class MemoryPanel final : public Panel {
     Tooltip("Click: which rule made it and which rules test it (time tag " + std::to_string(element.timetag) + ")");
     if (ImGui::BeginPopupContextItem("menu")) {
       if (element.is_object && ImGui::MenuItem("Begin the tree here")) GoTo(frame, element.value);
-      if (ImGui::MenuItem("Where does it come from?")) AskWhy(frame, element.timetag);
+      if (ImGui::MenuItem("Where does it come from?"))
+        frame.AskIn(workbench::PanelId::kWhy,
+                    workbench::WhyRequest{workbench::WhyRequest::About::kElement, std::to_string(element.timetag)});
       if (ImGui::MenuItem("Break when such an element appears")) {
-        frame.Ask(workbench::BreakRequest{debugger::BreakKind::kElement, frame.contents.agent,
-                                          "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value)});
-        frame.layout.Show(workbench::PanelId::kBreakpoints);
+        const std::string what = "* ^" + element.attribute + " " + (element.is_object ? "*" : element.value);
+        frame.AskIn(workbench::PanelId::kBreakpoints,
+                    workbench::BreakRequest{debugger::BreakKind::kElement, frame.contents.agent, what});
       }
       const std::string path = element.id + "." + element.attribute;
-      if (IsNumber(element.value) && ImGui::MenuItem("Plot it")) {
-        frame.Ask(workbench::PlotRequest{frame.contents.agent, path, true});
-        frame.layout.Show(workbench::PanelId::kPlots);
-      }
+      if (IsNumber(element.value) && ImGui::MenuItem("Plot it"))
+        frame.AskIn(workbench::PanelId::kPlots, workbench::PlotRequest{frame.contents.agent, path, true});
       if (ImGui::MenuItem("Copy"))
         ImGui::SetClipboardText(("(" + element.id + " ^" + element.attribute + " " + element.value + ")").c_str());
       ImGui::EndPopup();
@@ -175,21 +168,19 @@ class MemoryPanel final : public Panel {
       --depth_;
       ImGui::TreePop();
     }
-    ImGui::PopID();
   }
 
   void DrawFound(PanelFrame& frame) {
     const auto& found = frame.contents.found;
     ColoredText(theme::kQuiet,
                 std::to_string(found.size()) + (found.size() == 200 ? " elements or more" : " elements"));
-    ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    const Part part("found", {0, 0}, ImGuiWindowFlags_HorizontalScrollbar);
     for (const explain::ElementFact& element : found) DrawElement(frame, element);
-    ImGui::EndChild();
   }
 
   /// "(S1 ^io I1)" with its identifiers as links.
   void DrawElement(PanelFrame& frame, const explain::ElementFact& element) {
-    ImGui::PushID(static_cast<int>(element.timetag));
+    const IdScope id(static_cast<int>(element.timetag));
     ColoredText(theme::kQuiet, "(");
     ImGui::SameLine(0, 0);
     if (Link("id", element.id, theme::kVariable)) GoTo(frame, element.id);
@@ -203,12 +194,11 @@ class MemoryPanel final : public Panel {
     }
     ImGui::SameLine(0, 0);
     ColoredText(theme::kQuiet, ")");
-    ImGui::PopID();
   }
 
   void DrawStory(PanelFrame& frame, const debugger::ElementStory& story) {
     ImGui::Separator();
-    ImGui::BeginChild("story", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part part("story");
     DrawElement(frame, story.element);
     ImGui::SameLine();
     if (ImGui::SmallButton("Close")) frame.Ask(workbench::ElementRequest{0});
@@ -219,7 +209,7 @@ class MemoryPanel final : public Panel {
     if (is_told && story.makers.empty()) ColoredText(theme::kQuiet, "not known");
     int number = 0;
     for (const explain::MakerFact& maker : story.makers) {
-      ImGui::PushID(number++);
+      const IdScope id(number++);
       if (maker.kind == explain::MakerFact::Kind::kInput) {
         ColoredText(theme::kGood, "the world: it is a percept");
       } else if (maker.kind == explain::MakerFact::Kind::kArchitecture) {
@@ -232,25 +222,17 @@ class MemoryPanel final : public Panel {
           ImGui::Unindent();
         }
       }
-      ImGui::PopID();
     }
     if (is_told || !story.testers.empty()) Heading(frame, "Tested by");
     if (is_told && story.testers.empty()) ColoredText(theme::kQuiet, "no rule");
     for (const explain::TesterFact& tester : story.testers) {
-      ImGui::PushID(number++);
+      const IdScope id(number++);
       RuleLink(frame, tester.rule);
       ImGui::SameLine();
       ColoredText(tester.matches ? theme::kGood : theme::kQuiet,
                   (tester.negated ? "negated " : "") + std::string("condition ") +
                       std::to_string(tester.condition + 1) + (tester.matches ? ", in a match" : ""));
-      ImGui::PopID();
     }
-    ImGui::EndChild();
-  }
-
-  static void AskWhy(PanelFrame& frame, std::uint64_t timetag) {
-    frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kElement, std::to_string(timetag)});
-    frame.layout.Show(workbench::PanelId::kWhy);
   }
 
   static bool IsNumber(std::string_view value) {

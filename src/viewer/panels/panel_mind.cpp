@@ -61,7 +61,7 @@ class MindPanel final : public Panel {
     Heading(frame, "Goal stack");
     TermTooltip("goal stack");
     for (const debugger::StackLevel& level : frame.contents.stack.levels) {
-      ImGui::PushID(level.state.c_str());
+      const IdScope id(level.state);
       const bool is_chosen = level.state == frame.contents.operators.state;
       const ImVec2 at = ImGui::GetCursorScreenPos();
       if (ImGui::Selectable("##state", is_chosen)) frame.Ask(workbench::StateRequest{level.state});
@@ -84,7 +84,6 @@ class MindPanel final : public Panel {
                                                                : level.operator_name + " (" + level.operator_id + ")"),
                 theme::kGood);
       }
-      ImGui::PopID();
     }
   }
 
@@ -103,13 +102,10 @@ class MindPanel final : public Panel {
         Heading(frame, "Before");
         Tooltip("The operators that were selected last, the newest first; click to go to that moment");
       }
-      ImGui::PushID(static_cast<int>(told));
-      const double time_s = static_cast<double>(span->first_tick) * now.step_s;
-      if (Link("time", TimeText(time_s), theme::kQuiet)) frame.Ask(workbench::SeekRequest{span->first_tick});
-      Tooltip("Click to go there: all panels then show what the mind knew");
+      const IdScope id(static_cast<int>(told));
+      TimeLink(frame, span->first_tick, "Click to go there: all panels then show what the mind knew", theme::kQuiet);
       ImGui::SameLine();
       CutText(span->text.empty() ? span->id : span->text + " (" + span->id + ")");
-      ImGui::PopID();
     }
   }
 
@@ -118,12 +114,7 @@ class MindPanel final : public Panel {
     Heading(frame, "Operators of " + view.state);
     TermTooltip("operator");
     if (!view.note.empty()) WrappedText(theme::kQuiet, view.note);
-    if (!view.sentence.empty()) {
-      const bool is_impasse = view.selected.empty();
-      ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kRaised);
-      WrappedText(is_impasse ? theme::kWarn : theme::kGood, view.sentence);
-      ImGui::PopStyleColor();
-    }
+    if (!view.sentence.empty()) WrappedText(view.selected.empty() ? theme::kWarn : theme::kGood, view.sentence);
     if (view.rows.empty()) {
       if (view.sentence.empty() && view.note.empty())
         WrappedText(theme::kQuiet, "No operator is proposed here. In the panel Why, ask why not one that you miss.");
@@ -139,18 +130,14 @@ class MindPanel final : public Panel {
     const float operators = std::min(wanted, (has_numbers ? 0.4f : 0.5f) * ImGui::GetContentRegionAvail().x);
     const std::string id =
         Formatted("operators/%.0f/%.0f", static_cast<double>(operators), static_cast<double>(frame.scale * 100));
-    if (!ImGui::BeginTable(id.c_str(), has_numbers ? 4 : 2,
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp))
-      return;
-    ImGui::TableSetupColumn("Operator", ImGuiTableColumnFlags_WidthFixed, operators);
-    ImGui::TableSetupColumn("Standing", ImGuiTableColumnFlags_WidthStretch);
-    if (has_numbers) {
-      ImGui::TableSetupColumn("Value", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("-0.000").x);
-      ImGui::TableSetupColumn("Chance", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("Chance").x);
-    }
-    ImGui::TableHeadersRow();
+    const ListColumn columns[] = {{"Operator", operators, ImGuiTableColumnFlags_WidthFixed},
+                                  {"Standing", 0, ImGuiTableColumnFlags_WidthStretch},
+                                  {"Value", ImGui::CalcTextSize("-0.000").x, ImGuiTableColumnFlags_WidthFixed},
+                                  {"Chance", ImGui::CalcTextSize("Chance").x, ImGuiTableColumnFlags_WidthFixed}};
+    const List list(id, std::span(columns, has_numbers ? 4 : 2),
+                    ImGuiTableFlags_RowBg | ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchProp);
+    if (!list) return;
     for (const OperatorRow& row : view.rows) DrawRow(frame, row, has_numbers);
-    ImGui::EndTable();
   }
 
   static std::string TitleOf(const OperatorRow& row) {
@@ -159,20 +146,16 @@ class MindPanel final : public Panel {
   }
 
   static void DrawRow(PanelFrame& frame, const OperatorRow& row, bool has_numbers) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(row.id.c_str());
+    const IdScope id(row.id);
+    NextRow();
     const std::string title = TitleOf(row);
     ImGui::PushStyleColor(ImGuiCol_Text, row.selected ? theme::kGood : theme::kText);
     const bool open = ImGui::TreeNodeEx("row", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::PopStyleColor();
     Tooltip("Unfold to see each preference and the rule that made it; right click for more");
     if (ImGui::BeginPopupContextItem("menu")) {
-      const std::string name = row.name.empty() ? row.id : row.name;
-      if (ImGui::MenuItem(row.selected ? "Why this operator?" : "Why not this operator?")) {
-        frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kOperator, row.id});
-        frame.layout.Show(workbench::PanelId::kWhy);
-      }
+      if (ImGui::MenuItem(row.selected ? "Why this operator?" : "Why not this operator?"))
+        frame.AskIn(workbench::PanelId::kWhy, workbench::WhyRequest{workbench::WhyRequest::About::kOperator, row.id});
       if (ImGui::MenuItem("Look at it in working memory")) ShowObject(frame, row.id);
       ImGui::EndPopup();
     }
@@ -194,18 +177,14 @@ class MindPanel final : public Panel {
       }
     }
     if (open) {
-      for (std::size_t i = 0; i < row.preferences.size(); ++i)
-        DrawPreference(frame, row.preferences[i], i, has_numbers);
+      for (std::size_t i = 0; i < row.preferences.size(); ++i) DrawPreference(frame, row.preferences[i], i);
       ImGui::TreePop();
     }
-    ImGui::PopID();
   }
 
-  static void DrawPreference(PanelFrame& frame, const explain::PreferenceFact& preference, std::size_t number,
-                             bool has_numbers) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::PushID(static_cast<int>(number));
+  static void DrawPreference(PanelFrame& frame, const explain::PreferenceFact& preference, std::size_t number) {
+    const IdScope id(static_cast<int>(number));
+    NextRow();
     std::string what = preference.sign + " " + preference.type;
     if (!preference.referent.empty())
       what += " " + (preference.other_name.empty() ? preference.referent : preference.other_name);
@@ -217,11 +196,6 @@ class MindPanel final : public Panel {
     } else {
       RuleLink(frame, preference.maker.rule);
     }
-    if (has_numbers) {
-      ImGui::TableNextColumn();
-      ImGui::TableNextColumn();
-    }
-    ImGui::PopID();
   }
 };
 

@@ -40,21 +40,18 @@ class MindsPanel final : public Panel {
       EmptyNote("No mind is looked at.", "Add agents above: their goal stacks and operators appear side by side.");
       return;
     }
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV |
-                                       ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchSame;
-    const auto columns = static_cast<int>(minds.size());
-    if (!ImGui::BeginTable(("minds" + std::to_string(columns)).c_str(), columns, kFlags)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    for (const workbench::MindColumn& mind : minds) ImGui::TableSetupColumn(mind.agent.c_str());
-    ImGui::TableHeadersRow();
+    std::vector<ListColumn> columns;
+    for (const workbench::MindColumn& mind : minds) columns.push_back({mind.agent.c_str()});
+    const List list("minds" + std::to_string(columns.size()), columns,
+                    ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY |
+                        ImGuiTableFlags_SizingStretchSame);
+    if (!list) return;
     ImGui::TableNextRow();
     for (const workbench::MindColumn& mind : minds) {
       ImGui::TableNextColumn();
-      ImGui::PushID(mind.agent.c_str());
+      const IdScope id(mind.agent);
       DrawMind(frame, mind);
-      ImGui::PopID();
     }
-    ImGui::EndTable();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -68,10 +65,7 @@ class MindsPanel final : public Panel {
 
  private:
   static void DrawMind(PanelFrame& frame, const workbench::MindColumn& mind) {
-    if (Link("select", "select", theme::kQuiet)) {
-      for (const world::AgentSnapshot& agent : frame.scene.agents)
-        if (agent.name == mind.agent) frame.selected = agent.id;
-    }
+    if (Link("select", "select", theme::kQuiet)) frame.Select(mind.agent);
     Tooltip("All other panels are about this agent then");
     if (!mind.note.empty()) {
       WrappedText(theme::kQuiet, mind.note);

@@ -28,14 +28,12 @@ class MissionPanel final : public Panel {
       DrawHead(frame);
       ImGui::Separator();
     }
-    ImGui::BeginChild("checks", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part checks("checks");
     int number = 0;
     for (const workbench::CheckRow& check : contents.checks) {
-      ImGui::PushID(++number);
+      const IdScope id(++number);
       DrawCheck(frame, check);
-      ImGui::PopID();
     }
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -86,11 +84,9 @@ class MissionPanel final : public Panel {
       WrappedText(is_open ? theme::kQuiet : theme::kText, check.name);
       ColoredText(theme::kAccent, TimeText(check.time_s));
       ImGui::EndGroup();
-      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsItemClicked()) {
+      if (ClickedLikeALink()) {
         frame.Ask(workbench::SeekRequest{check.tick});
-        for (const world::AgentSnapshot& agent : frame.scene.agents)
-          if (agent.name == check.agent) frame.selected = agent.id;
+        frame.Select(check.agent);
       }
       Tooltip("Click to see this moment");
     }
@@ -144,18 +140,15 @@ class MissionPanel final : public Panel {
     if (const std::string panels = NewPanels(lesson); !panels.empty()) WrappedText(theme::kQuiet, panels);
     FoldedText("idea", lesson.idea, theme::kQuiet);
     using What = workbench::LessonRequest::What;
-    const bool has_more = lesson.hints.size() < lesson.hint_count;
     const std::string hint = "Hint " + std::to_string(std::min(lesson.hints.size() + 1, lesson.hint_count)) + " of " +
                              std::to_string(lesson.hint_count);
-    ImGui::BeginDisabled(!has_more);
-    if (ImGui::Button(hint.c_str())) frame.Ask(workbench::LessonRequest{What::kHint});
-    ImGui::EndDisabled();
-    Tooltip("A nudge first, then the idea, then the outline of the rule");
+    if (ButtonIf(lesson.hints.size() < lesson.hint_count, hint.c_str(),
+                 "A nudge first, then the idea, then the outline of the rule"))
+      frame.Ask(workbench::LessonRequest{What::kHint});
     FlowLine(ButtonWidth("Check my rules"));
-    ImGui::BeginDisabled(lesson.is_graded);
-    if (ImGui::Button("Check my rules")) frame.Ask(workbench::LessonRequest{What::kGrade});
-    ImGui::EndDisabled();
-    Tooltip("Runs your saved rules with ten seeds and says whether the lesson is done");
+    if (ButtonIf(!lesson.is_graded, "Check my rules",
+                 "Runs your saved rules with ten seeds and says whether the lesson is done"))
+      frame.Ask(workbench::LessonRequest{What::kGrade});
     if (!lesson.next.empty()) {
       FlowLine(ButtonWidth("Next lesson"));
       if (ImGui::Button("Next lesson")) frame.Ask(workbench::LessonRequest{What::kOpen, lesson.next});

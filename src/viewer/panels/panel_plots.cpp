@@ -20,7 +20,7 @@ class PlotsPanel final : public Panel {
                 "any number in working memory (right click it in the panel Memory).");
       return;
     }
-    ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part part("plots");
     const auto count = static_cast<float>(contents.plots->size());
     const float label = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y;
@@ -35,7 +35,6 @@ class PlotsPanel final : public Panel {
     std::size_t number = 0;
     for (const debugger::PlotSeries& series : *contents.plots) DrawPlot(frame, series, number++, height, first);
     DrawTimeAxis(frame, first, static_cast<double>(moment.last_tick));
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -53,10 +52,10 @@ class PlotsPanel final : public Panel {
     ImGui::SetNextItemWidth(std::min(frame.Px(340), ImGui::GetContentRegionAvail().x));
     if (ImGui::BeginCombo("##what", ("Plot a number of " + contents.agent).c_str(), ImGuiComboFlags_HeightLargest)) {
       SearchField("##filter", "Filter", filter_);
-      for (const char* usual : {"health", "speed", "decisions", "fired", "decide_us"}) Choice(frame, usual);
+      constexpr std::string_view kUsual[] = {"health", "speed", "decisions", "fired", "decide_us"};
+      for (const std::string_view usual : kUsual) Choice(frame, std::string(usual));
       for (const std::string& path : contents.plottable) {
-        if (path != "health" && path != "speed" && path != "decisions" && path != "fired" && path != "decide_us")
-          Choice(frame, path);
+        if (std::ranges::find(kUsual, path) == std::end(kUsual)) Choice(frame, path);
       }
       ImGui::EndCombo();
     }
@@ -83,7 +82,7 @@ class PlotsPanel final : public Panel {
 
   static void DrawPlot(PanelFrame& frame, const debugger::PlotSeries& series, std::size_t number, float height,
                        double first) {
-    ImGui::PushID(static_cast<int>(number));
+    const IdScope id(static_cast<int>(number));
     const ImVec4 color = theme::Series(number);
     GraphCurve curve{debugger::PlotTitle(series.what), color, {}};
     curve.points.reserve(series.points.size());
@@ -102,10 +101,7 @@ class PlotsPanel final : public Panel {
     if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::PlotRequest{series.agent, series.what, false});
     Tooltip("No longer plot it");
     const workbench::Moment& moment = frame.contents.moment;
-    if (const auto tick =
-            DrawGraph(frame, "graph", {&curve, 1}, height, first, static_cast<double>(moment.last_tick), true))
-      frame.Ask(workbench::SeekRequest{*tick});
-    ImGui::PopID();
+    DrawGraph(frame, "graph", {&curve, 1}, height, first, static_cast<double>(moment.last_tick), true);
   }
 
   std::string filter_;

@@ -36,16 +36,14 @@ class ProblemsPanel final : public Panel {
       FlowLine(ButtonWidth("Clear"));
     }
     if (ImGui::SmallButton("Clear")) frame.Ask(workbench::ClearProblemsRequest{});
-    ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part list("list");
     int number = 0;
     for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem) {  // The newest first.
       ++number;
       if (only_selected_ && agent != nullptr && problem->agent != agent->name) continue;
-      ImGui::PushID(number);
+      const IdScope id(number);
       DrawProblem(frame, *problem);
-      ImGui::PopID();
     }
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -62,15 +60,14 @@ class ProblemsPanel final : public Panel {
     Tag(Word(what.severity), theme::ColorOf(what.severity));
     ImGui::SameLine();
     ColoredText(theme::kQuiet, TimeText(problem.time_s) + (problem.agent.empty() ? "" : "  " + problem.agent));
-    if (ImGui::IsItemClicked()) Select(frame, problem.agent);
+    if (ImGui::IsItemClicked()) frame.Select(problem.agent);
     WrappedText(what.message);
     if (!what.excerpt.empty()) DrawExcerpt(frame, what);
     if (!what.hint.empty()) WrappedText(theme::kGood, what.hint);
     if (what.more > 0) WrappedText(theme::kQuiet, "the same in " + std::to_string(what.more) + " further places");
     if (const std::string place = Place(what); !place.empty()) {
       WrappedText(theme::kAccent, place);
-      if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      if (ImGui::IsItemClicked()) GoToFile(frame, what.file, what.line);
+      if (ClickedLikeALink()) GoToFile(frame, what.file, what.line);
       Tooltip("Click to go there");
       if (!frame.contents.moment.is_recording && debugger::IsEditable(what.file)) {
         if (ImGui::SmallButton("Edit")) GoToFile(frame, what.file, what.line);
@@ -84,7 +81,7 @@ class ProblemsPanel final : public Panel {
   }
 
   static void DrawExcerpt(PanelFrame& frame, const Diagnostic& what) {
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
     const float line = ImGui::GetTextLineHeight();
     ImGui::BeginChild("excerpt", {0, line * 2 + frame.Px(18)}, false, ImGuiWindowFlags_HorizontalScrollbar);
@@ -98,13 +95,6 @@ class ProblemsPanel final : public Panel {
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
-    ImGui::PopFont();
-  }
-
-  static void Select(PanelFrame& frame, const std::string& name) {
-    for (const world::AgentSnapshot& agent : frame.scene.agents) {
-      if (agent.name == name) frame.selected = agent.id;
-    }
   }
 
   bool only_selected_ = false;

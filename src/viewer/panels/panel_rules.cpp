@@ -30,14 +30,10 @@ class RulesPanel final : public Panel {
     ImGui::SameLine();
     SearchField("##filter", "Filter by name", filter_);
     const bool has_rule = frame.contents.rule.has_value();
-    ImGui::BeginChild("list", {0, has_rule ? ImGui::GetContentRegionAvail().y * 0.36f : 0}, false,
-                      ImGuiWindowFlags_NoNav);
-    if (set_ == kCoverage) {
-      DrawCoverage(frame);
-    } else {
-      DrawList(frame);
+    {
+      const Part list("list", {0, has_rule ? ImGui::GetContentRegionAvail().y * 0.36f : 0});
+      set_ == kCoverage ? DrawCoverage(frame) : DrawList(frame);
     }
-    ImGui::EndChild();
     if (has_rule) DrawRule(frame, *frame.contents.rule);
   }
 
@@ -61,10 +57,7 @@ class RulesPanel final : public Panel {
   }
 
   void DrawList(PanelFrame& frame) {
-    std::vector<const explain::RuleFact*> rules;
-    for (const explain::RuleFact& rule : frame.contents.rules) {
-      if (IsWanted(rule)) rules.push_back(&rule);
-    }
+    auto rules = RowsThat(frame.contents.rules, [&](const explain::RuleFact& rule) { return IsWanted(rule); });
     if (rules.empty()) {
       if (!frame.contents.rules.empty()) {
         EmptyNote("No rule is like this.", "Clear the filter, or choose 'all'.");
@@ -75,12 +68,12 @@ class RulesPanel final : public Panel {
       }
       return;
     }
-    if (!BeginList("rules",
-                   {{"Rule", 6, ImGuiTableColumnFlags_NoSort},
-                    {"Fired", 1.4f, ImGuiTableColumnFlags_PreferSortDescending},
-                    {"Matches", 1.8f, ImGuiTableColumnFlags_PreferSortDescending}},
-                   ImGuiTableFlags_Sortable))
-      return;
+    const List list("rules",
+                    {{"Rule", 6, ImGuiTableColumnFlags_NoSort},
+                     {"Fired", 1.4f, ImGuiTableColumnFlags_PreferSortDescending},
+                     {"Matches", 1.8f, ImGuiTableColumnFlags_PreferSortDescending}},
+                    List::kUsual | ImGuiTableFlags_Sortable);
+    if (!list) return;
     if (const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs(); specs != nullptr && specs->SpecsCount > 0) {
       const bool by_fired = specs->Specs[0].ColumnIndex == 1;
       const bool up = specs->Specs[0].SortDirection == ImGuiSortDirection_Ascending;
@@ -102,32 +95,23 @@ class RulesPanel final : public Panel {
       }
       ImGui::TableGetSortSpecs()->SpecsDirty = false;
     }
-    if (const int step = ListStep(); step != 0) {
-      const auto is_chosen = [&](const explain::RuleFact* rule) {
-        return frame.contents.rule && frame.contents.rule->rule.name == rule->name;
-      };
-      const auto at = std::find_if(rules.begin(), rules.end(), is_chosen);
-      const auto now =
-          at == rules.end() ? (step > 0 ? -1 : static_cast<std::ptrdiff_t>(rules.size())) : at - rules.begin();
-      const auto next = std::clamp<std::ptrdiff_t>(now + step, 0, static_cast<std::ptrdiff_t>(rules.size()) - 1);
-      frame.Ask(workbench::RuleRequest{rules[static_cast<std::size_t>(next)]->name});
-      ScrollToRow(static_cast<int>(next));
-    }
+    const auto next = StepInList(rules.size(), [&](std::size_t row) { return IsChosen(frame, rules[row]->name); });
+    if (next) frame.Ask(workbench::RuleRequest{rules[*next]->name});
     ForRowsInSight(rules.size(), [&](int i) {
       const explain::RuleFact& rule = *rules[static_cast<std::size_t>(i)];
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
+      NextRow();
       DrawName(frame, rule.name, rule.matches > 0 ? theme::kGood : rule.firings > 0 ? theme::kText : theme::kQuiet);
-      ImGui::TableNextColumn();
-      ColoredText(rule.firings > 0 ? theme::kText : theme::kQuiet, std::to_string(rule.firings));
-      ImGui::TableNextColumn();
-      ColoredText(rule.matches > 0 ? theme::kGood : theme::kQuiet, std::to_string(rule.matches));
+      Cell(rule.firings > 0 ? theme::kText : theme::kQuiet, std::to_string(rule.firings));
+      Cell(rule.matches > 0 ? theme::kGood : theme::kQuiet, std::to_string(rule.matches));
     });
-    ImGui::EndTable();
+  }
+
+  static bool IsChosen(const PanelFrame& frame, const std::string& name) {
+    return frame.contents.rule && frame.contents.rule->rule.name == name;
   }
 
   static void DrawName(PanelFrame& frame, const std::string& name, ImVec4 color) {
-    const bool chosen = frame.contents.rule && frame.contents.rule->rule.name == name;
+    const bool chosen = IsChosen(frame, name);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable(("##" + name).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns))
@@ -141,45 +125,38 @@ class RulesPanel final : public Panel {
   void DrawCoverage(PanelFrame& frame) {
     if (ImGui::SmallButton("Look again")) frame.Ask(workbench::CoverageRequest{});
     Tooltip("Notes how far the rules that have not fired match now");
-    if (!BeginList("coverage", {{"Rule", 4}, {"Fired", 1.3f}, {"Stops at", 4}}, ImGuiTableFlags_Resizable)) return;
+    const List list("coverage", {{"Rule", 4}, {"Fired", 1.3f}, {"Stops at", 4}},
+                    List::kUsual | ImGuiTableFlags_Resizable);
+    if (!list) return;
     for (const debugger::Coverage::Row& row : frame.contents.coverage) {
       if (!HasPart(row.rule, filter_)) continue;
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
+      NextRow();
       DrawName(frame, row.rule, row.firings > 0 ? theme::kGood : row.matched ? theme::kWarn : theme::kBad);
-      ImGui::TableNextColumn();
-      ColoredText(row.firings > 0 ? theme::kText : theme::kBad,
-                  row.firings > 0 ? std::to_string(row.firings) : "never");
+      Cell(row.firings > 0 ? theme::kText : theme::kBad, row.firings > 0 ? std::to_string(row.firings) : "never");
       ImGui::TableNextColumn();
       if (row.firings == 0 && !row.stops_at.empty()) {
         WrappedText(theme::kQuiet,
                     std::to_string(row.furthest) + " of " + std::to_string(row.conditions) + " hold; " + row.stops_at);
       }
     }
-    ImGui::EndTable();
   }
 
   void DrawRule(PanelFrame& frame, const debugger::RuleView& view) {
     ImGui::Separator();
     const explain::RuleFact& rule = view.rule;
-    ImGui::PushFont(frame.fonts.bold);
-    WrappedText(theme::kAccent, rule.name);
-    ImGui::PopFont();
-    if (ImGui::SmallButton("Edit") && !rule.file.empty()) {
-      frame.Ask(workbench::EditRequest{rule.file, rule.line, rule.name});
-      frame.layout.Show(workbench::PanelId::kEdit);
+    {
+      const FontScope bold(frame.fonts.bold);
+      WrappedText(theme::kAccent, rule.name);
     }
+    if (ImGui::SmallButton("Edit") && !rule.file.empty())
+      frame.AskIn(workbench::PanelId::kEdit, workbench::EditRequest{rule.file, rule.line, rule.name});
     Tooltip(rule.file.empty() ? "It was typed, or learned: there is no file"
                               : rule.file + ":" + std::to_string(rule.line));
-    FlowLine(ButtonWidth("Break when it fires"));
-    if (ImGui::SmallButton("Break when it fires")) {
-      frame.Ask(workbench::BreakRequest{debugger::BreakKind::kFire, frame.contents.agent, rule.name});
-      frame.layout.Show(workbench::PanelId::kBreakpoints);
-    }
-    FlowLine(ButtonWidth("Break when it matches"));
-    if (ImGui::SmallButton("Break when it matches")) {
-      frame.Ask(workbench::BreakRequest{debugger::BreakKind::kMatch, frame.contents.agent, rule.name});
-      frame.layout.Show(workbench::PanelId::kBreakpoints);
+    for (const auto& [label, kind] : {std::pair{"Break when it fires", debugger::BreakKind::kFire},
+                                      {"Break when it matches", debugger::BreakKind::kMatch}}) {
+      FlowLine(ButtonWidth(label));
+      if (ImGui::SmallButton(label))
+        frame.AskIn(workbench::PanelId::kBreakpoints, workbench::BreakRequest{kind, frame.contents.agent, rule.name});
     }
     FlowLine(ButtonWidth("Copy"));
     if (ImGui::SmallButton("Copy")) {
@@ -189,7 +166,7 @@ class RulesPanel final : public Panel {
     Tooltip("The rule's text");
     FlowLine(ButtonWidth("Close"));
     if (ImGui::SmallButton("Close")) frame.Ask(workbench::RuleRequest{});
-    ImGui::BeginChild("rule", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
+    const Part part("rule", {0, 0}, ImGuiWindowFlags_HorizontalScrollbar);
     if (view.source.empty()) {
       WrappedText(theme::kQuiet, frame.contents.past_note.empty()
                                      ? "Its text is not available there."
@@ -201,7 +178,7 @@ class RulesPanel final : public Panel {
     TermTooltip(rule.type);
     if (!rule.documentation.empty()) WrappedText(rule.documentation);
     DrawMatch(frame, view.match);
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     const std::string& written = frame.contents.rule_text;
     if (written != shown_text_) {
       shown_text_ = written;
@@ -212,9 +189,7 @@ class RulesPanel final : public Panel {
       SourceItem(view.source, view.tokens);
     else
       SourceItem(shown_text_, tokens_);
-    ImGui::PopFont();
     DrawMatches(frame, view.match.facts);
-    ImGui::EndChild();
   }
 
   static void DrawMatch(PanelFrame& frame, const debugger::PartialMatch& match) {
@@ -225,7 +200,7 @@ class RulesPanel final : public Panel {
     // As its author wrote it.
     const explain::MatchFacts facts = debugger::FoldPaths(match.facts);
     WrappedText(theme::kBad, debugger::Explain(facts));
-    ImGui::PushFont(frame.fonts.mono);
+    const FontScope mono(frame.fonts.mono);
     for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
       const explain::ConditionFact& condition = facts.conditions[i];
       const bool is_failing = i == *facts.failing, is_behind = i > *facts.failing;
@@ -239,19 +214,16 @@ class RulesPanel final : public Panel {
     for (const explain::ElementFact& seen : facts.seen) ColoredText(theme::kWarn, "  there is " + ElementText(seen));
     for (const explain::ElementFact& seen : facts.candidates)
       ColoredText(theme::kWarn, "  would do, but does not fit the others: " + ElementText(seen));
-    ImGui::PopFont();
   }
 
   static void DrawMatches(PanelFrame& frame, const explain::MatchFacts& facts) {
     if (facts.matches.empty()) return;
     Heading(frame, "Matches");
-    ImGui::PushFont(frame.fonts.mono);
     int number = 0;
     for (const auto& match : facts.matches) {
       ColoredText(theme::kQuiet, "match " + std::to_string(++number));
       for (const explain::ElementFact& element : match) ColoredText(theme::kText, "  " + ElementText(element));
     }
-    ImGui::PopFont();
   }
 
   int set_ = 0;

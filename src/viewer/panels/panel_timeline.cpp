@@ -150,7 +150,7 @@ class TimelinePanel final : public Panel {
       first_ = std::max(0.0, static_cast<double>(now.shown_tick) - shown_ticks_ * (now.is_live ? 1.0 : 0.6));
     }
     name_width_ = frame.Px(110);
-    ImGui::BeginChild("tracks", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part tracks("tracks");
     left_ = ImGui::GetCursorScreenPos().x + name_width_;
     width_ = std::max(frame.Px(50), ImGui::GetContentRegionAvail().x - name_width_ - frame.Px(8));
     DrawRuler(frame);
@@ -164,7 +164,6 @@ class TimelinePanel final : public Panel {
     const float bottom = ImGui::GetCursorScreenPos().y;
     DrawCursor(frame, top, bottom);
     HandleMouse(frame);
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -182,12 +181,7 @@ class TimelinePanel final : public Panel {
     ImDrawList& out = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const double step_s = frame.contents.moment.step_s, shown_s = shown_ticks_ * step_s;
-    double every = 0.1;
-    const double wanted = shown_s / std::max(1.0, static_cast<double>(width_ / frame.Px(80)));
-    for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0}) {
-      every = step;
-      if (step >= wanted) break;
-    }
+    const double every = RoundStep_s(shown_s / std::max(1.0, static_cast<double>(width_ / frame.Px(80))));
     const double begin = first_ * step_s;
     for (double t = std::ceil(begin / every) * every; t < begin + shown_s; t += every) {
       const float x = X(t / step_s);
@@ -254,10 +248,9 @@ class TimelinePanel final : public Panel {
       ImGui::Dummy({1, full});
       return;
     }
-    ImGui::PushID(track.agent.c_str());
-    if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) Select(frame, track.agent);
+    const IdScope id(track.agent);
+    if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) frame.Select(track.agent);
     Tooltip(track.agent.empty() ? std::string("What belongs to no agent") : track.agent + ": click to select");
-    ImGui::PopID();
     MayCut(at, {at.x + name_width_ - frame.Px(6), at.y + full});
     out.PushClipRect(at, {at.x + name_width_ - frame.Px(6), at.y + full}, true);
     PutText(out, {at.x, at.y}, theme::Packed(is_whole ? theme::kText : theme::kQuiet),
@@ -425,12 +418,6 @@ class TimelinePanel final : public Panel {
     ImGui::TextDisabled("click: go there; Ctrl+wheel: zoom; right drag: move");
     ImGui::EndTooltip();
     hover_.clear();
-  }
-
-  static void Select(PanelFrame& frame, const std::string& name) {
-    for (const world::AgentSnapshot& agent : frame.scene.agents) {
-      if (agent.name == name) frame.selected = agent.id;
-    }
   }
 
   bool is_zoomed_ = false;  ///< The user has chosen what is shown; else it follows the run.

@@ -46,16 +46,14 @@ class TracePanel final : public Panel {
     filter_.agent = only_selected_ ? frame.contents.agent : std::string{};
     const auto& found = search_.Find(*trace, filter_);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
-    ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav);
-    ImGui::PushFont(frame.fonts.mono);
+    const Part lines("lines", {0, 0}, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PopStyleColor();
+    const FontScope mono(frame.fonts.mono);
     const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2;
     ForRowsInSight(
         found.size(), [&](int i) { DrawLine(frame, *found[static_cast<std::size_t>(i)], i); },
         ImGui::GetTextLineHeightWithSpacing());
-    ImGui::PopFont();
     if (at_end && frame.contents.moment.is_live) ImGui::SetScrollHereY(1);
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -140,11 +138,10 @@ class TracePanel final : public Panel {
 
   static void DrawLine(PanelFrame& frame, const TraceLine& line, int number) {
     const bool is_now = line.tick == frame.contents.moment.shown_tick;
-    ImGui::PushID(number);
-    if (Link("time", TimeText(line.time_s), is_now ? theme::kWarn : theme::kQuiet))
-      frame.Ask(workbench::SeekRequest{line.tick});
-    Tooltip("Click to go to tick " + std::to_string(line.tick) + "; so does a double click on the line");
-    ImGui::PopID();
+    const IdScope id(number);
+    TimeLink(frame, line.tick,
+             "Click to go to tick " + std::to_string(line.tick) + "; so does a double click on the line",
+             is_now ? theme::kWarn : theme::kQuiet);
     ImGui::SameLine();
     ColoredText(theme::kQuiet, line.agent.empty() ? "world" : line.agent);
     ImGui::SameLine();

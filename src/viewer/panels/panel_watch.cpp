@@ -23,18 +23,15 @@ class WatchPanel final : public Panel {
                 "-d 2, preferences, matches RULE). It is looked at again at each decision.");
       return;
     }
-    const int columns = 1 + static_cast<int>(std::max<std::size_t>(1, contents.beside.size()));
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Resizable |
-                                       ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchProp;
+    std::vector<ListColumn> columns{{"Watch", 2}};
+    for (const std::string& agent : contents.beside) columns.push_back({agent.c_str(), 3});
+    if (contents.beside.empty()) columns.push_back({""});
     // Each number of agents keeps its own widths.
-    if (!ImGui::BeginTable(("watches" + std::to_string(columns)).c_str(), columns, kFlags)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Watch", 0, 2);
-    for (const std::string& agent : contents.beside) ImGui::TableSetupColumn(agent.c_str(), 0, 3);
-    ImGui::TableHeadersRow();
+    const List list("watches" + std::to_string(columns.size()), columns,
+                    List::kUsual | ImGuiTableFlags_Resizable | ImGuiTableFlags_BordersInnerV);
+    if (!list) return;
     int number = 0;
     for (const workbench::WatchRow& row : contents.watches) DrawRow(frame, row, number++);
-    ImGui::EndTable();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -54,7 +51,7 @@ class WatchPanel final : public Panel {
         "Enter adds it. A path is followed from the top state: io.input-link.self.health; <s> is the lowest state, "
         "<o> its operator");
     if (changed) fault_.clear();
-    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !what_.empty()) {
+    if (WasEntered() && !what_.empty()) {
       fault_ = debugger::WatchFault(what_);
       if (fault_.empty()) {
         frame.Ask(workbench::WatchRequest{what_, true});
@@ -66,16 +63,15 @@ class WatchPanel final : public Panel {
   }
 
   static void DrawRow(PanelFrame& frame, const workbench::WatchRow& row, int number) {
-    ImGui::PushID(number);
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
+    const IdScope id(number);
+    NextRow();
     if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::WatchRequest{row.what, false});
     Tooltip("No longer watch it");
     ImGui::SameLine();
     WrappedText(theme::kAccent, row.what);
     for (const workbench::WatchRow::Cell& cell : row.cells) {
       ImGui::TableNextColumn();
-      ImGui::PushID(cell.agent.c_str());
+      const IdScope of_agent(cell.agent);
       ImGui::PushFont(frame.fonts.mono);
       const ImVec4 color = cell.is_error ? theme::kBad : cell.is_new ? theme::kWarn : theme::kText;
       if (cell.text.empty())
@@ -83,10 +79,8 @@ class WatchPanel final : public Panel {
       else
         FoldedText("value", cell.text, color);
       ImGui::PopFont();
-      if (cell.tick > 0) Tooltip("So since " + TimeText(static_cast<double>(cell.tick) * frame.contents.moment.step_s));
-      ImGui::PopID();
+      if (cell.tick > 0) Tooltip("So since " + TimeOf(frame, cell.tick));
     }
-    ImGui::PopID();
   }
 
   std::string what_, fault_;

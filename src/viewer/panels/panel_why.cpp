@@ -30,22 +30,17 @@ ImVec4 ColorOfReason(const std::string& kind) {
 void FollowReason(PanelFrame& frame, const WhyNode& node) {
   using About = workbench::WhyRequest::About;
   if (node.kind == "rule") {
-    frame.Ask(workbench::RuleRequest{node.link});
-    frame.layout.Show(workbench::PanelId::kRules);
+    frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{node.link});
   } else if (node.kind == "learned") {
-    frame.Ask(workbench::LearnedRuleRequest{node.link});
-    frame.layout.Show(workbench::PanelId::kLearning);
+    frame.AskIn(workbench::PanelId::kLearning, workbench::LearnedRuleRequest{node.link});
   } else if (node.kind == "operator") {
     frame.Ask(workbench::WhyRequest{About::kOperator, node.link});
   } else if (node.kind == "command") {
     frame.Ask(workbench::WhyRequest{About::kCommand, node.link});
   } else if (node.kind == "imagined") {
-    frame.Ask(workbench::ImagineRequest{frame.contents.imagined_state, node.link});
-    frame.layout.Show(workbench::PanelId::kImagery);
+    frame.AskIn(workbench::PanelId::kImagery, workbench::ImagineRequest{frame.contents.imagined_state, node.link});
   } else if (node.kind == "agent") {
-    for (const world::AgentSnapshot& agent : frame.scene.agents) {
-      if (agent.name == node.link) frame.selected = agent.id;
-    }
+    frame.Select(node.link);
   } else if (std::all_of(node.link.begin(), node.link.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
     frame.Ask(workbench::WhyRequest{About::kElement, node.link});
   }
@@ -54,7 +49,7 @@ void FollowReason(PanelFrame& frame, const WhyNode& node) {
 void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, int open_to) {
   constexpr int kDeepest = 40;
   if (depth > kDeepest) return;
-  ImGui::PushID(number);
+  const IdScope id(number);
   const bool leaf = node.below.empty();
   const ImGuiTreeNodeFlags flags = (leaf ? ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_Bullet : 0) |
                                    (depth < open_to ? ImGuiTreeNodeFlags_DefaultOpen : 0);
@@ -70,8 +65,7 @@ void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, i
     ImGui::EndPopup();
   }
   if (!node.link.empty()) {
-    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemClicked()) FollowReason(frame, node);
+    if (ClickedLikeALink()) FollowReason(frame, node);
     Tooltip(node.kind == "rule"       ? "Click to see this rule"
             : node.kind == "imagined" ? "Click to see it in the picture"
             : node.kind == "learned"  ? "Click to see how it was learned"
@@ -82,7 +76,6 @@ void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, i
     for (const WhyNode& reason : node.below) DrawReason(frame, reason, ++below, depth + 1, open_to);
     ImGui::TreePop();
   }
-  ImGui::PopID();
 }
 
 /// Why the agent does what it does, as a tree of reasons.
@@ -97,8 +90,8 @@ class WhyPanel final : public Panel {
     if (ImGui::Button("Why this?")) frame.Ask(workbench::WhyRequest{});
     Tooltip("Why does the agent do what it does now?");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1);
-    DrawField(frame);
+    SearchField("##not", "Why not ...", not_);
+    if (WasEntered() && !not_.empty()) frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kNot, not_});
     Tooltip("The name of an operator or a command, then Enter: why is it not chosen?");
     ImGui::Separator();
     ImGui::PushFont(frame.fonts.bold);
@@ -110,9 +103,8 @@ class WhyPanel final : public Panel {
                   contents.not_available.empty() ? "There is no answer to this." : contents.not_available);
       return;
     }
-    ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part tree("tree");
     DrawWhyTree(frame, *contents.why.answer);
-    ImGui::EndChild();
   }
 
   std::string Text(const PanelFrame& frame) const override {
@@ -121,12 +113,6 @@ class WhyPanel final : public Panel {
   }
 
  private:
-  void DrawField(PanelFrame& frame) {
-    SearchField("##not", "Why not ...", not_);
-    const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    if (entered && !not_.empty()) frame.Ask(workbench::WhyRequest{workbench::WhyRequest::About::kNot, not_});
-  }
-
   std::string not_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace soarbox::viewer {
 
-/// What a script of the user's doings can see and do in a frame.
+/// What a script that plays the user can see and do in a frame.
 struct UiStage {
   const std::vector<ShownText>& shown;
   std::uint64_t tick = 0;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "viewer/panels/layout_audit.h"
 
@@ -19,6 +21,10 @@ int GrowText(ImGuiInputTextCallbackData* data) {
   text->resize(static_cast<std::size_t>(data->BufTextLen));
   data->Buf = text->data();
   return 0;
+}
+
+bool IsPressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
 }
 
 bool wants_focus = false;
@@ -44,19 +50,25 @@ bool KeyboardIsKept() {
   return kept_frame >= 0 && kept_frame + 1 >= ImGui::GetFrameCount();
 }
 
-int ListStep() {
-  if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return 0;
+std::optional<std::size_t> StepInList(std::size_t count, const std::function<bool(std::size_t)>& is_chosen) {
+  if (count == 0 || !ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return std::nullopt;
   list_frame = ImGui::GetFrameCount();
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-  return (pressed(ImGuiKey_DownArrow) ? 1 : 0) - (pressed(ImGuiKey_UpArrow) ? 1 : 0);
-}
-
-void ScrollToRow(int row) {
+  const int step = (IsPressed(ImGuiKey_DownArrow) ? 1 : 0) - (IsPressed(ImGuiKey_UpArrow) ? 1 : 0);
+  if (step == 0) return std::nullopt;
+  std::size_t row = 0;
+  while (row < count && !is_chosen(row)) ++row;
+  if (row == count)
+    row = step > 0 ? 0 : count - 1;
+  else if (step > 0)
+    row = std::min(row + 1, count - 1);
+  else
+    row -= row > 0 ? 1 : 0;
   // The head of the table stands still above the rows.
   const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float top = height * static_cast<float>(row), room = ImGui::GetWindowHeight() - 2 * height;
   if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
   if (top > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room);
+  return row;
 }
 
 bool ListTakesArrows() {
@@ -160,6 +172,57 @@ bool Link(const char* id, std::string_view text, ImVec4 color) {
   return clicked;
 }
 
+bool CutLink(std::string_view text, ImVec4 color) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  CutText(text, color);
+  const ImVec2 end{at.x + width, at.y + ImGui::GetTextLineHeight()};
+  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(at, end)) return false;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+void TimeLink(PanelFrame& frame, std::uint64_t tick, std::string_view tip, ImVec4 color) {
+  if (Link("time", TimeOf(frame, tick), color)) frame.Ask(workbench::SeekRequest{tick});
+  Tooltip(tip);
+}
+
+bool LitButton(const char* label, bool is_on, std::string_view tip) {
+  if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  const bool clicked = ImGui::Button(label);
+  if (is_on) ImGui::PopStyleColor();
+  Tooltip(tip);
+  return clicked;
+}
+
+bool PageButtons(int& page, std::initializer_list<std::pair<std::string, const char*>> labels_and_tips) {
+  int number = 0, pressed = -1;
+  for (const auto& [label, tip] : labels_and_tips) {
+    if (number > 0) ImGui::SameLine();
+    if (LitButton((label + "###page" + std::to_string(number)).c_str(), page == number, tip)) pressed = number;
+    ++number;
+  }
+  if (pressed >= 0) page = pressed;
+  return pressed >= 0;
+}
+
+bool ButtonIf(bool enabled, const char* label, std::string_view tip) {
+  ImGui::BeginDisabled(!enabled);
+  const bool clicked = ImGui::Button(label);
+  ImGui::EndDisabled();
+  Tooltip(tip);
+  return clicked;
+}
+
+bool WasEntered() {
+  return ImGui::IsItemDeactivated() && IsPressed(ImGuiKey_Enter);
+}
+
+bool ClickedLikeALink() {
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  return ImGui::IsItemClicked();
+}
+
 void Tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
   // Who only passes by is not told.
@@ -186,13 +249,51 @@ bool SearchField(const char* id, const char* hint, std::string& text, float righ
   return changed;
 }
 
-bool BeginList(const char* id, std::initializer_list<ListColumn> columns, ImGuiTableFlags flags) {
-  constexpr ImGuiTableFlags kAll = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
-  if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), kAll | flags)) return false;
-  ImGui::TableSetupScrollFreeze(0, 1);
-  for (const ListColumn& column : columns) ImGui::TableSetupColumn(column.name, column.flags, column.width);
+List::List(const std::string& id, std::span<const ListColumn> columns, ImGuiTableFlags flags, float height)
+    : is_open_(ImGui::BeginTable(id.c_str(), static_cast<int>(columns.size()), flags, {0, height})) {
+  if (!is_open_) return;
+  if ((flags & ImGuiTableFlags_ScrollY) != 0) ImGui::TableSetupScrollFreeze(0, 1);
+  for (const ListColumn& column : columns) ImGui::TableSetupColumn(column.name, column.flags, column.width, column.id);
   ImGui::TableHeadersRow();
+}
+
+FactTable::FactTable(const char* id, float width_px, ImGuiTableFlags flags)
+    : is_open_(ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | flags)) {
+  if (!is_open_) return;
+  ImGui::TableSetupColumn("name", width_px > 0 ? ImGuiTableColumnFlags_WidthFixed : 0, width_px);
+  ImGui::TableSetupColumn("is", ImGuiTableColumnFlags_WidthStretch);
+}
+
+bool FactTable::Name(std::string_view name, ImVec4 color) const {
+  if (!is_open_) return false;
+  NextRow();
+  ColoredText(color, name);
+  ImGui::TableNextColumn();
   return true;
+}
+
+void NextRow() {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+}
+
+void Cell(ImVec4 color, std::string_view text) {
+  ImGui::TableNextColumn();
+  ColoredText(color, text);
+}
+
+void CutCell(std::string_view text, ImVec4 color) {
+  ImGui::TableNextColumn();
+  CutText(text, color);
+}
+
+void BarText(PanelFrame& frame, double value, double largest) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float length = ImGui::GetContentRegionAvail().x * static_cast<float>(std::abs(value) / largest);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + frame.Px(2)},
+                                            {at.x + length, at.y + ImGui::GetTextLineHeight() - frame.Px(2)},
+                                            theme::Packed(value < 0 ? theme::kWarn : theme::kGood, 0.35f));
+  ColoredText(theme::kText, Formatted("%.3f", value));
 }
 
 void EmptyNote(std::string_view what, std::string_view advice) {
@@ -201,10 +302,34 @@ void EmptyNote(std::string_view what, std::string_view advice) {
   if (!advice.empty()) WrappedText(theme::kQuiet, advice);
 }
 
-void Heading(PanelFrame& frame, std::string_view text) {
-  ImGui::PushFont(frame.fonts.bold);
-  ColoredText(theme::kText, text);
-  ImGui::PopFont();
+void BeginOver(const char* name, bool* is_open, ImGuiWindowFlags flags) {
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::Begin(name, is_open,
+               flags | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleColor();
+}
+
+void BeginFixed(const char* name, ImVec2 corner, ImVec2 size) {
+  ImGui::SetNextWindowPos(corner);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+}
+
+double RoundStep_s(double least_s) {
+  constexpr double kSteps_s[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600, 7200, 36000};
+  const auto found = std::find_if(std::begin(kSteps_s), std::prev(std::end(kSteps_s)),
+                                  [least_s](double step_s) { return step_s >= least_s; });
+  return *found;
+}
+
+void Heading(PanelFrame& frame, std::string_view text, ImVec4 color) {
+  const FontScope bold(frame.fonts.bold);
+  ColoredText(color, text);
 }
 
 void Tag(std::string_view text, ImVec4 color) {
@@ -218,10 +343,18 @@ void Tag(std::string_view text, ImVec4 color) {
 }
 
 bool HasPart(std::string_view text, std::string_view part) {
+  return FindPart(text, part) != std::string_view::npos;
+}
+
+std::size_t FindPart(std::string_view text, std::string_view part, std::size_t begin) {
+  if (begin > text.size()) return std::string_view::npos;
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
   };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+  const std::string_view rest = text.substr(begin);
+  const auto found = std::search(rest.begin(), rest.end(), part.begin(), part.end(), same);
+  if (found == rest.end() && !part.empty()) return std::string_view::npos;
+  return begin + static_cast<std::size_t>(found - rest.begin());
 }
 
 std::string ShortNumber(std::string_view text) {
@@ -231,6 +364,14 @@ std::string ShortNumber(std::string_view text) {
   while (text.back() == '0') text.remove_suffix(1);
   if (text.back() == '.') text.remove_suffix(1);
   return std::string(text);
+}
+
+double SecondsOf(const PanelFrame& frame, std::uint64_t tick) {
+  return static_cast<double>(tick) * frame.contents.moment.step_s;
+}
+
+std::string TimeOf(const PanelFrame& frame, std::uint64_t tick) {
+  return TimeText(SecondsOf(frame, tick));
 }
 
 std::string TimeText(double time_s) {

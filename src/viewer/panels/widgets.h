@@ -2,10 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <initializer_list>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "viewer/panels/panel.h"
 #include "viewer/panels/theme.h"
@@ -35,6 +41,20 @@ void FlowLine(float next_width, float gap = -1);
 float ButtonWidth(const char* label);
 /// Text that answers a click; looks like a link while the mouse is over it.
 bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
+/// A text that is cut at the width that is left; all of that width answers a click.
+bool CutLink(std::string_view text, ImVec4 color = theme::kAccent);
+/// A time that leads to its moment.
+void TimeLink(PanelFrame& frame, std::uint64_t tick, std::string_view tip = "Go there", ImVec4 color = theme::kAccent);
+/// A button that looks pressed while `is_on`.
+bool LitButton(const char* label, bool is_on, std::string_view tip);
+/// Buttons of which one is on. True if another one was pressed.
+bool PageButtons(int& page, std::initializer_list<std::pair<std::string, const char*>> labels_and_tips);
+/// A button that is grey unless it is `enabled`.
+bool ButtonIf(bool enabled, const char* label, std::string_view tip);
+/// Whether Enter ended the field that was drawn last.
+bool WasEntered();
+/// The item that was drawn last answers clicks.
+bool ClickedLikeALink();
 /// Shown over the item before, after a moment.
 void Tooltip(std::string_view text);
 /// A field with a hint; true when its text changed. Takes the width that is left, less `right` px.
@@ -46,22 +66,88 @@ void TakeFocus();
 /// The field that is drawn now keeps the keyboard when the picture is clicked: a line in it is not sent yet.
 void KeepKeyboard();
 bool KeyboardIsKept();
-/// In a list that was clicked last: -1 or 1 when the user wants the row above or below, by the arrow keys; else 0.
-int ListStep();
-/// Brings a row of a table of equal rows into view.
-void ScrollToRow(int row);
-/// Whether such a list takes the arrow keys, so that they do not move the camera.
+/// Whether a list that was clicked takes the arrow keys, so that they do not move the camera.
 bool ListTakesArrows();
 /// What stands in the middle of a panel that has nothing to show, and what to do about it.
 void EmptyNote(std::string_view what, std::string_view advice = {});
+/// Something that is open until the end of its block.
+struct Scope {
+  Scope() = default;
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+};
+/// A part of the panel that scrolls by itself, until the end of the block.
+class Part : Scope {
+ public:
+  explicit Part(const char* id, ImVec2 size = {0, 0}, ImGuiWindowFlags flags = 0) {
+    ImGui::BeginChild(id, size, false, ImGuiWindowFlags_NoNav | flags);
+  }
+  ~Part() { ImGui::EndChild(); }
+};
+/// What is drawn until the end of the block has this in its ids.
+class IdScope : Scope {
+ public:
+  explicit IdScope(int id) { ImGui::PushID(id); }
+  explicit IdScope(const char* id) { ImGui::PushID(id); }
+  explicit IdScope(const std::string& id) { ImGui::PushID(id.c_str()); }
+  explicit IdScope(const void* id) { ImGui::PushID(id); }
+  ~IdScope() { ImGui::PopID(); }
+};
+/// Texts are drawn in this font until the end of the block.
+class FontScope : Scope {
+ public:
+  explicit FontScope(ImFont* font) { ImGui::PushFont(font); }
+  ~FontScope() { ImGui::PopFont(); }
+};
 /// A column of a table.
 struct ListColumn {
   const char* name;
   float width = 0;  ///< Its share of the table's width, or px if a flag says so.
   ImGuiTableColumnFlags flags = 0;
+  ImGuiID id = 0;  ///< For sorting.
 };
-/// A table that scrolls below a row of headings; false: none of it is in sight. ImGui::EndTable ends it.
-bool BeginList(const char* id, std::initializer_list<ListColumn> columns, ImGuiTableFlags flags = 0);
+/// A table, until the end of the block; false: none of it is in sight.
+class List : Scope {
+ public:
+  static constexpr ImGuiTableFlags kUsual =
+      ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+  /// Scrolls below a row of headings.
+  List(const std::string& id, std::span<const ListColumn> columns, ImGuiTableFlags flags = kUsual, float height = 0);
+  List(const std::string& id, std::initializer_list<ListColumn> columns, ImGuiTableFlags flags = kUsual,
+       float height = 0)
+      : List(id, std::span(columns.begin(), columns.size()), flags, height) {}
+  ~List() {
+    if (is_open_) ImGui::EndTable();
+  }
+  explicit operator bool() const { return is_open_; }
+
+ private:
+  bool is_open_;
+};
+/// Names and what they stand for, in two columns until the end of the block.
+class FactTable : Scope {
+ public:
+  /// `width_px` of the names; 0: as wide as the longest.
+  explicit FactTable(const char* id, float width_px = 0, ImGuiTableFlags flags = 0);
+  ~FactTable() {
+    if (is_open_) ImGui::EndTable();
+  }
+  /// Begins a row; what is drawn next stands beside the name. False: there is no table.
+  bool Name(std::string_view name, ImVec4 color = theme::kQuiet) const;
+  void Row(std::string_view name, std::string_view is, ImVec4 color = theme::kText) const {
+    if (Name(name)) WrappedText(color, is);
+  }
+
+ private:
+  bool is_open_;
+};
+/// Begins a row of a table, and its first cell.
+void NextRow();
+/// The next cell of a table.
+void Cell(ImVec4 color, std::string_view text);
+void CutCell(std::string_view text, ImVec4 color = theme::kText);
+/// A number as a bar over the width that is left, as long as its share of the largest; of another colour below 0.
+void BarText(PanelFrame& frame, double value, double largest);
 /// Draws those of so many rows of equal height that are in sight.
 void ForRowsInSight(std::size_t count, auto&& draw, float height = -1) {
   ImGuiListClipper clipper;
@@ -69,12 +155,32 @@ void ForRowsInSight(std::size_t count, auto&& draw, float height = -1) {
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw(i);
 }
+/// Those rows that somebody wants to see.
+template <typename Row>
+std::vector<const Row*> RowsThat(const std::vector<Row>& rows, auto&& is_wanted) {
+  std::vector<const Row*> wanted;
+  for (const Row& row : rows) {
+    if (is_wanted(row)) wanted.push_back(&row);
+  }
+  return wanted;
+}
+/// In a list that was clicked last: the row that the arrow keys lead to from the one that `is_chosen`, in view from now
+/// on; nothing: none was pressed.
+std::optional<std::size_t> StepInList(std::size_t count, const std::function<bool(std::size_t)>& is_chosen);
+/// A window over all others, with the ground of menus; ImGui::End ends it.
+void BeginOver(const char* name, bool* is_open = nullptr, ImGuiWindowFlags flags = 0);
+/// A part of the window that stands where it is put; ImGui::End ends it.
+void BeginFixed(const char* name, ImVec2 corner, ImVec2 size);
+/// The next of such steps that is not smaller: 0.1, 0.2, 0.5, 1, ... seconds, minutes, hours.
+double RoundStep_s(double least_s);
 /// A heading within a panel.
-void Heading(PanelFrame& frame, std::string_view text);
+void Heading(PanelFrame& frame, std::string_view text, ImVec4 color = theme::kText);
 /// A short word on a coloured ground.
 void Tag(std::string_view text, ImVec4 color);
 /// Whether the text holds the part, in upper or lower case.
 bool HasPart(std::string_view text, std::string_view part);
+/// Where the text has it next, from `begin` on; npos: nowhere.
+std::size_t FindPart(std::string_view text, std::string_view part, std::size_t begin = 0);
 
 std::string Formatted(const char* format, auto... values) {
   char text[256];
@@ -87,5 +193,8 @@ std::string ShortNumber(std::string_view text);
 
 /// "0:12.30" minutes, seconds.
 std::string TimeText(double time_s);
+/// The time of a tick of the run.
+double SecondsOf(const PanelFrame& frame, std::uint64_t tick);
+std::string TimeOf(const PanelFrame& frame, std::uint64_t tick);
 
 }  // namespace soarbox::viewer

@@ -13,10 +13,6 @@
 namespace soarbox::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
-                                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
 constexpr float kGrip_px = 5;
 constexpr const char* kPanelPayload = "soarbox-panel";
 
@@ -135,17 +131,13 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
       break;
   }
   if (size.x < 1 || size.y < 1) return;
-  ImGui::SetNextWindowPos(corner);
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(Title(area), nullptr, kFixed);
-  ImGui::PopStyleVar();
+  BeginFixed(Title(area), corner, size);
   DrawTabs(frame, area);
   AreaLayout& side = layout.at(area);
   if (side.front < side.panels.size()) {
     const workbench::PanelId panel = side.panels[side.front];
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {2, 2});
-    ImGui::BeginChild(InfoOf(panel).word.data(), {0, 0}, false, ImGuiWindowFlags_NoNav);
+    const Part part(InfoOf(panel).word.data());
     ImGui::PopStyleVar();
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     constexpr ImGuiHoveredFlags kOver = ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
@@ -153,7 +145,6 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
     FocusNextField(focus_ == panel);
     if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
     FocusNextField(false);
-    ImGui::EndChild();
   }
   DrawSplitter(area, corner, size, m);
   ImGui::End();
@@ -238,7 +229,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
       ImGui::SameLine(0, gap);
       if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
     }
-    ImGui::PushID(info.word.data());
+    const IdScope id(info.word.data());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("tab", size)) layout.Show(panels[i]);
     const bool hovered = ImGui::IsItemHovered();
@@ -258,7 +249,6 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
     if (is_front) out.AddRectFilled({at.x, end.y - frame.Px(2)}, end, theme::Packed(theme::kAccent));
     const ImVec4 color = alarms ? theme::kBad : is_front ? theme::kText : theme::kQuiet;
     PutText(out, {at.x + 0.8f * pad.x, at.y + 0.8f * pad.y}, theme::Packed(color), title);
-    ImGui::PopID();
   }
   DrawOtherTabs(frame, all, panels);
   const ImVec2 line = ImGui::GetCursorScreenPos();

@@ -37,17 +37,17 @@ class Workspace {
   /// Whether a menu or another thing lies over the picture and takes the mouse wherever it is.
   bool IsModal() const { return modal_; }
 
-  /// Somebody wants to close the window: true if it may close; false: the user is asked, and kQuit comes if he agrees.
+  /// The window is about to close. True: it may; false: the user is asked, and kQuit follows if the user agrees.
   bool MayClose(const workbench::Contents& contents);
-  /// Leaves the question open whether the window is to close. True if there was one.
+  /// Withdraws the question whether to close the window. True if it was open.
   bool StayOpen() { return closing_.is_open() ? (closing_.Stay(), true) : false; }
 
   /// Lets the user find a command, a panel, an agent, a rule, a file or a text; or something to open.
   void Find(Finder::For what) { finder_.Open(what); }
-  /// True if that was open.
+  /// True if it was open.
   bool CloseFinder() { return finder_.is_open() ? (finder_.Close(), true) : false; }
 
-  /// Brings a panel to the front and lets the keyboard go on there.
+  /// Brings a panel to the front and gives it the keyboard.
   void Open(workbench::PanelId panel);
   /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
   void FocusField() { focus_ = used_; }

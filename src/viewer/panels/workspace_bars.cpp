@@ -7,15 +7,9 @@
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/panels/workspace.h"
-#include "viewer/step_word.h"
 
 namespace soarbox::viewer {
 namespace {
-
-constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
-                                  ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
 
 void CommandItem(PanelFrame& frame, ViewerCommand command, bool enabled = true) {
   const CommandInfo& info = InfoOf(command);
@@ -30,17 +24,13 @@ void CommandItems(PanelFrame& frame, CommandGroup group) {
   }
 }
 
-bool BeginBar(const char* name, float y, float width, float height, ImVec4 ground) {
-  ImGui::SetNextWindowPos({0, y});
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+void BeginBar(const char* name, float y, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       {ImGui::GetStyle().WindowPadding.x, (height - ImGui::GetFrameHeight()) / 2});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
-  const bool open = ImGui::Begin(name, nullptr, kBar);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kRaised);
+  BeginFixed(name, {0, y}, {width, height});
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
-  return open;
+  ImGui::PopStyleVar();
 }
 
 std::string SpeedText(double speed) {
@@ -74,10 +64,9 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     CommandItems(frame, CommandGroup::kSelection);
     ImGui::Separator();
     for (const world::AgentSnapshot& agent : frame.scene.agents) {
-      ImGui::PushID(static_cast<int>(agent.id));
+      const IdScope id(static_cast<int>(agent.id));
       if (ImGui::MenuItem(agent.name.c_str(), agent.team.c_str(), agent.id == frame.selected))
         frame.selected = agent.id;
-      ImGui::PopID();
     }
     ImGui::EndMenu();
   }
@@ -178,7 +167,7 @@ void Workspace::DrawLayoutMenu(PanelFrame& frame) {
   ImGui::Separator();
   ImGui::Dummy({frame.Px(190), 0});  // Wide enough for the field's hint.
   SearchField("##name", "Save as: a name, Enter", layout_name_, frame.Px(1));
-  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) && !layout_name_.empty()) {
+  if (WasEntered() && !layout_name_.empty()) {
     const Result<void> kept = SaveLayoutAs(layout_name_, layout);
     layout_fault_ = kept ? std::string{} : kept.error().message;
     if (kept) {
@@ -224,7 +213,7 @@ std::vector<Finder::Action> Workspace::Actions(PanelFrame& frame) {
 }
 
 void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_per_second) {
-  BeginBar("Run", m.menu, m.width, m.toolbar, theme::kRaised);
+  BeginBar("Run", m.menu, m.width, m.toolbar);
   const RunStatus& status = frame.status;
   // Time and tick come first: where there is no room for both, buttons go without their words.
   const std::string state = status.paused ? "Paused" : frame.contents.moment.is_live ? "Running" : "Replaying";
@@ -246,7 +235,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     ImGui::SameLine(0, frame.Px(4));
   };
   button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
-  button(Icon::kStepTick, ViewerCommand::kSingleStep, StepWord());
+  button(Icon::kStepTick, ViewerCommand::kSingleStep, frame.contents.moment.turn_ticks > 1 ? "Turn" : "Tick");
   const bool is_run = !frame.contents.moment.is_recording;
   button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", is_run && frame.contents.has_mind);
   button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", is_run && frame.contents.has_mind);
@@ -301,7 +290,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
 }
 
 void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
-  BeginBar("Time", m.height - m.scrubber, m.width, m.scrubber, theme::kRaised);
+  BeginBar("Time", m.height - m.scrubber, m.width, m.scrubber);
   const workbench::Moment& at = frame.contents.moment;
   const auto seek = [&](std::uint64_t tick) {
     frame.Ask(workbench::SeekRequest{std::clamp(tick, at.first_tick, at.last_tick)});
@@ -320,8 +309,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   if (IconButton(Icon::kPlay, "on", "", tip("On by a tick"), can && !is_newest)) seek(at.shown_tick + 1);
   ImGui::SameLine(0, frame.Px(8));
 
-  const std::string now = TimeText(static_cast<double>(at.shown_tick) * at.step_s) + " / " +
-                          TimeText(static_cast<double>(at.last_tick) * at.step_s);
+  const std::string now = TimeOf(frame, at.shown_tick) + " / " + TimeOf(frame, at.last_tick);
   const float pad = ImGui::GetStyle().FramePadding.x, icon = ImGui::GetFontSize() + 2 * pad;
   const auto word = [&](const char* text) { return ImGui::CalcTextSize(text).x + icon + 0.6f * pad; };
   const char* resume = "Resume here";
@@ -360,65 +348,49 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   ImGui::SetNextWindowSize({std::min(frame.Px(860), static_cast<float>(width) - 20),
                             std::min(frame.Px(600), static_cast<float>(height) - 20)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("Keys and mouse", &show_help,
-               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleColor();
+  BeginOver("Keys and mouse", &show_help);
   ImGui::PopStyleVar();
-  const auto row = [&](std::string_view keys, std::string_view what) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ColoredText(theme::kAccent, keys);
-    ImGui::TableNextColumn();
-    WrappedText(what);
-  };
-  const auto begin = [&](const char* title, const char* id) {
+  using Row = std::pair<std::string_view, std::string_view>;
+  const auto table = [&](const char* title, std::span<const Row> rows) {
     Heading(frame, title);
-    const bool open = ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg);
-    if (!open) return false;
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, frame.Px(110));
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    return true;
+    const FactTable keys(title, frame.Px(110), ImGuiTableFlags_RowBg);
+    for (const auto& [key, what] : rows)
+      if (keys.Name(key, theme::kAccent)) WrappedText(what);
   };
   const auto group = [&](const char* title, CommandGroup wanted) {
-    if (!begin(title, title)) return;
+    std::vector<Row> rows;
     for (const CommandInfo& info : Commands()) {
-      if (info.group == wanted) row(info.keys, info.title);
+      if (info.group == wanted) rows.emplace_back(info.keys, info.title);
     }
-    ImGui::EndTable();
+    table(title, rows);
     ImGui::Dummy({1, frame.Px(6)});
   };
+  constexpr Row kPanelRows[] = {{"Alt + letter", "Brings a panel to the front: the menu Panels shows the letters"},
+                                {"Ctrl+F", "Search in the panel under the mouse"},
+                                {"Ctrl+Shift+P", "Find anything: commands, agents, rules, files, texts"},
+                                {"Ctrl+O, Ctrl+Shift+O", "Open a scenario, a recording"},
+                                {"Ctrl+C", "Copy what the panel under the mouse shows"},
+                                {"Up, Down", "In a list that was clicked: the row above, below"},
+                                {"F11", "Picture only, or with panels"},
+                                {"Ctrl +, Ctrl -", "Larger, smaller text; Ctrl 0: normal"},
+                                {"Right click", "On a tab: move or close the panel; or drag the tab to another side"},
+                                {"Up, Down, Tab", "In the console: earlier lines, completion"},
+                                {"? or H", "This list"}};
+  constexpr Row kMouseRows[] = {{"Left click", "Select an agent; with Shift or Ctrl, several"},
+                                {"Left drag", "Select all in a box"},
+                                {"Right drag", "Look around, or circle"},
+                                {"Middle drag", "Move"},
+                                {"Wheel", "Zoom, or fly ahead"}};
   ImGui::Columns(2, "help", false);
   group("The run", CommandGroup::kRun);
   group("The camera", CommandGroup::kCamera);
   group("The selection", CommandGroup::kSelection);
   ImGui::NextColumn();
   group("Drawn over the scene", CommandGroup::kOverlay);
-  if (begin("Panels", "panels")) {
-    row("Alt + letter", "Brings a panel to the front: the menu Panels shows the letters");
-    row("Ctrl+F", "Search in the panel under the mouse");
-    row("Ctrl+Shift+P", "Find anything: commands, agents, rules, files, texts");
-    row("Ctrl+O, Ctrl+Shift+O", "Open a scenario, a recording");
-    row("Ctrl+C", "Copy what the panel under the mouse shows");
-    row("Up, Down", "In a list that was clicked: the row above, below");
-    row("F11", "Picture only, or with panels");
-    row("Ctrl +, Ctrl -", "Larger, smaller text; Ctrl 0: normal");
-    row("Right click", "On a tab: move or close the panel; or drag the tab to another side");
-    row("Up, Down, Tab", "In the console: earlier lines, completion");
-    row("? or H", "This list");
-    ImGui::EndTable();
-  }
+  table("Panels", kPanelRows);
   ImGui::Dummy({1, frame.Px(6)});
-  if (begin("Mouse, on the scene", "mouse")) {
-    row("Left click", "Select an agent; with Shift or Ctrl, several");
-    row("Left drag", "Select all in a box");
-    row("Right drag", "Look around, or circle");
-    row("Middle drag", "Move");
-    row("Wheel", "Zoom, or fly ahead");
-    ImGui::EndTable();
-  }
+  table("Mouse, on the scene", kMouseRows);
   ImGui::Columns(1);
   ImGui::End();
 }
