@@ -5,7 +5,7 @@
 
 namespace soarbox::app {
 
-/// The soarbox command: carries out what its arguments ask for. `window` is what shows runs and recordings; null: this
+/// The soarbox command: does what its arguments ask for. `window` shows runs and recordings; null: this
 /// program has none. Returns an ExitCode.
 int CommandLine(int argc, char** argv, const Window* window);
 

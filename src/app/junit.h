@@ -9,7 +9,7 @@
 
 namespace soarbox::app {
 
-/// A mission with what came of it.
+/// A mission and its outcome.
 struct TestedMission {
   std::filesystem::path file;
   mission::LoadedMission loaded;

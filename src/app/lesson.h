@@ -42,10 +42,10 @@ std::filesystem::path LessonOf(const std::filesystem::path& folder, const sim::D
 
 /// Where learners' files go unless they say otherwise: ~/soarbox-lessons.
 std::filesystem::path LessonsFolder();
-/// Copies what is not there yet of a lesson's files for the learner; nothing that is there is touched.
+/// Copies those of a lesson's files that the learner lacks; files that exist stay as they are.
 Result<void> PrepareLesson(const Lesson& lesson, const std::filesystem::path& folder);
 
-/// What came of grading rules.
+/// The result of grading rules.
 struct Grade {
   bool passed = false;
   std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run.

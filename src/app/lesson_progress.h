@@ -13,7 +13,7 @@ class LessonProgress {
  public:
   /// The user's own.
   LessonProgress();
-  /// That of whoever has this folder for his $XDG_STATE_HOME.
+  /// That of the user whose $XDG_STATE_HOME is this folder.
   static LessonProgress Below(const std::filesystem::path& state);
 
   bool IsPassed(const std::string& lesson) const { return Get(lesson, "passed") > 0; }

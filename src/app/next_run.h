@@ -20,7 +20,7 @@ struct NextRun {
 
 /// Whether this can be opened, and what it is; else why not.
 Result<NextRun> FindNextRun(const std::string& what);
-/// One for this process, which has one window at a time: the window that closes keeps it, the program takes it.
+/// One for the whole process, which has one window at a time: the closing window sets it, the program takes it.
 void KeepNextRun(NextRun next);
 std::optional<NextRun> TakeNextRun();
 

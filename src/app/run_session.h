@@ -55,7 +55,7 @@ class RunSession final : public workbench::LiveRun {
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
-  /// How the run is made anew from a seed; `on_made` is called with the new one in place (to record it).
+  /// How to make the run anew from a seed; `on_made` is called once the new one is in place (to record it).
   using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
   void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
   /// Ends the simulation and makes another one, with this seed or the next. It reads rules and scripts again. Nobody

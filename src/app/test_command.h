@@ -16,7 +16,7 @@ struct TestOptions {
   std::filesystem::path junit;               ///< A report for continuous integration; empty: none.
   bool json = false;
   bool watch = false;          ///< Again whenever a file of a mission is saved.
-  bool empty = false;          ///< With minds that have no rules: what passes so tests nothing.
+  bool empty = false;          ///< With minds that have no rules: a mission that passes like this tests nothing.
   bool no_keep = false;        ///< No recordings of runs that fail.
   std::filesystem::path keep;  ///< Where they are kept; empty: the usual folder.
 };

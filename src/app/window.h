@@ -39,7 +39,7 @@ class Window {
   virtual int Run(RunSession& session, const RunOptions& options, const sim::DataFolders& data,
                   const WindowRun& run) const = 0;
   /// Shows a recording, forwards and backwards, with the panels of a run around it; returns an ExitCode once the window
-  /// was closed.
+  /// has closed.
   virtual int Replay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
                      const RecordingOptions& options) const = 0;
 };

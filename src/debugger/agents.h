@@ -17,7 +17,7 @@
 
 namespace soarbox::debugger {
 
-/// What went wrong with each agent so far; told once, as the run tells it.
+/// What went wrong with each agent so far; each problem once, as the run tells it.
 class AgentTroubles {
  public:
   struct Trouble {

@@ -41,11 +41,11 @@ struct BreakHit {
   std::string why;  ///< "breakpoint 2: scout: rule attack*enemy fired"
 };
 
-/// Looks at each tick that is over for what the user waits for. The run itself is the same with breakpoints and
+/// Looks in each finished tick for what the user waits for. The run itself is the same with breakpoints and
 /// without; whoever drives it pauses when there is a hit.
 class Breakpoints {
  public:
-  /// Fails for a rule's name or an element that cannot be.
+  /// Fails for a name or an element that no mind can have.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
   bool Clear(int number);
   void ClearAll() { list_.clear(); }
@@ -54,7 +54,7 @@ class Breakpoints {
 
   /// Has the minds tell as much as the breakpoints need. Before each tick; costs nothing if there are none.
   void Prepare(sim::Simulation& simulation);
-  /// After each tick. What was hit in it, in order; empty: go on.
+  /// After each tick: what was hit in it, in order; empty: continue.
   std::vector<BreakHit> Check(const sim::Simulation& simulation);
 
  private:

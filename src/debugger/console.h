@@ -31,7 +31,7 @@ class Console {
   void Run(sim::Simulation& simulation, const std::string& line);
   /// Keeps a line that cannot be carried out now, and why.
   void Refuse(const std::string& line, std::string_view why);
-  /// What others (edits, debuggers, a replayed input) had the agent do, from a tick's events: leaves out its own.
+  /// Adds what others (edits, debuggers, a replayed input) made the agent do, from a tick's events; not its own lines.
   void Add(const sim::EventList& events);
   const std::deque<ConsoleLine>& lines() const { return lines_; }
   void Clear() { lines_.clear(); }

@@ -35,7 +35,7 @@ struct LearningView {
   std::string note;                          ///< What a reader should know: nothing learns, not told there.
 };
 
-/// Of the rules with this text in their names, or in what they are good for. `log`: what was learned when, up to
+/// Only rules with this text in their names or purposes. `log`: what was learned when, up to
 /// `until`; of a recorded mind that is not simulated again all comes from there.
 LearningView LookAtLearning(explain::Inspector& mind, std::string_view text = {}, const LearningLog* log = nullptr,
                             std::uint64_t until = ~std::uint64_t{0});

@@ -35,7 +35,7 @@ class LearningLog {
   using Points = std::deque<std::pair<std::uint64_t, double>>;  ///< Tick and value.
 
   void Add(std::uint64_t tick, const record::MindRecord& mind);
-  /// What came from this tick on did not happen: the run went back.
+  /// Forgets what came from this tick on: the run went back.
   void CutFrom(std::uint64_t tick);
 
   const std::deque<LearnedRule>& rules() const { return rules_; }  ///< The oldest first; the last 20,000.

@@ -16,7 +16,7 @@ struct CommandRow {
   std::string name;
   std::string id;  ///< Its identifier; empty if it is a plain value.
   std::uint64_t timetag = 0;
-  std::vector<MemoryRow> parameters;  ///< Without what the world answered.
+  std::vector<MemoryRow> parameters;  ///< Without the world's answer.
   std::string status;                 ///< "complete", "error", "interrupted"; "under way" without one.
   std::string reason;                 ///< Of an error.
   double progress = -1;               ///< 0 to 1; less than 0: not told.

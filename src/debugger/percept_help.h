@@ -12,7 +12,7 @@ namespace soarbox::debugger {
 /// Null for what scripts and scenarios add.
 const vocabulary::PerceptRow* PerceptOf(std::string_view path);
 
-/// "How far it is away, in m, 0 to 100": what a percept means; empty if the table does not have it.
+/// What a percept means, "How far it is away, in m, 0 to 100"; empty if the table does not have it.
 std::string DescribePercept(std::string_view path);
 
 }  // namespace soarbox::debugger

@@ -45,7 +45,7 @@ class Plots {
 
   /// What a tick's record tells. Ticks come in order; an earlier one takes back the points from there on.
   void Add(const record::TickRecord& tick);
-  /// Puts what was before a plot's first point (see PlotHistory) in front of it.
+  /// Puts earlier points (see PlotHistory) in front of a plot's first.
   void Prepend(std::string_view agent, std::string_view what, const std::vector<PlotPoint>& points);
   /// What only the live run tells: call after Add of the same tick.
   void Sample(const sim::Simulation& simulation);

@@ -17,7 +17,7 @@
 
 namespace soarbox::debugger {
 
-/// What rules asked of long-term memory, what came, and why that.
+/// What rules asked of long-term memory, the answer, and the reason for it.
 struct Recall {
   std::uint64_t tick = 0;
   int level = 1;
@@ -32,7 +32,7 @@ struct Recall {
 class RecallLog {
  public:
   void Add(std::uint64_t tick, const record::MindRecord& mind);
-  /// What came from this tick on did not happen: the run went back.
+  /// Forgets what came from this tick on: the run went back.
   void CutFrom(std::uint64_t tick);
   const std::deque<Recall>& recalls() const { return recalls_; }  ///< The oldest first; the last 2,000.
   /// Those up to this tick.

@@ -65,7 +65,7 @@ class RecordedMinds {
 
   /// Null if nothing was recorded of such a mind up to now.
   const RecordedMind* Find(std::string_view agent) const;
-  /// The same to look at as at a living mind; valid as long as this, until the next Add. What is not recorded is
+  /// The same mind for views of living minds; valid until the next Add or the end of this. What is not recorded is
   /// empty, and the views say so.
   std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
 
@@ -77,7 +77,7 @@ class RecordedMinds {
   std::map<std::string, RecordedMind, std::less<>> minds_;
 };
 
-/// What a view says of that which this mind does not tell: "not available there", or of a recorded one "not recorded".
+/// What a view says in place of what this mind does not tell: "not available there"; of a recorded one "not recorded".
 std::string_view Absence(const explain::Inspector& mind);
 /// Why a view of a recorded mind's memory or rules is empty, and what to do; empty for others, and where they are
 /// recorded.

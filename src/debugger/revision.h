@@ -6,8 +6,8 @@
 
 namespace soarbox::debugger {
 
-/// A number that no other call in this process returns: who keeps what he read from a model, and its number, knows
-/// whether it is still so, even if another model has come to the same place in memory.
+/// A number that no other call in this process returns: whoever keeps it with what was read from a model can tell
+/// whether that is still true, even if another model now has the same address.
 inline std::uint64_t NewRevision() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;

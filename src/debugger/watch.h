@@ -14,7 +14,7 @@ struct WatchValue {
   bool is_error = false;  ///< The text says what a watch may be.
 };
 
-/// Looks at what somebody wants to see again and again. Reads only: no command is carried out. It may be
+/// Looks at what the user watches. Reads only: no command is carried out. A watch may be
 ///
 ///   a path            "io.input-link.self.health", "S3.operator.name", "<s>.operator": all its values; it begins at
 ///                     an identifier, at <ts> (the top state, also when nothing is said), <s> (the lowest) or <o>

@@ -27,7 +27,7 @@ class DapServer {
   explicit DapServer(const sim::DataFolders* data) : data_(data) {}
 
   std::vector<Json> Handle(const std::string& message);
-  /// Goes on where it runs; to be called again and again while it does, and no message waits.
+  /// Continues what runs; call it again and again while something runs and no message waits.
   std::vector<Json> Advance();
   bool is_running() const { return running_; }
   bool is_over() const { return over_; }

@@ -28,7 +28,7 @@ class LspServer {
 
   /// Takes one message, as text; what is no JSON is answered too.
   std::vector<Json> Handle(const std::string& message);
-  /// What is to be said of bytes that are no message.
+  /// The answer to bytes that are no message.
   static Json Fault(const std::string& what);
   /// What takes longer than a keystroke may (slips of whole programs), for files that were edited since. To be called
   /// when no message waits; returns at once if there is nothing to do.

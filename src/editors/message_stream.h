@@ -25,7 +25,7 @@ class MessageStream {
   /// The next message, once all of it is there.
   std::optional<Message> Next();
 
-  /// A message as others expect it.
+  /// A message with its header.
   static std::string Frame(std::string_view body);
 
  private:

@@ -19,13 +19,13 @@ class ClassList {
   };
   /// Reads names, one a line, and makes places for those that have none yet. The error names the file and line.
   static Result<ClassList> Read(const std::filesystem::path& names, const std::filesystem::path& state, Places& places);
-  /// Without learners: there is no class.
+  /// Without learners, there is no class.
   ClassList() = default;
 
   const std::vector<Learner>& learners() const { return learners_; }
   const std::string& key() const { return key_; }
   bool IsKey(std::string_view given) const;
-  /// Whose place this is; empty: nobody's of the class.
+  /// The learner whose place this is; empty: it belongs to nobody in the class.
   std::string NameOf(std::string_view place) const;
 
  private:

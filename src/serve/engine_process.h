@@ -26,7 +26,7 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
  public:
   struct Hooks {
     std::function<void(Frame)> on_frame;
-    /// It is gone. What it said last on standard error, and whether it ended by itself with success.
+    /// Called when it has ended, with the last of its standard error, and whether it ended by itself with success.
     std::function<void(const std::string& last_words, bool is_good)> on_end;
   };
   static Result<std::shared_ptr<EngineProcess>> Start(boost::asio::io_context& io,
@@ -37,7 +37,7 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
   EngineProcess& operator=(const EngineProcess&) = delete;
 
   void Send(std::string text);
-  /// Asks it to end; no hook is called any more.
+  /// Asks it to end; no hook is called from now on.
   void End();
 
  private:

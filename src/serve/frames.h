@@ -25,7 +25,7 @@ struct Frame {
   std::string bytes;
 };
 
-/// No frame is longer; who sends more has lost his way.
+/// No frame is longer; a sender of more is broken.
 constexpr std::size_t kMostFrameBytes = 16u << 20;
 
 std::string WriteFrame(FrameKind kind, std::string_view bytes);
@@ -36,7 +36,7 @@ class FrameReader {
   void Add(std::string_view bytes) { held_.append(bytes); }
   /// The next whole frame; none: more bytes have to come, or the stream is broken.
   std::optional<Frame> Take();
-  /// A kind that there is not, or a frame that is too long: nothing that follows can be read.
+  /// An unknown kind, or a frame that is too long: nothing after it can be read.
   bool is_broken() const { return is_broken_; }
 
  private:

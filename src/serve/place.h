@@ -71,7 +71,7 @@ class Places {
   Places(std::filesystem::path folder, PlaceLimits limits) : folder_(std::move(folder)), limits_(limits) {}
 
   Result<Place> New();
-  /// The error says that there is none by this id. Counts as a visit.
+  /// The error says that no place has this id. Counts as a visit.
   Result<Place> Find(std::string_view id) const;
   /// Removes those that nobody has visited for so many days, but for those that are named.
   void RemoveOlderThan(int days, const std::vector<std::string>& kept) const;

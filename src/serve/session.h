@@ -28,7 +28,7 @@ class Viewer {
   /// `key`: a message of the same key that still waits is replaced; empty: none is.
   virtual void SendText(Bytes text, const std::string& key) = 0;
   virtual void SendScene(Bytes block, bool is_full) = 0;
-  /// Whether it may ask for anything; else it may only say at which panels it looks.
+  /// Whether it may ask for anything; if not, it may only say which panels it looks at.
   virtual bool MayAsk() const = 0;
 };
 
@@ -46,7 +46,7 @@ class Session {
   void Leave(Viewer& viewer);
   /// A message of a page.
   void Take(Viewer& viewer, std::string text);
-  /// Ends a run at which nobody has looked for long, or that has lasted too long.
+  /// Ends a run that nobody has looked at for long, or that has lasted too long.
   void EndIfIdle();
   /// Ends the run; pages are told why.
   void End(const std::string& why);
@@ -62,7 +62,7 @@ class Session {
   void OnEnd(const std::string& last_words, bool is_good);
   void Tell(const std::string& text, const std::string& key = {});
   void TellPresence();
-  /// At what somebody looks who may ask for nothing else.
+  /// What somebody looks at who may not ask for anything else.
   Result<void> Watch(const Viewer& viewer, const std::string& text);
   void AwaitAnswer();
   void NoLongerBusy();
@@ -74,7 +74,7 @@ class Session {
   std::shared_ptr<EngineProcess> engine_;
   std::optional<PlaceLock> lock_;  ///< While there is an engine.
   std::vector<Viewer*> viewers_;
-  std::map<const Viewer*, std::vector<std::string>> watched_;  ///< Panels at which those look who may not ask.
+  std::map<const Viewer*, std::vector<std::string>> watched_;  ///< Panels that those who may only watch look at.
   Clock::time_point began_, looked_at_;
 
   // What is told to a page that comes later.

@@ -12,17 +12,17 @@
 
 namespace soarbox::serve {
 
-/// What a server lets people do. What is over a limit is told in a sentence.
+/// What a server lets people do. Whoever exceeds a limit is told so in a sentence.
 struct Limits {
   std::size_t sessions = 128;      ///< Runs at a time.
   std::size_t connections = 2000;  ///< Open at a time.
   std::size_t connections_per_address = 400;
-  std::size_t places_per_hour = 300;  ///< New ones of one address.
+  std::size_t places_per_hour = 300;  ///< New ones from one address.
   std::size_t message_bytes = 1u << 20;
   std::size_t upload_bytes = 4u << 20;
-  double requests_per_s = 60;        ///< Of one page, in the mean.
+  double requests_per_s = 60;        ///< Of one page, on average.
   int wrong_tokens_per_minute = 10;  ///< Of one address.
-  int idle_min = 30;                 ///< A run at which nobody looks ends after so long.
+  int idle_min = 30;                 ///< A run that nobody looks at ends after so long.
   int run_hours = 12;                ///< No run is longer.
   int kept_days = 30;                ///< A place that nobody visits is removed after so long.
   int engine_data_mb = 1024;         ///< That its process may have in all.

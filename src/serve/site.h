@@ -32,7 +32,7 @@ struct WebResponse {
   std::vector<std::pair<std::string, std::string>> headers;
 };
 
-/// What there is to get and to do, whatever carries it: places, files, the class, runs. One thread.
+/// What a server offers, whatever the transport: places, files, the class, runs. One thread.
 class Site {
  public:
   static Result<std::unique_ptr<Site>> Make(boost::asio::io_context& io, Settings settings,
@@ -40,7 +40,7 @@ class Site {
 
   WebResponse Answer(const WebRequest& request);
 
-  /// What a page that wants to see a run may see.
+  /// Whether a page may see the run that it asks for.
   struct Admission {
     std::shared_ptr<Session> session;  ///< Null: it may not; then the response says why.
     bool may_ask = false;
@@ -49,7 +49,7 @@ class Site {
   };
   Admission Admit(const WebRequest& request);
 
-  /// Once in a while: what nobody needs any more goes.
+  /// Call it once in a while: removes what nobody needs any more.
   void CleanUp();
   /// Whether a page was there and none is any more.
   bool WasLeft() const;
@@ -66,7 +66,7 @@ class Site {
         files_(std::move(files)),
         places_(settings_.state / "places", settings_.limits.place) {}
 
-  /// Whether this comes from a page of this server, and from somebody who may use it; else why not.
+  /// Refuses what comes from no page of this server, or from somebody who may not use it, and says why.
   bool IsWelcome(const WebRequest& request, WebResponse& refusal);
   bool HasToken(const WebRequest& request, WebResponse& refusal);
   bool IsOurHost(std::string_view host) const;

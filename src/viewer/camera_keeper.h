@@ -11,14 +11,14 @@
 
 namespace soarbox::viewer {
 
-/// Something that is to be in the picture.
+/// Something that the picture should show.
 struct FramedBody {
   world::Vec3 position;  ///< Of its middle.
   world::Vec3 velocity;  ///< m/s
   float radius_m = 0.35f, height_m = 1.75f;
 };
 
-/// The pose with this orientation from which all the bodies are in the picture, as near as can be.
+/// The nearest pose with this orientation that shows all the bodies.
 world::CameraSnapshot FramingPose(std::span<const FramedBody> bodies, world::Quat orientation, float vertical_fov_deg,
                                   float aspect);
 

@@ -11,8 +11,8 @@ namespace soarbox::viewer {
 ///
 /// Movements are made for certain speeds and ways; between those, and whenever a body turns, starts or stops, soles
 /// that carry it would slide. From one tick to the next this holds them where they came down, by bending the legs; feet
-/// that are in the air go back to where the movement has them. Whoever stands and has turned or stopped away from his
-/// feet takes small steps. Only what is drawn changes: the world knows nothing of it.
+/// that are in the air go back to where the movement has them. A soldier who stands and has turned or stopped away from
+/// his feet takes small steps. Only what is drawn changes: the world knows nothing of it.
 class FootPlant {
  public:
   /// The next tick: `bones` of the soldier in the model, which stands at `place`; moves those of the legs.
@@ -25,7 +25,7 @@ class FootPlant {
     bool stands = false;
     bool on_heel = false;  ///< What it stands on; else the ball.
     world::Vec3 at;        ///< Where that is held; in the world.
-    float yaw = 0;         ///< Whither it points, likewise; about the upright axis.
+    float yaw = 0;         ///< The direction it points in, likewise; about the upright axis.
     // How it is drawn away from the movement: the ankle by `offset` in the world, turned by `turn`.
     world::Vec3 offset;
     float turn = 0;

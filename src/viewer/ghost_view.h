@@ -25,7 +25,7 @@ class GhostView {
   GhostView(const GhostView&) = delete;
   GhostView& operator=(const GhostView&) = delete;
 
-  /// Shows these instead of the ones before: as the bodies of their agents are now, or as plain figures. Their bones
+  /// Shows these instead of the ones before: with the present bodies of their agents, or as plain figures. Their bones
   /// go into those of the frame.
   void Update(const std::vector<Ghost>& ghosts, const SceneView& bodies, BoneTexture& bones);
 

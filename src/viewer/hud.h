@@ -22,7 +22,7 @@ void DrawStatusBar(const PanelHost& host, const RunStatus& status, const world::
 /// The list of keys, in the middle of the window.
 void DrawKeyHelp(const PanelHost& host);
 
-/// What is known about the selected agent, in a corner. Returns where it stands.
+/// A card about the selected agent, in a corner. Returns where the card stands.
 ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent, bool followed, Corner corner);
 
 }  // namespace soarbox::viewer

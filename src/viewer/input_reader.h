@@ -23,7 +23,7 @@ struct Picked {
   bool adds = false;       ///< Shift or Ctrl was held: it adds to the selection, or takes away from it.
 };
 
-/// Everything that the user did since the last frame, sorted by who cares.
+/// Everything that the user did since the last frame, by recipient.
 struct FrameInput {
   std::vector<InputEvent> events;       ///< For the scripts.
   std::vector<ViewerCommand> commands;  ///< For the window and the application.
@@ -42,7 +42,7 @@ struct InputClaims {
   std::function<bool(SDL_Event&)> takes = {};
   bool mouse = false;   ///< The mouse is over a panel.
   bool keys = false;    ///< Somebody types into a panel: held keys do not move the camera.
-  bool arrows = false;  ///< A list takes the arrow keys: they do not either.
+  bool arrows = false;  ///< A list takes the arrow keys: they do not move it either.
 };
 
 /// Reads SDL's events and knows what is held down.

@@ -56,7 +56,7 @@ struct LabelPlace {
   int place = -1;  ///< For LabelWish::usual_place of the next frame.
 };
 
-/// Places labels one after the other, so that none covers another one or is cut by the edge of the picture: whoever
+/// Places labels one after the other, so that none covers another or is cut by the edge of the picture: the one that
 /// comes first has the choice. Pure arithmetic, no drawing.
 class LabelLayout {
  public:

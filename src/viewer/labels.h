@@ -36,7 +36,7 @@ struct ShownLabel {
     kDot,     ///< An agent without room for its name.
     kCrowd,   ///< How many of each team stand where there is no room for names.
     kSpeech,  ///< What one or several say.
-    kGhost,   ///< The name of a figure that is not there.
+    kGhost,   ///< The name of a ghost.
     kPlace,   ///< The name of a waypoint, a region, a thing or an item.
   };
   Kind kind = Kind::kName;
@@ -46,8 +46,8 @@ struct ShownLabel {
 };
 
 /// Names above agents and bubbles for what they say. No two cover each other, and none is cut by the picture's edge:
-/// the selected and the nearest come first; who finds no room is shortened, then becomes a dot, then a number in a
-/// crowd. Where a label stood in the frame before is where it likes to stay.
+/// the selected and the nearest come first; a label without room is shortened, then becomes a dot, then part of a
+/// crowd's number. A label stays where it stood in the frame before, if it can.
 class AgentLabels {
  public:
   /// Draws them behind the panels of ImGui's present frame, into a picture of ImGui's display size.

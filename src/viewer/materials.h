@@ -52,7 +52,7 @@ class Materials {
   /// Draws what ImGui produced with our own shader; call once, after the overlay was first shown.
   void AdoptPanelMaterial(const Ogre::MaterialPtr& material);
 
-  /// A figure that is not there; the colour's alpha says how much it shows.
+  /// A ghost; the colour's alpha says how much it shows.
   const Ogre::MaterialPtr& Ghost(world::Color color, Placing placing);
 
   /// Shows its first texture, to be set by whoever uses it, in another size.

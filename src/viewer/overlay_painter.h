@@ -11,7 +11,7 @@
 
 namespace soarbox::viewer {
 
-/// What of a frame the overlays are drawn from.
+/// The part of a frame that overlays are drawn from.
 struct OverlayScene {
   const std::vector<world::AgentSnapshot>& agents;  ///< Where they are drawn.
   const world::OverlaySnapshot& overlays;

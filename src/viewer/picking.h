@@ -13,7 +13,7 @@ struct ScreenPoint {
   float x = 0, y = 0;  ///< px from the top left.
 };
 
-/// The straight way between the camera and the picture: which ray a pixel shows, where a point appears, and which
+/// How the camera sees the world: which ray a pixel shows, where a point appears, and which
 /// agent a click means. Pure arithmetic, no drawing.
 class Projection {
  public:

@@ -9,7 +9,7 @@
 
 namespace soarbox::viewer {
 
-/// What there is to say about the agent under the cursor.
+/// A note about the agent under the cursor.
 void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
                  ScreenPoint cursor);
 

@@ -10,7 +10,7 @@ namespace soarbox::viewer {
 ///
 /// It goes down as soon as frames have been too slow for about a second, and up only when the larger size would leave
 /// room for some seconds; a size that turned out to be too large is tried again later and later, so that the picture
-/// does not go to and fro. It knows of time only what Note is told: the same times give the same sizes.
+/// does not go to and fro. Its only clock is what Note is told: the same times give the same sizes.
 class AutoScale {
  public:
   AutoScale();

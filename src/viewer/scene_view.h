@@ -31,7 +31,7 @@ class SceneView {
   SceneView(const SceneView&) = delete;
   SceneView& operator=(const SceneView&) = delete;
 
-  /// Takes over what is new, has changed, moved or gone. With `previous`, bodies stand between the two by `blend`,
+  /// Takes over what is new, changed, moved or gone. With `previous`, bodies stand between the two by `blend`,
   /// 0..1.
   void Update(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
 

@@ -17,9 +17,9 @@ class EngineLanguage {
   using Json = debugger::Json;
   virtual ~EngineLanguage() = default;
 
-  /// What is to be answered, as JSON.
+  /// The answers, as JSON.
   virtual std::vector<std::string> Handle(const Json& message) = 0;
-  /// What takes longer; to be called while nobody asks for anything.
+  /// Slower work; call it while nobody asks for anything.
   virtual std::vector<std::string> Idle() = 0;
 
   /// Null: this build has none.

@@ -23,8 +23,8 @@
 
 namespace soarbox::app {
 
-/// Those who look at an engine's run in their browsers: what they ask for, and what they are told (docs/serve.md).
-/// Which of them is who, only the server knows.
+/// The browsers that show an engine's run: what they ask for, and what they are told (docs/serve.md).
+/// Only the server tells them apart.
 class EnginePage {
  public:
   using Json = debugger::Json;
@@ -41,17 +41,17 @@ class EnginePage {
     std::vector<sim::InputValue> inputs;
     bool empty() const { return requests.empty() && flows.empty() && !pause && inputs.empty(); }
   };
-  /// What was asked is carried out.
+  /// All that was asked so far has been carried out.
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
   /// Waits at most so long for something. What cannot be understood is refused here.
   Asked Receive(int most_ms);
   bool is_open() const { return channel_.is_open(); }
   /// Nobody looks: the world may stand still.
   bool is_alone() const { return pages_ == 0; }
-  /// The panels at which those look who only watch.
+  /// The panels that those who may only watch look at.
   const workbench::PanelSet& watched() const { return watched_; }
 
-  /// A run begins: whatever was known of another one is void.
+  /// A run begins: forgets what was known of the one before.
   void Hello(Json about);
   void Tell(const std::string& text) { Say({{"message", "told"}, {"text", text}}); }
   void Refuse(const Diagnostic& problem, const Json& id = {});
@@ -60,7 +60,7 @@ class EnginePage {
   void ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels);
   /// Whether the next scene is to be whole, as somebody has nothing to add it to.
   bool WantsFull() const { return wants_full_; }
-  /// At most so often as a page can use it, given how much there is to see. Overlays may be null.
+  /// As often as a page can use it, given how much there is to see. Overlays may be null.
   bool WantsScene(std::size_t agents) const;
   void ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays);
   const world::OverlayWants& overlay_wants() const { return overlay_wants_; }
