@@ -3,6 +3,9 @@
 /** Boxes on the picture, in pixels. */
 export interface Box { left: number; top: number; width: number; height: number }
 
+/** So far below a head a body ends, more or less. */
+const BODY_PX = 44;
+
 const overlaps = (a: Box, b: Box): boolean => a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height && b.top < a.top + a.height;
 
 /** Finds places for labels, so that none covers another. */
@@ -15,13 +18,15 @@ export class LabelLayout {
     this.taken.push(box);
   }
 
-  /** A place above (x, y), else beside or further up; null if there is none nearby. */
+  /** A place above (x, y), else beside, further up or below; null if there is none nearby. */
   place(x: number, y: number, width: number, height: number): Box | null {
     const { gap } = this, above = y - height - gap;
     const row = height + 2 * gap, beside = width / 2 + 4 * gap;
     const tries: readonly (readonly [number, number])[] = [
       [x - width / 2, above], [x - width / 2 + beside, above + row / 2], [x - width / 2 - beside, above + row / 2], [x - width / 2, above - row], [x - width / 2 + 2 * beside, above - row / 2],
       [x - width / 2 - 2 * beside, above - row / 2], [x - width / 2, above - 2 * row], [x - width / 2 + 1.2 * beside, above - 1.5 * row], [x - width / 2 - 1.2 * beside, above - 1.5 * row],
+      // Under the body, where something covers all that is over it.
+      [x - width / 2, y + BODY_PX], [x - width / 2 + beside, y + BODY_PX], [x - width / 2 - beside, y + BODY_PX],
     ];
     for (const [left, top] of tries) {
       const box: Box = { left: Math.min(Math.max(left, gap), this.width - width - gap), top: Math.max(top, gap), width, height };

@@ -8,7 +8,7 @@ import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 
 const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
 /** Who looks from far away sees the names of what is so much further away than what is looked at. */
-const FURTHER = 2, MOST_COVERED = 0.4;
+const FURTHER = 2, MOST_COVERED = 0.5;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {

@@ -8,6 +8,7 @@ import { cssColor } from "./looks";
 const FONT_OF: Readonly<Record<string, Font>> = { "9": Font.Small, "91": Font.SmallMono, "14": Font.Medium, "141": Font.MediumMono, "24": Font.Large, "241": Font.LargeMono };
 const CLASS_OF: readonly string[] = ["small", "small.mono", "medium", "medium.mono", "large", "large.mono"];
 const METRES_PER_PX = 0.005;
+const LEAST_FITTING = 0.6, EDGE_PX = 6;
 
 export interface TextRun { text: string; color: number; font: Font; mono: boolean }
 
@@ -92,7 +93,12 @@ export class ScriptUi {
         y = ((1 - point.y) / 2) * height;
         scale = ((METRES_PER_PX * height) / (2 * Math.tan((camera.fov * Math.PI) / 360) * -away)).toFixed(3);
       }
-      if (world === null) covered.push({ left: x, top: y, width: one.width, height: one.height });
+      if (world === null) {
+        // What is made for a whole screen is drawn smaller where it has no room.
+        const fitting = Math.min(1, Math.max(LEAST_FITTING, (width - x - EDGE_PX) / Math.max(one.width, 1)));
+        if (fitting < 1) scale = fitting.toFixed(3);
+        covered.push({ left: x, top: y, width: one.width * fitting, height: one.height * fitting });
+      }
       const gradient = one.gradient;
       const angle = gradient?.direction === "diagonal" ? "135deg" : gradient?.direction === "vertical" ? "180deg" : "90deg";
       shown.push(h(`div.box.${CLASS_OF[one.font] ?? "small"}`, {
