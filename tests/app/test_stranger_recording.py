@@ -10,7 +10,7 @@ import tempfile
 import forged_recording as forged
 import strangers_folder
 from soarbox_command import COMMAND
-from strangers_folder import SECRET, record, rules, run, write
+from strangers_folder import SECRET, record, rules, run
 
 
 class Recordings(strangers_folder.StrangersFolder):

@@ -7,7 +7,7 @@ import threading
 
 import strangers_folder
 from soarbox_command import COMMAND, page_missing
-from strangers_folder import SECRET, rules, run, write
+from strangers_folder import SECRET, rules, run
 
 TOP = 'scenario = "folder"\nseeds = "1..2"\nseconds = 0.2\n'
 

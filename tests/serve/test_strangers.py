@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """What strangers send to a server: it refuses with a sentence, and goes on."""
-import http.client
 import io
-import json
 import os
 import socket
 import struct
