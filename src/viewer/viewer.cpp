@@ -385,6 +385,10 @@ std::uint32_t Viewer::selected_agent() const {
   return impl_->selection.empty() ? 0 : impl_->selection.front();
 }
 
+const std::vector<std::uint32_t>& Viewer::selection() const {
+  return impl_->selection;
+}
+
 void Viewer::ShowOverlays(const world::OverlaySnapshot& overlays) {
   impl_->shows_news |= overlays.tick != impl_->overlays.tick;
   impl_->overlays = overlays;

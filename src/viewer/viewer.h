@@ -172,8 +172,10 @@ class Viewer {
 
   /// Selects an agent as a click on it would, or none with id 0.
   void SelectAgent(std::uint32_t agent_id);
-  /// Of several that the user has selected, the one that panels are about; 0: none.
+  /// The first of selection(), which panels are about; 0: none.
   std::uint32_t selected_agent() const;
+  /// All that the user has selected.
+  const std::vector<std::uint32_t>& selection() const;
 
   /// Draws the current scene once more and writes it as a PNG.
   Result<void> SaveScreenshot(const std::filesystem::path& path);

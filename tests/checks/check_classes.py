@@ -35,7 +35,7 @@ ALLOWED = {
     "kernel/match/rete.h Rete": 30,
     "sim/simulation.h Simulation": 31,
     "sml/client/working_memory.h WorkingMemory": 31,
-    "viewer/viewer.h Viewer": 27,
+    "viewer/viewer.h Viewer": 28,
     "world/physics_world.h PhysicsWorld": 31,
     "world/ui.h Ui": 31,
     "kernel/base/symbol_table.h SymbolTable": 28,
