@@ -548,7 +548,8 @@ bool BodiesAround::IsOpen(Vec3 from, Vec3 to, EntityId through, EntityId self) c
 BodiesAround PhysicsWorld::Around(Vec3 place, Vec3 reach_m) const {
   if (!IsFinite(place) || !IsFinite(reach_m)) return BodiesAround(nullptr);
   const btVector3 low = ToBullet(LimitPosition(place - reach_m)), high = ToBullet(LimitPosition(place + reach_m));
-  return BodiesAround(std::make_unique<BodiesAround::Bodies>(NearBodies(impl_->broadphase, low, high)));
+  return BodiesAround(
+      std::make_unique<BodiesAround::Bodies>(BodiesAround::Bodies{NearBodies(impl_->broadphase, low, high)}));
 }
 
 bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around) const {
