@@ -21,7 +21,7 @@ struct Diagnostic {
   std::string excerpt;     ///< The offending source line, if known.
   int excerpt_length = 1;  ///< How many characters of the excerpt to underline.
   std::string hint;        ///< What to do, if we can say: "did you mean <target>?".
-  int more = 0;            ///< In so many further places the same is wrong; this is the first.
+  int more = 0;            ///< In this many further places the same is wrong; this is the first.
 };
 
 /// "file:line:column: error: message", the excerpt with a caret line, "   note: hint".

@@ -5,7 +5,7 @@
 
 namespace soarbox {
 
-/// A nlohmann::json, or an ordered one, on one line. Names and texts of users may hold any bytes: what is no UTF-8 is
+/// A nlohmann::json, or an ordered one, on one line. Names and texts of users may hold any bytes: what is not UTF-8 is
 /// replaced. `indent`: blanks per level, on many lines; -1: one line.
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1) {

@@ -6,7 +6,7 @@
 
 namespace soarbox {
 
-/// Whether a text is like a pattern in which * stands for anything.
+/// Whether a text matches a pattern in which * stands for anything.
 inline bool IsLikePattern(std::string_view text, std::string_view pattern) {
   // Greedy with one point to come back to.
   std::size_t t = 0, p = 0, star = std::string_view::npos, mark = 0;

@@ -9,9 +9,9 @@
 
 namespace soarbox::explain {
 
-/// A kernel tells where its reader stumbled; this looks into the files at what a beginner most likely did there (a
-/// comment of another language, no } at a rule's end, a misshapen arrow) and says that instead. What one slip brings
-/// about in the lines behind it is dropped.
+/// A kernel reports where its reader stumbled; this looks in the files for what a beginner most likely did there (a
+/// comment of another language, no } at a rule's end, a misshapen arrow) and says that instead. It drops what one slip
+/// causes in the lines after it.
 void ClarifyErrors(std::vector<Diagnostic>& problems);
 
 /// The same for files whose text somebody else has, such as an editor.

@@ -21,9 +21,9 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   std::vector<ElementFact> ElementsOf(std::string_view id) override;
   std::vector<ElementFact> Search(std::string_view text, std::size_t most) override;
   std::optional<ElementFact> Element(std::uint64_t timetag) override;
-  /// Not told.
+  /// Not reported.
   std::vector<MakerFact> MakersOf(std::uint64_t timetag) override;
-  /// Not told.
+  /// Not reported.
   std::vector<TesterFact> TestersOf(std::uint64_t timetag) override;
   OperatorFacts Operators(std::string_view state) override;
   /// Names and firings.
@@ -42,7 +42,7 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   sml::Agent& agent_;
 };
 
-// What the commands print, read. For tests too.
+// Readers of what the commands print. For tests too.
 
 /// "(12: S1 ^a b +)", also several in a line; other text is skipped.
 std::vector<ElementFact> ReadElements(std::string_view text);

@@ -10,7 +10,7 @@ namespace soarbox::explain {
 std::string FormerCommandHint(std::string_view command);
 /// Likewise for a function that actions of rules could call.
 std::string FormerFunctionHint(std::string_view function);
-/// Likewise for what the reader of rules found where it knows it no more: "&" and "@" of preferences, "goal".
+/// Likewise for syntax that the reader of rules no longer knows: "&" and "@" of preferences, "goal".
 std::string FormerSyntaxHint(std::string_view found);
 /// Likewise for the options of a command, where its line is refused: "learn -off".
 std::string FormerOptionHint(std::string_view line);

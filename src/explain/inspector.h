@@ -29,11 +29,11 @@ using mind::RuleFact;
 using mind::StateFact;
 using mind::TesterFact;
 
-/// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. Reads only: no run
-/// is different because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.
+/// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. It only reads: no
+/// run differs because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.
 ///
-/// Our own kernel in this process tells all. Others are asked in the Soar command language: what that does not tell
-/// stays empty (TellsAll).
+/// Our own kernel in this process reports everything. Others are asked in the Soar command language: what that does not
+/// report stays empty (TellsAll).
 class Inspector {
  public:
   virtual ~Inspector() = default;
@@ -55,11 +55,11 @@ class Inspector {
   /// As `print` shows it; empty if there is none of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<MatchFacts> Match(std::string_view rule) = 0;
-  /// How the word that a command line ends with may go on.
+  /// How the last word of a command line may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
 };
 
-/// For an agent of any kernel; it must live longer.
+/// For an agent of any kernel; the agent must live longer.
 std::unique_ptr<Inspector> MakeInspector(sml::Agent& agent);
 
 }  // namespace soarbox::explain

@@ -16,14 +16,14 @@ using mind::LessonFact;
 using mind::NumberFact;
 using mind::TripleFact;
 
-/// What inspectors of living minds are besides, see Inspector.
+/// What inspectors of living minds also are, see Inspector.
 class LearningSource {
  public:
   virtual ~LearningSource() = default;
 
   virtual LearningFacts Learning() = 0;
   /// How rules were learned since decisions are noted (MindDetail): the last 1,000, in their order. Of their conditions
-  /// and firings only conditions that name something; Lesson tells all. Empty where no kernel tells.
+  /// and firings, only conditions that name something; Lesson gives everything. Empty where no kernel reports it.
   virtual std::vector<LessonFact> Lessons() { return {}; }
   /// All of one of them.
   virtual std::optional<LessonFact> Lesson(std::string_view rule) {

@@ -22,7 +22,7 @@ struct StackEntry {
   std::string about;  ///< "operator tie", or the operator's name; empty for the top state.
 };
 
-/// How far a rule comes with what there is now.
+/// How far a rule gets with what there is now.
 struct RuleMatch {
   int matched = 0, total = 0;
   std::string failing;    ///< The first condition that fails, as a kernel prints it; empty: all match.
@@ -35,11 +35,11 @@ struct Preference {
   std::string operator_id, name;      ///< "O3", "move-to"
   std::string text;                   ///< "O1 (left) > O2 (right)"
   std::string rule;                   ///< That made it; empty if none is named.
-  std::vector<std::string> elements;  ///< That it rests on: time tags, if they were asked for.
+  std::vector<std::string> elements;  ///< The time tags of the elements that it rests on, if they were asked for.
 };
 
-/// What a Soar program tells about itself, through its command language alone, so that it works with any kernel. Asks
-/// anew each time; only the rules are kept.
+/// What a Soar program reports about itself, through its command language alone, so that it works with any kernel. Asks
+/// again each time; keeps only the rules.
 class MindView {
  public:
   explicit MindView(sml::Agent& agent) : agent_(agent) {}
@@ -50,11 +50,11 @@ class MindView {
   /// From the top state down.
   std::vector<StackEntry> Stack();
   RuleMatch Match(const std::string& rule);
-  /// Whether it has fired since its agent was made; true where a kernel does not tell.
+  /// Whether it has fired since its agent was made; true where a kernel does not say.
   bool HasFired(const std::string& rule);
   /// Whether a match of it is yet to fire: the elaboration limit, or a break, came before.
   bool IsPending(const std::string& rule);
-  /// How often it has fired; nothing if that is not told.
+  /// How often it has fired; nothing if that is not reported.
   std::optional<std::uint64_t> Firings(const std::string& rule);
   std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
   /// Values of an attribute anywhere in working memory.

@@ -18,17 +18,18 @@ struct OddCharacter {
   std::string message, hint;
 };
 
-/// Where the first one stands outside of bars; npos if none does.
+/// Where the first one outside of bars is; npos if there is none.
 std::size_t FindOddCharacter(std::string_view line);
 /// What is wrong with the one that begins here.
 OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at);
 
-/// What a web page put for a character that is meant, outside of bars: \* for *, &lt; for <. Npos if nothing.
+/// Where a web page wrote something else for the character that is meant, outside of bars: \* for *, &lt; for <. Npos
+/// if nowhere.
 std::size_t FindPasted(std::string_view line);
 /// What is wrong with what begins here.
 OddCharacter DescribePasted(std::string_view line, std::size_t at);
 
-/// All of a file, once for each character and rule, as warnings beside the names of their rules.
+/// All of a file, once for each character and rule, as warnings with the names of their rules.
 std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file);
 
 }  // namespace soarbox::explain

@@ -41,7 +41,7 @@ class MindReasons {
  private:
   using RuleList = std::vector<const RuleText*>;
 
-  /// The rules that make what a condition waits for, as far as rules tell.
+  /// The rules that make what a condition waits for, as far as the rules show.
   struct Makers {
     const RuleText* sure = nullptr;   ///< Makes it whenever it fires.
     const RuleText* maybe = nullptr;  ///< Makes it if the value fits.
@@ -56,12 +56,12 @@ class MindReasons {
     ConditionText condition;
   };
 
-  /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions hold.
+  /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions match.
   std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
-  /// A negated condition about the state above that is met: the kernel looks further at the top state, which has none
-  /// above it, and names a condition that comes later. Empty: there is none.
+  /// A negated condition about the state above that something matches: the kernel looks on at the top state, which has
+  /// no state above it, and names a later condition. Empty: there is none.
   std::string WhatExcludesAbove(const RuleText& rule, const ConditionText& failing);
-  /// The substate in which the operator is selected that a rule applies; empty: it is none.
+  /// The substate in which the operator that a rule applies is selected; empty: there is none.
   std::string SubstateOfSelected(const RuleText& rule);
   std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
   /// The nearest of these rules, each explained, and the rules that make what they wait for.
@@ -73,19 +73,19 @@ class MindReasons {
   std::vector<std::string> ExplainConflict(const std::string& state, const StackEntry& below);
   std::vector<std::string> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                          const std::set<std::string>& known);
-  /// Why all that are proposed in a state were dropped; empty if none is proposed, or if it is not told.
+  /// Why all that are proposed in a state were dropped; empty if none is proposed, or if that is not reported.
   std::string WhyAllDropped(const std::string& state);
-  /// What the decision procedure says of a state's operators; empty of a kernel that does not tell.
+  /// What the decision procedure says of a state's operators; empty if the kernel does not report it.
   mind::Decision DecisionOf(const std::string& state);
   Makers MakersOf(const RuleText& rule, const ConditionText& condition);
-  /// Where following what a rule waits for to the only rule that makes it, and on, ends in a circle: who waits for what
-  /// in it. Empty if it does not.
+  /// Goes from what a rule waits for to the only rule that makes it, and on. If that ends in a circle: who waits for
+  /// what in it; else empty.
   std::vector<Wait> CircleFrom(const RuleText& rule, const ConditionText& condition);
   /// The condition at which a rule stops, if another rule could make what it asks for.
   std::optional<ConditionText> WaitOf(const RuleText& rule);
   /// " when it applies fetch", or nothing.
   static std::string Applying(const RuleText& maker);
-  /// Errors of rules that are not there now.
+  /// Errors of rules that are missing now.
   std::vector<FailedRule> StillFailed();
   /// "rule x in hero.soar:7 failed to parse: ..."; empty if all loaded.
   std::string WhatFailed();

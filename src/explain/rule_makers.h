@@ -23,7 +23,7 @@ Makes WhetherMakes(const RuleText& maker, const RuleText& rule, const ConditionT
 /// if it gives none.
 std::string OtherValueBy(const RuleText& maker, const RuleText& rule, const ConditionText& condition);
 
-/// Whether a rule itself waits for what the condition asks for: it cannot be what makes it first.
+/// Whether a rule itself waits for what the condition asks for: then it cannot be the first to make it.
 bool WaitsForTheSame(const RuleText& rule, const ConditionText& condition);
 
 /// True if a rule makes attributes whose names are known when it fires.
@@ -32,15 +32,15 @@ bool MakesAnyAttribute(const RuleText& rule);
 /// Whether a rule works in a substate: it tests a superstate.
 bool IsForSubstate(const RuleText& rule);
 
-/// A path said from the state on that it reaches: without ^superstate.
+/// A path written from the state that it reaches: without ^superstate.
 std::vector<std::string> FromTop(const std::vector<std::string>& path);
 
 /// Names of the operators whose selection a rule tests, as this condition's path begins there; false if the condition
 /// is not about an operator that is selected, but about a proposal or something else.
 bool AsksForSelected(const RuleText& rule, const ConditionText& condition);
 
-/// Whether a firing of this rule applies an operator: it changes something else than the operator, and than the
-/// substate in which others work on the operator.
+/// Whether a firing of this rule applies an operator: it changes something other than the operator and the substate in
+/// which others work on the operator.
 bool Changes(const RuleText& rule);
 
 }  // namespace soarbox::explain

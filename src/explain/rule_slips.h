@@ -17,9 +17,9 @@ namespace soarbox::explain {
 struct Slip {
   std::string rule;
   std::string word;           ///< Where in the rule: this word; empty: its name.
-  bool is_attribute = false;  ///< The word stands behind ^ or a dot.
+  bool is_attribute = false;  ///< The word comes after ^ or a dot.
   std::string message, hint;
-  bool in_actions = false;  ///< The word stands behind -->.
+  bool in_actions = false;  ///< The word comes after -->.
 };
 
 /// The places of a world by name. Rules of no world in particular may name any.
@@ -28,8 +28,7 @@ struct KnownPlaces {
   std::set<std::string> waypoints, regions;
 };
 
-/// What the spatial visual system can be told and asked, as the kernel lists it; nothing of a kernel that lists
-/// nothing.
+/// What you can tell and ask the spatial visual system, as the kernel lists it; nothing if the kernel lists nothing.
 struct SceneKinds {
   struct Parameter {
     std::string name;
@@ -50,7 +49,7 @@ bool MentionsScenes(const std::vector<RuleText>& rules);
 /// True if a path goes through ^svs: tags and answers there may have any name.
 bool IsBelowScene(const std::vector<std::string>& path);
 
-/// What rules may test and say besides the vocabulary.
+/// What rules may test and give besides the vocabulary.
 struct KnownWords {
   std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
   std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
@@ -62,11 +61,11 @@ struct KnownWords {
 };
 
 /// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
-/// half a variable or a relation that there is not, functions that there are not.
+/// half a variable, and relations or functions that do not exist.
 std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
 
-/// Slips against the vocabulary: attributes that nothing writes or that stand elsewhere, words that a percept never
-/// has, commands and parameters that no body knows, operators that nothing applies.
+/// Slips against the vocabulary: attributes that nothing writes or that are elsewhere, words that a percept never has,
+/// commands and parameters that no body knows, operators that nothing applies.
 std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// Slips in the use of Soar itself: operators that are words or have no name or two, a second ^io, values that pile up,
@@ -79,16 +78,16 @@ std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules);
 /// True if a path ends where a memory answers: "smem", "result".
 bool IsMemoryAnswer(const std::vector<std::string>& path);
 
-/// Slips in what the spatial visual system is told and asked: commands, filters and parameters that there are not, or
-/// that lack something, and nodes that nobody makes.
+/// Slips in what rules tell and ask the spatial visual system: commands, filters and parameters that do not exist or
+/// lack something, and nodes that nobody makes.
 std::vector<Slip> FindSlipsOfImagery(const std::vector<RuleText>& rules, const SceneKinds& kinds);
 
-/// Slips against how the world behaves: proposals that rest on numbers which change all the time, writing on the input
+/// Slips against how the world behaves: proposals that rest on numbers that change all the time, writing on the input
 /// link, places that the scenario does not have.
 std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// Says once that rules seem to be written for another world, where hardly any of the percepts that they test is known
-/// here; then the vocabulary says nothing of them. Nothing where that is not so.
+/// Says once that rules seem to be written for another world, if this one knows hardly any of the percepts that they
+/// test; then the vocabulary says nothing of them. Nothing otherwise.
 std::optional<Slip> FindOtherWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// What all these searches find, one after the other.
@@ -108,7 +107,7 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
 
 /// What to do about an operator that no rule applies, as a sentence.
 std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name);
-/// "^io.input-link.self.health, ...": where percepts of this name stand; empty if there are none.
+/// "^io.input-link.self.health, ...": where percepts of this name are; empty if there are none.
 std::string PlacesOfPercept(const std::string& attribute);
 /// The words that a percept of this name may be, "none ready ..."; empty if it is none, or may be any word.
 std::vector<std::string_view> WordsOfPercept(const std::string& attribute);

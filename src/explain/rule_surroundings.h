@@ -8,7 +8,7 @@
 
 namespace soarbox::explain {
 
-/// What the other files of a folder add to what its rules may test and say.
+/// What the other files of a folder add to what its rules may test and give.
 struct Surroundings {
   std::set<std::string> lua_words;      ///< Scripts may make percepts and take commands of their own.
   std::set<std::string> made_by_rules;  ///< Attributes in actions of any rule, and those of facts (smem --add).

@@ -13,7 +13,7 @@ namespace soarbox::explain {
 struct RuleAttribute {
   std::string id;         ///< The clause's variable, "<s>".
   std::string attribute;  ///< Without the ^; a variable or a list of tests if it is no constant.
-  std::string value;      ///< All that stands behind it, "<o> +".
+  std::string value;      ///< All that follows it, "<o> +".
   bool negated = false;
   bool on_state = false;  ///< The clause begins with the word state.
 };
@@ -50,7 +50,7 @@ struct RuleText {
 
 /// True for what a kernel prints for an identifier: a capital letter and a number.
 bool IsIdentifier(std::string_view value);
-/// What stands before the first blank.
+/// What comes before the first blank.
 std::string FirstWord(const std::string& value);
 /// Reads what `print --all --full` answers. Text that is no rule is skipped.
 std::vector<RuleText> ReadRules(std::string_view text);

@@ -5,13 +5,12 @@
 
 namespace soarbox::explain {
 
-/// What inspectors of living minds are besides, see Inspector: what a mind imagines.
+/// What inspectors of living minds also are, see Inspector: what a mind imagines.
 class SceneSource {
  public:
   virtual ~SceneSource() = default;
 
-  /// What `svs facts` prints (cli/svs_facts.h): its first line is "version N"; of a kernel that tells nothing,
-  /// anything.
+  /// What `svs facts` prints (cli/svs_facts.h): its first line is "version N"; if the kernel reports nothing, anything.
   virtual std::string SceneFacts() = 0;
 };
 

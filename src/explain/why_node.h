@@ -8,7 +8,7 @@
 
 namespace soarbox::explain {
 
-/// One step of an answer to *why*, with what it rests on. What `link` names can be looked at, and asked about in turn.
+/// One step of an answer to *why*, with what it rests on. You can look at what `link` names, and ask about it in turn.
 struct WhyNode {
   std::string text;
   /// "agent", "command", "operator", "preference", "rule", "element", "percept", "learned", "condition", "recall",
@@ -20,7 +20,7 @@ struct WhyNode {
 
 /// As lines, each step two blanks deeper.
 std::vector<std::string> Lines(const WhyNode& node, std::size_t indent = 0);
-/// The same of an agent's account: what is below its first line is not indented. Empty without an account.
+/// The same for an agent's account: what is below its first line is not indented. Empty without an account.
 std::vector<std::string> AccountLines(const std::optional<WhyNode>& account);
 
 }  // namespace soarbox::explain

@@ -27,18 +27,18 @@ struct OpenOptions {
   bool survive_power = false;  ///< Each commit waits for the disk (optimization safety); else it survives a kill only.
 };
 
-/// What a file holds, and the way to go on with it.
+/// What a file holds, and the journal to go on with.
 struct OpenedJournal {
   std::unique_ptr<kernel::Journal> journal;
   std::string image;                 ///< Empty: none was ever written.
   std::vector<std::string> records;  ///< Oldest first.
 };
 
-/// Opens or makes a file. Refused with the reason, and the file is not touched: what is no database, a database of
-/// another program, of another memory or of a newer Soarbox, one that is damaged, one that another process has open.
+/// Opens or makes a file. Refuses, with the reason, and leaves untouched: what is not a database, a database of another
+/// program, of another memory or of a newer Soarbox, a damaged one, and one that another process has open.
 Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options);
 
-/// Writes a memory's image to a file of its own (`smem --backup`). A file of Soarbox is replaced, another one refused.
+/// Writes a memory's image to a file of its own (`smem --backup`). Replaces a file of Soarbox, refuses any other.
 Result<void> WriteCopy(const std::string& path, Memory memory, std::string_view image);
 
 /// The version of the library, as `smem --stats` shows it.

@@ -28,17 +28,17 @@ enum class Stage : std::uint8_t { kForced, kRequire, kProhibit, kReject, kDomina
 /// What kNone means with nothing selected: no candidate is left, a no-change of the state.
 enum class Impasse : std::uint8_t { kNone, kTie, kConflict, kConstraintFailure };
 
-/// How one of several indifferent operators is chosen (`decide indifferent-selection`).
+/// How one of several indifferent operators is selected (`decide indifferent-selection`).
 enum class Policy : std::uint8_t { kBoltzmann, kEpsilonGreedy, kSoftmax, kFirst, kLast };
 
 /// Whether a drop decided something.
 enum class Decisive : std::uint8_t {
   kUnknown,  ///< Too many preferences to try.
-  kYes,      ///< Without the preferences that it rests on the outcome is another one.
+  kYes,      ///< Without the preferences that it rests on, the outcome would differ.
   kNo,       ///< Without them the candidate would have lost all the same.
 };
 
-/// What the decision procedure said of the operators of a state: facts of the kernel that decided, in values. Nobody
+/// What the decision procedure said of the operators of a state: facts of the kernel that decided, as values. Nobody
 /// computes them again, and whoever has none says so. Operators and preferences are named by their places.
 template <typename Text>
 struct DecisionOf {
@@ -62,7 +62,7 @@ struct DecisionOf {
     Decisive decisive = Decisive::kUnknown;
     std::uint32_t first = 0, count = 0;
   };
-  /// A candidate that was left. One of several that are indifferent is chosen by value.
+  /// A candidate that was left. One of several that are indifferent is selected by value.
   struct Chance {
     std::uint32_t op = kNoOperator;
     double value = 0;
@@ -72,7 +72,7 @@ struct DecisionOf {
   Impasse impasse = Impasse::kNone;
   std::uint32_t selected = kNoOperator;
   bool is_forced = false;    ///< By `decide select`.
-  bool has_changed = false;  ///< Preferences changed since then: these are the ones that stand now.
+  bool has_changed = false;  ///< Preferences have changed since: these are the present ones.
   Policy policy = Policy::kSoftmax;
   std::vector<Operator> operators;
   std::vector<Preference> preferences;
@@ -80,7 +80,7 @@ struct DecisionOf {
   std::vector<std::uint32_t> by;  ///< Places in `preferences`, of the drops.
   std::vector<Chance> left;       ///< Newest proposal first.
 
-  /// Nothing was told of a decision.
+  /// Nothing was reported of a decision.
   bool empty() const { return preferences.empty(); }
   void Clear() {
     impasse = Impasse::kNone;
@@ -103,7 +103,7 @@ struct DecisionOf {
 };
 
 using Decision = DecisionOf<std::string>;
-/// Texts belong to somebody else. For who tells a decision while it is made.
+/// Texts belong to somebody else. For whoever reports a decision while it is made.
 using DecisionView = DecisionOf<std::string_view>;
 
 }  // namespace soarbox::mind

@@ -13,7 +13,7 @@ namespace soarbox::mind {
 template <typename Text>
 void Pack(const DecisionOf<Text>& decision, std::string& bytes);
 
-/// Reads what Pack wrote. None if the bytes are anything else: every place that they name is within bounds.
+/// Reads what Pack wrote. Nothing if the bytes are anything else: every place that they name is within bounds.
 std::optional<Decision> Unpack(std::string_view bytes);
 
 /// The same with texts of its own.

@@ -21,10 +21,10 @@ using Value = std::variant<std::string_view, std::int64_t, double>;
 
 /// Levels of the goal stack below this one count as this one.
 inline constexpr std::uint64_t kDeepestLevel = 1000;
-/// So much of a command is told.
+/// At most this much of a command is reported.
 inline constexpr std::size_t kMostParameters = 10'000;
 
-/// An element below a command. Those of an object come right behind it, one step deeper.
+/// An element below a command. Those of an object come right after it, one step deeper.
 struct Parameter {
   std::uint32_t depth = 0;
   bool is_object = false;  ///< Then it has no value.
@@ -38,8 +38,8 @@ enum class StateReason : std::uint8_t { kTop, kTie, kConflict, kConstraintFailur
 
 enum class CommandStatus : std::uint8_t { kComplete, kInterrupted, kError };
 
-/// A constant of the input link has come or changed. The path is that of its object, with a dot behind it, or nothing;
-/// a key tells siblings of one attribute apart, 0: there is one.
+/// A constant of the input link has come or changed. The path is that of its object, with a dot at its end, or empty; a
+/// key tells siblings of one attribute apart, 0: there is one.
 struct PerceptChanged {
   std::string_view path, attribute;
   std::uint32_t key = 0;
@@ -50,7 +50,7 @@ struct PerceptChanged {
   }
 };
 
-/// It has gone, with all below it.
+/// A percept has gone, with all below it.
 struct PerceptGone {
   std::string_view path, attribute;
   std::uint32_t key = 0;
@@ -72,7 +72,7 @@ struct CommandSaid {
   }
 };
 
-/// How one went.
+/// How a command went.
 struct CommandEnded {
   std::string_view name;
   CommandStatus status = CommandStatus::kComplete;
@@ -173,7 +173,7 @@ struct EpisodeEnded {
   static void Fields(Self&, See&&) {}
 };
 
-/// A rule fired, or what it made goes, because it matches no longer.
+/// A rule fired, or what it made goes because the rule no longer matches.
 struct RuleFired {
   std::string_view rule;
   bool retracts = false;
@@ -211,7 +211,7 @@ using Event =
     std::variant<PerceptChanged, PerceptGone, CommandSaid, CommandEnded, OperatorSelected, StateMade, StateGone, Halted,
                  Recalled, RuleLearned, ValueUpdated, RewardReceived, EpisodeEnded, RuleFired, ElementChanged, Remark>;
 
-/// What is told in detail only (firings, elements).
+/// What is noted in detail only (firings, elements).
 inline bool IsDetail(const Event& event) {
   return std::holds_alternative<RuleFired>(event) || std::holds_alternative<ElementChanged>(event);
 }

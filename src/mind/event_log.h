@@ -22,7 +22,7 @@ namespace soarbox::mind {
 class EventLog {
  public:
   EventLog() = default;
-  /// Of bytes that another log had, or of a file; anything is taken (see IsSound).
+  /// From the bytes of another log or of a file; takes anything (see IsSound).
   explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()) {}
   EventLog(const EventLog& other) : EventLog(other.bytes()) {}
   EventLog& operator=(const EventLog& other) {
@@ -49,8 +49,8 @@ class EventLog {
   template <typename Kind>
   void Add(const Kind& event);
 
-  /// Reads the event at this place, 0 for the first, and moves on; false behind the last. Texts of the event are this
-  /// log's and valid until the next Add. Events that make no sense are passed over.
+  /// Reads the event at this place, 0 for the first, and moves on; false after the last. Texts of the event are this
+  /// log's and valid until the next Add. Skips events that make no sense.
   bool Next(std::size_t& at, Event& event) const;
   /// Calls `see` with each event, as its own type.
   template <typename See>

@@ -9,7 +9,7 @@
 
 #include "mind/decision.h"
 
-/// What somebody who looks into a mind between two ticks sees: plain values, the same from our own kernel
+/// What you see when you look into a mind between two ticks: plain values, the same from our own kernel
 /// (soarbox_Inspection.h), from the answers of any kernel to commands, and from a recording.
 
 namespace soarbox::mind {
@@ -37,7 +37,7 @@ struct TesterFact {
   std::string rule;
   std::size_t condition = 0;  ///< Counted from 0, in the order in which the rule matches.
   bool negated = false;
-  bool matches = false;  ///< The element stands in a whole match of the rule now.
+  bool matches = false;  ///< The element is in a whole match of the rule now.
 };
 
 struct StateFact {
@@ -57,7 +57,7 @@ struct PreferenceFact {
   MakerFact maker;
 };
 
-/// A candidate that a decision would choose among, with the chance that exploration gives it.
+/// A candidate among which a decision would select, with the chance that exploration gives it.
 struct CandidateFact {
   std::string id, name;
   double value = 0;
@@ -71,7 +71,8 @@ struct OperatorFacts {
   std::vector<PreferenceFact> preferences;
   std::vector<CandidateFact> candidates;  ///< Empty if the decision would be an impasse.
   std::string impasse;                    ///< Of the state below; "none" if there is none.
-  /// What the decision procedure says of these preferences now; none where that is not told. Nobody works it out again.
+  /// What the decision procedure says of these preferences now; none if that is not reported. Nobody works it out
+  /// again.
   std::optional<mind::Decision> decision;
 };
 
@@ -89,7 +90,7 @@ struct RuleFact {
 struct ConditionFact {
   std::string text;
   bool negated = false;
-  std::size_t partial_matches = 0;  ///< That pass it (a negated one: are not blocked by it); 0 behind the failing one.
+  std::size_t partial_matches = 0;  ///< How many pass it (negated: are not blocked by it); 0 after the failing one.
 };
 
 /// How far a rule matches.
@@ -101,11 +102,11 @@ struct MatchFacts {
   std::vector<std::vector<ElementFact>> matches;  ///< Some of them, oldest first.
   std::vector<std::vector<ElementFact>> before;   ///< Some partial matches that reach the failing condition.
   std::vector<ElementFact> candidates;            ///< Elements that pass its constant tests but do not join.
-  std::vector<ElementFact> seen;                  ///< What stands where the condition looks, with other values.
+  std::vector<ElementFact> seen;                  ///< What is where the condition looks, with other values.
 };
 
 struct MindFacts {
-  std::string phase;  ///< That runs next: "input", "propose", "decide", "apply", "output"; empty if it is not told.
+  std::string phase;  ///< The next one: "input", "propose", "decide", "apply", "output"; empty if not reported.
   bool within_phase = false;
   std::uint64_t decisions = 0, elaborations = 0, firings = 0;
   std::size_t elements = 0, rules = 0;
@@ -170,7 +171,7 @@ struct KnownObjectFact {
   std::uint64_t uses = 0;  ///< How often it was recalled.
 };
 
-/// What stood in working memory when an episode was taken: an element of an object.
+/// What was in working memory when an episode was taken: an element of an object.
 struct RememberedFact {
   std::uint32_t object = 0;  ///< 0: the top state.
   std::string attribute, value;

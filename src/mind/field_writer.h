@@ -14,7 +14,7 @@
 
 namespace soarbox::mind {
 
-/// Puts fields of events and decisions, one behind the other, where the memory for them is.
+/// Writes fields of events and decisions, one after the other, into memory that is already there.
 class FieldWriter {
  public:
   static constexpr std::size_t kMostOfNumber = 10;  ///< Bytes, of a number or a double.

@@ -14,7 +14,7 @@
 
 namespace soarbox::report {
 
-/// What a page is made from besides its data: as npm builds it from web/.
+/// What a page is made from in addition to its data: as npm builds it from web/.
 struct PageTexts {
   std::string page;    ///< With a place for the data, and for what else FillIn puts into it.
   std::string script;  ///< Shows the data.
@@ -32,7 +32,7 @@ Result<std::string> MakePage(const std::filesystem::path& source, const sim::Dat
 
 /// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
 /// by these checks; empty: by those of its scenario, if it has any. `most_bytes`: what it may take in a page, at least
-/// a million; what that leaves out is told.
+/// a million; it says what that leaves out.
 Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data,
                             std::size_t most_bytes);
 /// The data of a sweep, from what its folder holds.
@@ -40,7 +40,7 @@ Result<std::string> SweepData(const std::filesystem::path& folder, const sim::Da
 
 /// JSON that may stand inside an HTML script element: no character of it ends the element or begins another.
 std::string ForScriptElement(std::string_view json);
-/// A template with a text in place of each {{name}}; what stands in the texts stays as it is.
+/// A template with a text in place of each {{name}}; what is in the texts stays as it is.
 std::string FillIn(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> texts);
 /// Text that stands for itself in HTML.
 std::string EscapeHtml(std::string_view text);

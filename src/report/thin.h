@@ -28,15 +28,15 @@ struct StoryWay {
   std::vector<std::int32_t> x_cm, z_cm, health, speed_dmps;
 };
 
-/// At most so many bytes of text, cut between characters, with dots where it was cut.
+/// At most this many bytes of text, cut between characters, with dots where it was cut.
 std::string CutText(std::string text, std::size_t most_bytes);
 
-/// Leaves events out until the rest takes at most so many bytes on a page: always of the kind that takes most room,
-/// every second one, so that what is rare stays and what is left is spread over the whole run. The order stays.
+/// Leaves events out until the rest takes at most this many bytes on a page: always every second one of the kind that
+/// takes most room, so that what is rare stays and what is left is spread over the whole run. The order stays.
 void ThinEvents(std::vector<StoryEvent>& events, std::size_t most_bytes);
 
-/// Draws spans of one agent together that begin in the same of so many columns and are each narrower than one: nobody
-/// could tell them apart in a picture that is as many columns wide. The longest of them gives the name.
+/// Merges spans of one agent that begin in the same of `columns` columns and are each narrower than one: nobody could
+/// tell them apart in a picture that is as many columns wide. The longest of them gives the name.
 std::vector<StorySpan> MergeSpans(const std::vector<StorySpan>& spans, double seconds, std::size_t columns);
 
 /// The moments that stay if only each `every`-th does, and the last: their indices.
@@ -44,7 +44,7 @@ std::vector<std::size_t> KeptMoments(std::size_t count, std::size_t every);
 /// The part of a way at these moments.
 StoryWay ThinWay(const StoryWay& way, const std::vector<std::size_t>& kept);
 
-/// The first number and then differences: most of them are short, or 0.
+/// The first number, then differences: most of them are short, or 0.
 std::vector<std::int32_t> Differences(std::vector<std::int32_t> numbers);
 
 }  // namespace soarbox::report

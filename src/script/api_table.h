@@ -11,7 +11,7 @@
 namespace soarbox::script {
 
 /// One function of the sandbox's API as its users know it. The checks of arguments, the suggestions for misspelt names
-/// and the pages of docs/lua/ all read this table; a test holds it against what is registered.
+/// and the pages of docs/lua/ all read this table; a test compares it with what is registered.
 struct ApiFunction {
   std::string_view name;  ///< "Agent.SetPosition".
   /// "agent: Agent, position: Vector [m], seconds: number 0.1..1000 [s] = 0.1"; see ParseArguments.
@@ -22,8 +22,8 @@ struct ApiFunction {
   bool own = false;          ///< Beyond the 192 functions of the first sandbox.
 };
 
-/// What an argument has to be. The sandbox, objects, nodes, things and meshes that are wrong make a call do nothing,
-/// with a warning; everything else that is wrong is a Lua error.
+/// What an argument has to be. A wrong sandbox, object, node, thing or mesh makes a call do nothing, with a warning;
+/// everything else that is wrong is a Lua error.
 enum class ApiType : std::uint8_t {
   kSandbox,
   kAgent,
@@ -63,11 +63,11 @@ struct ApiGroup {
 };
 std::span<const ApiGroup> ApiGroups();
 
-/// The function of that whole name; null if there is none.
+/// The function with that full name; null if there is none.
 const ApiFunction* FindApiFunction(std::string_view name);
 /// Splits the text of a function's arguments; an unknown type is a programmer's error.
 std::vector<ApiArgument> ParseArguments(std::string_view arguments);
-/// The name in that table which a misspelt one most likely means; empty if none is near.
+/// The name in that table that a misspelt one most likely means; empty if none is near.
 std::string_view SuggestApiName(std::string_view table, std::string_view name);
 
 // The parts of the table.

@@ -28,9 +28,9 @@ bool TruthArgument(lua_State* state, int index);
 /// The vectors in a table, in its order; others, and those that are not finite, are skipped with a warning.
 std::vector<world::Vec3> VectorsArgument(lua_State* state, int index);
 
-/// Says so if the world refused a value; for the results of setters.
+/// Warns if the world refused a value; for the results of setters.
 void WarnUnless(lua_State* state, bool accepted);
-/// A capsule is as tall as its caps at least: says so where it was to be shorter.
+/// A capsule is at least as tall as its caps: warns where it was to be shorter.
 void WarnOfShortCapsule(lua_State* state, float height, float radius);
 /// What a script makes, for ChargeForCreation.
 enum class Made : unsigned char { kNode, kLight, kObject, kAgent, kPanel, kOther };

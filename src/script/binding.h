@@ -36,7 +36,7 @@ void RegisterTable(lua_State* state, const char* table, std::span<const Binding>
 
 /// Warns of something at the script's line; once for each place in a script.
 void WarnAtCaller(lua_State* state, std::string message);
-/// The same of a subject ("radius"), whose messages may differ from call to call: the first is told.
+/// The same about a subject ("radius"), whose messages may differ from call to call: reports only the first.
 void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view subject);
 /// Warns that the call in progress was ignored, and why; once for each place in a script.
 void WarnIgnored(lua_State* state, const char* why);

@@ -13,7 +13,7 @@ namespace soarbox::script {
 /// calls (Agent_Updat), with line and column, as warnings. Runs nothing.
 std::vector<Diagnostic> CheckNames(std::string_view text, const std::string& file);
 
-/// Of these only the functions that a sandbox never calls, as a run tells of them: the others are errors when they are
+/// Of these, only the functions that a sandbox never calls, as a run reports them: the others are errors when they are
 /// called.
 std::vector<Diagnostic> CheckCallbackNames(std::string_view text, const std::string& file);
 

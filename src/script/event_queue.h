@@ -42,7 +42,8 @@ class EventQueue {
   std::size_t waiting_bytes() const { return waiting_bytes_; }
   std::size_t callbacks() const { return callbacks_.size(); }
 
-  /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces.
+  /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces an earlier
+  /// one.
   void SetCallback(Handle target, LuaMachine& machine, int function);
   /// Drops the callback of an object that is gone.
   void RemoveTarget(std::uint32_t number);

@@ -13,12 +13,12 @@
 
 namespace soarbox::script {
 
-/// What is told about calls of scripts that failed.
+/// What is reported about calls of scripts that failed.
 struct ScriptTrouble {
   enum class Kind : std::uint8_t {
     kError,         ///< A call failed, in each of these agents; only this call is lost.
-    kKeepsFailing,  ///< The same callback of these agents fails time after time; it is called on, but told no more.
-    kWorksAgain,    ///< It did so until now.
+    kKeepsFailing,  ///< The same callback of these agents keeps failing; it is still called, but no longer reported.
+    kWorksAgain,    ///< It kept failing until now.
   };
   Kind kind = Kind::kError;
   std::vector<world::EntityId> agents;  ///< In ascending id; kSandbox for the sandbox's own scripts.
@@ -26,14 +26,14 @@ struct ScriptTrouble {
   ScriptError error;                    ///< Of the first of them; not for kWorksAgain.
 };
 
-/// An error that was told, and how often it has come since.
+/// An error that was reported, and how often it has come since.
 struct ErrorCount {
   Diagnostic error;
   std::vector<world::EntityId> agents;
   std::uint64_t count = 0;
 };
 
-/// Keeps count of the calls of scripts that failed, so that each error is told once, with all agents that it came in,
+/// Counts the calls of scripts that failed, so that each error is reported once, with all agents that it came in,
 /// however many agents fail in however many ticks.
 class FailureLedger {
  public:
@@ -44,15 +44,15 @@ class FailureLedger {
     if (!failing_.empty()) NoteSuccess(agent, callback);
   }
 
-  /// What there is to tell since the last call, in the order of its first happening.
+  /// What there is to report since the last call, in the order in which it first happened.
   std::vector<ScriptTrouble> TakeNews();
-  /// Errors that came more often than was told: what the end of a run should say.
+  /// Errors that came more often than was reported: what the end of a run should say.
   std::vector<ErrorCount> Untold() const;
 
  private:
-  /// So many failures in a row make a callback one that keeps failing.
+  /// This many failures in a row make a callback one that keeps failing.
   static constexpr std::uint64_t kKeepsFailing = 3;
-  /// A callback that fails and recovers time after time is told so often.
+  /// How often a callback that fails and recovers time after time is reported.
   static constexpr int kMostTold = 3;
   /// Distinct errors that are remembered: error texts may hold numbers that change.
   static constexpr std::size_t kMostErrors = 500;
@@ -65,7 +65,7 @@ class FailureLedger {
   struct Count {
     Diagnostic error;
     std::map<world::EntityId, std::uint64_t> agents;
-    std::uint64_t told = 0;  ///< Failures that some news stood for.
+    std::uint64_t told = 0;  ///< Failures that some news covered.
     std::uint64_t count = 0;
     bool news = false;  ///< In the news that TakeNews will give: further agents join it.
   };
@@ -76,7 +76,7 @@ class FailureLedger {
                const std::string& text);
 
   std::map<Callback, Failing> failing_;  ///< Callbacks whose last call failed.
-  std::map<Callback, int> times_told_;   ///< How often a callback was told to keep failing.
+  std::map<Callback, int> times_told_;   ///< How often a callback was reported to keep failing.
   std::map<std::string, Count, std::less<>> errors_;
   std::vector<std::pair<std::string, ScriptTrouble>> news_;  ///< With the text of the error.
 };

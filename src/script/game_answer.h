@@ -10,7 +10,7 @@ namespace soarbox::script {
 /// What the script of a game answers to a command.
 struct GameAnswer {
   std::string reason = {};       ///< Why it was not carried out, in one word; empty if it was.
-  std::string text = {};         ///< The same for people; or, if it was carried out, what is to be said about it.
+  std::string text = {};         ///< The same for people; or, if it was carried out, what to say about it.
   std::string drops = {};        ///< A command of the same turn that is not carried out because of this one.
   std::string drop_reason = {};  ///< Why, in one word.
 };

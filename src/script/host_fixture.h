@@ -35,7 +35,7 @@ class Recorder final : public ScriptListener {
   std::vector<ErrorCount> counts;
 };
 
-/// A test double at the border to the simulation: minds that say a fixed command.
+/// A test double at the border to the simulation: minds that give a fixed command.
 class FixedMinds final : public MindFactory {
  public:
   Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) override {

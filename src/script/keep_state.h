@@ -9,9 +9,9 @@ struct lua_State;
 
 namespace soarbox::script {
 
-// When an edited script replaces the one that runs, what an agent has come to know is to stay. A chunk's locals live on
-// as upvalues of its functions: those (and globals) whose declaration is the same in both texts keep their values; what
-// the author changed gets the new value. Functions are always the new ones.
+// When an edited script replaces the one that runs, what an agent has come to know should stay. A chunk's locals live
+// on as upvalues of its functions: those (and globals) whose declaration is the same in both texts keep their values;
+// what the author changed gets the new value. Functions are always the new ones.
 
 /// The top-level variables whose declarations are the same in two versions of a script, in the new one's order.
 std::vector<std::string> UnchangedVariables(std::string_view before, std::string_view after);

@@ -17,7 +17,7 @@ void InstallLibrary(lua_State* state);
 
 /// Compiles and runs a text; raises its errors. Messages name `name` as the file.
 void RunChunk(lua_State* state, std::string_view text, std::string_view name);
-/// The same for a file. It is parsed once in a run: other machines get what the first made of it.
+/// The same for a file. It is parsed once in a run: other machines reuse the first one's result.
 void RunSource(lua_State* state, const ScriptSource& source, std::string_view name);
 
 /// Enters the table on top of the stack into package.loaded, so that `require` of it does nothing.

@@ -69,10 +69,10 @@ struct MachineSetup {
 /// The just-in-time compiler stays off: compiled loops do not pass the instruction count, so an endless loop could not
 /// be stopped, and what gets compiled depends on more than the script. The interpreter alone is deterministic.
 ///
-/// So is the collection of garbage, because the machine says when: all of it at once, at the first instruction after
-/// the memory has doubled since the last time. Lua's own collector works in small steps, in the order of a hash that
-/// differs from process to process, so what a script holds at some moment, and when it reaches a limit, would differ,
-/// too.
+/// Garbage collection is deterministic as well, because the machine decides when: all of it at once, at the first
+/// instruction after the memory has doubled since the last time. Lua's own collector works in small steps, in the order
+/// of a hash that differs from process to process; what a script holds at some moment, and when it reaches a limit,
+/// would then differ, too.
 ///
 /// All that runs Lua goes through a protected call; errors come back as values. One thread at a time.
 class LuaMachine {
@@ -82,8 +82,8 @@ class LuaMachine {
   LuaMachine(const LuaMachine&) = delete;
   LuaMachine& operator=(const LuaMachine&) = delete;
 
-  /// Asks the processor for the memory that a call begins with: its own first, then that of its Lua state. Between the
-  /// two and the call others of a crowd have their turn, so that nobody waits for it.
+  /// Asks the processor for the memory that a call begins with: first its own, then that of its Lua state. Others of a
+  /// crowd have their turn between these two and the call, so nobody waits for the memory.
   void FetchSelf() const;
   void FetchState() const;
 
@@ -104,7 +104,7 @@ class LuaMachine {
   }
 
   /// Calls the global function of this name (a literal) with the arguments that push(lua_State*) pushes and counts.
-  /// Nothing happens if there is no such function; `called`, if given, tells.
+  /// Nothing happens if there is no such function; `called`, if given, says whether there is.
   template <class Push>
   std::optional<ScriptError> CallGlobal(const char* name, Push&& push, bool* called = nullptr) {
     return Protected([&](lua_State* state) {
@@ -130,7 +130,7 @@ class LuaMachine {
   void Charge(std::uint64_t instructions) {
     instructions_left_ -= instructions < instructions_left_ ? instructions : instructions_left_;
   }
-  /// The same, and ends the call at once if nothing is left: for work that takes long by itself.
+  /// The same, but ends the call at once if nothing is left: for work that takes long by itself.
   void ChargeOrRaise(lua_State* state, std::uint64_t instructions) {
     Charge(instructions);
     if (instructions_left_ == 0) RaiseOutOfBudget(state);
@@ -142,8 +142,8 @@ class LuaMachine {
   /// Frees what nothing refers to.
   void CollectGarbage();
 
-  /// Makes each call of each machine that is under way, or begins later, end with an error as soon as it can: the
-  /// process is to end. May be called from a signal's handler.
+  /// Makes each call that is under way or begins later, in each machine, end with an error as soon as it can, because
+  /// the process is about to end. You may call it from a signal handler.
   static void InterruptAll();
   static bool Interrupted();
 
@@ -195,7 +195,7 @@ class LuaMachine {
   std::set<std::string> loading_;
   std::uint64_t instructions_left_ = 0;
   std::uint64_t armed_ = 0;             // What the present call began with.
-  std::size_t collect_at_bytes_ = 0;    // The next collection is due when so much is used; 0: not yet.
+  std::size_t collect_at_bytes_ = 0;    // The next collection is due when this much is used; 0: not yet.
   std::uint64_t collection_price_ = 0;  // In instructions.
   bool collection_due_ = false;         // The next instruction begins with it.
   bool world_bound_ = false;            // The world's budget allowed it less than its own.

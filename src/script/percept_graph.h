@@ -12,7 +12,7 @@ struct lua_State;
 namespace soarbox::script {
 
 /// What the sandbox's script says that an agent perceives: objects, which may be linked from several places and in
-/// circles, and what stands below each.
+/// circles, and what is below each.
 struct PerceptGraph {
   using Value = std::variant<std::int64_t, double, std::string>;
   struct Constant {
@@ -25,11 +25,11 @@ struct PerceptGraph {
     std::size_t node = 0;  ///< In nodes.
   };
   struct Node {
-    std::string key;  ///< By what it is the same object as in an earlier graph; empty: by where it stands.
+    std::string key;  ///< Makes it the same object as in an earlier graph; empty: its place does.
     std::vector<Constant> constants;
     std::vector<Link> links;
   };
-  /// The first is the input link itself. The others in the order in which they are met, the nearest ones first.
+  /// The first is the input link itself. The others come in the order in which they are met, the nearest first.
   std::vector<Node> nodes;
 };
 

@@ -11,18 +11,18 @@
 
 namespace soarbox::script {
 
-/// A short way through a function that scripts call in every step (Binding::plain) does what the function does if each
-/// argument is exactly what it should be, without looking at anything twice; else it answers kNotPlain, before anything
-/// has happened, and the function itself sees to the call.
+/// A short way through a function that scripts call in every step (Binding::plain). It does what the function does if
+/// each argument is exactly what it should be, without looking at anything twice; else it answers kNotPlain before
+/// anything has happened, and the function itself handles the call.
 inline constexpr int kNotPlain = -1;
 
 /// The whole name of the function of the API that runs, "Agent.GetPosition"; null if it is no such function.
 const char* NameOfRunning(lua_State* state);
 
-/// PushVector for who knows the state's machine already.
+/// PushVector for callers that already know the state's machine.
 void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector);
 
-// Arguments: each of these says no to everything that is not exactly so.
+// Arguments: each of these refuses everything that is not exactly so.
 
 /// The agent at `index`; null for everything else.
 inline world::Agent* PlainAgent(lua_State* state, const LuaMachine& machine, int index) {

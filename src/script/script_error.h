@@ -12,7 +12,7 @@ namespace soarbox::script {
 
 class ScriptPath;
 
-/// What went wrong in a script: where and what, and through which calls it came to that.
+/// What went wrong in a script: what, where, and which calls led to it.
 struct ScriptError {
   Diagnostic diagnostic;
   std::string traceback;  ///< One line for each call, innermost first, each ending in a newline; empty if unknown.
@@ -25,7 +25,7 @@ std::string Format(const ScriptError& error);
 /// is: in a message handler. Does not pop. Never raises.
 ScriptError DescribeError(lua_State* state, const ScriptPath& path);
 
-/// The same after the stack is unwound: the message alone tells the place. For compile errors and lack of memory.
+/// The same after the stack is unwound: only the message gives the place. For compile errors and lack of memory.
 ScriptError DescribeMessage(std::string_view message, std::string_view script_name, const ScriptPath& path);
 
 /// The place in the innermost Lua function that runs: its file and line; an empty file if none runs.

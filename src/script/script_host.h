@@ -48,7 +48,7 @@ struct ScriptHostSettings {
 ///   host.TellTroubles();                 // what failed, each error once
 ///
 /// Nothing that a script does ends the world. An error costs the call in which it came, and the agent goes on with the
-/// next one; each error is told once, with the agents that had it. Only a script that does not load, or whose mind
+/// next one; each error is reported once, with the agents that had it. Only a script that does not load, or whose mind
 /// cannot be made, stops its agent: it is marked (world::Agent::Failed) and no longer updated. One thread at a time,
 /// the world's.
 class ScriptHost final : private AgentMaker {
@@ -74,13 +74,13 @@ class ScriptHost final : private AgentMaker {
   /// failed.
   bool UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt,
                    const Table& parameters = {});
-  /// Agents are about to be updated in this order, and `next` is the next: the memory of those behind it is asked for,
-  /// so that the scripts of a crowd, each in a place of its own, need not wait for it.
+  /// Agents are about to be updated in this order, starting with `next`: asks for the memory of those after it, so that
+  /// the scripts of a crowd, each in a place of its own, need not wait for it.
   void Foresee(std::span<const world::EntityId> order, std::size_t next) const;
   /// What Agent_Sense(agent) returns; nothing if there is no such function, it fails or it returns no table.
   std::optional<Table> SenseAgent(world::EntityId agent);
-  /// What Sandbox_Sense(sandbox, agent) returns, for agents whose bodies are the sandbox's matter. Nothing if there is
-  /// no such function, it fails or it returns no table: the agent's mind has no turn then.
+  /// What Sandbox_Sense(sandbox, agent) returns, for agents whose bodies are up to the sandbox. Nothing if there is no
+  /// such function, it fails or it returns no table: then the agent's mind has no turn.
   std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
   /// Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
   GameAnswer CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
@@ -89,9 +89,9 @@ class ScriptHost final : private AgentMaker {
   void UpdateSandbox();
   /// Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
   void Cleanup();
-  /// Tells the listener what failed since the last call. Call it when new agents have been announced.
+  /// Reports to the listener what failed since the last call. Call it when new agents have been announced.
   void TellTroubles() { reporter_.TellTroubles(); }
-  /// Tells it what was not told because it came again and again, at the end of a run.
+  /// Reports what was not reported because it came again and again; call it at the end of a run.
   void TellCounts() { reporter_.TellCounts(); }
 
   /// What all machines take of the world's memory.
@@ -118,7 +118,7 @@ class ScriptHost final : private AgentMaker {
   AgentScript* Find(world::EntityId agent);
   const AgentScript* Find(world::EntityId agent) const;
   std::string NameFor(const AgentCreationRequest& request);
-  /// A problem that tells no place gets the one where a script asked for the agent.
+  /// A problem without a place gets the one where a script asked for the agent.
   Diagnostic PlacedAt(const AgentCreationRequest& request, Diagnostic problem) const;
   /// Warns of functions that are nearly those that a sandbox calls; once for each script.
   void WarnOfSlips(std::string_view script);
@@ -145,7 +145,7 @@ class ScriptHost final : private AgentMaker {
   std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, thus in ascending id.
   std::vector<AgentScript*> by_id_;                   // Null for ids without a script.
   std::map<std::string, int> names_;                  // How many agents of each name's stem there are.
-  std::set<std::string, std::less<>> looked_over_;    // Scripts whose slips were told.
+  std::set<std::string, std::less<>> looked_over_;    // Scripts whose slips were reported.
   int creation_depth_ = 0;
 };
 

@@ -32,7 +32,7 @@ class ScriptMemory {
   std::uint64_t OrderOf(const void* address) const;
 
   /// Between these two, blocks that are freed wait. Lua frees texts in the order of a hash that differs from process to
-  /// process; at the end all of them are put in order, so that what is taken later lies at the same places.
+  /// process; EndCollection puts all of them in order, so that what is taken later lies at the same places.
   void BeginCollection() { collecting_ = true; }
   void EndCollection();
 

@@ -6,10 +6,10 @@
 namespace soarbox::script {
 
 /// Memory for the chunks of all machines of this process, taken in blocks as long as the processor's large pages. A
-/// crowd's step touches a little of each of its machines: on pages of the usual size finding out where those lie takes
-/// longer than running the scripts. For any thread.
+/// crowd's step touches a little of each of its machines: with pages of the usual size, finding out where those lie
+/// takes longer than running the scripts. For any thread.
 
-/// So many bytes; null if there are none.
+/// This many bytes; null if there are none.
 std::byte* TakePages(std::size_t bytes);
 /// Gives them back; `bytes` as when they were taken.
 void GivePagesBack(std::byte* pages, std::size_t bytes);

@@ -16,13 +16,13 @@ struct ScriptSource {
   std::string name;  ///< As the script that wanted it called it, with the case that the file has.
   std::string path;  ///< Where it was found; for messages.
   std::string content;
-  /// What the first machine that ran it made of it, so that no other need parse it; empty before.
+  /// What the first machine that ran it made of it, so that no other machine needs to parse it; empty before.
   mutable std::string compiled;
 };
 
-/// Where scripts are looked for: a list of folders, the first that has the file wins. The scenario's own folder
-/// stands before the library's, so that a scenario can replace a library module. Names are exact first, then
-/// without regard to case. Files are read once and kept, so that a run sees one version of each.
+/// Where scripts are looked for: a list of folders, the first that has the file wins. The scenario's own folder comes
+/// before the library's, so that a scenario can replace a library module. Names are exact first, then without regard to
+/// case. Files are read once and kept, so that a run sees one version of each.
 class ScriptPath {
  public:
   explicit ScriptPath(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}

@@ -21,7 +21,7 @@ class ScriptListener {
   virtual void OnScriptFailed(world::EntityId agent, const ScriptError& error) = 0;
   /// Calls of scripts failed, or work again; the scripts go on.
   virtual void OnScriptTrouble(const ScriptTrouble& trouble) = 0;
-  /// An error came more often than was told. For the end of a run.
+  /// An error came more often than was reported. For the end of a run.
   virtual void OnErrorCount(const ErrorCount& count) = 0;
   /// Something a script did had no effect. Distinct messages only.
   virtual void OnScriptWarning(const Diagnostic& warning) = 0;
@@ -29,7 +29,7 @@ class ScriptListener {
   virtual void OnEndReached(std::string_view /*end*/) {}
 };
 
-/// Passes errors and warnings on, each distinct message once, and texts as far as the world's budget for them goes.
+/// Passes on errors and warnings, each distinct message once, and texts as far as the world's budget for them goes.
 class ScriptReporter final : public PrintSink {
  public:
   ScriptReporter(ScriptListener& listener, WorldBudget& budget) : listener_(listener), budget_(budget) {}
@@ -39,7 +39,7 @@ class ScriptReporter final : public PrintSink {
     if (!budget_.end()) listener_.OnScriptFailed(agent, error);
   }
   void EndReached(std::string_view end) { listener_.OnEndReached(end); }
-  /// `subject`: what it is about, if not each of its messages is to be told, but one for each place in a script.
+  /// `subject`: what it is about, if only one of its messages is to be reported for each place in a script.
   void Warn(const Diagnostic& warning, std::string_view subject = {});
 
   /// A call of a script failed, or ended well.
@@ -47,9 +47,9 @@ class ScriptReporter final : public PrintSink {
     if (!LuaMachine::Interrupted() && !budget_.end()) ledger_.Failed(agent, callback, error);
   }
   void Succeeded(world::EntityId agent, std::string_view callback) { ledger_.Succeeded(agent, callback); }
-  /// Tells what went wrong since the last call.
+  /// Reports what went wrong since the last call.
   void TellTroubles();
-  /// Tells what was not told at once because it came again and again.
+  /// Reports what was not reported at once because it came again and again.
   void TellCounts();
 
  private:

@@ -9,7 +9,7 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// A Lua table as plain data: named fields, and tables within. What a mind perceives from a script and says to it.
+/// A Lua table as plain data: named fields, and tables within. What a mind perceives from a script and gives to it.
 struct TableField {
   std::string name;
   std::variant<double, std::string, std::vector<TableField>> value;

@@ -27,7 +27,7 @@ struct WorldLimits {
   std::size_t waiting_events = 10'000;
   std::size_t event_bytes = std::size_t{64} << 20;  ///< Of all waiting events.
   std::size_t callbacks = 20'000;
-  std::size_t print_bytes = std::size_t{1} << 20;  ///< At once; so many more may be printed in each tick:
+  std::size_t print_bytes = std::size_t{1} << 20;  ///< At once; this many more may be printed in each tick:
   std::size_t print_bytes_per_tick = std::size_t{16} << 10;
 };
 
@@ -38,8 +38,8 @@ struct ScriptsEnd {
 };
 
 /// What is left of it. Whoever asks for much when little is left is refused first: a call may use a tenth of the
-/// instructions that are left, and a machine may grow by an eighth of the memory, so that scripts which ask for more
-/// than their share stop long before the others go short.
+/// instructions that are left, and a machine may grow by an eighth of the memory, so that scripts that ask for more
+/// than their share stop long before the others run short.
 class WorldBudget {
  public:
   explicit WorldBudget(const WorldLimits& limits = {})
@@ -47,7 +47,7 @@ class WorldBudget {
 
   const WorldLimits& limits() const { return limits_; }
 
-  /// From now on no script of the world runs any more. The first who asks is the one that counts.
+  /// From now on no script of the world runs any more. Only the first request counts.
   void EndScripts(ScriptsEnd end) {
     if (!end_) end_ = std::move(end);
   }

@@ -53,7 +53,7 @@ struct SeenThing {
 /// How far hands reach, from skin to skin.
 inline constexpr float kArmsReach_m = 1.5f;
 
-/// How a command went, for the mind that said it.
+/// How a command went, for the mind that gave it.
 struct Outcome {
   enum class Status : std::uint8_t { kProgress, kComplete, kError, kInterrupted } status = Status::kComplete;
   std::uint64_t tag = 0;
@@ -78,7 +78,7 @@ struct Running {
   world::Vec3 path_goal;
   std::uint64_t path_tick = 0;
   int told_tenths = -1;  ///< Progress reported last.
-  /// The way that its next step is going to look for, found beforehand (Arena::Foresee).
+  /// The way that its next step will look for, found in advance (Arena::Foresee).
   struct FreeWay {
     world::Vec3 wanted;
     float turn_before_deg = 0;
@@ -123,21 +123,22 @@ class Actor {
   bool IsAlive() const { return body_->Health() > 0; }
 
   // Commands.
-  /// Takes a command that a mind has said; a fault in it is an outcome. Others that hold the same part are interrupted.
+  /// Takes a command that a mind has given; a mistake in it becomes an outcome. Interrupts others that hold the same
+  /// part.
   void Begin(const vocabulary::SaidCommand& command);
-  /// The rules have taken the command back: it is given up without an outcome.
+  /// The rules have withdrawn the command: the body gives it up without an outcome.
   void Cancel(std::uint64_t tag);
   /// One tick: weapons, commands, legs.
   void Step();
-  /// Whether the next Step lets others meet the same bodies at the same places: it walks and turns at most.
+  /// Whether others meet the same bodies at the same places during the next Step: it walks and turns at most.
   bool OnlyWalks() const;
-  /// Finds what the next Step would look for longest. Reads the world and changes only this.
+  /// Finds what takes the next Step longest to look for. Reads the world and changes only this.
   void Foresee();
   std::vector<Outcome> TakeOutcomes();
   const std::vector<Running>& running() const { return running_; }
 
   // For the conducts.
-  /// Ground velocity wanted in this step; the legs see to it. Nobody wants any: it stands.
+  /// The ground velocity wanted in this step; the legs see to it. The body stands if nobody wants any.
   void Walk(world::Vec3 velocity) { wanted_ = velocity; }
   void Look(world::Vec3 direction) { look_ = direction; }
   float speed_mps() const;  ///< Of walking, with the stance taken into account.
@@ -153,14 +154,14 @@ class Actor {
   world::EntityId target() const { return target_; }
   void SetTarget(world::EntityId target) { target_ = target; }
   const std::vector<CarriedThing>& carried() const { return carried_; }
-  /// A load that is wider than the body stands on its shoulders and makes it as wide.
+  /// A load that is wider than the body rests on its shoulders and makes the body as wide.
   void Carry(CarriedThing thing);
-  /// What it carries under this name is out of its hands. Nothing if it carries no such thing.
+  /// Takes the thing of this name out of its hands. Nothing if it carries no such thing.
   std::optional<CarriedThing> LetGo(std::string_view name);
-  /// The radius of its body if it did not carry the thing of this name.
+  /// The radius that its body would have without the thing of this name.
   float RadiusWithout(std::string_view name) const;
-  /// Where it supposes an agent to be: friends and agents in view as they are, others as last noticed. Nothing, with a
-  /// reason, for agents that it never noticed or has forgotten.
+  /// Where it supposes an agent to be: friends and agents in view where they are, others where it last noticed them.
+  /// Nothing, with a reason, for agents that it never noticed or has forgotten.
   struct Sighting {
     world::Vec3 position, velocity;
     world::Vec3 forward{0, 0, 1};
@@ -172,14 +173,14 @@ class Actor {
   struct Place {
     world::Vec3 position;
     world::EntityId entity = world::kNoEntity;
-    float radius_m = 0;  ///< Of the thing that stands there.
+    float radius_m = 0;  ///< Of the thing that is there.
   };
   std::optional<Place> FindPlace(const Running& command, std::string_view& reason) const;
 
   // Knowledge; the senses keep it.
   Contacts& contacts() { return contacts_; }
   const Contacts& contacts() const { return contacts_; }
-  /// Things in view, or remembered: by their number in the world.
+  /// Things in view or remembered, by their number in the world.
   std::map<world::EntityId, SeenThing>& things() { return things_; }
   const std::map<world::EntityId, SeenThing>& things() const { return things_; }
   std::deque<Happening>& happenings() { return happenings_; }
@@ -187,10 +188,10 @@ class Actor {
   void Notice(Happening happening);
   std::optional<world::Message>& order() { return order_; }
   const std::optional<world::Message>& order() const { return order_; }
-  /// The number of the last message that was looked at for an order.
+  /// The number of the last message that was checked for an order.
   std::uint32_t& orders_heard() { return orders_heard_; }
 
-  // How moving goes.
+  // How its movement goes.
   struct Way {
     std::string status = "none";
     std::string command;
@@ -203,7 +204,7 @@ class Actor {
 
  private:
   void End(const Running& command, Outcome::Status status, std::string_view reason, std::string text = {});
-  /// Of a command to a place that is not there: what was most likely meant, and which places there are.
+  /// For a command to a place that does not exist: which place was most likely meant, and which places there are.
   std::string WhichPlaces(const Running& command, std::string_view reason) const;
   void Die();
   void HoldLoad();

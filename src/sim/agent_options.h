@@ -17,7 +17,7 @@ namespace soarbox::sim {
 /// Options as scripts and scenario files write them, nested ones with dotted names: "position.x", "senses.sight".
 using Options = std::map<std::string, std::variant<bool, double, std::string>>;
 
-/// What an author may say about an agent where it is made.
+/// What an author may set for an agent where it is made.
 struct AgentOptions {
   BodyKind body;
   bool has_senses = false;  ///< Some option was about senses.
@@ -26,7 +26,7 @@ struct AgentOptions {
   std::optional<world::Vec3> position;
   std::optional<float> heading_deg;
   std::optional<double> rounds;
-  bool by_sandbox = false;  ///< Its body, percepts and commands are the matter of the sandbox's script.
+  bool by_sandbox = false;  ///< Its body, percepts and commands are up to the sandbox's script.
 };
 
 /// What is wrong with one option, by its dotted name.
@@ -35,17 +35,17 @@ struct OptionProblem {
   Diagnostic problem;
 };
 
-/// Keys that stand on top of a scenario file and are often written below a table, where they would belong to it.
+/// Keys that belong on top of a scenario file but are often written below a table, which then takes them.
 inline bool IsOfWholeScenario(std::string_view key) {
   return key == "seconds" || key == "seed" || key == "description";
 }
 inline constexpr const char* kOnTop = "it belongs on top of the file, above the first [[...]]";
 
-/// Reads the options against the kinds of bodies. What is wrong is added to the problems, each option on its own; one
-/// that nothing knows gets a suggestion.
+/// Reads the options against the kinds of bodies. Adds what is wrong to the problems, one for each option, with a
+/// suggestion for an option that nothing knows.
 AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds,
                               std::vector<OptionProblem>& problems);
-/// The same; all that is wrong in one diagnostic.
+/// The same, with all that is wrong in one diagnostic.
 Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds);
 
 /// Sets one property of a body by its option's name ("speed", "senses.sight", "weapon.range"). False if there is no

@@ -35,7 +35,7 @@ struct InputTargets {
   std::span<const BodyKind> kinds;  ///< Of bodies.
 };
 
-/// Lets an input take effect. What it cannot do is told.
+/// Lets an input take effect. Reports what it cannot do.
 void ApplyInput(const Input& input, const InputTargets& targets);
 
 }  // namespace soarbox::sim

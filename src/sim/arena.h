@@ -20,14 +20,14 @@ namespace soarbox::sim {
 /// What the actors of a world share: places, messages, noises, and the actors themselves.
 ///
 /// One tick: the minds read the senses (senses.h), commands begin, then Step() lets every actor act in creation order;
-/// after the world's own step, HearCollisions(). Owned by the simulation.
+/// HearCollisions() follows the world's own step. Owned by the simulation.
 class Arena {
  public:
   using Report = std::function<void(RunEvent)>;
 
   Arena(world::World& world, Report report);
 
-  /// Gives an agent of the world a body of this kind, with its looks. An agent whose body is a script only gets the
+  /// Gives an agent of the world a body of this kind, with its looks. An agent whose body is a script gets only the
   /// senses of the kind: it carries out no commands.
   Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
   /// Null for agents that were not added.
@@ -41,37 +41,37 @@ class Arena {
   /// Its name in the scenario, or its kind and number.
   std::string NameOfObject(world::EntityId object) const;
 
-  /// Puts a thing that was carried on the ground at that place, under its name. False if the world takes no more.
+  /// Puts a carried thing on the ground at that place, under its name. False if the world takes no more.
   bool PutDown(const CarriedThing& thing, world::Vec3 ground);
 
-  /// Makes a navigation mesh of what stands there now; commands to move then go by it.
+  /// Makes a navigation mesh of what is there now; commands to move then follow it.
   void BuildWays();
   /// The corners of the way, without its start; empty if there is no mesh or no way.
   std::vector<world::Vec3> FindWay(world::Vec3 from, world::Vec3 to);
-  /// False if the mesh shows that there is no way to within this distance of the place; true where it cannot tell, as
-  /// after a thing has gone that was there when the mesh was made.
+  /// False if the mesh shows that no way leads to within this distance of the place; true where it cannot tell, for
+  /// example after a thing has gone that was there when the mesh was made.
   bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
-  /// Before Step: actors find what they will look for, as far as nobody who acts before them does more than walk. They
-  /// only read the world, so that it does not matter who is first or how many threads `each` has: it calls what it is
-  /// given with every number below that of its first argument.
+  /// Before Step: actors find what they will look for, as long as nobody who acts before them does more than walk. They
+  /// only read the world, so neither their order nor the number of threads behind `each` matters. `each` calls its
+  /// second argument with every number below its first.
   using ForEach = std::function<void(std::size_t, const std::function<void(std::size_t)>&)>;
   void Foresee(const ForEach& each);
   void Step();
-  /// Collisions of the world's last step, as happenings of those who took part.
+  /// Makes the collisions of the world's last step happenings of those who took part.
   void HearCollisions();
   void OnShot(const world::Shot& shot);
-  /// The shots of the last two seconds, the oldest first; for whoever watches.
+  /// The shots of the last two seconds, oldest first; for whoever watches.
   struct PastShot {
     world::Shot shot;
     std::uint64_t tick = 0;
   };
   const std::deque<PastShot>& shots() const { return shots_; }
-  /// An order of the user: "advance waypoint gate" is ^action advance ^waypoint gate.
+  /// An order of the user: "advance waypoint gate" becomes ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
   void Tell(world::EntityId agent, std::string_view news, std::string text);
 
-  /// The slab that carries the ways; no thing that anybody would speak of.
+  /// The slab that carries the ways; nobody would call it a thing.
   world::EntityId ground() const { return ground_; }
   Places& places() { return places_; }
   const Places& places() const { return places_; }
@@ -92,7 +92,7 @@ class Arena {
   std::vector<std::unique_ptr<Actor>> actors_;  ///< In creation order, thus in ascending id.
   world::EntityId ground_ = world::kNoEntity;
   bool has_ways_ = false;
-  std::vector<world::EntityId> things_of_ways_;  ///< What stood there when the mesh was made, in ascending id.
+  std::vector<world::EntityId> things_of_ways_;  ///< What was there when the mesh was made, in ascending id.
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
   std::deque<PastShot> shots_;
 };

@@ -13,8 +13,8 @@
 
 namespace soarbox::sim {
 
-/// Those whom an actor's senses can take in: all its contacts, or of friends and of enemies the nearest. Of several as
-/// near the first.
+/// Those whom an actor's senses can take in: all its contacts, or only the nearest friends and the nearest enemies. Of
+/// several at the same distance, the first counts.
 class Attention {
  public:
   explicit Attention(const Actor& actor) : actor_(actor) {

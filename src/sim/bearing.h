@@ -14,8 +14,8 @@ class World;
 
 namespace soarbox::sim {
 
-/// How a person's figure holds itself for what it does: the rifle goes up to shoot and stays there for a moment, kicks
-/// with each shot, is loaded; who is hit flinches. It moves nothing but the figure.
+/// How a person's figure shows what the person does: the rifle goes up to shoot and stays up for a moment, kicks with
+/// each shot, and is loaded; whoever is hit flinches. It moves nothing but the figure.
 class Bearing {
  public:
   /// What the person does in a tick.
@@ -28,7 +28,7 @@ class Bearing {
     float health = 100;
   };
 
-  /// The mesh that shows it; without one nothing does.
+  /// The mesh that shows it; without a mesh, nothing does.
   void SetFigure(world::NodeId figure) { figure_ = figure; }
   /// One tick.
   void Show(world::World& world, const Deeds& deeds);
@@ -46,7 +46,7 @@ class Bearing {
   world::LocomotionStyle style_ = world::LocomotionStyle::kReady;
   float aims_s_ = 0;  ///< For how long the rifle stays up.
   Deeds last_;
-  int clip_ = -1;  ///< Of what is played over the walk; -1: nothing is.
+  int clip_ = -1;  ///< Of what plays over the walk; -1: nothing does.
   bool loads_ = false;
 };
 

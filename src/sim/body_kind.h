@@ -14,13 +14,13 @@ namespace soarbox::sim {
 /// How well an agent perceives, and what. Authors set these where they make the agent.
 struct SenseSettings {
   float sight_m = 40;    ///< How far it sees.
-  float view_deg = 200;  ///< Field of view, all of it; 360 sees behind.
-  float hearing_m = 15;  ///< How far it hears somebody who runs; half of that who walks. Shots carry farther.
+  float view_deg = 200;  ///< Field of view from side to side; 360 includes what is behind it.
+  float hearing_m = 15;  ///< How far it hears somebody who runs; half as far if they walk. Shots carry farther.
   float memory_s = 15;   ///< How long it remembers an agent that is no longer noticed.
   float noise_m = 0;     ///< Standard deviation of perceived positions of others, from the agent's own stream.
   float rate_hz = 10;    ///< How often senses are read. Its own body is read in each tick.
-  float most = 0;        ///< Perceives so many friends and so many enemies at most, the nearest; 0: all it notices.
-  bool scene = false;    ///< Its imagination (the spatial visual system) is fed with what it perceives.
+  float most = 0;        ///< At most this many friends and this many enemies, the nearest; 0: all it notices.
+  bool scene = false;    ///< Its imagination (the spatial visual system) receives what it perceives.
   std::set<std::string> only = {};  ///< Names of senses; empty: all.
 
   bool Has(std::string_view sense) const { return only.empty() || only.contains(std::string(sense)); }
@@ -49,16 +49,16 @@ inline constexpr std::string_view kLooks[] = {"person", "capsule",  "sheep", "be
                                               "wolf",   "villager", "robot", "cart", "bee",  "bell"};
 /// The material that stands for a creature; empty: it looks like a person or a plain capsule.
 std::string_view MaterialOfLooks(std::string_view looks);
-/// The material of a thing or an item whose author names none: by the words of its name, and by what it gives.
+/// The material of a thing or an item whose author names none, by the words of its name and by what it gives.
 std::string_view MaterialOfThing(std::string_view name, std::string_view gives, bool is_item);
 
-/// The kinds that come with the program; the first one is what an author gets who names none.
+/// The kinds that come with the program; an author who names none gets the first one.
 std::span<const BodyKind> BodyKinds();
 
-/// An agent kind of the sandbox's Create functions, by the word that scripts' requests carry.
+/// An agent kind of the sandbox's Create functions, by the word in the scripts' requests.
 struct AgentKind {
   std::string_view name;
-  std::string_view rules;       ///< Its own rules if none are named; empty: they must be.
+  std::string_view rules;       ///< Its own rules if none are named; empty: some must be.
   bool follows_leader = false;  ///< ^distance is measured to its leader; without one it perceives nothing.
   bool blinks = true;           ///< ^distance counts as new in each tick, as in the thesis.
   bool waits = false;           ///< Its mind waits where nothing is proposed.

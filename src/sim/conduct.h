@@ -26,7 +26,7 @@ std::span<const Conduct> OtherConducts();      // command_other.cpp
 ConductStep FindConduct(std::string_view command);
 /// Whether a command moves legs and neck at most.
 bool IsWalk(std::string_view command);
-/// If it is `wander`: finds the way that its next step is going to take, if nothing else moves until then.
+/// For `wander` only: finds the way that its next step will take if nothing else moves until then.
 void ForeseeWander(Actor& actor, Running& command);
 
 /// Walks towards a point, round what is in the way. `slow_down`: comes to rest on it. Fails with "no-way" as soon as
@@ -38,8 +38,8 @@ struct WalkOrder {
   bool slow_down = true;
   bool stands = true;                          ///< Done only once it has come to rest.
   world::EntityId through = world::kNoEntity;  ///< A thing or agent that is no obstacle.
-  world::EntityId shun = world::kNoEntity;     ///< An agent to keep away from on the way,
-  float shun_m = 0;                            ///< so far.
+  world::EntityId shun = world::kNoEntity;     ///< An agent to avoid on the way,
+  float shun_m = 0;                            ///< and how far to stay away from it.
 };
 StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order);
 /// The direction nearest to the wanted one (a unit vector) in which the next metres are free; remembers the side in

@@ -23,8 +23,8 @@ struct Contact {
   bool alive = true;
 };
 
-/// All whom an actor knows, in ascending id: a map that lies in one piece, because everybody's is read in each tick.
-/// Adding and erasing invalidate iterators and references.
+/// All whom an actor knows, in ascending id: a map in one piece of memory, because every actor reads its own in each
+/// tick. Adding and erasing invalidate iterators and references.
 class Contacts {
  public:
   using Entry = std::pair<world::EntityId, Contact>;

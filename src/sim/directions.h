@@ -30,7 +30,7 @@ inline float WrapDegrees(float degrees) {
   if (degrees > 180) degrees -= 360;
   return degrees <= -180 ? degrees + 360 : degrees;
 }
-/// Of a point, for one who stands at `from` and faces along `forward`; positive to the left.
+/// Of a point, for somebody who stands at `from` and faces along `forward`; positive to the left.
 inline float BearingOf(world::Vec3 from, world::Vec3 forward, world::Vec3 to) {
   return WrapDegrees(HeadingOf(to - from) - HeadingOf(forward));
 }

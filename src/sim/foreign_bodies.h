@@ -11,29 +11,29 @@
 
 namespace soarbox::sim {
 
-/// Bodies that other simulations own: they are perceived, heard and hit like all others, have no mind here, and move as
-/// their owners said last.
+/// Bodies that other simulations own: others perceive, hear and hit them like any body. They have no mind here, and
+/// move as their owners said last.
 ///
-/// What owners say comes in as inputs, so that a recording holds it and a replay needs no network. Between two inputs a
-/// body moves on by dead reckoning; what it was off when the next one comes is made good within half a second. Bodies
-/// that have left stay in the world (agents are never destroyed), hidden below the ground. Owned by the simulation.
+/// What owners say comes in as inputs, so a recording holds it and a replay needs no network. Between two inputs a body
+/// moves on by dead reckoning; when the next input comes, it corrects its error within half a second. Bodies that have
+/// left stay in the world (agents are never destroyed), hidden below the ground. Owned by the simulation.
 class ForeignBodies {
  public:
-  /// More at a time are refused, with a warning.
+  /// It refuses more at a time, with a warning.
   static constexpr std::size_t kMost = 10'000;
 
   ForeignBodies(world::World& world, Arena& arena, Arena::Report report);
 
-  /// `kinds`: those of the scenario, by whose names inputs choose bodies.
+  /// `kinds`: those of the scenario; inputs name bodies by them.
   void Apply(const ForeignBodyInput& input, std::span<const BodyKind> kinds);
   void Apply(const ForeignGoneInput& input);
   void Apply(const ForeignShotInput& input);
   void Apply(const ForeignMessageInput& input);
-  /// Puts each body where it is at the end of this tick; between what the actors did and the world's step.
+  /// Puts each body where it is at the end of this tick; call it between the actors' step and the world's.
   void Move();
   /// Empty for agents of our own.
   std::string_view IdOf(world::EntityId agent) const;
-  /// kNoEntity if nobody of that number is there.
+  /// kNoEntity if there is nobody with this id.
   world::EntityId Find(const std::string& id) const;
   bool empty() const { return bodies_.empty(); }
   void AddTo(world::StateHash& hash) const;

@@ -20,16 +20,16 @@ namespace soarbox::sim {
 
 /// Keeps an agent's input link equal to a graph of objects and writes only the differences.
 ///
-/// An object is the same as in the graph before if it has the same key, or without a key if it stands at the same
-/// place, of an object that is the same; it keeps its identifier then. Places are named by the shortest way from the
-/// input link. Constants that are equal stay as they are, unless their object says that they are new.
-/// Other elements on the input link are not its own and stay. Owned by the agent's mind.
+/// An object is the same as in the previous graph if it has the same key, or, without a key, if it is at the same place
+/// of an object that is the same; then it keeps its identifier. A place is named by the shortest way from the input
+/// link. Equal constants stay as they are, unless their object says that they are new. Other elements on the input link
+/// are not its own and stay. Owned by the agent's mind.
 class GraphMirror {
  public:
   explicit GraphMirror(sml::Agent& agent) : agent_(&agent) {}
 
   void Show(const script::PerceptGraph& graph);
-  /// Notes each change from now on, objects by their first place; null: does not. Not owned.
+  /// Notes each change from now on, objects by their first place; null: stops. Not owned.
   void SetLog(mind::EventLog* log) { log_ = log; }
 
  private:
@@ -41,7 +41,7 @@ class GraphMirror {
   };
   struct Link {
     std::string attribute;
-    std::string name;  ///< What it is found by again: attribute and key or place.
+    std::string name;  ///< What finds it again: attribute and key or place.
     std::uint32_t place = 0;
     std::size_t node = 0;
     sml::WMElement* element = nullptr;
@@ -49,7 +49,7 @@ class GraphMirror {
   };
   struct Node {
     sml::Identifier* id = nullptr;
-    std::string path;  ///< With a dot behind it.
+    std::string path;  ///< With a dot at its end.
     std::vector<Constant> constants;
     std::vector<Link> links;
   };
@@ -65,7 +65,7 @@ class GraphMirror {
 
   sml::Agent* agent_;
   mind::EventLog* log_ = nullptr;
-  std::vector<Node> nodes_;  ///< As they stand on the input link; empty: nothing was shown yet.
+  std::vector<Node> nodes_;  ///< As they are on the input link; empty: nothing was shown yet.
   // Scratch of Show.
   std::vector<Node> next_;
   std::vector<std::size_t> before_;  ///< By number in next_: in nodes_, or none.

@@ -25,14 +25,14 @@ struct ButtonInput {
   friend bool operator==(const ButtonInput&, const ButtonInput&) = default;
 };
 
-/// The pointer moved to this place, by so much.
+/// The pointer moved to this place, by this much.
 struct PointerInput {
   float x_px = 0, y_px = 0;
   float dx_px = 0, dy_px = 0;
   friend bool operator==(const PointerInput&, const PointerInput&) = default;
 };
 
-/// The wheel turned by so many notches, positive away from the user.
+/// The wheel turned by this many notches, positive away from the user.
 struct WheelInput {
   float notches = 0;
   float x_px = 0, y_px = 0;
@@ -60,8 +60,8 @@ struct CommandInput {
   friend bool operator==(const CommandInput&, const CommandInput&) = default;
 };
 
-/// Lua text that runs in the machine of an agent, or of the sandbox if `agent` is empty. Functions that it defines take
-/// the place of those of the same name: the way to edit a script while it runs.
+/// Lua text that runs in the machine of an agent, or of the sandbox if `agent` is empty. Functions that it defines
+/// replace those of the same name: this is how you edit a script while it runs.
 struct ScriptInput {
   std::string agent;
   std::string text;
@@ -76,10 +76,10 @@ struct OrderInput {
   friend bool operator==(const OrderInput&, const OrderInput&) = default;
 };
 
-/// Where another simulation says that a body of its own is and how it moves: it is made if it was not there yet, and
-/// moves on from here until the next one comes.
+/// Where another simulation says that a body of its own is and how it moves. The body is made if it is not there yet,
+/// and moves on from here until the next input comes.
 struct ForeignBodyInput {
-  std::string id;    ///< By which its simulation knows it: "1:7:12".
+  std::string id;    ///< What its simulation calls it: "1:7:12".
   std::string name;  ///< Shown, and perceived.
   std::string team;
   std::string body;  ///< A kind of body.
@@ -99,12 +99,12 @@ struct ForeignGoneInput {
   friend bool operator==(const ForeignGoneInput&, const ForeignGoneInput&) = default;
 };
 
-/// A shot of another simulation as it went. It takes that much health from the agent that it hit.
+/// A shot of another simulation as it went. The agent that it hit loses that much health.
 struct ForeignShotInput {
   std::string id;      ///< The shooter's.
   std::string target;  ///< Name of an agent of ours; empty: it hit none.
   float damage = 0;
-  float radius_m = 0;  ///< It also takes health from those who stand so near to where it ended, less with distance.
+  float radius_m = 0;  ///< It also takes health from those within this radius of where it ended, less with distance.
   world::Vec3 from, to;
   friend bool operator==(const ForeignShotInput&, const ForeignShotInput&) = default;
 };
@@ -126,7 +126,7 @@ using InputValue =
 struct Input {
   std::uint64_t tick = 0;
   InputValue value;
-  /// Read from a recording: a stranger may have made it, so that its commands write and start nothing.
+  /// Read from a recording: a stranger may have made it, so its commands write and start nothing.
   bool recorded = false;
   friend bool operator==(const Input&, const Input&) = default;
 };

@@ -12,20 +12,20 @@
 namespace soarbox::sim {
 
 /// The one door of a simulation: what waits to come in, by tick, and what came in for the last tick, in the order in
-/// which it took effect. That list, the scenario and the seed are the whole run.
+/// which it took effect. That list, the scenario and the seed determine the whole run.
 class InputDoor {
  public:
-  /// More for one tick are refused, so that a flood from outside cannot hold up the world.
+  /// The door refuses more for one tick, so that a flood from outside cannot hold up the world.
   static constexpr std::size_t kMostPerTick = 10'000;
 
-  /// Files an input for its tick, behind those that are there already. What comes too late takes effect in the next
-  /// tick. A camera pose replaces the one before it if nothing came between, and moves of the pointer add up. False:
-  /// refused, there are too many for this tick.
+  /// Files an input for its tick, after those that are already there. What comes too late takes effect in the next
+  /// tick. A camera pose replaces the previous one if nothing came between, and moves of the pointer add up. False:
+  /// refused, because there are too many for this tick.
   bool Submit(Input input);
-  /// Files something that took effect already, between two ticks: what a debugger said to the minds' kernel.
+  /// Files something that already took effect, between two ticks: what a debugger said to the minds' kernel.
   void Note(InputValue value);
 
-  /// Opens for this tick: forgets what came in for the one before it, and takes what waits.
+  /// Opens for this tick: forgets what came in for the previous one, and takes what waits.
   void BeginTick(std::uint64_t tick);
   /// What came in for the tick; the first `noted()` of them took effect before it began.
   std::span<const Input> taken() const { return taken_; }

@@ -21,14 +21,14 @@ class WMElement;
 
 namespace soarbox::sim {
 
-/// Keeps an agent's input link equal to what it is told and writes only the differences. What is told as it was costs
-/// a comparison: nothing is made, copied or looked up for it.
+/// Keeps an agent's input link equal to what you tell it and writes only the differences. Telling it what has not
+/// changed costs a comparison: it makes, copies and looks up nothing.
 ///
-/// Each time that something is told, what is to stay is told again, but for a queue: see Drop and KeepRest. Objects
-/// and words are found again by row (or name) and key, and keep their identifiers; to tell them in the same order each
-/// time is cheapest.
+/// Each time, tell it again everything that is to stay, except for a queue: see Drop and KeepRest. It finds objects and
+/// words again by row (or name) and key, and they keep their identifiers; it is cheapest to tell them in the same order
+/// each time.
 ///
-/// Invariant: what it keeps is what the client library was told last. Other elements on the input link (the thesis'
+/// Invariant: what it keeps is what it last told the client library. Other elements on the input link (the thesis'
 /// ^distance) are not its own and stay. Owned by the agent's mind.
 class InputMirror final : public vocabulary::PerceptSink {
  public:
@@ -36,7 +36,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   InputMirror(InputMirror&&) noexcept = default;
   InputMirror& operator=(InputMirror&&) noexcept = default;
 
-  /// Makes the input link show what `tell(sink)` tells.
+  /// Makes the input link show what `tell(sink)` passes to the sink.
   template <std::invocable<vocabulary::PerceptSink&> Tell>
   void Show(Tell&& tell) {
     Begin();
@@ -57,15 +57,15 @@ class InputMirror final : public vocabulary::PerceptSink {
   }
   void Close() override;
 
-  // For what comes at the end and goes at the beginning.
-  /// The key of what stood there the last time and has not been told yet; 0 if there is nothing.
+  // For a queue, in which things come at the end and go at the beginning.
+  /// The key of what was there the last time and has not been told yet; 0 if there is nothing.
   std::uint32_t NextKey() const;
-  /// Lets that go.
+  /// Removes that one.
   void Drop();
-  /// Keeps it and all behind it, as they are.
+  /// Keeps that one and all after it, as they are.
   void KeepRest();
 
-  /// Notes each change from now on; null: does not. Not owned.
+  /// Notes each change from now on; null: stops. Not owned.
   void SetLog(mind::EventLog* log) { log_ = log; }
   /// How many elements were written, changed or removed since the last Begin.
   std::size_t changes() const { return changes_; }
@@ -81,14 +81,14 @@ class InputMirror final : public vocabulary::PerceptSink {
 
     std::string attribute() const { return std::string(row != nullptr ? row->Attribute() : other); }
   };
-  /// One element, small enough that those of an object lie close together: most of them are compared and no more.
+  /// One element, small enough that those of an object lie close together: most of them are only compared.
   struct Slot {
     static constexpr std::size_t kShort = 16;
     static constexpr std::uint8_t kLong = 0xFF;
     union {
       std::int64_t integer = 0;
       double number;
-      char text[kShort];         ///< With zeros behind it.
+      char text[kShort];         ///< With zeros at its end.
       std::vector<Slot>* below;  ///< Of an object; from slots_.
     };
     sml::WMElement* element = nullptr;  ///< Knows its attribute, and a text that is too long for this.
@@ -107,7 +107,7 @@ class InputMirror final : public vocabulary::PerceptSink {
     sml::Identifier* object = nullptr;
     std::uint32_t key = 0;
     std::size_t path_length = 0;  ///< Of the path of what it hangs on, once it is named.
-    std::size_t dropped = 0;      ///< So many in front of `next` are gone.
+    std::size_t dropped = 0;      ///< How many in front of `next` are gone.
   };
 
   void Integer(const vocabulary::PerceptRow& row, std::int64_t value) override {
@@ -134,13 +134,13 @@ class InputMirror final : public vocabulary::PerceptSink {
   sml::Agent* agent_;
   std::deque<Slots> slots_;
   std::vector<Slots*> spare_;
-  std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< What stands directly on the input link.
+  std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< What is directly on the input link.
   std::vector<OpenObject> open_;                            ///< From the input link to the object that is told now.
   std::size_t refused_ = 0;                                 ///< Open objects that the client library would not make.
   std::size_t changes_ = 0;
   mind::EventLog* log_ = nullptr;
-  std::string path_;       ///< Of the object that is told now, with a dot behind it, ...
-  std::size_t named_ = 0;  ///< ... as far as it has been asked for: so many of open_.
+  std::string path_;       ///< Of the object that you are telling now, with a dot at its end, ...
+  std::size_t named_ = 0;  ///< ... as far as somebody has asked for it: this many of open_.
 };
 
 }  // namespace soarbox::sim

@@ -10,13 +10,13 @@
 
 namespace soarbox::sim {
 
-/// What a text says comes in from outside, and what is wrong with its lines.
+/// The inputs that a text holds, and what is wrong with its lines.
 struct InputText {
-  InputList inputs;  ///< In ascending tick, those of one tick as they stand in the text.
+  InputList inputs;  ///< In ascending tick; those of one tick in the order of the text.
   std::vector<Diagnostic> problems;
 };
 
-/// Reads inputs as text, one a line; `#` begins a comment. Lines that are wrong are told, the others read.
+/// Reads inputs as text, one per line; `#` begins a comment. Reports lines that are wrong and reads the others.
 ///
 ///   TICK key NAME down|up|press          press: down and up in one tick
 ///   TICK button NAME down|up|click X Y
@@ -32,8 +32,8 @@ struct InputText {
 ///   TICK foreign-shot ID TARGET|"" DAMAGE RADIUS X Y Z X Y Z
 ///   TICK foreign-message ID TEAM|"" ABOUT TEXT
 ///
-/// Names and texts with blanks stand between quotes, in which \n, \t, \" and \\ mean what they do in C; a text that
-/// does not begin with a quote is the rest of its line.
+/// Names and texts with blanks are between quotes, in which \n, \t, \" and \\ mean what they do in C; a text that does
+/// not begin with a quote is the rest of its line.
 InputText ReadInputs(std::string_view text, const std::string& file);
 
 /// The line that ReadInputs reads this input from, without a line feed.

@@ -24,29 +24,29 @@ struct WatchedFile {
   bool is_rules = false;
 };
 
-/// The same files, and after each file of rules those that it sources, with all below them. Reads the disk.
+/// The same files, each file of rules followed by those that it sources, with all below them. Reads the disk.
 std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files);
 
 /// The rules of a text by name, with comments blanked and plain line ends. Empty, with the name of the rule at fault,
 /// if one is not closed.
 struct SplitText {
   std::map<std::string, std::string> rules;
-  std::string only_rules;  ///< The text with all that stands outside of rules blanked: places stay.
-  std::string outside;     ///< The other way round: what stands outside of rules.
+  std::string only_rules;  ///< The text with everything outside of rules blanked: places stay.
+  std::string outside;     ///< The other way round: what is outside of rules.
   std::string unclosed;
 };
 SplitText SplitRules(std::string_view text);
 
-/// The commands that make one version of a file of rules into another: a changed rule takes the old one's place, a rule
+/// The commands that turn one version of a file of rules into another: a changed rule replaces the previous one, a rule
 /// that is gone is excised, and everything in working memory stays.
 std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& after);
 
-/// Hands an edit of one version of a file into another to the simulation's one door. Working memory and what a script
-/// knows stay. `elsewhere`: rules that another file has by now, so that they are not excised.
+/// Hands an edit from one version of a file to another to the simulation's one door. Working memory and what a script
+/// knows stay. `elsewhere`: rules that another file now has, so that they are not excised.
 void SubmitEdit(Simulation& simulation, const WatchedFile& file, const std::string& before, const std::string& after,
                 const std::set<std::string>& elsewhere = {});
 
-/// True if nothing is left of a file that held something: that is a slip, or an editor that is about to write.
+/// True if nothing is left of a file that held something: that is a slip, or an editor is about to write.
 bool IsEmptied(const std::string& before, const std::string& after);
 
 /// Lets edits of rules and scripts reach a running world: looks at the files' times between ticks, and hands what
@@ -56,8 +56,8 @@ bool IsEmptied(const std::string& before, const std::string& after);
 class LiveEdits {
  public:
   explicit LiveEdits(Simulation& simulation);
-  /// For a simulation that went back in the run that `earlier` watched: its files count as they were in that run at
-  /// this tick, so that what was edited since reaches it as an edit of its own, soon.
+  /// For a simulation that went back in the run that `earlier` watched: its files count as they were at this tick of
+  /// that run, so what you edited since soon reaches it as an edit of its own.
   LiveEdits(Simulation& simulation, const LiveEdits& earlier);
 
   /// Looks at all files; says what was reloaded (a note), and what is wrong.
@@ -67,8 +67,8 @@ class LiveEdits {
   struct Version {
     std::filesystem::file_time_type time;
     std::string text;
-    std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that held up to the end of a tick.
-    int missed = 0;                                              ///< How often in a row it was not there.
+    std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that were in effect up to the end of a tick.
+    int missed = 0;                                              ///< How often in a row it was missing.
   };
   void Watch();
   /// The new text of a file that has changed; nothing if it has not, or cannot be read.
@@ -76,13 +76,13 @@ class LiveEdits {
                                         std::vector<Diagnostic>& told);
   /// Names of the rules that other files of the agent hold: a rule that was moved there is still meant.
   std::set<std::string> RulesElsewhere(const WatchedFile& file) const;
-  /// False if somebody may be about to write the rest of it: it has only just been written, and something is missing.
+  /// False if somebody may be about to write the rest of it: it was written only just now, and something is missing.
   bool IsWhole(const WatchedFile& file, const Version& version, const std::string& text, bool is_refused) const;
-  /// Files that the new version sources and the old one did not are loaded; rules of those that it no longer sources
-  /// go.
+  /// Loads files that the new version sources and the previous one did not; removes the rules of those that it no
+  /// longer sources.
   void FollowSources(const WatchedFile& changed, const std::string& before, const std::string& after,
                      std::vector<Diagnostic>& told);
-  /// Slips in rules that were edited, once they run: what others make counts.
+  /// Reports slips in rules that were edited, once they run: what others make counts.
   void TellSlips(std::vector<Diagnostic>& told);
 
   Simulation& simulation_;

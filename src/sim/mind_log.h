@@ -31,17 +31,18 @@ class MindLog {
   MindLog(MindLog&&) noexcept;
   MindLog& operator=(MindLog&&) noexcept;
 
-  /// Listens to the agent from now on, which must live as long as this. kNone: no longer.
+  /// Listens from now on to the agent, which must live as long as this. kNone: stops listening.
   void Listen(sml::Agent& agent, MindDetail detail);
   /// Forgets the tick before.
   void Clear();
 
-  /// What happened in this tick, to add to or to copy; stays where it is for the life of the log.
+  /// What happened in this tick, to add to or to copy; its address stays the same for the life of the log.
   mind::EventLog& events();
   const mind::EventLog& events() const;
-  /// A command came to the output link; the rule that made it is known by then.
+  /// A command came to the output link; by then the rule that made it is known.
   void NoteCommand(std::uint64_t timetag, std::string_view name, const vocabulary::PerceptList& parameters);
-  /// The operators chosen in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody tells.
+  /// The operators selected in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody
+  /// reports them.
   std::string Operators() const;
 
  private:

@@ -43,11 +43,11 @@ class Minds final : public script::MindFactory {
 
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
   void SetSenseSandbox(SenseSandbox sense) { sense_sandbox_ = std::move(sense); }
-  /// How much is noted of what minds do that are made from now on.
+  /// How much is noted of what minds do, for minds made from now on.
   void SetDetail(MindDetail detail) { detail_ = detail; }
-  /// What the world may take; when it is more, the mind with most is halted.
+  /// What the world may use; if it uses more, the mind that uses most is halted.
   void SetMemoryLimit(std::size_t bytes) { memory_limit_ = bytes; }
-  /// What scripts and bodies have of that.
+  /// How much of that scripts and bodies use.
   void SetOtherMemory(std::size_t scripts_bytes, std::size_t bodies_bytes) {
     scripts_bytes_ = scripts_bytes;
     bodies_bytes_ = bodies_bytes;
@@ -57,23 +57,22 @@ class Minds final : public script::MindFactory {
   std::vector<BodyKind>& body_kinds() { return body_kinds_; }
 
   /// Loads the rules that the request names, or its kind's own: seekingagent.soar, followeragent.soar,
-  /// waypointagent.soar. Faulty rules are reported and the others loaded. An agent without a script gets a body that
-  /// the vocabulary drives; without rules it just stands there.
+  /// waypointagent.soar. Reports faulty rules and loads the others. An agent without a script gets a body that the
+  /// vocabulary drives; without rules it just stands there.
   Result<void> MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) override;
 
-  /// Every mind perceives and decides. Minds see the world as it stands before any of them acts, so their order does
-  /// not matter. Those whose bodies a script drives have only begun to when this returns: they go on beside the
-  /// scripts.
+  /// Every mind perceives and decides. Minds see the world as it is before any of them acts, so their order does not
+  /// matter. Minds whose bodies a script drives have only begun when this returns: they go on beside the scripts.
   void Decide();
   struct Mind;
   /// Before a body acts: its mind has decided when this returns.
   void Await(Mind& mind);
-  /// Before the bodies act that no script drives: they look ahead, on all threads.
+  /// Before the bodies that no script drives act: they look ahead, on all threads.
   void LookAhead();
   /// Notes how a command of a scripted mind went, for Answer.
   void NoteAnswer(Mind& mind, Outcome outcome);
-  /// After the bodies have acted: tells the minds how their commands went. Scripted minds on other threads have heard
-  /// it when EndAnswers returns; until then nothing else may ask a mind for anything.
+  /// After the bodies have acted: reports to the minds how their commands went. Scripted minds on other threads have
+  /// heard it when EndAnswers returns; until then nothing else may ask a mind for anything.
   void Answer();
   void EndAnswers() { pool_.Join(); }
 
@@ -83,16 +82,15 @@ class Minds final : public script::MindFactory {
   /// The same for some rules of an agent, by name, as they run now: warnings with their places.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules);
 
-  /// Tells how often causes came up that were told once.
+  /// Reports how often each cause came up that was reported only once.
   void TellCounts();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
   std::optional<explain::WhyNode> Why(std::string_view agent);
-  /// Why it says or does not say a command, selects or does not select an operator, or a rule matches or does not. An
+  /// Why it gives or does not give a command, selects or does not select an operator, or a rule matches or does not. An
   /// error if there is no such agent, or its rules know nothing of that name.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
 
-  /// Makes all minds anew in the host's kernel, with the rules that they had. Those that fail are reported, and stay
-  /// idle.
+  /// Makes all minds again in the host's kernel, with the rules that they had. Reports those that fail; they stay idle.
   void Restore();
 
   struct Mind {
@@ -107,7 +105,7 @@ class Minds final : public script::MindFactory {
     enum class Turn : unsigned char { kOver, kWaits, kHasDecided };
     Turn turn = Turn::kOver;            ///< Of a scripted mind, in this tick.
     std::size_t place = 0;              ///< Among those of its thread that decide beside the scripts in this tick.
-    std::vector<Outcome> answers = {};  ///< Of its script, not told yet.
+    std::vector<Outcome> answers = {};  ///< For its script, not reported yet.
     float distance_squared_m2 = 0;
     bool decided = false;          ///< In this tick.
     bool lost = false;             ///< Its program has broken down, or could not be made again.
@@ -120,7 +118,7 @@ class Minds final : public script::MindFactory {
     int gaps = 0;                  ///< How often it was found doing nothing.
     std::uint64_t idle_ticks = 0;  ///< Ticks without a command, new or under way.
     std::string last_command = {};
-    std::map<std::string, int> told = {};          ///< How often each of its faults came up; told at the first time.
+    std::map<std::string, int> told = {};          ///< How often each of its faults came up; reported the first time.
     std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
     std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
     double last_said_s = 0;
@@ -141,15 +139,15 @@ class Minds final : public script::MindFactory {
   Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
                                 const MindSettings& settings, bool is_scripted);
   void DecideNow(Mind& mind);
-  /// Lets all scripted minds decide that have not yet; from here on, until Answer, the minds stand still.
+  /// Lets the scripted minds decide that have not decided yet; until Answer, the minds then stand still.
   void AwaitAll();
   void BeginBesideScripts();
   void DecideBesideScripts(std::size_t thread);
   void TellScripts(std::size_t thread);
   void TellOutcome(Mind& mind, const Outcome& outcome, bool is_news);
-  /// Before it decides: false if it does not in this tick.
+  /// Before it decides: false if it does not decide in this tick.
   bool Prepare(Mind& mind);
-  /// After it has.
+  /// After it has decided.
   void Conclude(Mind& mind);
   void Notice();
   bool PerceiveDistance(Mind& mind, const world::Agent& body);
@@ -157,7 +155,7 @@ class Minds final : public script::MindFactory {
   void LimitMemory();
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);
-  /// Ends its program and says why.
+  /// Ends its program and reports why.
   void Halt(Mind& mind, RunEvent reason);
   void TellMemory(Mind& mind);
   void TellLearned(Mind& mind);
@@ -175,7 +173,7 @@ class Minds final : public script::MindFactory {
   std::set<std::string> KnownAttributes();
   std::vector<explain::FailedRule> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
-  /// What lies beside the rules, by folder, as it is now: minds of one world share their folders.
+  /// What is beside the rules, by folder, as it is now: minds of one world share their folders.
   using Neighbours = std::map<std::filesystem::path, explain::Surroundings>;
   std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules, Neighbours& beside);
 
@@ -207,10 +205,10 @@ class Minds final : public script::MindFactory {
   std::size_t memory_bytes_ = 0;                                          ///< Of all minds, as last measured.
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
   std::set<std::string> script_rows_;            ///< Attributes that scripts' Agent_Sense returned.
-  std::set<std::string> reported_;               ///< Problems told already: many agents share one file.
+  std::set<std::string> reported_;               ///< Problems already reported: many agents share one file.
   bool has_new_rules_ = false;                   ///< Minds were made whose rules may still have slips to report.
   std::set<std::filesystem::path> looked_over_;  ///< Files of rules whose slips were reported.
-  /// Files of rules of which some did not load, and why.
+  /// Files with rules that did not load, and why.
   std::map<std::filesystem::path, std::vector<explain::FailedRule>> failed_;
 };
 

@@ -25,20 +25,19 @@ struct Scenario {
   std::filesystem::path script;
   std::vector<std::filesystem::path> script_folders;
   std::vector<std::filesystem::path> rule_folders;
-  /// Where the thesis' own rules are, for its kinds of agents where nobody names rules.
+  /// Where the thesis' own rules are, for its kinds of agents when nobody names rules.
   std::vector<std::filesystem::path> fallback_rule_folders;
-  std::filesystem::path definition;  ///< A scenario file (TOML) that fills the world besides; empty: none.
-  /// Rules that take the place of those that agents would have (--rules): agent's name, file.
+  std::filesystem::path definition;  ///< A scenario file (TOML) that also fills the world; empty: none.
+  /// Rules that replace those that agents would have (--rules): agent's name, file.
   std::vector<std::pair<std::string, std::filesystem::path>> replaced_rules;
-  std::filesystem::path rules;  ///< Rules that take the place of "RULES" in the definition; empty: none.
-  /// Folders that stand in for others, with those: a recorded run is made again from copies of its files.
+  std::filesystem::path rules;  ///< Rules that replace "RULES" in the definition; empty: none.
+  /// Folders that stand in for others, each with the other: a recorded run is made again from copies of its files.
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> stand_ins;
   std::shared_ptr<const void> keeps;  ///< What must live as long as this does: such copies.
 
-  /// The rules that take the place of an agent's own; null if none do. "eater" means the first of several, "eater-1",
-  /// too.
+  /// The rules that replace an agent's own; null if none do. "eater" also means the first of several, "eater-1".
   const std::filesystem::path* ReplacementFor(std::string_view agent) const;
-  /// Where a file of the scenario belongs; itself if it lies in no folder that stands in for another.
+  /// Where a file of the scenario belongs; the file itself if its folder stands in for no other.
   std::filesystem::path Original(const std::filesystem::path& file) const;
 };
 

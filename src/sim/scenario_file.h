@@ -31,10 +31,10 @@ struct ScenarioFile {
     std::string name, rules;
     Options options;
     int count = 1;
-    int across = 1000;  ///< So many of them stand side by side; the next ones stand behind these.
+    int across = 1000;  ///< This many of them stand side by side; the next ones stand behind them.
     int line = 0, line_of_rules = 0;
   };
-  /// All that is given must hold at the same time; reached once.
+  /// Everything that is given must be true at the same time; reached once.
   struct Condition {
     std::string name;
     bool ends = true;
@@ -52,7 +52,7 @@ struct ScenarioFile {
   std::optional<std::uint64_t> seed;
   std::optional<double> seconds;
   int turn_ticks =
-      1;  ///< Of a game: so many ticks are a turn, which is what a step goes on by. Turns end at multiples.
+      1;  ///< Of a game: how many ticks a turn takes. A step goes on by one turn. Turns end at multiples of this.
   std::vector<Waypoint> waypoints;
   std::vector<Region> regions;
   std::vector<Thing> things;
@@ -61,16 +61,16 @@ struct ScenarioFile {
   std::vector<Condition> conditions;
 };
 
-/// Reads a text; everything that is wrong is added to the problems.
+/// Reads a text; adds everything that is wrong to the problems.
 ScenarioFile ParseScenarioFile(std::string_view text, const std::filesystem::path& file,
                                std::vector<Diagnostic>& problems);
-/// Reads a file; the first problem if there is any. The others are added to `further`.
+/// Reads a file; gives the first problem if there is one, and adds the others to `further`.
 Result<ScenarioFile> ReadScenarioFile(const std::filesystem::path& file, std::vector<Diagnostic>* further = nullptr);
 /// The seed that was asked for, else that of the scenario's file, else 1 (also if the file cannot be read).
 std::uint64_t SeedOf(const Scenario& scenario, std::optional<std::uint64_t> asked);
 /// How many ticks a turn of the scenario's game has; 1 if it is no game, or cannot be read.
 int TurnTicks(const Scenario& scenario);
-/// Where a scenario that is only rules gets its world from: this word stands in place of an agent's rules.
+/// For a scenario that is only rules: the file of its world has this word in place of an agent's rules.
 inline constexpr std::string_view kGivenRules = "RULES";
 
 }  // namespace soarbox::sim

@@ -10,12 +10,12 @@ namespace soarbox::sim {
 
 /// What an actor knows of the world as a scene for its imagination (the spatial visual system): its own body, eye and
 /// reach, the others, things, waypoints and regions. It is as honest as the actor's percepts: what is out of view stays
-/// where it was noticed last until it is noticed again or forgotten. The frame is the world's: metres, x to the east,
-/// y up, z to the south.
+/// where the actor last noticed it, until the actor notices it again or forgets it. The frame is the world's: metres, x
+/// to the east, y up, z to the south.
 class SceneSense {
  public:
   /// Lines of the scene graph edit language that bring the scene up to date; empty if nothing changed. `surroundings`:
-  /// with what is around the actor, and not its own body only.
+  /// with what is around the actor, not only its own body.
   std::string Update(const Actor& actor, bool surroundings);
 
  private:

@@ -11,8 +11,8 @@ namespace soarbox::sim {
 void SenseOwnBody(const Actor& actor, vocabulary::PerceptSink& sink);
 /// What others say to it: messages that are new enough.
 void SenseMessages(const Actor& actor, vocabulary::PerceptSink& sink);
-/// Makes the mirror show the same; only messages after number `last`, which is the last one of the call before, are
-/// looked at, and the others stay as they are until they are too old.
+/// Makes the mirror show the same; looks only at messages after number `last`, the last one of the previous call, and
+/// leaves the others as they are until they are too old.
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
 /// Looks and listens: brings the actor's contacts up to date. Draws noise from the agent's own stream, in agent order.
 void NoticeOthers(Actor& actor);
@@ -24,7 +24,7 @@ void SenseSurroundings(const Actor& actor, vocabulary::PerceptSink& sink);
 vocabulary::PerceptList AllPercepts(const Actor& actor);
 /// Whether the surroundings are read in this tick. Actors take turns, so that no tick reads them all.
 bool IsSenseTick(const Actor& actor);
-/// Takes messages that came since the last tick: an order is kept until the next one.
+/// Takes messages that came since the last tick; keeps an order until the next one comes.
 void HearOrders(Actor& actor);
 
 }  // namespace soarbox::sim

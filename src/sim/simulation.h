@@ -41,21 +41,21 @@ struct MindReport {
 
 struct SimulationSettings {
   std::uint64_t seed = 1;      ///< Of the world, the scripts and the minds.
-  int screen_width_px = 1280;  ///< What scripts are told; the window follows it.
+  int screen_width_px = 1280;  ///< What scripts see; the window follows it.
   int screen_height_px = 720;
   bool every_command = false;                  ///< Report each command of each tick, not only news.
   SoarSettings soar;                           ///< Its seed is taken from `seed`.
-  MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() tells.
+  MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() reports.
   script::WorldLimits limits;                  ///< Of all scripts and minds together.
-  bool typed_by_strangers = false;             ///< Commands that are typed may do no more than those of a recording.
+  bool typed_by_strangers = false;             ///< Typed commands may do no more than those of a recording.
 };
 
 /// What the parts of all ticks so far have taken, in seconds of real time. For benchmarks and panels; nothing in a run
 /// depends on it.
 struct TickCosts {
   double events_s = 0;  ///< Debuggers, inputs, custom events.
-  double decide_s = 0;  ///< Minds perceive, and those decide whose bodies no script drives.
-  double act_s = 0;     ///< Commands and scripts of agents; what minds of scripts decide that is awaited.
+  double decide_s = 0;  ///< Minds perceive; those whose bodies no script drives also decide.
+  double act_s = 0;     ///< Commands and scripts of agents, and waiting for the minds of scripts.
   double move_s = 0;    ///< Physics.
   double rest_s = 0;    ///< Collisions, the sandbox's script, reports.
 };
@@ -75,10 +75,10 @@ class Simulation {
 
   /// Advances the world by one step: events, sense, decide, act, move.
   void Tick();
-  /// Lets debuggers that are attached have their say; called while the world is paused. Tick does so by itself.
+  /// Lets attached debuggers have their say; called while the world is paused. Tick does so by itself.
   void Idle();
 
-  /// The scenario's end is reached (its file says when, or a script by os.exit); ticks may go on.
+  /// The scenario has reached its end (its file says when, or a script calls os.exit); ticks may go on.
   bool HasEnded() const;
   /// The exit code that a script asked for (os.exit); 0 if none did.
   int ExitCode() const;
@@ -90,11 +90,11 @@ class Simulation {
   /// Bodies that other simulations own.
   const ForeignBodies& foreign() const;
   world::SceneSnapshot Snapshot() const;
-  /// The same in the place of an earlier one, whose memory is used again.
+  /// The same, in place of an earlier one, whose memory it uses again.
   void Snapshot(world::SceneSnapshot& scene) const;
-  /// What overlays draw besides.
+  /// What overlays also draw.
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
-  /// Hash of all that decides the world's future (World::Hash, and what the bodies are about).
+  /// Hash of all that decides the world's future (World::Hash, and what the bodies are doing).
   std::uint64_t StateHash() const;
   std::size_t soar_agents() const;
   /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
@@ -105,7 +105,7 @@ class Simulation {
   /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid
   /// until the next tick.
   std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
-  /// How much Mind() tells of this agent from the next tick on. The run is the same. False if it has no Soar mind.
+  /// How much Mind() reports of this agent from the next tick on. The run stays the same. False if it has no Soar mind.
   bool NoteMind(std::string_view agent, MindDetail detail);
 
   const TickCosts& costs() const;
@@ -113,18 +113,18 @@ class Simulation {
   /// What happened since the last call.
   EventList TakeEvents();
 
-  /// Takes an input from outside; it takes effect at the beginning of its tick, before anything else happens, in the
-  /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next. What it cannot do (no such
-  /// agent) is told as an event then.
+  /// Takes an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
+  /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next one. An event then reports
+  /// what an input cannot do (no such agent).
   void Submit(Input input);
   void Submit(InputValue value) { Submit(Input{0, std::move(value)}); }
   /// Carries out a line of the Soar command language for an agent's mind now, between two ticks, and returns what it
-  /// printed. It counts as an input of the next tick, which tells of it as an event, so that a record of the inputs
+  /// printed. It counts as an input of the next tick, which reports it as an event, so that a record of the inputs
   /// replays it too.
   Result<std::string> Command(const std::string& agent, const std::string& line);
-  /// What came in for the last tick, in the order in which it took effect, what debuggers that are attached said to the
-  /// minds included. Submitting the same to another simulation of the same scenario and seed gives the same run. Valid
-  /// until the next tick.
+  /// What came in for the last tick, in the order in which it took effect, including what attached debuggers said to
+  /// the minds. Submitting the same to another simulation of the same scenario and seed gives the same run. Valid until
+  /// the next tick.
   std::span<const Input> LastInputs() const;
   /// Inputs that wait for later ticks.
   std::size_t waiting_inputs() const;
@@ -133,12 +133,12 @@ class Simulation {
   std::vector<WatchedFile> Files();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
   std::optional<explain::WhyNode> Why(std::string_view agent) const;
-  /// Why it does or does not say this command, select this operator or match this rule now.
+  /// Why it does or does not give this command, select this operator or match this rule now.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
   /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules) const;
-  /// Ends the scripts of all simulations as soon as they can be: the process is to end. May be called from a signal's
-  /// handler.
+  /// Ends the scripts of all simulations as soon as possible, because the process is about to end. You may call it from
+  /// a signal handler.
   static void EndScripts();
 
   /// Runs the scripts' clean-up once; no tick may follow.

@@ -29,7 +29,7 @@ struct SoarSettings {
       2000;  ///< A kernel elsewhere that is silent for so long while it is asked something counts as gone.
   /// What rule files may read, below these; empty: anything. They write nothing then.
   std::vector<std::filesystem::path> folders;
-  /// Nothing of them is carried out but rules and the loading of further files: they are looked over.
+  /// Carries out only rules and the loading of further files: the files are only checked.
   bool rules_only = false;
   /// How many threads the minds decide on; 0: one per core. With a port or a kernel elsewhere it is one.
   int threads = 0;
@@ -73,13 +73,13 @@ class SoarHost {
   /// What they said to the agents, in order, since the last call. Debuggers of a kernel elsewhere are not heard.
   std::vector<CommandInput> TakeHeard();
   /// Carries out a command line for an agent; returns what it printed. Fails if there is no such agent or the command
-  /// fails. `recorded`: it comes from a recording, and may read below the folders only, and write and start nothing.
+  /// fails. `recorded`: it comes from a recording, so it may read only below the folders, and write and start nothing.
   Result<std::string> Execute(const std::string& agent, const std::string& line, bool recorded = false);
 
   /// False once a remote kernel has gone away.
   bool IsConnected() const;
   /// Looks for a kernel at the address of the one that has gone: once a second of real time, on another thread. True
-  /// once one answers; it is then the host's, and all agents have to be made again.
+  /// once one answers; it then belongs to the host, and you must make all agents again.
   bool Reconnect();
 
   /// How many threads the minds decide on.

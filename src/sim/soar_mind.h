@@ -24,11 +24,11 @@ class Identifier;
 namespace soarbox::sim {
 
 struct MindSettings {
-  bool has_distance = true;  ///< Perceives the thesis' ^distance.
-  bool blinks = true;        ///< ^distance counts as new in each tick.
-  bool waits = false;        ///< With nothing to do it waits for the world instead of making states below states;
-                             ///< a file of rules may say otherwise (soar wait-snc off).
-  bool imagines = false;     ///< Its spatial visual system is on and fed with what its body perceives.
+  bool has_distance = true;               ///< Perceives the thesis' ^distance.
+  bool blinks = true;                     ///< ^distance counts as new in each tick.
+  bool waits = false;                     ///< With nothing to do it waits for the world instead of making substates;
+                                          ///< a file of rules may say otherwise (soar wait-snc off).
+  bool imagines = false;                  ///< Its spatial visual system is on and receives what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much of what it does is noted.
 };
 
@@ -39,8 +39,8 @@ struct ActionFailure {
       text;  ///< In the kernel's words: "Error: attempt to divide ('/') by zero.\n". Empty: it fires without end.
 };
 
-/// The mind of one agent as a Soar program: what it perceives stands on its input link, each identifier directly on
-/// its output link is a command.
+/// The mind of one agent as a Soar program: what it perceives is on its input link; each identifier directly on its
+/// output link is a command.
 ///
 /// A command is handed out once, however long it stays; the world answers below it. Owned by the simulation; the
 /// kernel behind it must outlive it.
@@ -50,20 +50,20 @@ class SoarMind {
 
   // Percepts: written at once, seen by the rules in the next Decide.
   void SetDistance(float distance_squared_m2);
-  /// What the senses of its body tell; of its surroundings too, if they are read now.
+  /// What the senses of its body report, including its surroundings if they are read now.
   void Perceive(const Actor& body, bool surroundings);
-  /// All that a sandbox's script says that it perceives.
+  /// All that a sandbox's script says it perceives.
   void ShowGraph(const script::PerceptGraph& percepts) { graph_.Show(percepts); }
   void ShowRows(const vocabulary::PerceptList& percepts) { rows_.Show(percepts); }
 
-  /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). What is new on the output
-  /// link is in commands(), what went is in withdrawn().
+  /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). commands() then holds
+  /// what is new on the output link, withdrawn() what went.
   void Decide();
   std::span<const vocabulary::SaidCommand> commands() const { return commands_; }
   std::span<const std::uint64_t> withdrawn() const { return withdrawn_; }
-  /// Commands that stand on the output link now, answered or not.
+  /// Commands that are on the output link now, answered or not.
   std::size_t standing() const { return standing_.size(); }
-  /// Tells the program how a command went. Nothing happens if it has been taken back.
+  /// Reports to the program how a command went. Nothing happens if the program has withdrawn it.
   void Answer(const Outcome& outcome);
   void Complete(std::uint64_t tag);
 
@@ -74,9 +74,9 @@ class SoarMind {
 
   /// True once the program has halted; it then does nothing more until it is restarted.
   bool Halted() const;
-  /// What used up the program's memory, in the kernel's words; empty if nothing did. The program is at its end then.
+  /// What used up the program's memory, in the kernel's words; empty if nothing did. The program is then at its end.
   std::string_view Breakdown() const;
-  /// Starts the program anew: working memory is cleared, the rules stay.
+  /// Starts the program again: working memory is cleared, the rules stay.
   void Restart();
 
   /// Its memory in bytes; 0 if the kernel is in another process.
@@ -89,11 +89,11 @@ class SoarMind {
   std::uint64_t fired() const { return fired_; }
   /// Which of them has fired most often, and how often: "'count', which has fired 12000 times".
   std::string BusiestRule() const;
-  /// It may have about so many partial matches, or as many as it was allowed before if that is less.
+  /// It may have about this many partial matches, or as many as it was allowed before if that is less.
   void AllowMatches(std::uint64_t most);
-  /// It may grow to about so much memory; beyond that it breaks down.
+  /// It may grow to about this much memory; beyond that it breaks down.
   void AllowMemory(std::size_t bytes);
-  /// The agent behind it is about to be destroyed: from here on there is only what was noted.
+  /// The agent behind it is about to be destroyed: from here on, only what was noted remains.
   void Forget();
   sml::Agent& agent() { return *agent_; }
   /// What it did in this tick; empty unless it was asked for (MindSettings::detail).
@@ -110,7 +110,7 @@ class SoarMind {
     int place = 0;      ///< On the output link, when that was last read.
     bool seen = false;  ///< Scratch: met in the present reading of the output link.
   };
-  /// The command of that tag, or the next one's place.
+  /// The command with that tag, or the place of the next one.
   std::vector<Standing>::iterator FindStanding(std::uint64_t tag);
   bool Stands(std::vector<Standing>::const_iterator at, std::uint64_t tag) const {
     return at != standing_.end() && at->tag == tag;
@@ -125,7 +125,7 @@ class SoarMind {
   InputMirror own_body_, messages_, surroundings_, rows_;
   GraphMirror graph_;
   std::unique_ptr<SceneSense> scene_;  ///< Null if it does not imagine.
-  std::uint32_t heard_ = 0;            ///< The number of the last message that it was told.
+  std::uint32_t heard_ = 0;            ///< The number of the last message that it heard.
   std::string answer_;                 ///< The kernel's to the last run.
   std::uint64_t fired_ = 0;
   std::vector<vocabulary::SaidCommand> commands_;
@@ -136,7 +136,7 @@ class SoarMind {
   std::uint32_t own_match_limit_ = 0;  ///< What it was allowed by itself.
   std::uint32_t match_limit_ = 0;      ///< What AllowMatches set; 0: nothing.
   std::size_t memory_limit_ = 0;       ///< What AllowMemory set; 0: nothing.
-  /// Where what the rules write goes; its address is known to the kernel.
+  /// Where the output of the rules goes; the kernel knows its address.
   struct Writing;
   struct EndWriting {
     void operator()(Writing* writing) const;

@@ -31,7 +31,7 @@ class TableReader {
     problem.hint = std::move(hint);
   }
 
-  /// Complains of keys that are none of these.
+  /// Reports keys that are none of these.
   void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
@@ -49,7 +49,7 @@ class TableReader {
     return otherwise;
   }
 
-  /// The tables of [[key]], no more than `most`; `above`: what a key is written behind, "dis.".
+  /// The tables of [[key]], at most `most`; `above`: what you write before the key, "dis.".
   std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key, std::size_t most,
                                          const std::string& above = {}) {
     std::vector<const toml::table*> tables;
@@ -68,7 +68,7 @@ class TableReader {
   }
 
  protected:
-  /// What to do about a key that is like none that is known.
+  /// What to do about a key that is like no known one.
   virtual std::string HintFor(std::string_view, const std::vector<std::string_view>&) const {
     return page_ + " lists what there is";
   }

@@ -14,8 +14,8 @@ namespace soarbox::sim {
 // Edit panel, and a typed `sp`. A kernel excises a rule before it reads the new text, as Soar does; so what does not
 // parse must not get there.
 
-/// What is wrong with a whole file of rules that is to take the place of what runs, with lines. Files that it sources
-/// are left out: they are edited, and vetted, by themselves.
+/// What is wrong with a whole file of rules that is to replace what runs, with lines. Leaves out the files that it
+/// sources: they are edited, and vetted, by themselves.
 std::vector<Diagnostic> VetRuleFile(const std::string& text, const std::filesystem::path& file);
 
 /// What is wrong with a typed line that gives rules (sp, gp), with places in that line. Empty for other commands.

@@ -11,8 +11,8 @@
 
 namespace soarbox::sim {
 
-/// Which of `threads` threads the job of this number belongs to: one after the other. Agents look around in every third
-/// tick, by their number: where that would be the same threads each time, each round of them begins one further.
+/// Which of `threads` threads gets the job of this number: they take turns. Agents look around in every third tick, by
+/// their number: where that would pick the same threads each time, each round begins one thread later.
 constexpr std::size_t ThreadOf(std::uint64_t number, std::size_t threads) {
   return static_cast<std::size_t>((threads % 3 == 0 ? number + number / threads : number) % threads);
 }
@@ -29,8 +29,9 @@ class WorkerPool {
   /// Calls job(0), job(1), ... job(threads - 1), each on a thread of its own, and returns when all have returned. The
   /// owner's is job(0). A job must not throw.
   void Run(const std::function<void(std::size_t)>& job);
-  /// The same in two halves, between which the owner does something else: job(1), job(2), ... begin; the owner's own is
-  /// its own matter. `job` has to live until Join, which returns when all have returned, at once if nothing was begun.
+  /// The same in two halves, between which the owner does something else: job(1), job(2), ... begin; the owner's own
+  /// job is up to the owner. `job` must live until Join, which returns when all have returned, at once if nothing was
+  /// begun.
   void Begin(const std::function<void(std::size_t)>& job);
   void Join();
 

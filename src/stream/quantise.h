@@ -24,7 +24,7 @@ inline std::array<std::int32_t, 3> Steps(world::Vec3 value, double per_unit) {
   return {Steps(value.x, per_unit), Steps(value.y, per_unit), Steps(value.z, per_unit)};
 }
 
-/// The same, but what hardly left the value before stays there: it would only flicker between two steps.
+/// The same, but a value that has hardly left its earlier step stays there: it would only flicker between two steps.
 inline std::array<std::int32_t, 3> SteadySteps(world::Vec3 value, double per_unit,
                                                const std::array<std::int32_t, 3>& before) {
   constexpr double kStays = 0.8;

@@ -16,10 +16,10 @@ namespace soarbox::stream {
 /// One moment of a scene as bytes for a page (docs/stream.md).
 struct Block {
   std::string bytes;
-  bool is_full = false;  ///< A reader may begin here; else it needs the block before.
+  bool is_full = false;  ///< A reader may begin here; else it needs the previous block.
 };
 
-/// Writes what there is to see, moment after moment, as full blocks and as differences to the block before.
+/// Writes what there is to see, moment after moment, as full blocks and as differences from the previous block.
 ///
 /// Places are rounded to millimetres, turns to 1/2048 rad, bones to 1/256 rad and 4 mm. What is not finite is written
 /// as 0. Bones are written at most 15 times a second, 10 times where more than 4 bodies have some. A reader that got a
@@ -29,14 +29,14 @@ class SceneEncoder {
   struct Settings {
     double full_every_s = 1;          ///< Time of the world between two full blocks; 0: each block is full.
     std::size_t deflate_above = 300;  ///< Payloads of more bytes are compressed if that makes them smaller.
-    std::size_t most_lines = 20'000;  ///< Lines, circles and triangles beyond so many of each are left out.
+    std::size_t most_lines = 20'000;  ///< At most this many lines, circles and triangles each; the rest is left out.
   };
 
   SceneEncoder() = default;
   explicit SceneEncoder(const Settings& settings) : settings_(settings) {}
 
-  /// The overlay may be null. `want_full`: whatever was written before, this block stands alone. So does one whose
-  /// time does not follow the one before.
+  /// The overlay may be null. `want_full`: this block stands alone, whatever was written before. So does one whose time
+  /// does not follow that of the previous block.
   Block Encode(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlay = nullptr,
                bool want_full = false);
 

@@ -17,14 +17,14 @@ namespace soarbox::sweep {
 struct Variant {
   std::string name;
   std::string scenario;                                         ///< Its own; empty: the sweep's.
-  std::vector<std::pair<std::string, std::string>> rules;       ///< Agent or file of rules, and the file instead.
+  std::vector<std::pair<std::string, std::string>> rules;       ///< Agent or file of rules, and its replacement.
   std::vector<std::pair<std::string, std::string>> parameters;  ///< "agent.scout.senses.sight" and a value, as TOML.
   std::vector<std::string> setup;                               ///< Lines of the Soar command language, before rules.
   std::string kernel;                                           ///< HOST:PORT of a kernel elsewhere.
   int line = 0;
 };
 
-/// A number that a run is asked for besides those that each has.
+/// A number to measure in a run besides those that each run has.
 struct Metric {
   std::string name;
   enum class Of : std::uint8_t { kTimeOf, kAtEnd, kMax, kMean } of = Of::kAtEnd;
@@ -48,10 +48,10 @@ struct Spec {
   std::vector<Seating> seatings;
   std::vector<std::string> parameters;  ///< Names of all parameters, for columns.
   std::string whole;      ///< The spec as TOML that needs no other file: the checks of its mission are part of it.
-  std::string judgement;  ///< Of that what every row rests on: checks and metrics.
+  std::string judgement;  ///< The part of it that every row rests on: checks and metrics.
 };
 
-/// Reads it; everything that is wrong is added to the problems. `is_copy`: the one that a sweep keeps in its folder,
+/// Reads it; adds everything that is wrong to the problems. `is_copy`: it is the copy that a sweep keeps in its folder,
 /// whose files of rules need not be there any more.
 Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy = false);
 
@@ -70,10 +70,10 @@ struct Plan {
 /// Whether the files that variants are made from must still be as they were when the sweep began.
 enum class Sources : std::uint8_t {
   kCompare,
-  kTrust,  ///< What lies in the folder counts: for tasks of a sweep that has begun, and for reports.
+  kTrust,  ///< What is in the folder counts: for tasks of a sweep that has begun, and for reports.
 };
 /// Writes the files of each variant below the folder, unless they are there, and finds their scenarios. `rules`:
-/// "NAME=FILE", rules that take the place of agents' own in all variants (sim::ReplaceRules).
+/// "NAME=FILE", rules that replace agents' own in all variants (sim::ReplaceRules).
 Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, const sim::DataFolders& data,
                       Sources sources, const std::vector<std::string>& rules = {});
 

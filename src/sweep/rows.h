@@ -26,11 +26,11 @@ struct Row {
   std::vector<std::optional<double>> metrics;  ///< As Spec::metrics.
 };
 
-/// The truth of a sweep: files of rows, each line with a checksum, that many processes on many machines may add to at
-/// a time, each its own. A line that was cut off, by a kill or a full disk, is not there.
+/// The truth of a sweep: files of rows, each line with a checksum. Many processes on many machines may add to them at a
+/// time, each to its own. A line that was cut off, by a kill or a full disk, does not count.
 class RowWriter {
  public:
-  /// Makes a new file below the folder; its name tells host and process.
+  /// Makes a new file below the folder; its name gives host and process.
   static Result<std::unique_ptr<RowWriter>> Create(const std::filesystem::path& folder);
   ~RowWriter();
   RowWriter(const RowWriter&) = delete;
@@ -47,14 +47,13 @@ class RowWriter {
 };
 
 /// All rows below the folder, one for each key: the first whole one, a good one before a crashed one, and one with a
-/// recording before one without. Two that differ
-/// in their state hash are a problem, which names both hosts.
+/// recording before one without. Two that differ in their state hash are a problem, which names both hosts.
 std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::vector<Diagnostic>& problems);
 
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed);
 std::string HostName();
 
-/// results.csv and results.sqlite, made anew beside their place and then put there.
+/// results.csv and results.sqlite, written beside their place and then moved there.
 Result<void> WriteTables(const std::filesystem::path& folder, const Spec& spec, const Plan& plan,
                          const std::vector<Row>& rows);
 

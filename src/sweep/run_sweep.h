@@ -11,20 +11,20 @@ namespace soarbox::sweep {
 
 struct SweepSettings {
   int jobs = 0;  ///< Processes at a time; 0: one per processor.
-  /// Of all runs that are missing, only those whose number leaves this rest: one task of many.
+  /// Of all missing runs, only those whose number leaves this remainder: one task of many.
   std::size_t task = 0, tasks = 1;
-  bool retry = false;  ///< Runs that crashed or hung three times are made once more.
+  bool retry = false;  ///< Runs that crashed or hung three times are tried once more.
 };
 
 /// What there is to do and what is done.
 struct Progress {
   std::size_t planned = 0, there_before = 0, done = 0, failed = 0;
-  std::size_t left_out = 0;           ///< Their kernel is not there.
+  std::size_t left_out = 0;           ///< Runs whose kernel is not there.
   std::vector<std::string> problems;  ///< What is wrong with variants that were left out.
 };
 
 /// Makes the runs that no part holds yet, each in a process of its own, and adds them to a part. A run that crashes is
-/// tried three times in all. `goes_on` is asked now and then.
+/// tried three times in all. It asks `goes_on` now and then.
 Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const std::filesystem::path& folder,
                           const SweepSettings& settings, const std::function<bool(const Progress&)>& goes_on);
 

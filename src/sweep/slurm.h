@@ -20,12 +20,12 @@ struct SlurmSettings {
 /// A sentence that says what is missing if Slurm's commands are not installed here; empty if they are.
 std::string WhyNoSlurm();
 
-/// Submits a job array and waits until Slurm knows it no longer. A job of this folder that still runs is waited for
-/// instead. `goes_on` is asked each few seconds, with what Slurm said where it gave no answer; false leaves the job
-/// alone and returns.
+/// Submits a job array and waits until Slurm no longer knows it. If a job of this folder still runs, waits for that one
+/// instead. It asks `goes_on` every few seconds, with what Slurm said if it gave no answer; false leaves the job alone
+/// and returns.
 Result<void> RunOnSlurm(const std::filesystem::path& folder, const SlurmSettings& settings,
                         const std::function<bool(const std::string& no_answer)>& goes_on);
-/// Ends the job of this folder, if there is one. Who waits for it is told.
+/// Ends the job of this folder, if there is one. Whoever waits for it hears of it.
 Result<void> CancelOnSlurm(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

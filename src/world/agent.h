@@ -74,7 +74,7 @@ class Agent {
   Vec3 PredictFuturePosition(float seconds) const;
   /// Newtons at the centre of mass, for the next step only; forces add up. Ignored without a body.
   bool ApplyForce(Vec3 force_n);
-  /// Removes the body for good: nothing touches or moves the agent any more but SetPosition and SetForward.
+  /// Removes the body for good: after that, nothing touches or moves the agent but SetPosition and SetForward.
   void RemovePhysics();
   bool HasBody() const;
 
@@ -114,7 +114,7 @@ class Agent {
     PropertyChanged();
   }
 
-  // What its mind is about, for labels and panels only.
+  // What its mind is doing, for labels and panels only.
   const std::string& LastCommand() const { return last_command_; }
   void SetLastCommand(std::string_view command) { SetLabel(command, last_command_); }
   bool Failed() const { return failed_; }
@@ -136,7 +136,7 @@ class Agent {
   std::optional<float> DistanceAlongPath(Vec3 point) const;
   std::optional<Vec3> PointOnPath(float distance_m) const;
 
-  // Steering (spec 7). Each returns a vector to be scaled by the caller, none is limited to MaxForce unless said so.
+  // Steering (spec 7). Each returns a vector for the caller to scale; none is limited to MaxForce unless it says so.
   // Look-ahead times are raised to at least 0.1 s.
   static constexpr float kDefaultLookAhead_s = 0.1f;
   Vec3 ForceToPosition(Vec3 target) const;
@@ -172,8 +172,8 @@ class Agent {
     ++texts_;
     return true;
   }
-  /// Of all that decides its future but its motion, its random stream and what it wanders by. Kept until one of them
-  /// changes, which each setter tells.
+  /// Of all that decides its future, except its motion, its random stream and what it wanders by. Kept until one of
+  /// them changes, which each setter reports.
   std::uint64_t HashOfProperties() {
     if (!properties_are_known_) properties_ = MakeHashOfProperties();
     properties_are_known_ = true;

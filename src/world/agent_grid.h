@@ -25,13 +25,14 @@ class AgentGrid {
   void Invalidate() { valid_ = false; }
   /// One agent has moved.
   void Moved(std::uint32_t index);
-  /// Brings the grid up to date; to be called before Query and Visit.
+  /// Brings the grid up to date; call it before Query and Visit.
   void Update(std::span<const AgentMotion> agents);
   /// Appends the indices of all agents within range_m of center to found, each once; order unspecified but
   /// reproducible.
   void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
-  /// Calls visit(index) for all agents within range_m of center, those around it first; it returns how far is still of
-  /// interest, so that of a crowd few have to be looked at. Agents further away than that may be left out from then on.
+  /// Calls visit(index) for all agents within range_m of center, those around it first. `visit` returns how far is
+  /// still of interest, so that it sees only a few of a crowd. Agents farther away than that may be left out from then
+  /// on.
   template <class Visitor>
   void Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const;
 
@@ -43,7 +44,7 @@ class AgentGrid {
   static constexpr float kCell_m = 4.0f;
   // Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
   static std::int32_t CellOf(float coordinate) {
-    // Rounds down without a call: that takes as long as looking at an agent.
+    // Rounds down without a call: a call takes as long as looking at an agent.
     const float cell = coordinate / kCell_m;
     const auto towards_0 = static_cast<std::int32_t>(cell);
     return towards_0 - (static_cast<float>(towards_0) > cell ? 1 : 0);
@@ -69,7 +70,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
   // Rounding errs on the side of looking at one agent too many.
   const auto squared = [](float range) { return range * range * 1.0001f + 0.001f; };
   float range = range_m, range_squared = squared(range);
-  // Some at a time, so that the memory of all of them is under way when the first is looked at.
+  // A batch at a time, so that the memory of all of them is under way when the first is looked at.
   std::array<std::uint32_t, 32> batch;
   const auto scan = [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
@@ -94,7 +95,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
     const std::int32_t x_last = CellOf(center.x + range), z_last = CellOf(center.z + range);
     for (std::int32_t z = CellOf(center.z - range); z <= z_last; ++z) {
       for (std::int32_t x = CellOf(center.x - range); x <= x_last; ++x) {
-        // Cells that share a bucket are told apart by the places of who is in it.
+        // Cells may share a bucket: the positions of their agents tell them apart.
         const std::uint32_t bucket = Bucket(x, z);
         for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
           if (CellOf(entries_[i].x_m) == x && CellOf(entries_[i].z_m) == z) scan(i, i + 1);
@@ -111,7 +112,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
     const std::uint32_t* const starts = &starts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)];
     if (from <= to) scan(starts[from], starts[to + 1]);
   };
-  // The cell of the place and those around it; then the rows, from there outwards, without these.
+  // First the cell of the place and those around it; then the rows, from there outwards, without these.
   const std::int32_t own_x = CellOf(center.x), own_z = CellOf(center.z);
   for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) scan_row(z, own_x - 1, own_x + 1);
   const auto first_x = [&] { return CellOf(center.x - range); };

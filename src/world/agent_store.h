@@ -48,7 +48,7 @@ class AgentStore {
   std::span<const AgentMotion> motions() const { return motions_; }
   AgentMotion& motion(std::size_t index) { return motions_[index]; }
   const AgentMotion& motion(std::size_t index) const { return motions_[index]; }
-  /// To be called after a change of position, speed or radius.
+  /// Call it after a change of position, speed or radius.
   void Moved(std::size_t index);
   void SpeedOrRadiusChanged(std::size_t index);
   float max_speed() const { return max_speed_; }

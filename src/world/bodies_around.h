@@ -9,8 +9,8 @@
 
 namespace soarbox::world {
 
-/// The bodies about a place, for many short rays there: each costs a fraction of World::RayCast where many bodies
-/// stand. Valid until something moves, comes or goes.
+/// The bodies around a place, for many short rays there: each costs a fraction of World::RayCast where there are many
+/// bodies. Valid until something moves, comes or goes.
 class BodiesAround {
  public:
   struct Bodies;

@@ -5,7 +5,7 @@
 
 namespace soarbox::world {
 
-/// The one camera: scripts order it about, the viewer's free look moves it, both see the same pose. Looks along its -z.
+/// The one camera: scripts give it orders, the viewer's free look moves it, both see the same pose. Looks along its -z.
 class Camera {
  public:
   Vec3 Position() const { return state_.position; }
@@ -24,7 +24,7 @@ class Camera {
   /// Sandbox.SetCameraForward: takes camera-space +z to direction, so that the camera looks along -direction (quirk 3).
   bool SetBackward(Vec3 direction);
 
-  /// Whether the viewer is to stay with it, rather than to go after agents.
+  /// Whether the viewer should stay with it rather than follow agents.
   void SetFixed(bool fixed) { is_fixed_ = fixed; }
   bool is_fixed() const { return is_fixed_; }
 

@@ -24,8 +24,9 @@ struct InfluenceConfig {
 /// Values from -1 to 1 in the cells of a grid over a navigation mesh, in ten independent layers: where danger is, who
 /// holds what. Cells that no part of the mesh touches hold nothing.
 ///
-/// Made once from a mesh; later changes of the mesh do not reach it. Layers and cells out of range are ignored, as are
-/// values that are no numbers. Structure of arrays: only cells in use have a number, and each layer is one array by it.
+/// It is made once from a mesh; later changes of the mesh do not reach it. It ignores layers and cells out of range,
+/// and values that are not numbers. Structure of arrays: only cells in use have a number, and each layer is one array
+/// by it.
 class InfluenceMap {
  public:
   static constexpr int kLayers = 10;

@@ -34,7 +34,7 @@ class MessageBoard {
  public:
   /// Gives the message its number and tick.
   void Post(Message message, std::uint64_t tick);
-  /// Forgets messages that are older than so many ticks.
+  /// Forgets messages that are older than this many ticks.
   void Forget(std::uint64_t tick, std::uint64_t age_ticks);
   const std::deque<Message>& messages() const { return messages_; }
   /// The number of the last message that was posted; 0 if there was none.

@@ -59,8 +59,8 @@ struct Doorway {
   float left = 0.3f, right = 0.7f, top = 0.8f;
 };
 
-/// Whether a mesh is a wall that one can walk through: those named ..._door, but for the hangar's, which is a door
-/// alone.
+/// Whether a mesh is a wall that you can walk through: those named ..._door, except for the hangar's, which is only a
+/// door.
 constexpr bool HasDoorway(std::string_view mesh) {
   const auto is = [mesh](std::string_view name) { return mesh.find(name) != std::string_view::npos; };
   return is("modular_brick_door") || is("modular_concrete_door");

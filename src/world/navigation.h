@@ -17,9 +17,9 @@ namespace soarbox::world {
 
 struct OverlaySnapshot;
 
-/// The navigation meshes of one world, by name. A mesh is built on a thread of its own from the moment that it is asked
-/// for; whoever asks it something first waits until it is ready, so a run does not depend on how long that takes.
-/// Owned by the World; for the world's thread only.
+/// The navigation meshes of one world, by name. A mesh is built on a thread of its own as soon as it is asked for.
+/// Whoever asks it something waits until it is ready, so a run does not depend on how long that takes. Owned by the
+/// World; for the world's thread only.
 class Navigation {
  public:
   static constexpr std::size_t kMaxMeshes = 32;
@@ -27,15 +27,15 @@ class Navigation {
   Navigation();
   ~Navigation();
 
-  /// Takes the place of a mesh of the same name. Fails at once if the configuration or the geometry cannot do; that
-  /// nothing is walkable turns out at the first use. The value tells whether parts of the geometry lie too far from the
-  /// origin and are left out.
+  /// Replaces a mesh of the same name. Fails at once if the configuration or the geometry is unusable; that nothing is
+  /// walkable turns out at the first use. The value says whether parts of the geometry lie too far from the origin and
+  /// are left out.
   Result<bool> Create(std::string_view name, NavigationGeometry geometry, const NavigationConfig& config);
   /// Waits for the mesh if it is being built. An error names what is wrong: no such mesh, or why it could not be built.
   Result<const NavigationMesh*> Find(std::string_view name);
   std::vector<std::string_view> Names() const;
 
-  /// Shows the mesh in snapshots, or no longer. An error if there is none of this name or it could not be built.
+  /// Shows the mesh in snapshots, or stops showing it. An error if none has this name or it could not be built.
   Result<void> Show(std::string_view name, bool show);
   void FillSnapshot(SceneSnapshot& snapshot) const;
   /// Draws all meshes that are ready, shown or not.

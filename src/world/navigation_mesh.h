@@ -40,13 +40,13 @@ class NavigationMesh {
   /// The shortest way, with a point at each crossing of an edge, both ends on the mesh; empty if an end is further than
   /// (2, 5, 2) m from the mesh or there is no way.
   std::vector<Vec3> FindPath(Vec3 from, Vec3 to) const;
-  /// False if the mesh shows that nobody at `from` can walk to within this distance of `to`, measured on the map: what
-  /// hangs together with the mesh at `from` nowhere comes so near. True where it cannot tell: no mesh at `from`, or
+  /// False if the mesh shows that nobody at `from` can walk to within this distance of `to`, measured on the map:
+  /// nothing that is connected to the mesh at `from` comes so near. True where it cannot tell: no mesh at `from`, or
   /// `to` beyond its edges.
   bool MayReach(Vec3 from, Vec3 to, float within_m) const;
   /// The nearest point of the mesh within (0.5, 2, 0.5) m; the point itself if there is none.
   Vec3 FindClosestPoint(Vec3 point) const;
-  /// Each place is as likely as any other, measured on the map; takes three numbers off the stream.
+  /// Each place is equally likely, measured on the map; takes three numbers off the stream.
   Vec3 RandomPoint(RandomStream& random) const;
 
   /// All polygons; they are triangles.

@@ -11,7 +11,7 @@ namespace soarbox::world {
 // For the navigation_*.cpp files only.
 
 /// Meshes that this process and those forked from it have built. Nothing is shared until ShareNavigation is called
-/// (shared_navigation.h); what does not fit is built again by everybody.
+/// (shared_navigation.h); each process builds again what does not fit.
 ///
 /// The same source gives the same mesh, so nobody can tell whether it was built or found. Safe from any thread and any
 /// of these processes; one that is killed while it writes leaves nothing behind.

@@ -47,7 +47,7 @@ class Object {
   float Mass() const;
   /// Negative counts as 0. Recomputes the inertia; 0 makes the body fixed, a positive value dynamic again.
   bool SetMass(float mass_kg);
-  /// m/s^2; takes the place of the world's gravity for this object.
+  /// m/s^2; replaces the world's gravity for this object.
   bool SetGravity(Vec3 gravity);
   /// Fractions 0..1 of velocity lost per second.
   bool SetDamping(float linear, float angular);

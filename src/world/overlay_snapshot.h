@@ -11,7 +11,7 @@
 
 namespace soarbox::world {
 
-/// What a viewer wants to know for its overlays; what costs little is always told.
+/// What a viewer wants to know for its overlays; what costs little is always included.
 struct OverlayWants {
   bool navigation = false, influence = false, physics = false;
   bool forces = false;
@@ -24,7 +24,7 @@ struct ContactSnapshot {
   Vec3 position;
   Vec3 forward{0, 0, 1};
   double age_s = 0;      ///< Since it was last noticed.
-  double memory_s = 15;  ///< After so long it is forgotten.
+  double memory_s = 15;  ///< It is forgotten after this long.
   bool visible = false;  ///< In view now.
   bool heard = false;    ///< Known by hearing.
   bool alive = true;     ///< As far as it knows.
@@ -33,7 +33,7 @@ struct ContactSnapshot {
 /// What an agent perceives, wants and says: what overlays draw and a scene does not show.
 struct AgentOverlay {
   std::uint32_t id = 0;
-  std::string operator_name;  ///< Of its mind, and of its substates behind that. Empty: none, or not told.
+  std::string operator_name;  ///< Of its mind, then of its substates. Empty: none, or not reported.
   std::string doing;          ///< The command under way, "move-to"; empty: none.
   bool has_senses = false;
   float sight_m = 0, view_deg = 360, hearing_m = 0;
@@ -69,10 +69,10 @@ struct PushSnapshot {
   Vec3 position;               ///< Of the body's middle now.
   Vec3 force_n;                ///< For one step; of a change of velocity the force that would have made it.
   float mass_kg = 1;
-  Vec3 spin_rad_s{};  ///< By which an angular impulse changed how the body turns; about its axis, by the right hand.
+  Vec3 spin_rad_s{};  ///< How an angular impulse changed its spin, about the axis by the right-hand rule.
 };
 
-/// A named part of the world that is no agent.
+/// A named part of the world that is not an agent.
 struct PlaceSnapshot {
   enum class Kind : std::uint8_t { kWaypoint, kRegion, kItem, kThing } kind = Kind::kWaypoint;
   std::string name;

@@ -6,8 +6,8 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Finds where capsules touch planes, the contact of everybody who stands on the ground, by a formula. The same point
-/// as Bullet finds with its search for any convex shape: the lowest one of the capsule.
+/// Finds by a formula where capsules touch planes, the contact of everybody who stands on the ground. The point is the
+/// same as Bullet finds with its search for any convex shape: the lowest one of the capsule.
 void FindCapsulesOnPlanes(btCollisionDispatcher& dispatcher);
 
 }  // namespace soarbox::world

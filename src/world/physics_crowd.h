@@ -7,11 +7,11 @@
 #include "world/physics_bullet.h"
 
 // Many bodies at one place, for the physics_*.cpp files only. Two things that touch cost time, and a heap of n things
-// has n * n / 2 of them. So there are limits: from a number of pairs on, further bodies pass through each other; and
-// those that would touch very many others are put aside, because finding what they do not touch costs time as well.
+// has n * n / 2 such pairs. So there are limits: beyond a number of pairs, further bodies pass through each other; and
+// bodies that would touch very many others are put aside, because finding what they do not touch costs time as well.
 namespace soarbox::world {
 
-/// Refuses pairs beyond a number, and counts for each body how many it was refused.
+/// Refuses pairs beyond a number, and counts how many each body was refused.
 struct PairLimit final : btOverlapFilterCallback {
   explicit PairLimit(btOverlappingPairCache& given) : pairs(given) {}
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
@@ -21,7 +21,7 @@ struct PairLimit final : btOverlapFilterCallback {
 };
 
 /// The broad phase with a place aside, where bodies meet nothing but planes: those reach everywhere. Rays find bodies
-/// that are aside where they really are: a tree of their own knows.
+/// that are aside where they really are: a separate tree knows.
 class CrowdBroadphase final : public btDbvtBroadphase {
  public:
   void setAabb(btBroadphaseProxy* proxy, const btVector3& low, const btVector3& high,
@@ -35,15 +35,15 @@ class CrowdBroadphase final : public btDbvtBroadphase {
   void LeaveAside(const btBroadphaseProxy* proxy);
 
   btDbvt aside_;
-  std::unordered_map<const btBroadphaseProxy*, btDbvtNode*> aside_leaves_;  ///< Never gone through in its own order.
+  std::unordered_map<const btBroadphaseProxy*, btDbvtNode*> aside_leaves_;  ///< Never iterated in its own order.
 };
 
-/// Puts bodies aside and lets them back. Which ones follows from the order of the bodies alone.
+/// Puts bodies aside and lets them back. Which ones depends on the order of the bodies alone.
 class CrowdControl {
  public:
   CrowdControl(btCollisionWorld& world, PairLimit& limit) : world_(world), limit_(limit) {}
 
-  /// A body was added, or brought to another place: aside with it if that place is full.
+  /// A body was added, or moved to another place: puts it aside if that place is full.
   void Check(btCollisionObject& body);
   /// A body is about to leave the world, for good or for a moment.
   void Forget(btCollisionObject& body);

@@ -6,9 +6,9 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Bullet's world, with a short way for what most bodies of a crowd do: stand upright, never turn, and move less in a
-/// step than would have to be swept. Where such a body is a step later is a sum; Bullet takes its rotation apart and
-/// puts it together again three times per step.
+/// Bullet's world, with a shortcut for what most bodies of a crowd do: stand upright, never turn, and move too little
+/// in a step to need a sweep. Where such a body is a step later is a sum; Bullet takes its rotation apart and puts it
+/// together again three times per step.
 class DynamicsWorld final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;

@@ -17,11 +17,12 @@ struct FirstHit {
   const btCollisionObject* body = nullptr;
   RayEntry entry;
 };
-/// The first body that the segment enters; of several at one point, the one of the smallest owner.
+/// The first body that the segment enters; of several at one point, the one with the smallest owner.
 FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to);
 
-/// The bodies about a place, for many segments there. Answers what the functions for all bodies answer, for segments
-/// within the box: four bodies at a time are passed over if the segment, seen from above, does not come near them.
+/// The bodies around a place, for many segments there. For segments within the box it gives the same answers as the
+/// functions for all bodies: it passes over four bodies at a time if the segment, seen from above, does not come near
+/// them.
 class NearBodies {
  public:
   /// Those whose boxes touch that box.

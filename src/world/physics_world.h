@@ -49,7 +49,7 @@ struct BodyDef {
 class PhysicsWorld {
  public:
   explicit PhysicsWorld(const WorldSettings& settings);
-  /// So many bodies have overlapped at once that further ones passed through each other.
+  /// Whether so many bodies have overlapped at once that further ones passed through each other.
   bool IsCrowded() const;
   ~PhysicsWorld();
 
@@ -79,18 +79,18 @@ class PhysicsWorld {
   void ApplyForce(BodyId body, Vec3 force_n);
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);
 
-  /// One step. Bodies that leave the range of the numbers are put back to its edge, at rest.
+  /// One step. Bodies that leave the range of the numbers are put back at its edge, at rest.
   void Step(float step_s);
-  /// Those that may have moved in the last step by themselves: what could move and did not sleep. In a fixed order;
-  /// some may be gone since, and their ids given to others.
+  /// Those that may have moved by themselves in the last step: those that could move and did not sleep. In a fixed
+  /// order; some may have gone since, and their ids may belong to others.
   std::span<const BodyId> MovedBodies() const;
   struct Push {
     BodyId body = BodyId::kNone;
     Vec3 force_n;
     Vec3 spin_rad_s{};
   };
-  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces, of
-  /// velocities that were set the force that would have changed them so, and of angular impulses the change of the
+  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces; for
+  /// velocities that were set, the force that would have changed them so; for angular impulses, the change of the
   /// angular velocity. Nothing in a run depends on it.
   const std::vector<Push>& LastPushes() const;
   static constexpr std::size_t kMostPushes = 8192;
@@ -102,14 +102,14 @@ class PhysicsWorld {
   /// Those whose bounding boxes come within that reach of the place, along each axis.
   BodiesAround Around(Vec3 place, Vec3 reach_m) const;
   /// Whether nothing but these two is on the segment in front of the target's surface; either may be kNone. Much faster
-  /// than RayCast where many bodies are on the way. `around`: those about the segment, if somebody has them.
+  /// than RayCast where many bodies are on the way. `around`: those around the segment, if somebody has them.
   bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around = nullptr) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
   /// that is not const.
   std::span<const Obstacle> Obstacles();
   void AddDebugLines(std::vector<LineSnapshot>& lines);
-  /// Hash of all that decides the future of the bodies that are not upright. Only those that moved or were changed
-  /// since the last call are looked at; `anew`: all of them, which gives the same.
+  /// Hash of all that decides the future of the bodies that are not upright. Looks only at those that moved or were
+  /// changed since the last call; `anew`: at all of them, which gives the same.
   std::uint64_t HashOfThings(bool anew = false);
 
   // What a body can bear; callers clamp to these.

@@ -6,7 +6,7 @@
 namespace soarbox::world {
 
 /// A stream of random numbers (O'Neill's PCG, 64 bits of state, 32 bits of output): the same on every machine and
-/// standard library. Streams with different numbers are independent though they share a seed.
+/// standard library. Streams with different numbers are independent even if they share a seed.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed = 1, std::uint64_t stream = 0);

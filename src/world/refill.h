@@ -6,8 +6,8 @@
 
 namespace soarbox::world {
 
-/// Fills a list anew in the place of what it held, so that its entries' texts and lists keep their memory. What is left
-/// over goes at the end.
+/// Fills a list again in place of what it held, so that its entries' texts and lists keep their memory. Entries that
+/// are left over go at the end.
 template <typename T>
 class Refill {
  public:

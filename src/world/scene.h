@@ -59,7 +59,7 @@ class Scene {
   bool Remove(NodeId node);
   bool Contains(NodeId node) const;
   std::size_t node_count() const { return nodes_.size(); }
-  /// Nodes hang so many below each other at most: whoever asks where one is goes through all above it.
+  /// Nodes hang at most this deep below each other: whoever asks where one is goes through all above it.
   static constexpr int kDeepest = 100;
   /// How many nodes are above this one.
   int Depth(NodeId node) const;
@@ -109,9 +109,9 @@ class Scene {
     std::size_t clip = 0;
   };
   FoundAnimation FindAnimation(AnimationId animation);
-  /// Hangs a node on a bone of a mesh: it moves with the bone from now on, its place and turn are relative to it. False
-  /// if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, if the mesh hangs below
-  /// the node, or if something would hang too deep.
+  /// Hangs a node on a bone of a mesh: from now on it moves with the bone, and its place and turn are relative to the
+  /// bone. False if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, if the mesh
+  /// hangs below the node, or if something would hang too deep.
   bool AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 position, Quat orientation);
   /// Where a bone is in the world: of the node's own skeleton, else of meshes that hang on its bones.
   std::optional<BonePose> BoneInWorld(NodeId node, std::string_view bone) const;
@@ -129,8 +129,8 @@ class Scene {
   void SetSky(std::string_view name, Vec3 rotation_deg);
 
   /// Sets drawables, lights and particles, ambient light and sky, and begins the lines. Agents and objects are drawn
-  /// where their bodies are, not where their nodes are, which follow a tick later. Only what has changed since the last
-  /// snapshot, of whomever, is worked out anew. `is_known`: this one has been filled from this scene before.
+  /// where their bodies are, not where their nodes are, which follow a tick later. Works out only what has changed
+  /// since the last snapshot, whoever took it. `is_known`: this snapshot has been filled from this scene before.
   void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:
@@ -151,7 +151,7 @@ class Scene {
   /// What hangs on the bones of a body, the first on top.
   static void AddCarried(const Node& body, std::vector<const Node*>& carried);
   WorldTransform Transform(NodeId node) const;
-  /// `by_body`: with the bodies of agents and objects in the places of their nodes.
+  /// `by_body`: with the bodies of agents and objects in place of their nodes.
   static WorldTransform TransformOf(const Node& node, bool by_body = false);
   // Give a node its drawable; also for the nodes of objects, which wear theirs themselves.
   void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
@@ -163,9 +163,9 @@ class Scene {
   /// Its body has gone somewhere; the node follows later.
   void BodyMoved(NodeId node, Vec3 position, Quat orientation);
   void BodyMoved(Node& node, Vec3 position, Quat orientation);
-  /// The node, and what is below it, looks otherwise from now on.
+  /// The node, and what is below it, looks different from now on.
   void Changed(Node& node);
-  /// Its place alone has changed.
+  /// Only its place has changed.
   void Moved(Node& node);
   void Forget(Node& node);
   void Refresh() const;

@@ -47,8 +47,8 @@ struct Scene::Node {
   static constexpr std::size_t kNotWaiting = ~std::size_t{0};
   bool has_new_look = true;              ///< More than its place has changed since it was drawn.
   std::size_t waits_at = kNotWaiting;    ///< In the list of those that have changed since.
-  std::uint64_t drawn_in = 0;            ///< The last refreshing that saw it.
-  std::uint64_t drawn_pose = 0;          ///< The pose of the animator that is in the picture.
+  std::uint64_t drawn_in = 0;            ///< The last refresh that saw it.
+  std::uint64_t drawn_pose = 0;          ///< The animator's pose that is in the picture.
   std::vector<LineSnapshot> ring_lines;  ///< kRing.
 
   bool HasBody() const { return belongs_to_entity && owner != EntityId::kSandbox; }

@@ -12,14 +12,14 @@ namespace soarbox::world {
 
 /// What there is to see, as the last snapshot showed it, and what has changed since.
 ///
-/// Invariants: a node that looks otherwise than the picture has it, or hangs below one that moved, is in `waiting` or
-/// below a node that is, or below a body whose pose has changed; each node is there once. Of nodes that are gone
-/// nothing is left but the ids of their drawables in `gone`.
+/// Invariants: a node that differs from the picture, or hangs below one that moved, is in `waiting` or below a node
+/// that is, or below a body whose pose has changed; each node is there once. Of removed nodes, nothing is left but the
+/// ids of their drawables in `gone`.
 struct Scene::Picture {
   std::vector<Node*> waiting;
   std::vector<NodeId> gone;
   SharedList<DrawableSnapshot> drawables;
-  // The few that are made anew when one of them changes, of nodes in creation order.
+  // The few that are all made again when one of them changes, from nodes in creation order.
   std::vector<const Node*> light_nodes, particle_nodes, ring_nodes;
   std::vector<LightSnapshot> lights;
   std::vector<ParticleSnapshot> particles;

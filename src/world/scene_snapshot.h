@@ -47,7 +47,7 @@ struct DrawableSnapshot {
   Vec3 scale{1, 1, 1};
   bool visible = true;
   Shared<std::vector<BonePose>> bones;  ///< Of meshes with a skeleton: where its bones are in the mesh, by index.
-  bool shows_skeleton = false;          ///< Its bones are to be drawn on top.
+  bool shows_skeleton = false;          ///< Draw its bones on top.
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };
@@ -137,7 +137,7 @@ struct UiSnapshot {
   std::string text;
   /// An image or material name, if any.
   std::string material;
-  std::string caption;  ///< A plain text besides a markup text; empty unless the component has both.
+  std::string caption;  ///< A plain text in addition to a markup text; empty unless the component has both.
   bool gradient_is_diagonal =
       false;              ///< From the top left to the bottom right; gradient_is_vertical does not count then.
   bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
@@ -159,7 +159,7 @@ struct SceneSnapshot {
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
   std::vector<LineSnapshot> lines;          ///< Debug lines of this tick, physics debug included if switched on.
-  std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they stand among the lines.
+  std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they are among the lines.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
   /// What %0 to %9 mean in markup texts.
@@ -168,11 +168,11 @@ struct SceneSnapshot {
   std::string sky;  ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
   Vec3 sky_rotation_deg;
   CameraSnapshot camera;           ///< Where the scripts want it; `camera_moves` counts their orders.
-  std::uint32_t camera_moves = 0;  ///< The viewer takes the camera over when this number changes.
+  std::uint32_t camera_moves = 0;  ///< The viewer takes over the camera when this number changes.
   bool camera_is_fixed = false;    ///< It shows what there is to see; the viewer need not look for agents.
 
-  /// Which world filled this, and which versions of what seldom changes, so that the same world, when it fills this or
-  /// a copy of it again, need not copy what is the same. No part of the picture.
+  /// Which world filled this, and which versions of what seldom changes, so that the same world need not copy what is
+  /// the same when it fills this or a copy of it again. No part of the picture.
   struct Kept {
     std::uint64_t world = 0;  ///< 0: none.
     std::uint64_t few = 0, ui = 0;

@@ -10,8 +10,8 @@ namespace soarbox::world {
 
 enum class SceneryKind : std::uint8_t { kPine, kOak, kRock };
 
-/// Things that grow or lie about, their origins on the ground. Their bodies are the boxes of their bounds: trees are as
-/// thin as their trunks there, so that one can pass below the branches.
+/// Things that grow or lie about, with their origins on the ground. Their bodies are the boxes of their bounds: trees
+/// are as thin as their trunks there, so that you can pass below the branches.
 struct SceneryMesh {
   std::string_view name;
   SceneryKind kind;

@@ -9,7 +9,7 @@
 
 namespace soarbox::world {
 
-/// A text or a list that never changes once it is made, so that all who hold it share it, on any thread. Reads like the
+/// A text or a list that never changes once it is made, so all who hold it share it, on any thread. Reads like the
 /// value itself.
 template <typename T>
 class Shared {
@@ -39,7 +39,7 @@ class Shared {
   auto begin() const { return value().begin(); }
   auto end() const { return value().end(); }
   const auto& operator[](std::size_t index) const { return value()[index]; }
-  /// They are one in memory: equal without looking.
+  /// They are one in memory, so they are equal without a comparison.
   bool IsSame(const Shared& other) const { return value_ == other.value_; }
 
   friend bool operator==(const Shared& a, const Shared& b) { return a.value_ == b.value_ || a.value() == b.value(); }

@@ -21,7 +21,7 @@ class SharedList {
  public:
   static constexpr std::size_t kMostPerBlock = 32;
 
-  /// An entry, or the place behind the last one.
+  /// An entry, or the place after the last one.
   struct Place {
     std::size_t block = 0;
     std::size_t index = 0;
@@ -95,7 +95,7 @@ class SharedList {
     return {static_cast<std::size_t>(block - blocks_.begin()),
             static_cast<std::size_t>(entry - (*block)->entries.begin())};
   }
-  /// What is in `block` here is what is in `other_block` there, and both know it without looking.
+  /// Both blocks are one in memory, so their contents are the same without a comparison.
   bool SharesBlock(std::size_t block, const SharedList& other, std::size_t other_block) const {
     return blocks_[block].get() == other.blocks_[other_block].get();
   }
@@ -103,13 +103,13 @@ class SharedList {
 
   /// To change an entry, but not its id.
   T& Edit(Place place) { return Own(place.block).entries[place.index]; }
-  /// Its id is greater than that of the last.
+  /// Its id must be greater than that of the last entry.
   void push_back(T value) {
     if (blocks_.empty() || blocks_.back()->entries.size() >= kMostPerBlock) blocks_.emplace_back(new Block);
     Own(blocks_.size() - 1).entries.push_back(std::move(value));
     ++size_;
   }
-  /// Before the entry at a place; the new entry stands there then.
+  /// Inserts before the entry at a place; returns the place of the new one.
   Place Insert(Place place, T value) {
     if (IsEnd(place)) {
       push_back(std::move(value));
@@ -183,7 +183,7 @@ class SharedList {
     return *own;
   }
 
-  /// Makes two of a full block; returns where the place is then.
+  /// Splits a full block into two; returns where the place is then.
   Place Split(Place place) {
     auto& entries = Own(place.block).entries;
     const std::size_t half = entries.size() / 2;

@@ -3,7 +3,7 @@
 
 namespace soarbox::world {
 
-/// From here on this process, and those that it forks, build each navigation mesh once for all of them: a thousand runs
+/// From here on, this process and those that it forks build each navigation mesh once for all of them: a thousand runs
 /// of one world need its mesh a thousand times. Nobody can tell whether a mesh was built or found.
 void ShareNavigation();
 

@@ -9,10 +9,11 @@
 // What agents can see and hear of each other, fast enough for crowds in which everybody looks at everybody.
 namespace soarbox::world {
 
-/// The same as HasLineOfSight for an agent as the target: whether anything hides this point of it from the other's
-/// eyes. `around`: AroundEyes of the one who looks, if the point is within that range of it.
+/// HasLineOfSight for an agent as the target: whether the other's eyes see this point of it. `around`: AroundEyes of
+/// the one who looks, if the point is within that range of it.
 bool SeesAgent(const Agent& from, const Agent& target, Vec3 point, const BodiesAround* around = nullptr);
-/// What may hide others from an agent up to this distance on the ground. Pays for who looks at many of them nearby.
+/// What may hide others from an agent up to this distance on the ground. Pays off for an agent that looks at many
+/// nearby.
 BodiesAround AroundEyes(const Agent& from, float range_m);
 
 /// All agents within this distance, and perhaps some beyond, in ascending id. Several threads may ask at a time if

@@ -9,16 +9,16 @@
 
 namespace soarbox::world {
 
-/// Getting out of each other's way (docs/spec/lua_api.md, ForceToAvoidAgents): who touches the agent is pushed off
-/// sideways; else it steps aside for the one that it would run into first. The answer does not depend on the order in
-/// which others are looked at: between equals the lower index counts.
+/// Getting out of each other's way (docs/spec/lua_api.md, ForceToAvoidAgents): an agent that touches another is pushed
+/// off sideways; else it steps aside for the one that it would run into first. The answer does not depend on the order
+/// in which others are looked at: between equals, the lower index counts.
 class Lookout {
  public:
-  /// No agent of `all` is faster or wider than told; self_index is one of them.
+  /// No agent of `all` is faster or wider than these limits; self_index is one of them.
   Lookout(std::size_t self_index, std::span<const AgentMotion> all, float look_ahead_s, float max_speed_mps,
           float max_radius_m);
 
-  /// Nobody whose centre is farther away can matter any more. Shrinks as others are looked at.
+  /// Agents whose centre is farther away no longer matter. Shrinks as others are looked at.
   float range_m() const;
   /// Takes one agent into account; self and the dead do not count.
   void Look(std::uint32_t index);

@@ -8,8 +8,8 @@
 
 namespace soarbox::world {
 
-/// Whom a group force counts as neighbour: anybody nearer than 3 radii of self, and within max_distance_m whoever
-/// stands less than max_angle_deg off self's forward.
+/// Whom a group force counts as a neighbour: anybody nearer than 3 radii of self, and anybody within max_distance_m who
+/// is less than max_angle_deg off self's forward.
 struct Neighbourhood {
   float max_distance_m = 0;
   float max_angle_deg = 180;

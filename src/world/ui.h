@@ -71,7 +71,7 @@ class Ui {
   static std::optional<UiFont> FontByName(std::string_view name);
   static std::string_view FontName(UiFont font);
 
-  /// `is_known`: this one has been filled from here before, or is a copy of such a one.
+  /// `is_known`: this snapshot has been filled from here before, or is a copy of one that has.
   void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:

@@ -19,7 +19,7 @@ struct WeaponSettings {
   float damage = 20;        ///< Health that a hit takes.
   float spread_deg = 1.5f;  ///< Standard deviation of the direction; drawn from the shooter's own stream.
   int magazine = 10;        ///< Rounds that a magazine holds.
-  int reserve = 40;         ///< Rounds that are carried besides.
+  int reserve = 40;         ///< Further rounds that its owner carries.
   float interval_s = 0.5f;  ///< Between two shots.
   float reload_s = 2;
   float heard_m = 60;  ///< How far a shot is heard.
@@ -54,7 +54,7 @@ class Weapon {
   std::optional<Shot> Fire(World& world, Agent& shooter, Vec3 at, float steadiness);
   /// False if there is nothing to load or the magazine is full.
   bool BeginReload(const World& world);
-  /// To be called once per tick: a reload that is over fills the magazine.
+  /// Call it once per tick: a reload that is over fills the magazine.
   void Update(std::uint64_t tick);
 
   void AddTo(StateHash& hash) const;
@@ -63,7 +63,7 @@ class Weapon {
   WeaponSettings settings_;
   int rounds_ = 0, reserve_ = 0;
   std::uint64_t ready_at_ = 0;
-  std::uint64_t reloaded_at_ = 0;  ///< 0: no reload goes on.
+  std::uint64_t reloaded_at_ = 0;  ///< 0: no reload is under way.
 };
 
 /// Where an agent looks from: a little below the top of its capsule.

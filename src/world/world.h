@@ -55,7 +55,7 @@ class World {
   // Time.
   /// Ticks begun so far.
   std::uint64_t tick() const;
-  /// Whole milliseconds per tick as scripts are told: 33 for 1/30 s.
+  /// Whole milliseconds per tick as scripts see them: 33 for 1/30 s.
   int step_millis() const;
   /// tick() times step_millis(): the scripts' clock.
   std::uint64_t time_millis() const;
@@ -109,12 +109,12 @@ class World {
   BodiesAround Around(Vec3 place, float reach_m) const;
 
   // Navigation.
-  /// Starts to build a mesh over all fixed objects of now that have looks; planes are left out. See Navigation::Create.
+  /// Starts to build a mesh over all present fixed objects that have looks; leaves out planes. See Navigation::Create.
   Result<bool> CreateNavigationMesh(std::string_view name, const NavigationConfig& config);
   /// Roughly how many cells such a mesh takes: what it costs.
   double NavigationCells(const NavigationConfig& config) const;
   Navigation& navigation();
-  /// Takes the place of the map before it.
+  /// Replaces the previous map.
   Result<void> CreateInfluenceMap(std::string_view navigation_mesh, const InfluenceConfig& config);
   /// Null until there is one.
   InfluenceMap* influence();
@@ -137,13 +137,13 @@ class World {
   void SetDrawPhysics(bool draw);
   bool draw_physics() const;
 
-  /// So many bodies overlap at one place that further ones pass through each other.
+  /// Whether so many bodies overlap at one place that further ones pass through each other.
   bool IsCrowded() const;
   /// Warnings since the last call (unknown meshes, materials, ...), each once per name.
   std::vector<Diagnostic> TakeWarnings();
 
   SceneSnapshot Snapshot() const;
-  /// The same in the place of an earlier one, whose memory is used again: nearly nothing of it has to be asked for.
+  /// The same, in place of an earlier one, whose memory it uses again: it needs next to no new memory.
   void Snapshot(SceneSnapshot& snapshot) const;
   /// Adds navigation meshes, the influence map and the shapes of bodies, whether scripts show them or not.
   void AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) const;

@@ -16,7 +16,7 @@ class Clip {
     std::string name;
     float length_s = 1;       ///< Above 0.
     bool is_cycle = false;    ///< Its end joins its start.
-    bool upper_body = false;  ///< Legs may go on walking meanwhile.
+    bool upper_body = false;  ///< The legs may go on walking meanwhile.
     float speed_mps = 0;      ///< How fast the feet carry the body, for movements that do.
   };
 
@@ -28,7 +28,7 @@ class Clip {
   bool is_cycle() const { return settings_.is_cycle; }
   bool upper_body() const { return settings_.upper_body; }
   float speed_mps() const { return settings_.speed_mps; }
-  /// The way of one cycle.
+  /// The distance that one cycle covers.
   float stride_m() const { return settings_.speed_mps * settings_.length_s; }
 
   /// The pose of one bone relative to its parent; the time is clamped to 0..length_s.

@@ -16,7 +16,7 @@ class StateHash;
 enum class LocomotionStyle : std::uint8_t { kReady, kAim, kCrouch, kUnarmed };
 inline constexpr std::size_t kLocomotionStyles = 4;
 
-/// The movements of one style, by index of clip. Forward gaits stand in ascending order of speed.
+/// The movements of one style, by index of clip. Forward gaits are in ascending order of speed.
 struct Gaits {
   int idle = -1;
   std::vector<int> forward, backward;
@@ -37,9 +37,9 @@ struct BodyMotion {
   bool alive = true;
 };
 
-/// Walks by itself: chooses movements, their weights and their times by how fast and whither the body moves, so that
-/// feet stay where they are set down. The cadence is the speed over the mean stride of what is mixed; all gaits share
-/// one phase.
+/// Walks by itself: chooses movements, their weights and their times by how fast and in which direction the body moves,
+/// so that feet stay where they are set down. The cadence is the speed over the mean stride of what is mixed; all gaits
+/// share one phase.
 class Locomotion {
  public:
   struct Share {
@@ -53,7 +53,7 @@ class Locomotion {
   void Update(const Rig& rig, const BodyMotion& motion, float seconds);
   /// The movements to mix; weights add up to 1 after the first Update.
   const std::vector<Share>& shares() const { return shares_; }
-  /// How much the legs belong to walking, 0..1: what only moves the upper body leaves them so much.
+  /// How much the legs belong to walking, 0..1: a movement of the upper body alone leaves them this much.
   float legs() const { return legs_; }
 
   void AddTo(StateHash& hash) const;

@@ -9,8 +9,8 @@
 
 namespace soarbox::world {
 
-/// The bones of a body: a tree in which each bone stands behind its parent. Shared by all bodies of one kind, never
-/// changed after it was built.
+/// The bones of a body: a tree in which each bone comes after its parent. All bodies of one kind share it; it never
+/// changes after it was built.
 class Skeleton {
  public:
   struct Bone {

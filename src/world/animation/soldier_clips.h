@@ -19,7 +19,7 @@ SoldierPose StandFree();
 /// Lets an arm hang and swing: `forward` turns it about the shoulder, `bend` at the elbow, in rad.
 void SwingArm(SoldierPose& pose, bool is_left, float forward, float bend);
 
-/// A clip whose pose at each moment (0..1 of its length) a function says.
+/// A clip whose pose at each moment (0..1 of its length) comes from a function.
 Clip MakeClip(const Clip::Settings& settings, const std::function<SoldierPose(float)>& pose_at);
 
 /// Walking and running, soldier_gaits.cpp.

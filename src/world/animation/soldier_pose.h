@@ -38,7 +38,7 @@ struct SoldierPose {
 /// Between two poses; b at share 1.
 SoldierPose Between(const SoldierPose& a, const SoldierPose& b, float share);
 
-/// The bones of a pose, relative to their parents. What arms and legs cannot reach they stretch towards.
+/// The bones of a pose, relative to their parents. Arms and legs stretch towards what they cannot reach.
 std::vector<BonePose> SolvePose(const SoldierPose& pose);
 
 }  // namespace soarbox::world

@@ -64,8 +64,8 @@ struct RifleHold {
 };
 const RifleHold& HoldOfRifle();
 
-/// The turn that takes fingers that point along `direction` with the palm facing `palm` to where they are in the bind
-/// pose of that hand, undone: what the left hand's bone must be turned by to point so.
+/// What the left hand's bone must be turned by so that its fingers point along `direction` and the palm faces `palm`:
+/// the inverse of the turn that takes such fingers to where they are in the bind pose of that hand.
 Quat LeftHandTurn(Vec3 direction, Vec3 palm);
 /// The turn of the right hand's bone in the model when its fingers point along `direction` and the palm faces `palm`.
 Quat RightHandTurn(Vec3 direction, Vec3 palm);
