@@ -16,7 +16,7 @@ class AliasTable {
   /// Starts with Soar's own aliases.
   AliasTable();
 
-  /// Puts the expansion in place of the first word if that is an alias.
+  /// Replaces the first word by its expansion if it is an alias.
   void Expand(std::vector<Word>& words) const;
 
   void Define(std::string name, std::vector<std::string> expansion);

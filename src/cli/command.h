@@ -20,7 +20,7 @@ class Interpreter;
 class PrintStream;
 class Session;
 
-/// One command that is being carried out: its words, and where its answer goes.
+/// A command while it is carried out: its words, and where its answer goes.
 struct CommandCall {
   Interpreter& interpreter;
   Session& session;
@@ -36,19 +36,19 @@ struct CommandCall {
   void Out(std::string_view text) { result.text += text; }
   /// Ends the command with an error; returns false, for `return call.Fail(...)`.
   bool Fail(std::string_view message);
-  /// Ends the command with an error whose text has been printed already.
+  /// Ends the command with an error whose text is already printed.
   bool FailPrinted();
-  /// Adds a hint that only people see, not the programs that read the text.
+  /// Adds a hint for people; programs that read the text do not see it.
   void Hint(std::string message, std::string hint);
   void AddArgument(std::string param, std::string type, std::string value);
 
-  /// The words after `words[0]` taken apart; on an error the call has failed already.
+  /// Takes apart the words after `words[0]`. After an error the call has already failed.
   bool Parse(std::span<const OptionSpec> specs, ParsedWords& parsed);
 };
 
 struct CommandInfo;
 
-/// A word that a command takes in second place: a sub-command or a setting.
+/// The second word of a command: a sub-command or a setting.
 struct SubcommandInfo {
   std::string_view name;
   std::string_view usage;    ///< What follows the name: "[on | off]", "NAME".
@@ -78,13 +78,13 @@ const CommandInfo* FindCommand(std::string_view word, std::string& error);
 /// The line that lists what an ambiguous word may be.
 std::string DidYouMean(std::vector<std::string_view> names);
 
-/// Carries out the sub-command that words[1] names by its full name or a unique beginning. `invalid` is the message if
-/// there is none. Options are checked against those of all sub-commands of the command first, as Soar does;
-/// `usage_hint` follows its message, but not for the letters `also_known`, which pass there.
+/// Carries out the sub-command that words[1] names by its full name or a unique beginning. If there is none, the
+/// message is `invalid`. As in Soar, the options are first checked against those of all sub-commands of the command.
+/// `usage_hint` follows the message about a wrong option, but the letters in `also_known` pass this check.
 bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
                    std::string_view also_known = {});
 
-/// The names that commands and sub-commands have, nearest to a misspelt word.
+/// The names of commands and sub-commands that are nearest to a misspelt word.
 std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);
 
 // The commands, by file.

@@ -11,7 +11,7 @@ class EpisodicMemory;
 
 namespace soarbox::cli {
 
-/// An episode as `epmem --print` shows it: an object a line, attributes in order. The episode exists.
+/// An episode as `epmem --print` shows it: one object per line, attributes in order. The episode must exist.
 std::string EpisodeText(const kernel::EpisodicMemory& memory, kernel::EpisodeNumber episode);
 /// The same as a graph for Graphviz (`epmem --viz`).
 std::string EpisodeGraph(const kernel::EpisodicMemory& memory, kernel::EpisodeNumber episode);

@@ -9,10 +9,10 @@
 /// Drawings of how a rule was learned, in the language of Graphviz.
 namespace soarbox::cli {
 
-/// Which identities became one, and which became constants.
+/// Which identities were merged, and which became constants.
 std::string IdentityGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
-/// The firings behind the rule as tables of their conditions and actions, with an edge from each condition to the
-/// firing that made what it tested; fields of one identity have one colour.
+/// Tables of the conditions and actions of the firings behind the rule, with an edge from each condition to the firing
+/// that made the element it tested. Fields of one identity have one colour.
 std::string AnalysisGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
 
 }  // namespace soarbox::cli

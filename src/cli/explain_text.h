@@ -9,7 +9,7 @@
 /// How a rule was learned, as `explain` prints it.
 namespace soarbox::cli {
 
-/// Whether a rule of this name is still there. Tests of a firing are not shown once its rule has been excised.
+/// Whether a rule of this name is still loaded. Once its rule is excised, the tests of a firing are not shown.
 using LoadedRules = std::function<bool(const std::string& name)>;
 
 /// The learned rule, with the identities behind its variables.
@@ -23,7 +23,7 @@ std::string FormationText(const kernel::ExplainedRule& rule, bool elements, cons
 std::string IdentityText(const kernel::ExplainedRule& rule);
 std::string ConstraintsText(const kernel::ExplainedRule& rule);
 std::string ExplainedStatisticsText(const kernel::ExplainedRule& rule);
-/// What else can be asked.
+/// What else you can ask.
 std::string ExplainMenu(bool elements);
 
 }  // namespace soarbox::cli

@@ -12,19 +12,19 @@
 
 namespace soarbox::cli {
 
-/// What the commands of strangers may do. They read below some folders, and write nothing, start nothing, and change
-/// nothing that other agents or the user's own commands go by.
+/// What the commands of strangers may do. They may read below some folders. They may not write or start anything, nor
+/// change anything that other agents or your own commands depend on.
 ///
-/// Every command is refused unless a table allows it, and of those that know files only the words that open none: a
-/// command that is new is refused until it is allowed here. All that opens a file asks besides
-/// (Interpreter::ResolveForReading, Interpreter::ResolveForWriting).
+/// A command is refused unless a table allows it, and of the commands that handle files only the words that open none
+/// are allowed. So a new command is refused until it is allowed here. Code that opens a file also asks
+/// Interpreter::ResolveForReading or Interpreter::ResolveForWriting.
 class Fence {
  public:
   /// Whose commands they are.
   enum class Source : std::uint8_t {
-    kFiles,      ///< Of a scenario's files, and of those that its rules carry out.
+    kFiles,      ///< Of a scenario's files, or carried out by its rules.
     kRecording,  ///< Typed when a run was recorded; they may run agents, as they did then.
-    kRulesOnly,  ///< Of files that are looked over: only rules, and the files that they lie in, count.
+    kRulesOnly,  ///< Of files that are only inspected: only rules, and the files that hold them, count.
   };
 
   explicit Fence(std::vector<std::filesystem::path> folders, Source source = Source::kFiles);
@@ -33,14 +33,14 @@ class Fence {
   /// The same folders for commands of another source.
   Fence For(Source source) const;
 
-  /// True if the file, all links followed, lies below one of the folders and is no device, pipe or socket.
+  /// True if the file, after all links, is below one of the folders and is no device, pipe or socket.
   bool MayRead(const std::filesystem::path& path) const;
 
   struct Answer {
     bool carry_out = true;
-    std::string refusal;  ///< Why not; empty with carry_out off: it is passed over, as if it had succeeded.
+    std::string refusal;  ///< Why not. Empty with carry_out off: the command is skipped as if it had succeeded.
   };
-  /// Whether this command may be carried out. The words' aliases are expanded, and the first is the command's full
+  /// Whether this command may be carried out. Aliases must be expanded, and the first word must be the command's full
   /// name.
   Answer Ask(std::span<const Word> words) const;
 

@@ -10,7 +10,7 @@ namespace soarbox::cli {
 
 /// How a drawing of working memory looks (`visualize`).
 struct GraphStyle {
-  bool records = true;          ///< An object is a table of its values; else each value is a node of its own.
+  bool records = true;          ///< An object is a table of its values; otherwise each value is a node.
   bool separate_states = true;  ///< Links between states are left out.
   bool architecture = false;    ///< Elements that the architecture made are shown (superstate, type, impasse, ...).
   std::string line_style = "polyline";
@@ -22,7 +22,7 @@ std::string WorkingMemoryGraph(const kernel::Agent& agent, std::span<const kerne
 
 /// A text between quotes, as Graphviz reads it.
 std::string GraphQuoted(std::string_view text);
-/// A text within a record's label: what has a meaning there is escaped. Goes between quotes as it is.
+/// A text within a record's label, with special characters escaped. Goes between quotes as it is.
 std::string GraphRecordText(std::string_view text);
 
 }  // namespace soarbox::cli

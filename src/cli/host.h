@@ -9,18 +9,18 @@ namespace soarbox::cli {
 
 class Session;
 
-/// `run` with its options read.
+/// `run` with its options parsed.
 struct RunRequest {
   kernel::RunUnit unit = kernel::RunUnit::kForever;
   std::uint64_t count = 1;
   kernel::RunUnit interleave = kernel::RunUnit::kPhase;
-  bool interleave_given = false;  ///< Else the host chooses: the run's unit, or phases for a run without end.
+  bool interleave_given = false;  ///< Otherwise the host chooses: the run's unit, or phases for a run without end.
   bool self_only = false;         ///< Only the agent that the command is addressed to.
   bool until_goal_removed = false;
   bool update_world = true;  ///< Ask the environment to advance.
 };
 
-/// Who owns the agents and lets them run: the command line asks, the host does. The default serves one agent and no
+/// Owns the agents and runs them: the command line asks, the host acts. The default host serves one agent without an
 /// environment; a kernel with many agents brings its own.
 class Host {
  public:
@@ -30,9 +30,9 @@ class Host {
   virtual kernel::RunResult Run(Session& session, const RunRequest& request);
   /// Asks running agents to stop at the next step.
   virtual void Stop(Session& session, bool self_only);
-  /// init-soar, with whatever belongs to it (input is sent again).
+  /// init-soar with everything that belongs to it (input is sent again).
   virtual void Reinitialize(Session& session);
-  /// True while Run is under way: commands that change the agent are refused then.
+  /// True while Run is active: commands that change the agent are then refused.
   virtual bool IsRunning(Session& session) const;
   /// The port that the kernel listens on, 0 for none.
   virtual int Port() const { return 0; }

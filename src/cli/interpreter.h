@@ -19,34 +19,34 @@ namespace soarbox::cli {
 struct CommandCall;
 struct SourceRun;
 
-/// The Soar command language of one kernel: aliases, directories and files are common to its agents, everything else
-/// belongs to the session that a command is addressed to.
+/// The Soar command language of one kernel. Its agents share aliases, directories and files; everything else belongs to
+/// the session that receives a command.
 ///
-/// Execute answers any text and never throws. A line may hold several commands; it ends with the first that fails. A
-/// file that is sourced goes on after a command that fails, and reports all failures.
+/// Execute accepts any text and never throws. A line may hold several commands; it ends at the first that fails. A
+/// sourced file continues after a command that fails, and reports all failures.
 ///
-/// Commands may come from within a run (a rule's `cmd`, a callback of a client): those that would pull the ground from
-/// under the running agent are refused.
+/// Commands may come from within a run (a rule's `cmd`, a callback of a client). Those that would break the running
+/// agent are refused.
 ///
 /// Not thread-safe: called by the thread that owns the kernel.
 class Interpreter {
  public:
-  /// `host` must outlive the interpreter; none: agents run alone.
+  /// `host` must outlive the interpreter; without one, agents run alone.
   explicit Interpreter(Host* host = nullptr);
   ~Interpreter();
 
   CommandResult Execute(Session& session, std::string_view line);
 
-  /// How the word that `line` ends with may go on: command words, sub-commands, options, rule names, file names.
+  /// How the last word of `line` may continue: command words, sub-commands, options, rule names, file names.
   std::vector<std::string> Complete(Session& session, std::string_view line) const;
 
   AliasTable& aliases() { return aliases_; }
   Host& host() { return *host_; }
 
-  /// The directory that relative file names start from; begins as the process's. `cd` changes only this.
+  /// The directory that relative file names start from; at first that of the process. `cd` changes only this.
   const std::filesystem::path& directory() const { return directory_; }
   bool ChangeDirectory(const std::string& path);
-  /// To where it was before a file was read: no fence holds for that.
+  /// Returns to the directory from before a file was read; the fence does not apply.
   void GoBackTo(std::filesystem::path directory);
   std::vector<std::filesystem::path>& directory_stack() { return directory_stack_; }
   /// A file name as typed, relative to directory().
@@ -54,10 +54,10 @@ class Interpreter {
 
   /// For commands that read a file: its path, or a failure of the call if it lies outside the fence.
   bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
-  /// For commands that write one: inside a fence nothing is written.
+  /// For commands that write a file: inside a fence nothing may be written.
   bool ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
 
-  /// While one lives, commands are those of a stranger's files: the fence holds for them. Null: for nothing.
+  /// While one exists, commands come from a stranger's files and the fence applies to them. Null: no fence.
   class Fenced {
    public:
     Fenced(Interpreter& interpreter, const Fence* fence)
@@ -72,10 +72,10 @@ class Interpreter {
   };
   const Fence* fence() const { return fence_; }
 
-  /// For commands that run others (source, time, command-to-file). Appends to call.result.text; expands aliases in
+  /// For commands that run others (source, time, command-to-file). Appends to call.result.text and expands aliases in
   /// `words`.
   bool ExecuteWords(CommandCall& call, std::vector<Word>& words);
-  /// The source command that is under way, if any.
+  /// The source command that is running, if any.
   SourceRun*& source_run() { return source_run_; }
 
  private:

@@ -14,22 +14,22 @@ class SemanticMemory;
 
 namespace soarbox::cli {
 
-/// An object as `print @12` shows it: (@12 ^name tank ^has @13 @14 [+0.000]), with its line end. Attributes by name,
-/// the values of one in the order in which they were made, links behind constants by number. `activation`: what to show
-/// in the brackets in place of the object's own.
+/// An object as `print @12` shows it: (@12 ^name tank ^has @13 @14 [+0.000]), with its line end. Attributes are sorted
+/// by name, the values of one attribute in order of creation, with links after constants and by number. `activation`:
+/// what to show in the brackets instead of the object's own.
 std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object,
                        std::optional<double> activation = {});
 
-/// The object and what it links to, down to `depth` levels, each object once and indented by its level.
+/// The object and what it links to, down to `depth` levels. Each object appears once, indented by its level.
 std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth);
 
-/// All objects by number, a line each.
+/// All objects by number, one per line.
 std::string AllObjects(const kernel::SemanticMemory& memory);
 
-/// What `smem --export` writes: a command that adds all objects, or one and all that it leads to.
+/// What `smem --export` writes: a command that adds all objects, or one object and everything that it leads to.
 std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root);
 
-/// Objects in the language of Graphviz: all, or one and what it leads to in at most `depth` links.
+/// Objects in the language of Graphviz: all, or one and what it leads to within `depth` links.
 std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth);
 
 /// `print @`, `print @12 --depth 2`, `print @steel`.

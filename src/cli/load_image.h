@@ -7,9 +7,9 @@
 
 namespace soarbox::cli {
 
-/// Replaces all rules of the agent by those of an image and initialises it (`load rete-network`; `source` of a file
-/// named .soarx). `file` is as typed. Nothing changes if the image is not good. Counts into a source command that is
-/// under way.
+/// Replaces all rules of the agent by those of an image and initialises it (`load rete-network`, or `source` of a file
+/// named .soarx). `file` is as typed. A bad image changes nothing. The rules count in the source command that is
+/// running, if any.
 bool LoadRuleImage(CommandCall& call, const std::string& file);
 
 /// Writes the image of the agent's rules; refused while there are justifications.

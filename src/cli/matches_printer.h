@@ -8,8 +8,9 @@
 
 namespace soarbox::cli {
 
-/// Shows how far a rule matches: per condition how many partial matches pass it, the first that none passes marked;
-/// with `detail` also the elements of complete matches and of what meets at the marked condition.
+/// Shows how far a rule matches: for each condition the number of partial matches that pass it, with a mark at the
+/// first condition that none passes. `detail` also shows the elements of complete matches and of those that reach the
+/// mark.
 void PrintPartialMatches(PrintStream& stream, const kernel::Agent& agent, kernel::ProductionId rule, WmeDetail detail,
                          ResultNode& structured);
 

@@ -14,10 +14,10 @@
 #include "journal/sqlite_journal.h"
 #include "kernel/longterm/journal.h"
 
-/// What the commands of the two long-term memories do alike: settings, and the file that keeps a memory.
+/// What the commands of the two long-term memories share: settings, and the file that holds a memory.
 namespace soarbox::cli {
 
-/// One of the two, and what it is called where they differ.
+/// One of the two memories, and its names where they differ.
 struct LongTermMemory {
   std::string_view group;      ///< Of its settings, and its command: "smem".
   std::string_view title;      ///< In messages about settings: "SMem".
@@ -26,7 +26,7 @@ struct LongTermMemory {
   journal::Memory kind = journal::Memory::kSemantic;
 };
 
-/// How the database is to be opened, with the path that it has now: folders may be changed before it is.
+/// How to open the database, with the path that it has now: the current folder may change before it is opened.
 struct Database {
   bool is_file = false;
   std::string path;
@@ -34,20 +34,21 @@ struct Database {
 };
 Database DatabaseOf(CommandCall& call, const LongTermMemory& memory);
 
-/// Fails with the problem and, behind a colon, its hint.
+/// Fails with the problem and, after a colon, its hint.
 bool FailWith(CommandCall& call, const Diagnostic& problem);
 
-/// Whether a setting may take the value: files are written where that is allowed. The command has failed otherwise.
+/// Whether a setting may have the value: files may be written only where that is allowed. If not, the command has
+/// failed.
 bool MayTake(CommandCall& call, std::string_view setting, const std::string& value);
 
-/// Stores a setting, unless it is one of `closed_only` and the memory is open. The command has failed otherwise.
+/// Stores a setting, unless it is one of `closed_only` and the memory is open: then the command has failed.
 bool Store(CommandCall& call, const LongTermMemory& memory, const std::string& setting, const std::string& value,
            bool is_open, std::span<const std::string_view> closed_only);
 
-/// Says what becomes of the file that is there when `append` is off.
+/// Says what happens to an existing file when `append` is off.
 void WarnOfAppend(CommandCall& call, const LongTermMemory& memory);
 
-/// Takes over what the file holds, and writes there from now on.
+/// Loads what the file holds, and writes there from now on.
 template <typename Memory>
 Result<void> LoadFrom(Memory& memory, const Database& database, journal::Memory kind) {
   Result<journal::OpenedJournal> opened = journal::Open(database.path, kind, database.options);
@@ -60,7 +61,7 @@ Result<void> LoadFrom(Memory& memory, const Database& database, journal::Memory 
   return {};
 }
 
-/// Writes what the memory holds to a file.
+/// Writes the contents of the memory to a file.
 template <typename Memory>
 bool BackUp(CommandCall& call, const LongTermMemory& names, const Memory& memory, const std::filesystem::path& path,
             const std::string& file) {

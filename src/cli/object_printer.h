@@ -18,16 +18,16 @@ struct ObjectStyle {
   bool variables = false;  ///< Identifiers in angle brackets.
 };
 
-/// Prints an object and those below it, each once, at its smallest depth. Attributes stand in the order of their
-/// printed text. An object without elements prints nothing. Also appends <id> and <wme> elements to `structured`.
+/// Prints an object and those below it, each once, at its smallest depth. Attributes are sorted by their printed text.
+/// An object without elements prints nothing. Also appends <id> and <wme> elements to `structured`.
 void PrintObject(PrintStream& stream, const kernel::Agent& agent, kernel::Symbol id, const ObjectStyle& style,
                  ResultNode& structured);
 
 /// "(12: S1 ^attribute value +)"; without the time tag if `timetag` is false.
 std::string WmeText(const kernel::Agent& agent, kernel::WmeId wme, bool timetag = true, bool variables = false);
-/// `is_new`: it is just entering working memory.
+/// `is_new`: the element is just entering working memory.
 std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool timetag = true, bool is_new = false);
-/// An element that a match of this level rests on, as shown where elements are asked for: in full in substates only.
+/// An element that a match of this level rests on, where the trace shows elements: in full in substates only.
 std::string MatchedText(const kernel::Agent& agent, kernel::WmeId wme, kernel::GoalLevel level);
 
 /// "string", "int", "double" or "id", as documents name the type of a value.

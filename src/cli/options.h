@@ -26,7 +26,7 @@ struct ParsedOption {
   std::optional<std::string> argument;
 };
 
-/// A command line taken apart: options in the order written, and the other words.
+/// A parsed command line: options in the order written, and the other words.
 struct ParsedWords {
   std::vector<ParsedOption> options;
   std::vector<Word> arguments;
@@ -37,10 +37,10 @@ struct ParsedWords {
   std::optional<std::string> Argument(char letter) const;
 };
 
-/// Takes apart the words after the command's name.
+/// Parses the words after the command's name.
 ///
-/// `-x` is a short option, `-xyz` a cluster of them, `--name` a long one (a unique beginning suffices), `--` ends the
-/// options. A required argument is the next word, whatever it is; an optional one is taken if the next word does not
+/// `-x` is a short option, `-xyz` a cluster of them, `--name` a long one (a unique beginning suffices); `--` ends the
+/// options. A required argument is the next word, whatever it is. An optional one is taken if the next word does not
 /// begin with a dash. A word of one character is never an option.
 ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs);
 

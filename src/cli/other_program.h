@@ -7,13 +7,13 @@
 
 namespace soarbox::cli {
 
-/// True if a program of this name stands in one of the folders of PATH.
+/// True if a program of this name is in one of the folders of PATH.
 bool IsInstalled(std::string_view program);
 
-/// Runs a program (no shell) and waits for it, with nothing to read and its output dropped. True if it ended with 0.
+/// Runs a program (no shell) and waits for it, without input and with its output dropped. True if its exit status is 0.
 bool RunProgram(const std::vector<std::string>& words);
 
-/// Starts a program (no shell) that goes on by itself, with nothing to read and its output dropped.
+/// Starts a program (no shell) that runs on its own, without input and with its output dropped.
 bool StartProgram(const std::vector<std::string>& words);
 
 /// True if windows can be shown.

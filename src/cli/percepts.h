@@ -18,8 +18,8 @@
 
 /// Input that is recorded and replayed (`save percepts`, `load percepts`).
 ///
-/// The file is text, one change per line. Cycles count input phases since the recording began; time tags tell a replay
-/// which element is meant, and whether it still is the same run:
+/// The file is text, one change per line. Cycles count input phases since the recording began. Time tags show a replay
+/// which element a line refers to, and whether the run is still the same:
 ///
 ///     soarbox percepts 1
 ///     seed 1234567
@@ -30,7 +30,7 @@
 ///     9 end
 ///
 /// Values: int N, float X, string |...| (with \| \\ \n \r), id NAME, new NAME (an identifier that enters with it).
-/// What `wm add` and `wm remove` change is not input of clients but a command, and is not recorded.
+/// Changes by `wm add` and `wm remove` are not recorded: they are commands, not input from clients.
 namespace soarbox::cli {
 
 /// One line of such a file.
@@ -52,14 +52,14 @@ struct PerceptFile {
   std::uint32_t seed = 0;
   std::uint64_t last_cycle = 0;
   std::vector<PerceptAction> actions;
-  std::size_t changes = 0;  ///< Actions but inits.
+  std::size_t changes = 0;  ///< Actions other than inits.
 };
 
-/// Reads a recording; the error names the line. `name` is the file's, for messages.
+/// Reads a recording; an error names the line. `name` is the file's, for messages.
 Result<PerceptFile> ReadPercepts(std::string_view text, const std::string& name);
 
-/// Writes the agent's input to a file as long as it lives. Begins the agent's random numbers anew, with a seed drawn
-/// from them, which the replay uses too.
+/// Writes the agent's input to a file as long as it lives. Restarts the agent's random numbers with a seed drawn from
+/// them; the replay uses the same seed.
 class PerceptRecorder : public kernel::InputTap {
  public:
   PerceptRecorder(kernel::Agent& agent, const std::string& path);
@@ -70,7 +70,7 @@ class PerceptRecorder : public kernel::InputTap {
   std::uint32_t seed() const { return seed_; }
   std::uint64_t changes() const { return changes_; }
   void Flush() { out_.flush(); }
-  /// Ends the recording; false if not all could be written.
+  /// Ends the recording; false if something could not be written.
   bool Close();
 
   void OnInputPhase(kernel::InputLink&) override { ++cycle_; }
@@ -84,15 +84,15 @@ class PerceptRecorder : public kernel::InputTap {
   std::uint64_t cycle_ = 0, changes_ = 0;
 };
 
-/// Gives the agent recorded input in the place of its clients', whose changes are dropped until the recording has come
-/// to its end. Notices when the run is no longer the recorded one.
+/// Gives the agent recorded input instead of its clients' input, which is dropped until the recording ends. Notices
+/// when the run differs from the recorded one.
 class PerceptPlayer : public kernel::InputTap {
  public:
   /// `tell` prints a line for the user.
   PerceptPlayer(kernel::Agent& agent, PerceptFile file, std::function<void(const std::string&)> tell);
   ~PerceptPlayer() override;
 
-  /// False once the recording is used up, or nothing of it fits any more.
+  /// False once the recording has ended or no longer fits the run.
   bool playing() const { return playing_; }
 
   void OnInputPhase(kernel::InputLink& link) override;
@@ -102,7 +102,7 @@ class PerceptPlayer : public kernel::InputTap {
  private:
   bool Play(kernel::InputLink& link, const PerceptAction& action);
   kernel::InputObject Object(kernel::InputLink& link, const std::string& name);
-  /// Ends the replay and asks the agent to stop: from here on it would see something else than was recorded.
+  /// Ends the replay and asks the agent to stop: from here on its input would differ from the recording.
   void GiveUp(const PerceptAction* action, const std::string& why);
 
   kernel::Agent& agent_;
@@ -112,7 +112,7 @@ class PerceptPlayer : public kernel::InputTap {
   bool differs_ = false;
   std::uint64_t cycle_ = 0;
   std::size_t next_ = 0;
-  std::deque<const PerceptAction*> awaited_;                ///< Changes of this phase that are to be made.
+  std::deque<const PerceptAction*> awaited_;                ///< Changes still to be made in this phase.
   std::map<std::uint64_t, kernel::InputElement> elements_;  ///< By recorded time tag.
   std::map<std::string, kernel::InputObject> objects_;      ///< By recorded name.
 };

@@ -8,18 +8,18 @@
 
 namespace soarbox::cli {
 
-/// Where the texts of one agent go, and in which column the next one begins.
+/// Where the texts of one agent go, and the column in which the next one begins.
 ///
 /// The column survives from command to command, because objects are wrapped by it. While a Capture lives, texts go to
-/// its string instead of to the sink; captures nest, and Uncaptured lets texts through to the sink again. Copies, such
-/// as a log file, see every text.
+/// its string instead of the sink; captures nest, and Uncaptured lets texts through to the sink again. Copies, such as
+/// a log file, receive every text.
 class PrintStream {
  public:
   using Sink = std::function<void(std::string_view)>;
 
-  /// Texts reach this function if nothing captures them. None: they are dropped.
+  /// Texts go to this function if nothing captures them. None: they are dropped.
   void SetSink(Sink sink) { sink_ = std::move(sink); }
-  /// Sees every text, captured or not. None: nobody.
+  /// Receives every text, captured or not. None: nobody does.
   void SetCopy(Sink copy) { copy_ = std::move(copy); }
   /// Off: nothing is printed at all (`output enabled off`).
   void SetEnabled(bool enabled) { enabled_ = enabled; }
@@ -33,13 +33,13 @@ class PrintStream {
   void SetConsole(bool on) { console_ = on; }
   bool console() const { return console_; }
   void SetSinkIsConsole(bool is_console) { sink_is_console_ = is_console; }
-  /// Writes to the standard output if that is asked for: for texts that are answers, and not printed.
+  /// Writes to the standard output if `output console` is on: for texts that are answers and are not printed.
   void ToConsole(std::string_view text) const;
 
   void Print(std::string_view text);
-  /// Prints without counting columns: for texts that Soar's printer does not see.
+  /// Prints without counting columns: for texts that Soar's printer ignores.
   void PrintUncounted(std::string_view text);
-  /// Where the next text begins, if it was printed elsewhere.
+  /// Sets where the next text begins, if the last one was printed elsewhere.
   void SetColumn(int column) { column_ = column; }
   /// A newline, unless the column is 0.
   void FreshLine();

@@ -8,14 +8,14 @@
 
 namespace soarbox::cli {
 
-/// What became of `rl --set NAME VALUE`.
+/// The outcome of `rl --set NAME VALUE`.
 enum class RlSetResult { kOk, kUnknown, kInvalid, kLocked };
 
-/// Puts a value into the store as Soar reads it: a number may be any text that begins with one, else it is 0;
-/// `apoptosis-thresh` takes the threshold without its sign.
+/// Stores a value as Soar reads it: the number at the start of the text, or 0 if there is none; `apoptosis-thresh`
+/// takes the threshold without its sign.
 RlSetResult SetReinforcement(SettingStore& store, const std::string& name, const std::string& value);
 
-/// The settings of the store as the kernel has them.
+/// The settings of the store in the kernel's form.
 kernel::RlSettings ReinforcementSettings(const SettingStore& store);
 
 }  // namespace soarbox::cli

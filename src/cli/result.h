@@ -10,7 +10,7 @@
 
 namespace soarbox::cli {
 
-/// A structured answer: an element with attributes, children and text, as XML and JSON can both show it.
+/// A structured answer: an element with attributes, children and text, which XML and JSON can both represent.
 struct ResultNode {
   std::string tag;
   std::vector<std::pair<std::string, std::string>> attributes;
@@ -33,13 +33,13 @@ struct ResultNode {
   }
 };
 
-/// What a command line answered.
+/// The answer to a command line.
 struct CommandResult {
   bool ok = true;
   std::string text;                             ///< As Soar prints it: output, then the message of a failure.
   ResultNode structured{"result", {}, {}, {}};  ///< The same for programs; empty if the command only printed text.
   std::vector<Diagnostic> diagnostics;          ///< Errors with file, line, column and hint; warnings too.
-  std::vector<Diagnostic> traps;                ///< Those of the warnings that only all rules together show.
+  std::vector<Diagnostic> traps;                ///< Those warnings that only appear once all rules are known.
 };
 
 }  // namespace soarbox::cli

@@ -15,7 +15,7 @@ std::string RuleText(const kernel::Agent& agent, const kernel::Production& rule,
 /// One condition as text: "(<s> ^a <x>)".
 std::string ConditionText(const kernel::Agent& agent, const kernel::Condition& condition);
 
-/// A rule's name with bars where it needs them.
+/// A rule's name, between bars if it needs them.
 std::string RuleName(const kernel::Agent& agent, std::string_view name);
 inline std::string RuleName(const kernel::Agent& agent, const kernel::Production& rule) {
   return RuleName(agent, rule.name);

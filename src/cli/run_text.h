@@ -9,7 +9,7 @@
 
 namespace soarbox::cli {
 
-/// What has to be known of an agent before a run in order to report on the run.
+/// An agent's counts before a run, which the report on the run needs.
 struct RunCounts {
   std::uint64_t cycles = 0;
   std::uint64_t firings = 0;
@@ -18,11 +18,11 @@ struct RunCounts {
   static RunCounts Of(const kernel::Agent& agent);
 };
 
-/// The report of a run as `run` answers it, in pieces: "\n\n--> 1 decision cycle executed. 2 rules fired. ", and what
-/// ended it before its time.
+/// The report of a run as `run` prints it, in pieces: "\n\n--> 1 decision cycle executed. 2 rules fired. ", and what
+/// stopped it early.
 std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& before, const kernel::RunResult& run);
 
-/// The pieces together.
+/// The pieces joined.
 std::string RunText(const kernel::Agent& agent, const RunCounts& before, const kernel::RunResult& run);
 
 }  // namespace soarbox::cli

@@ -9,11 +9,11 @@
 
 namespace soarbox::cli {
 
-/// How long an agent's runs took, for `stats`; since init-soar.
+/// How long an agent's runs took since init-soar, for `stats`.
 ///
-/// A clock in each phase would cost more than many phases, so from the start only whole runs are measured: two looks at
-/// the clock per run. Once `soar timers on` was asked for, phases and decision cycles are measured too. With timers off
-/// nothing is. The times are those of the wall clock, and nothing that an agent does depends on them.
+/// A clock in each phase would cost more than many phases, so at first only whole runs are measured, with two looks at
+/// the clock per run. After `soar timers on`, phases and decision cycles are measured too. With timers off, nothing is
+/// measured. The times are those of the wall clock, and nothing that an agent does depends on them.
 class RunTimes : public kernel::Observer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,10 +25,10 @@ class RunTimes : public kernel::Observer {
 
   bool on() const { return on_; }
   bool measures_phases() const { return measures_phases_; }
-  /// On means phases too.
+  /// On also measures phases.
   void Switch(bool on);
 
-  /// A run that this agent took part in has ended. All agents of a run share its time.
+  /// A run of this agent has ended. All agents of a run share its time.
   void AddRun(Clock::duration time);
 
   double run_seconds() const { return Seconds(runs_); }

@@ -34,11 +34,11 @@ struct OutputSettings {
   std::vector<bool> log_channels = std::vector<bool>(kLogChannels, true);
 };
 
-/// What `explain` is talking about.
+/// The current subject of `explain`.
 struct ExplainState {
   std::uint32_t rule = 0;    ///< Number of the learned rule; 0 for none.
-  std::uint32_t firing = 0;  ///< Number of the firing that was explained last; 0 for the learned rule itself.
-  bool elements = false;     ///< `explain wm-trace`: elements in place of tests.
+  std::uint32_t firing = 0;  ///< Number of the firing explained last; 0 for the learned rule itself.
+  bool elements = false;     ///< `explain wm-trace`: elements instead of tests.
 };
 
 /// A filter of `wm watch`: names as typed, `*` for anything.
@@ -48,9 +48,9 @@ struct WmeFilter {
   bool removes = true;
 };
 
-/// What the command line keeps for one agent: where its texts go, what is traced, what is watched, and the settings
-/// that the kernel has no use for. Lives as long as the agent is open to commands, and not longer than the agent.
-/// Belongs to the agent's thread.
+/// The command line's data of one agent: where its texts go, what is traced and watched, and the settings that the
+/// kernel does not use. Lives as long as the agent accepts commands, and no longer than the agent. Belongs to the
+/// agent's thread.
 class Session {
  public:
   explicit Session(kernel::Agent& agent, std::string name = "soar");
@@ -61,7 +61,7 @@ class Session {
   kernel::Agent& agent() { return agent_; }
   const std::string& name() const { return name_; }
 
-  /// Texts that are printed while the agent runs, and by no command: set its sink to see them.
+  /// Texts that are printed while the agent runs, but not by a command: set its sink to receive them.
   PrintStream& stream() { return stream_; }
 
   TraceSettings& trace() { return trace_; }
@@ -72,17 +72,17 @@ class Session {
   RunTimes& times() { return times_; }
   std::vector<WmeFilter>& wme_filters() { return wme_filters_; }
 
-  /// Tells the agent which events the trace needs now. Call after trace() or the filters changed.
+  /// Tells the agent which events the trace needs now. Call after changing trace() or the filters.
   void UpdateTrace();
 
-  /// Where updates of learned numbers are written (`rl --set update-log-path`); an empty path ends that. False if the
+  /// Where updates of learned numbers are written (`rl --set update-log-path`); an empty path stops this. False if the
   /// file cannot be written.
   bool SetReinforcementLog(const std::string& path);
 
   /// Names of rules whose firings are shown at any trace level (`production watch`).
   std::vector<std::string>& watched_rules() { return watched_rules_; }
 
-  /// `save percepts` and `load percepts`: at most one of them is there.
+  /// `save percepts` and `load percepts`: at most one of them exists.
   std::unique_ptr<PerceptRecorder>& percept_recorder() { return percept_recorder_; }
   std::unique_ptr<PerceptPlayer>& percept_player() { return percept_player_; }
 

@@ -11,7 +11,7 @@ namespace soarbox::cli {
 
 enum class SettingKind { kSwitch, kInteger, kReal, kChoice, kText };
 
-/// A setting of a part of Soar that the kernel reads through its name only: learning and the long-term memories.
+/// A setting that the kernel reads only through its name: learning and the long-term memories.
 struct SettingInfo {
   std::string_view group;  ///< The command it belongs to: "chunk", "rl", "smem", ...
   std::string_view name;
@@ -22,7 +22,7 @@ struct SettingInfo {
   double maximum = 1e300;
 };
 
-/// The values of these settings for one agent, as text. A value that does not fit is refused and changes nothing.
+/// The values of these settings for one agent, as text. An invalid value is refused and changes nothing.
 class SettingStore {
  public:
   enum class SetResult { kOk, kUnknown, kInvalid };
@@ -43,7 +43,7 @@ class SettingStore {
   std::vector<Changed> Differences() const;
 
  private:
-  std::map<std::string, std::string> values_;  ///< "group name" -> value, only what was set.
+  std::map<std::string, std::string> values_;  ///< "group name" -> value, only those that were set.
 };
 
 }  // namespace soarbox::cli

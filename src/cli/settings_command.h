@@ -7,8 +7,8 @@
 
 namespace soarbox::cli {
 
-/// Carries out `GROUP NAME [VALUE]`: shows or sets a setting of the store ("NAME is VALUE"). The name may be any unique
-/// beginning. The messages answer an unknown name and a value that does not fit.
+/// Carries out `GROUP NAME [VALUE]`: shows or sets a setting of the store ("NAME is VALUE"). A unique beginning of the
+/// name suffices. The messages are for an unknown name and for an invalid value.
 bool NamedSetting(CommandCall& call, std::string_view group, std::string_view unknown, std::string_view invalid);
 
 }  // namespace soarbox::cli

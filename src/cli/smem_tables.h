@@ -11,7 +11,7 @@ namespace soarbox::cli {
 std::string SmemHelpTable(const SettingStore& settings);
 std::string SmemSummary(Session& session);
 std::string SmemStatistics(Session& session);
-/// One figure of the statistics, as text; empty for a name that is none.
+/// One figure of the statistics, as text; empty for an unknown name.
 std::string SmemStatistic(Session& session, const std::string& name);
 
 }  // namespace soarbox::cli

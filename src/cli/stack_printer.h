@@ -19,18 +19,17 @@ const char* ImpasseName(kernel::ImpasseType type);
 /// "(operator tie)", "(state no-change)"; empty for the top state.
 std::string ImpasseText(const kernel::GoalInfo& goal);
 
-/// A state's line without its end: "     1:    ==>S: S2 (operator tie)". The top state has a blank at the end.
-/// `cycle` is what stands before the colon, six columns wide.
+/// A state's line without its end: "     1:    ==>S: S2 (operator tie)". The top state has a blank at the end. `cycle`
+/// is the text before the colon, six columns wide.
 std::string StateLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, const std::string& cycle);
 
 /// The line of the operator selected in a goal: "     1:    O: O1 (name)".
 std::string OperatorLine(const kernel::Agent& agent, const kernel::GoalInfo& goal, const std::string& cycle);
 
-/// An operator with its names: "O1 (name)". One named evaluate-object has its objects: "O1 (evaluate-object P1
-/// (pump))".
+/// An operator with its name: "O1 (name)". For evaluate-object its objects follow: "O1 (evaluate-object P1 (pump))".
 std::string OperatorText(const kernel::Agent& agent, kernel::Symbol op);
 
-/// "name" of an operator, the first of several, empty if it has none.
+/// "name" of an operator; the first if it has several, empty if it has none.
 std::string OperatorName(const kernel::Agent& agent, kernel::Symbol op);
 
 /// The goal stack, top state first.

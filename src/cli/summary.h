@@ -14,7 +14,7 @@ class Summary {
 
   /// A line of one character.
   Summary& Rule(char line);
-  /// Text in the middle of the line; `edge` stands at both ends if it is not 0.
+  /// Text in the middle of the line, with `edge` at both ends if it is not 0.
   Summary& Title(std::string_view text, char edge = 0);
   /// A name at the left, its value at the right, then `after` beyond the right edge.
   Summary& Row(std::string_view name, std::string_view value, std::string_view after = {});
@@ -27,12 +27,12 @@ class Summary {
   std::string text_;
 };
 
-/// Prints how long parts of a memory's work took: all of them below a title, or the one that is wanted. They are not
+/// Prints how long parts of a memory's work took: all of them below a title, or the one that you ask for. They are not
 /// measured: all show 0, as while timers are off.
 bool ShowTimers(struct CommandCall& call, std::string_view title, std::span<const std::string_view> names,
                 std::string_view wanted);
 
-/// Numbers as settings show them: the shortest text that reads back the same.
+/// Numbers as settings show them: the shortest text that reads back as the same number.
 std::string Shortest(double value);
 inline std::string_view OnOff(bool on) {
   return on ? "on" : "off";

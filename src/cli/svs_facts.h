@@ -10,8 +10,8 @@ class Agent;
 
 namespace soarbox::cli {
 
-/// All that an agent imagines, for whoever draws or explains it: `version N`, then a line for each node and each
-/// command that looks, `STATE node NAME OBJECT` and `STATE extract NAME OBJECT`, where the object is JSON:
+/// Everything that an agent imagines, for code that draws or explains it: `version N`, then a line for each node and
+/// each command that looks, `STATE node NAME OBJECT` and `STATE extract NAME OBJECT`. The object is JSON:
 ///
 ///   node     parent, shape ("group", "hull", "ball"), at [x y z], turn [x y z w], scale [x y z], points [x y z ...]
 ///            (of a hull, in its frame), radius (of a ball), tags {}
@@ -19,7 +19,7 @@ namespace soarbox::cli {
 ///            them record, value, from [{name, value, filter, from}], nodes [names], lines [x y z x y z hidden ...]
 ///            (metres of the world; hidden is 1 for a sight line that something crosses)
 ///
-/// The version line alone if the version is `known`, and if nobody imagines.
+/// Only the version line if the version is `known` or if nobody imagines.
 std::string SceneFactsText(const kernel::Agent& agent, std::string_view known);
 
 }  // namespace soarbox::cli

@@ -9,20 +9,20 @@
 
 namespace soarbox::cli {
 
-/// All commands of the spatial visual system, then all filters, with their parameters, one a line: `command NAME:
-/// MEANING` or `filter NAME: MEANING`, then `  ^PARAMETER FORM: MEANING`. An optional parameter stands in brackets,
-/// [^PARAMETER]. The form is nodes, number, object, word, or the words that it may be with | between them.
+/// All commands of the spatial visual system, then all filters, with their parameters, one per line: `command NAME:
+/// MEANING` or `filter NAME: MEANING`, then `  ^PARAMETER FORM: MEANING`. An optional parameter is in brackets,
+/// [^PARAMETER]. The form is nodes, number, object, word, or the allowed words with | between them.
 std::string AllSceneKinds();
 
-/// `svs PATH [ARGUMENTS]`: what stands at a path of the spatial visual system, or what it does. Paths name the lists of
+/// `svs PATH [ARGUMENTS]`: shows or does what is at a path of the spatial visual system. Paths name the lists of
 /// filters and commands, the viewer's connection, and the scene of each state with its nodes, with dots between.
 class SvsPaths {
  public:
   explicit SvsPaths(kernel::Imagery& imagery) : imagery_(imagery) {}
 
-  /// The text, with a newline behind each line.
+  /// The text, with a newline after each line.
   std::string Use(std::string_view path, std::span<const std::string> arguments);
-  /// What is at the path is refused, or failed: the text tells why.
+  /// The path was refused or failed: the text says why.
   bool failed() const { return failed_; }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace soarbox::cli {
 
-/// One word of a command, with quotes or braces taken off, and where it begins in the text it was read from.
+/// One word of a command without its quotes or braces, and where it begins in the text.
 struct Word {
   std::string text;
   int line = 1;    ///< From 1, of the first character of `text` (after an opening quote or brace).
@@ -21,15 +21,15 @@ struct Word {
 /// kept as written but for comments). A `#` begins a comment up to the end of the line everywhere but in a quoted word
 /// and between bars inside braces. Outside braces a backslash escapes; before a newline it joins two lines.
 ///
-/// Any text gives an answer: words, the end, or an error with its place. After an error the reader can be set to the
-/// next line that begins a command, so that the rest of a file is still read.
+/// Any text gives an answer: words, the end, or an error with its place. After an error you can move the reader to the
+/// next line that begins a command, to read the rest of a file.
 class CommandReader {
  public:
   enum class Status { kCommand, kEnd, kError };
 
   explicit CommandReader(std::string_view text, int first_line = 1) : text_(text), line_(first_line) {}
 
-  /// Reads the next command that has words into `words`. What they held is gone, but their memory is used again.
+  /// Reads the next command that has words into `words`. Discards what `words` held, but uses its memory again.
   Status Next(std::vector<Word>& words);
 
   /// After kError: what is wrong, and the line and column of the quote, brace or word that has no end.
@@ -37,10 +37,10 @@ class CommandReader {
   int error_line() const { return error_line_; }
   int error_column() const { return error_column_; }
 
-  /// After kError: goes on at the first line after the error's that begins with a letter in its first column.
+  /// After kError: continues at the first line after the error's that begins with a letter in its first column.
   void Recover();
 
-  /// Offset of what has not been read yet.
+  /// Offset of the first character that is not read yet.
   std::size_t offset() const { return position_; }
 
  private:

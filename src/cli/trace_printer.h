@@ -10,17 +10,17 @@ namespace soarbox::cli {
 
 class Session;
 
-/// Which flag shows the firings of a rule; justifications, which are no rules of the agent, have their own.
+/// The flag that shows the firings of a rule. Justifications, which are no rules of the agent, have their own.
 TraceFlag FlagOf(const kernel::FiringInfo& info);
 
-/// Turns what an agent does into the lines of Soar's trace, as the session's settings ask. Listens only to the events
+/// Turns what an agent does into the lines of Soar's trace, as the session's settings say. Listens only to the events
 /// that the settings need. Owned by the session.
 class TracePrinter : public kernel::Observer {
  public:
   explicit TracePrinter(Session& session) : session_(session) {}
   ~TracePrinter() override;
 
-  /// Subscribes to what the settings need now.
+  /// Subscribes to the events that the settings need now.
   void Update();
 
   void OnPhaseBegin(const kernel::Agent&, kernel::Phase phase) override;
@@ -78,7 +78,7 @@ class TracePrinter : public kernel::Observer {
                              std::string_view remark = {});
 
   Session& session_;
-  bool retracting_ = false;  ///< The preferences that go now are those of a firing that is shown in detail.
+  bool retracting_ = false;  ///< The preferences that leave now belong to a firing that is shown in detail.
 };
 
 /// "(S1 ^operator O1 > O2)"; `support`: with "  :O " for o-support, as in traces.

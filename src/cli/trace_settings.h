@@ -8,7 +8,7 @@
 
 namespace soarbox::cli {
 
-/// What the trace of one agent can show. The order is that in which `trace` reports changes.
+/// What the trace of one agent can show, in the order in which `trace` reports changes.
 enum class TraceFlag {
   kAssertions,
   kBacktracing,
@@ -34,10 +34,10 @@ enum class TraceFlag {
 };
 inline constexpr int kTraceFlagCount = static_cast<int>(TraceFlag::kWma) + 1;
 
-/// How the elements are shown that a firing rule matched.
+/// How the trace shows the elements that a firing rule matched.
 enum class WmeDetail { kNone, kTimetags, kFull };
 
-/// One line of what `trace` knows: the option that switches it and the words that describe it.
+/// A part of the trace: the option that switches it and the words that describe it.
 struct TraceFlagInfo {
   TraceFlag flag;
   char letter;
@@ -55,7 +55,7 @@ class TraceSettings {
   /// Level 1.
   TraceSettings();
 
-  /// Switches on what the levels 1 to `level` show and off what higher ones show; level 0 switches all off.
+  /// Switches on what the levels 1 to `level` show, and off what higher levels show; level 0 switches everything off.
   void SetLevel(int level);
 
   /// The level set last.
@@ -64,7 +64,7 @@ class TraceSettings {
   void Set(TraceFlag flag, bool on) { flags_[static_cast<std::size_t>(flag)] = on; }
   WmeDetail wme_detail() const { return wme_detail_; }
   void SetWmeDetail(WmeDetail detail) { wme_detail_ = detail; }
-  /// 0: nothing about learned rules, 1: their names, 2: all of them.
+  /// 0: nothing about learned rules, 1: their names, 2: their full text.
   int learning() const { return learning_; }
   void SetLearning(int learning) { learning_ = learning; }
 

@@ -13,7 +13,7 @@ namespace soarbox::cli {
 struct WmePattern {
   kernel::Symbol id, attribute, value;  ///< The none symbol: anything.
   bool acceptable = false;
-  std::string error;  ///< Not empty: the text is no pattern, and this is Soar's message.
+  std::string error;  ///< Not empty: the text is not a pattern, and this is Soar's message.
 };
 
 WmePattern ParseWmePattern(kernel::Agent& agent, std::string_view text);
@@ -21,8 +21,8 @@ WmePattern ParseWmePattern(kernel::Agent& agent, std::string_view text);
 /// Whether an element fits the pattern.
 bool Matches(const WmePattern& pattern, const kernel::Wme& wme);
 
-/// The elements that fit, in the order in which they entered the match. `by_object`: the elements of one object stand
-/// together, older objects first.
+/// The elements that fit, in the order in which they entered the match. `by_object`: grouped by object, older objects
+/// first.
 std::vector<kernel::WmeId> FindWmes(const kernel::Agent& agent, const WmePattern& pattern, bool by_object);
 
 }  // namespace soarbox::cli

@@ -15,13 +15,13 @@ struct Geodetic {
 
 /// Geocentric metres (NIMA TR8350.2, section 4.3).
 Vector ToGeocentric(const Geodetic& place);
-/// The other way, by iteration; exact to a tenth of a millimetre within 1,000 km of the ground.
+/// The inverse, by iteration; exact to 0.1 mm within 1,000 km of the ground.
 Geodetic ToGeodetic(const Vector& place);
 
-/// Where the flat world of a scenario lies on the earth: its origin is at the anchor, its ground is the plane that
-/// touches the ellipsoid's parallel surface there, x leads east, y up, and -z north.
+/// Where the flat world of a scenario is on the earth. Its origin is at the anchor. Its ground is the plane that
+/// touches the ellipsoid's parallel surface there: x points east, y up, and -z north.
 ///
-/// Distances and angles are the same on both sides. The plane leaves the round earth by 2 m at 5 km. Immutable.
+/// Distances and angles are the same on both sides. At 5 km the plane is 2 m off the round earth. Immutable.
 class LocalFrame {
  public:
   explicit LocalFrame(const Geodetic& anchor);
@@ -33,12 +33,13 @@ class LocalFrame {
   Vector TurnToEarth(const Vector& local) const;
   Vector TurnToLocal(const Vector& geocentric) const;
 
-  /// How a body that looks along `forward` and stands upright along `up` is turned on the earth. Both have length 1 and
-  /// are at right angles.
+  /// The orientation on the earth of a body that looks along `forward` and stands upright along `up`. Both have length
+  /// 1 and are at right angles.
   Euler ToEuler(const Vector& forward, const Vector& up) const;
-  /// Where a body that is turned so looks.
+  /// The direction in which a body of this orientation looks.
   Vector ForwardOf(const Euler& euler) const;
-  /// Its axes, rotations or places in it (x forward, y right, z down) as a local vector.
+  /// A vector along the body's axes (x forward, y right, z down), such as a rotation or a place in it, as a local
+  /// vector.
   Vector FromBodyAxes(const Euler& euler, const Vector& in_body) const;
 
  private:

@@ -19,13 +19,13 @@ struct ForeignEntity {
   std::string marking;  ///< As its owner calls it; may be empty.
   std::string team, body;
   std::string type;     ///< "3.1.225.1.1.0.0"
-  double silent_s = 0;  ///< Real time since it was heard of last.
+  double silent_s = 0;  ///< Real time since the last PDU from it.
 };
 
-/// In the place of a site or an application: all of them.
+/// As a site or an application: all of them.
 inline constexpr std::uint16_t kAllSites = 0xFFFF;
 
-/// What others say of the exercise, as inputs for a run of ours: of each entity the newest state only.
+/// What others report in the exercise, as inputs for our run: only the newest state of each entity.
 class ExerciseView {
  public:
   enum class Taken : std::uint8_t { kYes, kOurs, kTooMany };
@@ -34,12 +34,12 @@ class ExerciseView {
 
   /// `now_s`: real time, from any beginning on.
   Taken Take(const Body& body, double now_s);
-  /// Entities that were silent for too long leave.
+  /// Removes entities that were silent for too long.
   void ForgetSilent(double now_s);
-  /// What came since the last call. `ours` knows the names of our entities.
+  /// What has arrived since the last call. `ours` knows the names of our entities.
   std::vector<sim::InputValue> TakeInputs(const StateSender& ours);
   std::size_t entities() const { return heard_.size(); }
-  /// The first `most` of them, by their ids.
+  /// The first `most` entities, by id.
   std::vector<ForeignEntity> List(double now_s, std::size_t most) const;
 
  private:

@@ -19,7 +19,7 @@ struct Vector {
   friend bool operator==(const Vector&, const Vector&) = default;
 };
 
-/// Who or what is meant, in a whole exercise. All zero: nobody.
+/// Who or what a PDU refers to, unique in the whole exercise. All zero: nobody.
 struct EntityId {
   std::uint16_t site = 0, application = 0, entity = 0;
   friend auto operator<=>(const EntityId&, const EntityId&) = default;
@@ -86,7 +86,7 @@ struct EntityState {
   std::uint32_t capabilities = 0;
 };
 
-/// An event has a number of its own, by which a shot and its hit belong together.
+/// Each event has its own number, which links a shot to its hit.
 struct EventId {
   std::uint16_t site = 0, application = 0, number = 0;
 };
@@ -114,7 +114,7 @@ struct Detonation {
   Vector velocity, position;
   Burst burst;
   Vector position_in_target;  ///< In the target's axes; zero if there is none.
-  std::uint8_t result = 0;    ///< A DetonationResult, or another one of the standard's.
+  std::uint8_t result = 0;    ///< A DetonationResult, or another value of the standard.
 };
 
 struct Collision {
@@ -132,12 +132,12 @@ struct Comment {
   std::vector<std::string> texts;
 };
 
-/// One of the orders of an exercise's manager and their answer.
+/// An order of an exercise's manager, or the answer to one.
 struct Management {
   PduType type = PduType::kAcknowledge;
   EntityId from, to;
   std::uint32_t request = 0;
-  std::uint16_t flag = 0;   ///< Acknowledge: what is acknowledged (1 create, 2 remove, 3 start, 4 stop).
+  std::uint16_t flag = 0;   ///< Acknowledge: which order is acknowledged (1 create, 2 remove, 3 start, 4 stop).
   bool is_able = true;      ///< Acknowledge: the order is obeyed.
   std::uint8_t reason = 0;  ///< Stop/Freeze.
 };

@@ -26,7 +26,7 @@ struct TypePattern {
 /// "3.1.225.1", "3.1.*.1". Nothing if it is neither.
 std::optional<TypePattern> ParseTypePattern(std::string_view text);
 
-/// What our bodies are in an exercise, and what foreign entities look like here. The first row that fits counts.
+/// What our bodies are in an exercise, and which bodies foreign entities have here. The first row that fits counts.
 struct EntityRow {
   TypePattern type;
   std::string body;  ///< A kind of body (docs/scenarios.md).
@@ -36,23 +36,23 @@ struct EntityRow {
 struct MunitionRow {
   TypePattern type;
   float damage = 20;   ///< Health that a hit takes.
-  float radius_m = 0;  ///< It also takes health from those who stand so near, less with distance.
+  float radius_m = 0;  ///< Bodies within this distance also lose health, less with distance.
 };
 
 /// How a scenario takes part in an exercise: `[dis]` of its file, or `--dis`. docs/dis.md describes it.
 struct Settings {
   std::string address = "127.0.0.1";    ///< Where PDUs go: a host, a broadcast address or a multicast group.
-  std::string interface = "127.0.0.1";  ///< Over which one: the address of one of this machine's, for a group.
+  std::string interface = "127.0.0.1";  ///< For a group: the address of the interface of this machine to use.
   std::uint16_t port = 3000;
   std::uint16_t site = 1, application = 1;
   std::uint8_t exercise = 1;
   std::uint8_t version = 7;
   Geodetic anchor{47.3976, 8.5486, 408};
-  double heartbeat_s = 5;    ///< An entity that does not change is told of so often.
-  double timeout_s = 12;     ///< A foreign entity that is silent for so long leaves.
-  double threshold_m = 0.5;  ///< So far an entity may be from where others suppose it to be.
+  double heartbeat_s = 5;    ///< How often the state of an entity that does not change is sent.
+  double timeout_s = 12;     ///< A foreign entity that is silent for so long is removed.
+  double threshold_m = 0.5;  ///< How far an entity may be from where others suppose it to be.
   double threshold_deg = 3;
-  std::size_t most_entities = 1000;            ///< Foreign ones.
+  std::size_t most_entities = 1000;            ///< Foreign entities.
   bool takes_orders = false;                   ///< Start/Resume and Stop/Freeze of others are obeyed.
   bool listens_only = false;                   ///< Sends nothing.
   std::map<std::string, std::uint8_t> forces;  ///< By team.

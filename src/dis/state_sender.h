@@ -21,22 +21,22 @@ class Agent;
 
 namespace soarbox::dis {
 
-/// Seconds of an exercise as the timestamp of a PDU: since a beginning of the sender's own (relative time).
+/// Seconds of an exercise as the timestamp of a PDU, counted from an arbitrary start (relative time).
 std::uint32_t RelativeTimestamp(double seconds);
 
-/// What others have to know of our agents, as PDUs: a state when an entity leaves the way on which others suppose it to
-/// be, when it looks different, and once in a while; shots, collisions and messages as they happen.
+/// What others must know of our agents, as PDUs. A state is sent when an entity leaves the path on which others suppose
+/// it to be, when it looks different, and at intervals. Shots, collisions and messages are sent as they happen.
 class StateSender {
  public:
   explicit StateSender(const Settings& settings) : settings_(settings), frame_(settings.anchor) {}
 
-  /// After each tick. `now_s`: real time, from any beginning on.
+  /// After each tick. `now_s`: real time from any starting point.
   std::vector<Pdu> AfterTick(const sim::Simulation& simulation, double now_s);
-  /// While the run stands still: that all stand still, and are still there.
+  /// While the run is paused: all entities stand still, and are still there.
   std::vector<Pdu> WhileStill(const sim::Simulation& simulation, double now_s);
-  /// That all leave.
+  /// All entities leave.
   std::vector<Pdu> Leave();
-  /// The agent of a number; empty if there is none.
+  /// The name of the agent with this number; empty if there is none.
   std::string NameOf(std::uint16_t entity) const;
 
  private:
@@ -52,7 +52,7 @@ class StateSender {
   };
   bool IsOurs(const sim::Simulation& simulation, world::EntityId id) const;
   Entity& EntityOf(const world::Agent& agent);
-  /// Nobody for what is no agent.
+  /// All zero if `id` is not an agent.
   EntityId IdOf(const sim::Simulation& simulation, world::EntityId id) const;
   EntityState StateOf(const sim::Simulation& simulation, const world::Agent& agent, bool is_still);
   bool MustBeTold(const Entity& entity, const EntityState& now, const world::Agent& agent, double now_s,

@@ -10,21 +10,21 @@
 
 namespace soarbox::record {
 
-/// Consecutive ticks, as they stand in a recording: the frame and the compressed payload behind it.
+/// Consecutive ticks as a recording stores them: the frame, then the compressed payload.
 struct EncodedBlock {
   BlockFrame frame;
   std::string bytes;
 };
 
-/// Puts ticks into blocks, each as what differs from the one before. The first of a block stands alone.
+/// Puts ticks into blocks, each as its difference from the one before. The first tick of a block is complete in itself.
 class BlockBuilder {
  public:
   explicit BlockBuilder(std::uint32_t ticks_per_block) : ticks_per_block_(ticks_per_block) {}
 
-  /// Adds the next tick; true if the block is full now, and is to be taken.
+  /// Adds the next tick; true if the block is now full and must be taken.
   bool Add(const TickRecord& tick);
   bool empty() const { return frame_.ticks == 0; }
-  /// The block under way; the next tick begins another.
+  /// Returns the current block; the next tick begins another.
   EncodedBlock Take();
 
  private:
@@ -34,14 +34,14 @@ class BlockBuilder {
   world::SceneSnapshot before_;  ///< The last scene in payload_.
 };
 
-/// Reads the ticks of one block, forwards without effort and backwards by beginning anew.
+/// Reads the ticks of one block, cheaply forwards; backwards it starts the block again.
 class BlockCursor {
  public:
-  /// Takes the payload of another block.
+  /// Loads the payload of another block.
   void Load(const BlockFrame& frame, std::string payload);
   void Unload() { frame_.ticks = 0; }
   bool Has(std::uint64_t tick) const { return tick >= frame_.first_tick && tick < frame_.first_tick + frame_.ticks; }
-  /// Null if the block is damaged. Only for ticks that it has. Valid until the next call.
+  /// Null if the block is damaged. Ask only for ticks of the block. Valid until the next call.
   const TickRecord* At(std::uint64_t tick);
 
  private:
@@ -50,7 +50,7 @@ class BlockCursor {
   BlockFrame frame_;
   std::string payload_;
   std::size_t read_ = 0;      ///< Bytes of the payload that record_ is the result of.
-  std::uint64_t budget_ = 0;  ///< So much memory more may be asked for by the rest of them.
+  std::uint64_t budget_ = 0;  ///< How much more memory the remaining bytes may ask for.
   std::uint64_t next_tick_ = 0;
   TickRecord record_;
 };

@@ -12,12 +12,12 @@
 
 namespace soarbox::record {
 
-/// How two futures, A and B, part.
+/// How two futures, A and B, diverge.
 struct Comparison {
   std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks that both hold.
-  std::optional<Difference> difference;         ///< The first difference in what there was to see or think.
+  std::optional<Difference> difference;         ///< The first difference in what could be seen or was thought.
   std::optional<Difference> decision;           ///< The first decision or command that differs: `recorded` is of A.
-  std::vector<std::string> percepts;            ///< What that agent perceived otherwise at that tick: "path: A, B".
+  std::vector<std::string> percepts;            ///< What that agent perceived differently in that tick: "path: A, B".
 
   /// How far apart the two futures are at a time.
   struct Moment {
@@ -30,12 +30,12 @@ struct Comparison {
   std::vector<Moment> course;  ///< Once per simulated second.
 };
 
-/// Compares two futures while they come, tick by tick.
+/// Compares two futures tick by tick as they unfold.
 class Comparer {
  public:
   explicit Comparer(double step_s);
 
-  /// What an agent perceived in a tick that both share: so that it is known what it perceives when they part.
+  /// What an agent perceived in a tick that both share, so that its percepts are known when the futures diverge.
   void Share(const std::string& agent, const mind::EventLog& events);
   /// The next tick, in both.
   void See(const TickRecord& a, const TickRecord& b);

@@ -9,7 +9,7 @@
 
 namespace soarbox::record {
 
-/// Which ticks of a recording are meant; what is not in the recording is left out.
+/// Which ticks of a recording to export; ticks that are not in the recording are left out.
 struct TickRange {
   std::uint64_t first = 0;
   std::uint64_t last = ~std::uint64_t{0};
@@ -27,19 +27,20 @@ Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
   return {};
 }
 
-/// A table with a row for each agent and tick, in the form that spreadsheets and data frames read at once: a line of
+/// A table with a row for each agent and tick, in a form that spreadsheets and data frames read directly: a line of
 /// names, then tick, time_s, agent, position, velocity, speed, heading, health, command, decision, and a column for
-/// each percept that any agent has in the range, with the value that it knows at that tick (empty: none).
+/// each percept that any agent has in the range, with its value in that tick (empty: none).
 Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out);
 
-/// The same and all else that the recording tells, as a JSON object per line: one for the recording, then one per tick.
+/// The same and everything else in the recording, as one JSON object per line: one for the recording, then one per
+/// tick.
 Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out);
 
-/// A part of a recording as a recording of its own, with all that came in before it, so that it can be verified and
-/// resumed like the whole. Fails if the file cannot be written or no tick is in the range.
+/// A part of a recording as a recording of its own, with all earlier inputs, so that you can verify and resume it like
+/// the whole. Fails if the file cannot be written or no tick is in the range.
 Result<void> ExportRecording(Reader& recording, TickRange range, const std::filesystem::path& file);
 
-/// What happened, to be read: inputs, events, percepts, decisions and commands, tick by tick.
+/// What happened, for people to read: inputs, events, percepts, decisions and commands, tick by tick.
 Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out);
 
 }  // namespace soarbox::record

@@ -9,21 +9,21 @@
 namespace soarbox::record {
 
 // A recording on disk (docs/recording.md): eight bytes that name the format, then blocks. A block is a frame of 40
-// bytes and a payload that zstd compressed. What stands behind the last complete block is not
-// there: a program that was killed leaves a recording that ends a little earlier.
+// bytes and a payload compressed with zstd. Readers ignore what follows the last complete block: a program that was
+// killed leaves a recording that ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
 inline constexpr std::uint16_t kVersion = 7;
 inline constexpr std::uint16_t kOldestVersion =
-    2;  ///< That is still read: its header says less, and what minds do stands in words.
+    2;  ///< Still readable: its header says less, and what minds do is in words.
 
 enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< Header; the first block.
-  kInputs = 2,  ///< What entered before ticks of the block that follows, or that a bounded recording has dropped.
-  kTicks = 3,   ///< Consecutive ticks; the first stands alone.
+  kInputs = 2,  ///< Inputs before the ticks of the next block, or of ticks that a bounded recording dropped.
+  kTicks = 3,   ///< Consecutive ticks; the first is complete in itself.
 };
 
-/// In front of each block, little-endian, in this order.
+/// Before each block, little-endian, in this order.
 struct BlockFrame {
   std::uint16_t version = kVersion;
   BlockKind kind = BlockKind::kTicks;
@@ -31,20 +31,20 @@ struct BlockFrame {
   std::uint32_t plain_bytes = 0;
   std::uint32_t ticks = 0;  ///< Ticks in the block; 0 in others.
   std::uint64_t first_tick = 0;
-  std::uint64_t payload_check = 0;  ///< Of the compressed payload (CheckOfPayload): no bit of it may change.
-  std::uint64_t check = 0;          ///< Of the fields before it, so that chance cannot make a frame.
+  std::uint64_t payload_check = 0;  ///< Of the compressed payload (CheckOfPayload): detects any changed bit.
+  std::uint64_t check = 0;          ///< Of the fields before it, so that random bytes do not look like a frame.
 };
 inline constexpr std::size_t kFrameBytes = 40;
 
-// No block of ours comes near these; a file that claims more is refused.
+// No block of ours comes near these limits; a file that claims more is refused.
 inline constexpr std::uint32_t kMostCompressedBytes = 64u << 20;
 inline constexpr std::uint32_t kMostPlainBytes = 256u << 20;
 inline constexpr std::uint32_t kMostTicksPerBlock = 4096;
 inline constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 53;
 
-/// A frame and its compressed payload. `kind` and ticks are the caller's.
+/// A frame and its compressed payload. The caller sets `kind` and ticks.
 std::string EncodeBlock(BlockFrame frame, std::string_view payload);
-/// Reads a frame; false if the bytes are none, or ask for more than the limits.
+/// Reads a frame; false if the bytes are not one or exceed the limits.
 bool DecodeFrame(std::string_view bytes, BlockFrame& frame);
 std::uint64_t CheckOfPayload(std::string_view compressed);
 /// False if the payload is damaged.

@@ -6,8 +6,8 @@
 
 namespace soarbox::record {
 
-/// What recordings of formats 2 to 4 hold of a mind in a tick, in words, as facts. The only place where our own words
-/// are read back. Reasons in words stay remarks; time tags of commands are not known, nor is what a decision rested on.
+/// Turns the words that recordings of formats 2 to 4 hold of a mind's tick into facts. The only place that reads our
+/// own words back. Reasons in words stay remarks. The time tags of commands and the grounds of a decision are unknown.
 mind::EventLog ReadWords(const tell::MindWords& words);
 
 }  // namespace soarbox::record

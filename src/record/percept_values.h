@@ -11,14 +11,14 @@
 
 namespace soarbox::record {
 
-/// A constant that is perceived: a word, an integer or a float.
+/// A constant percept: a word, an integer or a float.
 using PerceptValue = std::variant<std::string, std::int64_t, double>;
 std::string TextOf(const PerceptValue& value);
 
-/// What a mind's percepts are after its changes, by path ("self.speed", "agent#3.range").
+/// A mind's percepts after its changes, by path ("self.speed", "agent#3.range").
 using PerceptValues = std::map<std::string, PerceptValue, std::less<>>;
 
-/// Applies the changes of a tick: what is gone takes all below it along.
+/// Applies the changes of a tick. Removing a percept removes everything below it.
 void ApplyPercepts(const mind::EventLog& events, PerceptValues& values);
 
 }  // namespace soarbox::record

@@ -14,11 +14,11 @@
 
 namespace soarbox::record {
 
-/// Whether a file begins as recordings do.
+/// Whether a file begins like a recording.
 bool IsRecording(const std::filesystem::path& file);
 
-/// A recording on disk, read at any place. Opening reads the blocks' frames only; going to a tick reads its block.
-/// Any bytes may stand in the file: what is not a recording, or a damaged part of one, is an error that says where.
+/// A recording on disk with random access. Opening reads only the blocks' frames; going to a tick reads its block. The
+/// file may hold any bytes: a file that is not a recording, or a damaged part, gives an error that says where.
 ///
 /// One thread at a time; the file must not shrink meanwhile.
 class Reader final : public TickSource {
@@ -29,14 +29,14 @@ class Reader final : public TickSource {
   std::string name() const override { return path_.string(); }
   const std::filesystem::path& file() const { return path_; }
   std::uint64_t bytes() const { return bytes_; }
-  /// A bounded recording does not begin with tick 0.
+  /// A bounded recording does not start at tick 0.
   std::uint64_t first_tick() const override { return blocks_.front().frame.first_tick; }
   std::uint64_t last_tick() const override { return blocks_.back().frame.first_tick + blocks_.back().frame.ticks - 1; }
-  /// Not empty if the file ends within a block, or something that is no block follows: what a kill leaves.
+  /// Not empty if the file ends within a block, or if bytes that are no block follow: the program was killed.
   const std::string& ending() const { return ending_; }
 
   Result<const TickRecord*> At(std::uint64_t tick) override;
-  /// What the whole file holds is read for it.
+  /// Reads the whole file.
   Result<std::vector<TickInputs>> Inputs() override;
 
  private:

@@ -22,47 +22,47 @@ struct Rerun {
   std::vector<Diagnostic> warnings;  ///< Another build made the recording; the scenario's files have changed.
 };
 
-/// What a run is made from again if files of its scenario have changed since.
+/// Which files a run is made from if files of its scenario have changed since.
 enum class FilesFrom : std::uint8_t {
-  kRecording,  ///< The files as they were then, if they were kept: it can always be gone on with.
-  kDisk,       ///< The files as they are now: to see what the change makes of the run.
+  kRecording,  ///< The files as they were then, if they were kept: the run can always continue.
+  kDisk,       ///< The files as they are now: shows what the changes do to the run.
 };
 
 struct RerunSettings {
-  std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();  ///< What came in later is left out.
+  std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();  ///< Later inputs are left out.
   int threads = 0;                                                      ///< For the minds; 0: one per core.
   FilesFrom files = FilesFrom::kRecording;
 };
 
-/// Makes the simulation of a recording as it was before its first tick, with the recorded inputs waiting. Its scenario
-/// is looked for again, by name. Fails if it is no longer there or does not load. Warnings say if files have changed.
+/// Makes the simulation of a recording as it was before its first tick, with the recorded inputs queued. Searches for
+/// its scenario again, by name. Fails if it no longer exists or does not load. Warns if files have changed.
 Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const RerunSettings& settings = {});
-/// The same for a running world, of this scenario and made with these settings.
+/// The same for a running world of this scenario, made with these settings.
 Result<Rerun> Restart(TickSource& recording, const sim::Scenario& scenario, const sim::SimulationSettings& settings,
                       const RerunSettings& rerun);
 
-/// How many ticks a turn of the recorded game has (sim::TurnTicks), from the files that the recording keeps.
+/// The ticks per turn of the recorded game (sim::TurnTicks), from the files that the recording keeps.
 int TurnTicks(const Header& header);
 
-/// Told the tick that was reached, for showing progress; false ends the work.
+/// Called with the tick reached, to show progress; false stops the work.
 using Progress = std::function<bool(std::uint64_t tick)>;
 
-/// What came of comparing a run with its recording.
+/// The result of comparing a run with its recording.
 struct Verdict {
-  std::uint64_t first_tick = 0;  ///< Compared from here on: a bounded recording does not begin with tick 0.
+  std::uint64_t first_tick = 0;  ///< The first tick compared: a bounded recording does not start at tick 0.
   std::uint64_t last_tick = 0;
   bool interrupted = false;
   std::optional<Difference> difference;
   std::vector<Diagnostic> warnings;
 };
 
-/// Runs a recording again and compares each tick: state hash, bodies and minds. With the scenario's files as they are
-/// now, unless asked otherwise.
+/// Runs a recording again and compares each tick: state hash, bodies and minds. Uses the current files of the scenario
+/// unless told otherwise.
 Result<Verdict> Verify(TickSource& recording, const sim::DataFolders& data, const Progress& progress = {},
                        int threads = 0, FilesFrom files = FilesFrom::kDisk);
 
-/// Runs a recording again up to the end of a tick, with its hash checked there. Fails if the tick is not recorded, or
-/// if the run has come to another state (the message names the tick, the agent and what differs).
+/// Runs a recording again up to the end of a tick, and checks the state hash there. Fails if the tick is not recorded,
+/// or if the run reached another state (the message names the tick, the agent and the difference).
 Result<Rerun> GoTo(TickSource& recording, std::uint64_t tick, const sim::DataFolders& data,
                    const Progress& progress = {}, int threads = 0);
 

@@ -7,9 +7,8 @@
 
 namespace soarbox::record {
 
-/// The members of what a scene consists of, in the order in which a recording keeps them, without the id that names
-/// the thing. A new member of a snapshot is recorded once it is added at the end of its list here (and the format's
-/// version is raised).
+/// The members of the parts of a scene, in the order in which a recording stores them, without the id that names the
+/// part. To record a new member of a snapshot, add it at the end of its list here and raise the format's version.
 constexpr auto FieldsOf(const world::BonePose&) {
   using T = world::BonePose;
   return std::tuple(&T::position, &T::orientation);
@@ -42,7 +41,7 @@ constexpr auto FieldsOf(const world::UiSnapshot&) {
                     &T::font, &T::text_color, &T::is_markup, &T::text, &T::material, &T::caption,
                     &T::gradient_is_diagonal, &T::in_world, &T::world_position, &T::world_orientation);
 }
-/// What there is once per scene.
+/// The members that a scene has once.
 constexpr auto FieldsOf(const world::SceneSnapshot&) {
   using T = world::SceneSnapshot;
   return std::tuple(&T::time_s, &T::markup_palette, &T::ambient, &T::sky, &T::sky_rotation_deg, &T::camera_moves,

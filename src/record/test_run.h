@@ -16,7 +16,7 @@ inline sim::DataFolders Data() {
   return {root + "/scenarios", root + "/media"};
 }
 
-/// For tests: a run with its history, as a window keeps one. Whoever uses it fills in its parts, then notes tick 0.
+/// For tests: a run with its history, as a window keeps one. Fill in its parts, then note tick 0.
 struct NotedRun {
   void Note() {
     TickRecord record;

@@ -15,7 +15,7 @@
 
 namespace soarbox::record {
 
-/// For tests: a folder that goes with it.
+/// For tests: a folder that is removed with this object.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -47,7 +47,7 @@ inline Header SomeHeader() {
   return header;
 }
 
-/// Ticks of a made-up world in which bodies come, move and go, and things happen now and then.
+/// Ticks of an invented world in which bodies come, move and go, and things happen now and then.
 inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed = 1) {
   std::mt19937 random(seed);
   const auto chance = [&](unsigned one_in) { return random() % one_in == 0; };
@@ -63,7 +63,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
     tick.events.clear();
     tick.minds.clear();
     world::SharedList<world::DrawableSnapshot>& drawables = tick.scene.drawables;
-    // More than a block of them.
+    // More than one block of them.
     for (int boxes = i == 0 ? 40 : static_cast<int>(chance(9)); boxes > 0; --boxes) {
       world::DrawableSnapshot box;
       box.id = next_id;
@@ -116,7 +116,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
   return ticks;
 }
 
-/// All that a record holds, as bytes that stand alone.
+/// Everything in a record, as bytes that are complete in themselves.
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
   ByteWriter out(bytes);

@@ -11,14 +11,14 @@
 
 namespace soarbox::record {
 
-/// Writes a tick as what differs from the one before; an empty scene before it makes it stand alone.
+/// Writes a tick as its difference from the one before; with an empty scene before it, it is complete in itself.
 void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now);
 
-/// Turns the record of one tick into that of the next; `version` is that of its block. `in` has failed afterwards if
-/// the bytes do not make sense.
+/// Turns the record of one tick into that of the next; `version` is that of its block. If the bytes make no sense, `in`
+/// has failed.
 void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version = kVersion);
 
-/// What entered before a tick, kept apart when a bounded recording drops the tick's frames.
+/// The inputs before a tick, kept when a bounded recording drops the tick's frames.
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs);
 void ReadInputs(ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs);
 

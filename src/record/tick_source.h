@@ -11,8 +11,8 @@
 
 namespace soarbox::record {
 
-/// The ticks of a run that are known: a recording on disk (Reader) or the memory of a running world (History). Holds
-/// consecutive ticks, not always from the run's beginning on, but always all that came in since then.
+/// The known ticks of a run: a recording on disk (Reader) or the memory of a running world (History). Holds consecutive
+/// ticks, not always from the beginning of the run, but always all inputs since then.
 ///
 /// One thread at a time.
 class TickSource {
@@ -22,15 +22,15 @@ class TickSource {
   virtual const Header& header() const = 0;
   /// For messages: the file's name, or which run it is.
   virtual std::string name() const = 0;
-  /// The first and last tick that there are records of.
+  /// The first and last tick with a record.
   virtual std::uint64_t first_tick() const = 0;
   virtual std::uint64_t last_tick() const = 0;
   bool Holds(std::uint64_t tick) const { return tick >= first_tick() && tick <= last_tick(); }
 
-  /// The record of a tick. The next ticks in order are read without going back. Fails for a tick that is not there
-  /// and for a damaged part; others can still be read. Valid until the next call.
+  /// The record of a tick. Reading the next ticks in order does not go back. Fails for a tick that is not there and for
+  /// a damaged part; others remain readable. Valid until the next call.
   virtual Result<const TickRecord*> At(std::uint64_t tick) = 0;
-  /// All that came in from the first tick of the run on, in order.
+  /// All inputs since the first tick of the run, in order.
   virtual Result<std::vector<TickInputs>> Inputs() = 0;
 };
 

@@ -18,29 +18,29 @@
 namespace soarbox::record {
 
 struct WriterSettings {
-  std::uint32_t ticks_per_block = 30;  ///< So many ticks are lost at most when the program is killed.
+  std::uint32_t ticks_per_block = 30;  ///< The most ticks that are lost when the program is killed.
   std::uint64_t limit_bytes = 0;       ///< 0: none. At the limit the older half of the frames goes; all inputs stay.
 };
 
-/// Writes a recording, block by block. A block that has been written is never changed, so a reader may follow, and a
-/// program that is killed leaves all complete blocks.
+/// Writes a recording, block by block. A written block never changes, so you can read the file meanwhile, and a program
+/// that is killed leaves all complete blocks.
 ///
-/// One thread at a time. Destroyed, it writes what there is.
+/// One thread at a time. The destructor writes what is waiting.
 class Writer {
  public:
-  /// Makes the file anew. Fails if it cannot be made or written; the error names it.
+  /// Creates the file, replacing an old one. Fails if it cannot be made or written; the error names it.
   static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file, const Header& header,
                                                 const WriterSettings& settings = {});
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Adds the next tick. Fails when the disk is full or the like: the recording then ends with the last complete block
-  /// and takes nothing more; each further call answers the same.
+  /// Adds the next tick. Fails when the disk is full or the like. The recording then ends with the last complete block
+  /// and accepts nothing more; each further call returns the same error.
   Result<void> Add(const TickRecord& tick);
-  /// For a recording that does not begin with tick 0: what entered before its first tick. Call before the first Add.
+  /// For a recording that does not start at tick 0: the inputs before its first tick. Call before the first Add.
   Result<void> AddEarlierInputs(const std::vector<TickInputs>& earlier);
-  /// Writes the ticks that wait for their block to fill.
+  /// Writes the ticks of the unfinished block.
   Result<void> Flush();
 
   std::uint64_t bytes() const { return bytes_; }
@@ -69,7 +69,7 @@ class Writer {
   std::optional<Diagnostic> failure_;
 
   BlockBuilder builder_;
-  std::string new_inputs_;    ///< Of the ticks of the block under way.
+  std::string new_inputs_;    ///< Of the ticks of the current block.
   std::deque<Block> blocks_;  ///< Of ticks, on disk.
   std::string all_inputs_;    ///< Of a bounded recording, those of all ticks on disk, for when it drops some.
 };

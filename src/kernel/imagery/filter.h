@@ -28,25 +28,25 @@ using Content = std::variant<double, std::int64_t, bool, std::string, Vec3, Box,
 struct Value : Tracked<Value> {
   Content content;
   Combination* from = nullptr;  ///< What it was computed from; null for constants and the like.
-  bool rewritten = true;        ///< The content changed since the changes were cleared.
+  bool rewritten = true;        ///< The content has changed since the changes were cleared.
 };
 
 /// One input of a filter: a value per parameter (Inputs::ArgumentOf).
 struct Combination : Tracked<Combination> {
   Value* output = nullptr;  ///< What the filter made of it, if anything.
   double rank = 0;          ///< For filters that choose the best.
-  bool told = false;        ///< Is among Inputs::rewritten().
+  bool told = false;        ///< It is in Inputs::rewritten().
 };
 
-/// The parameters of a filter, and their values combined: each with each, the first parameter fastest, or each alone.
-/// Only what is new is combined.
+/// The parameters of a filter and the combinations of their values: each with each, the first parameter fastest, or
+/// each alone. Only new values are combined.
 class Inputs {
  public:
   struct Parameter {
     std::string name;
     std::shared_ptr<Filter> source;
   };
-  /// A combination of which a value was replaced by another, with what stood for it before it was computed again.
+  /// A combination in which one value replaced another, with its value before it was computed again.
   struct Rewritten {
     Combination* combination;
     const Value* output;
@@ -57,14 +57,14 @@ class Inputs {
   const std::vector<Parameter>& parameters() const { return parameters_; }
   TrackedList<Combination>& combinations() { return combinations_; }
   const TrackedList<Combination>& combinations() const { return combinations_; }
-  /// Until the changes of the filter are cleared.
+  /// Valid until the changes of the filter are cleared.
   const std::vector<Rewritten>& rewritten() const { return rewritten_; }
   void ClearRewritten();
-  /// The value of a parameter in a combination; null where it has none.
+  /// The value of a parameter in a combination; null if it has none.
   const Value* ArgumentOf(const Combination& combination, std::size_t parameter) const;
 
-  /// Brings the parameters up to date. Returns what is wrong, or nothing: if one of them failed, or there are too many
-  /// combinations; then none is left.
+  /// Updates the parameters. Returns nothing, or what is wrong: a parameter failed, or there are too many combinations.
+  /// Then no combination is left.
   std::string_view Update();
   static constexpr std::size_t kMostCombinations = 2'000'000;
   std::size_t MemoryBytes() const;
@@ -115,9 +115,9 @@ struct FilterParts {
   bool each_alone = false;
 };
 
-/// A computation over a scene: it keeps the list of its values, and computes again only what depends on something that
-/// changed. Whoever reads it calls Update first; what changed can be read until the look ends (FilterPool). It lives no
-/// longer than its scene and its pool.
+/// A computation over a scene. It keeps the list of its values, and computes again only what depends on a change. A
+/// reader calls Update first; the changes can be read until the look ends (FilterPool). It must not outlive its scene
+/// and its pool.
 class Filter : private SceneWatcher {
  public:
   explicit Filter(FilterParts parts);
@@ -125,8 +125,8 @@ class Filter : private SceneWatcher {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Brings the values up to date, those of its parameters first, once in a look. False if it failed: its status tells
-  /// why, and it has no values.
+  /// Updates the values, those of its parameters first, once per look. False if it failed: then its status says why,
+  /// and it has no values.
   bool Update();
   /// Whether the last update succeeded.
   bool works() const { return works_; }
@@ -139,27 +139,28 @@ class Filter : private SceneWatcher {
   bool is_constant() const { return kind_ == nullptr; }
   /// "success", or what is wrong.
   const std::string& status() const { return status_; }
-  /// What the status was in turn in this look; empty if it stayed.
+  /// The statuses of this look, in order; empty if the status did not change.
   const std::vector<std::string>& said() const { return said_; }
-  /// How often changes have been cleared, from 1. A reader that finds another number than it expects has missed some.
+  /// How often changes have been cleared, from 1. If this differs from what a reader expects, the reader has missed
+  /// changes.
   std::uint64_t cleared() const { return cleared_; }
-  /// What a reader who has read all of this look expects in the next.
+  /// What a reader that has read all of this look expects in the next.
   std::uint64_t will_be_cleared() const { return cleared_ + (output_.HasChanges() ? 1 : 0); }
   void ClearChanges();
   /// Different for all filters of a pool.
   std::uint64_t serial() const { return serial_; }
-  /// What is wrong with it or with a parameter of it, the deepest first; nothing if it works.
+  /// What is wrong with the filter or one of its parameters, the deepest first; nothing if it works.
   Trouble FindTrouble() const;
   std::size_t MemoryBytes() const;
 
  protected:
-  /// Turns the changes of the inputs into changes of the output. False: it failed, and has set a status.
+  /// Turns the changes of the inputs into changes of the output. False: it failed, and the status says why.
   virtual bool Compute() = 0;
-  /// What a filter hears of its scene, if it watches it.
+  /// What happens in the scene, if the filter watches it.
   void OnNode(Node& node, NodeChange change, std::string_view tag) override;
   void WatchScene();
 
-  /// What it asks for that is not there, though it succeeds.
+  /// What it asks for although it does not exist; the filter still succeeds.
   virtual Trouble Missing() const;
   void Fail(std::string_view status);
   Scene& scene() { return scene_; }
@@ -171,8 +172,8 @@ class Filter : private SceneWatcher {
   Slots SlotsOf(std::string_view name) const;
   /// The first value under a name, or null.
   const Value* Argument(const Combination& combination, const Slots& slots) const;
-  /// The same as a node, text or number; null or none if it is missing. One of another kind counts as missing, and the
-  /// status says so (if `tell`).
+  /// The same as a node, text or number; null or none if it is missing. A value of another kind counts as missing, and
+  /// the status says so (if `tell`).
   Node* NodeOf(const Combination& combination, const Slots& slots, std::string_view name);
   const std::string* TextOf(const Combination& combination, const Slots& slots, std::string_view name,
                             bool tell = true);
@@ -198,7 +199,7 @@ class Filter : private SceneWatcher {
   Inputs inputs_;
   TrackedList<Value> output_;
   std::uint64_t serial_, cleared_ = 1;
-  std::uint64_t look_ = 0;  ///< The last in which it was updated.
+  std::uint64_t look_ = 0;  ///< The last look in which it was updated.
   bool watches_ = false, works_ = false;
 };
 

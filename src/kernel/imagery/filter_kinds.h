@@ -23,12 +23,12 @@ struct ParameterInfo {
   std::string_view name, meaning;
   bool required = false;
   ParameterForm form = ParameterForm::kWord;
-  std::string_view words = {};  ///< kWord: the words that it may be, with blanks between them; empty: any.
+  std::string_view words = {};  ///< kWord: the allowed words, with blanks between them; empty: any.
 };
 
-/// When one computation serves several extracts.
+/// When several extracts share one computation.
 enum class Sharing : std::uint8_t {
-  kSameLook,  ///< If they begin in the same look: what it finds depends on when it was first computed.
+  kSameLook,  ///< If they begin in the same look: the result depends on when it was first computed.
   kAlways,
   kNever,  ///< It draws random numbers.
 };
@@ -46,7 +46,7 @@ std::span<const FilterKind> FilterKinds();
 /// Null if there is no such kind.
 const FilterKind* FindFilterKind(std::string_view name);
 
-/// What combines the values of filters about nodes.
+/// Makes a filter that always gives `content`.
 std::unique_ptr<Filter> MakeConstant(FilterParts parts, Content content);
 
 // The kinds, by file. Each function appends its own.

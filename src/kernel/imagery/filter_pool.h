@@ -15,11 +15,11 @@
 
 namespace soarbox::kernel::imagery {
 
-/// The filters of a scene. Those that are alike are one: they are computed once, whoever asks. What a filter found
-/// depends on when it was first computed (a node that was there, a place that was the first), so only filters that
-/// begin in the same look are alike; constants and those that are timeless (FilterKind) always.
+/// The filters of a scene. Filters that are alike are shared and computed once. What a filter found depends on when it
+/// was first computed (which nodes existed, which place was the first), so only filters that begin in the same look are
+/// alike. Constants and timeless filters (FilterKind) are always alike.
 ///
-/// A look is one round over all extracts of a state. What a filter changed in it can be read until it ends.
+/// A look is one round over all extracts of a state. You can read the changes of its filters until it ends.
 class FilterPool {
  public:
   using Make = std::function<std::shared_ptr<Filter>()>;
@@ -29,9 +29,9 @@ class FilterPool {
   FilterPool& operator=(const FilterPool&) = delete;
 
   std::uint64_t look() const { return look_; }
-  /// All readers have read: forgets what the filters changed.
+  /// Call when all readers have read: forgets what the filters changed.
   void EndLook();
-  /// The filter of that description, or a new one.
+  /// The filter with this description, or a new one.
   std::shared_ptr<Filter> Share(const std::string& description, const Make& make);
 
   // For filters.
@@ -50,7 +50,7 @@ class FilterPool {
   std::size_t tidy_at_ = 64;
 };
 
-/// A filter as rules described it: the computation, which others may share, and the statuses on the identifiers.
+/// A filter as rules described it: the computation, which others may share, and the statuses on its identifiers.
 class FilterUse {
  public:
   FilterUse(MemoryWriter& writer, Symbol owner, std::shared_ptr<Filter> filter,
@@ -63,7 +63,7 @@ class FilterUse {
   /// After an update: writes the statuses of the parameters, then that of the filter itself.
   void TellParameters();
   void Tell();
-  /// Calls `mark` for each symbol that it and its parameters hold.
+  /// Calls `mark` for each symbol that the filter and its parameters hold.
   void Mark(const std::function<void(Symbol)>& mark) const;
 
  private:

@@ -33,7 +33,7 @@ class Observers;
 
 namespace imagery {
 
-/// What a state imagines: its scene, how that stands in working memory, and the commands of its rules.
+/// What a state imagines: its scene, the copy of it in working memory, and the commands of its rules.
 class StateScene {
  public:
   struct Parts {
@@ -48,18 +48,18 @@ class StateScene {
   GoalLevel level() const { return parts_.level; }
   Scene& scene() { return *scene_; }
   const Scene& scene() const { return *scene_; }
-  /// init-soar: the scene goes on, all else ends.
+  /// init-soar: the scene stays, everything else ends.
   std::unique_ptr<Scene> TakeScene();
 
-  /// Output phase: notes commands that came and went. True if one came.
+  /// Output phase: notes which commands came and went. True if one came.
   bool NoteCommands();
-  /// Input phase: carries out commands that write, or those that look.
+  /// Input phase: carries out the commands that write, or those that look.
   void Update(bool writes, bool look_again);
-  /// Reports what is wrong with commands, each thing once: the element on the command link, and what.
+  /// Reports each problem of the commands once: the element on the command link, and the problem.
   void TellTroubles(const std::function<void(WmeId, const Trouble&)>& report);
   void Mark(const std::function<void(Symbol)>& mark) const;
 
-  /// Calls visit(kind, name, element, command) for each that stands, in the order in which they are carried out.
+  /// Calls visit(kind, name, element, command) for each command, in the order in which they are carried out.
   template <typename Visit>
   void ForEachCommand(Visit&& visit) const {
     for (const Entry& entry : commands_) {
@@ -85,7 +85,7 @@ class StateScene {
     Symbol id;
     std::unique_ptr<SceneCommand> command;
     Symbol attribute;
-    std::string told;  ///< The problem that was reported last.
+    std::string told;  ///< The problem reported last.
   };
 
   Parts parts_;
@@ -95,19 +95,19 @@ class StateScene {
   std::unique_ptr<SceneFeed> feed_;
   bool drawn_ = false;
   FilterPool filters_;
-  std::vector<Listed> listed_;   ///< What stood on the command link when it was looked at last.
+  std::vector<Listed> listed_;   ///< What was on the command link at the last look.
   std::vector<Entry> commands_;  ///< By name.
-  std::uint64_t gone_ = 0;       ///< Versions of commands that have gone, and how many came.
+  std::uint64_t gone_ = 0;       ///< Versions of commands that have gone, and how many commands came.
 };
 
 }  // namespace imagery
 
-/// The spatial visual system of one agent: each state has a scene of objects in space, which the host feeds, which
-/// rules change and ask through ^svs.command, and whose answers stand in working memory. Off until somebody enables it;
-/// an agent that never does has none.
+/// The spatial visual system of one agent. Each state has a scene of objects in space. The host feeds the scenes; rules
+/// change and query them through ^svs.command, and the answers appear in working memory. It is off until enabled; an
+/// agent that never enables it has none.
 ///
-/// Lines for the scene wait until the input phase; in it commands that write come before those that look. Extracts look
-/// again only if something may have changed, and compute only what depends on it (filter.h).
+/// Lines for the scene wait until the input phase, in which commands that write come before those that look. Extracts
+/// look again only if something may have changed, and compute only what depends on the change (filter.h).
 class Imagery final : public Module {
  public:
   struct Uses {
@@ -126,33 +126,34 @@ class Imagery final : public Module {
 
   bool enabled() const { return enabled_; }
   bool in_substates() const { return in_substates_; }
-  /// Gives the states scenes: only between phases. Does nothing if it is on.
+  /// Gives the states scenes. Call only between phases. Does nothing if it is on.
   void Enable();
-  /// Leaves ^svs as it is until init-soar or until it is enabled again. Refused while a substate has a scene.
+  /// Leaves ^svs as it is until init-soar or the next Enable. Refused while a substate has a scene.
   Result<void> Disable();
   void EnableInSubstates();
   /// Refused while a substate has a scene.
   Result<void> DisableInSubstates();
 
-  /// Lines of the scene graph edit language for the top state's scene: they take effect in the next input phase. False
+  /// Lines of the scene graph edit language for the top state's scene. They take effect in the next input phase. False
   /// if it is off.
   bool Send(std::string_view lines);
-  /// The lines that were refused since somebody asked last, each with its reason and a newline; at most the last 1,000.
+  /// The lines refused since the last call, each with its reason and a newline; at most the last 1,000.
   std::string TakeRefused();
   /// The answers to queries about the top state's scene; empty if it is off.
   std::string Query(std::string_view queries) const;
-  /// A line for any state's scene, at once: only between phases. Extracts look again in the next input phase.
+  /// Applies a line to any state's scene at once. Call only between phases. Extracts look again in the next input
+  /// phase.
   std::optional<imagery::LineError> Apply(imagery::StateScene& state, std::string_view line);
   void Clear(imagery::StateScene& state);
 
-  /// Differs when anything that states imagine has changed.
+  /// Changes whenever something that a state imagines changes.
   std::uint64_t version() const;
-  /// The states that have scenes, from the top.
+  /// The states that have scenes, from the top down.
   std::span<const std::unique_ptr<imagery::StateScene>> states() const { return states_; }
   /// By the name of the state; null if there is none.
   imagery::StateScene* FindState(std::string_view name);
 
-  /// Shows the drawn scenes to a viewer from now on; null for none.
+  /// Shows the drawn scenes to a viewer from now on; null: to none.
   void SetViewer(imagery::ViewerSink sink);
   void Draw(imagery::StateScene& state, bool on);
 
@@ -176,9 +177,9 @@ class Imagery final : public Module {
   imagery::MemoryWriter writer_;
   imagery::PlainRandom random_;
   bool enabled_ = false, in_substates_ = true;
-  bool look_again_ = true;  ///< Something may have changed since extracts looked last.
+  bool look_again_ = true;  ///< Something may have changed since the extracts last looked.
   bool updating_ = false;
-  std::uint64_t gone_ = 0;  ///< Versions of states that have gone, and how many came.
+  std::uint64_t gone_ = 0;  ///< Versions of states that have gone, and how many states came.
   std::vector<std::string> lines_, refused_;
   std::vector<std::unique_ptr<imagery::StateScene>> states_, ended_;
   std::unique_ptr<imagery::Scene> kept_;  ///< The top state's, while init-soar makes a new one.

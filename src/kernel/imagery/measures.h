@@ -9,7 +9,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// The numbers that the C library of the reference gives as random ones if nobody gives it a seed: 31 bits each.
+/// The random numbers of the reference's C library without a seed: 31 bits each.
 class PlainRandom {
  public:
   PlainRandom();
@@ -21,8 +21,8 @@ class PlainRandom {
   std::size_t at_ = 3;
 };
 
-/// The least distance between the shapes of two nodes; 0 if one is in the tree of the other. A group without shapes is
-/// the point of its centroid.
+/// The smallest distance between the shapes of two nodes; 0 if one is in the tree of the other. A group without shapes
+/// is the point at its centroid.
 double HullDistance(const Node& a, const Node& b);
 /// A line from one point to another.
 struct SightLine {
@@ -32,7 +32,7 @@ struct SightLine {
 SightLine ShortestLine(const Node& a, const Node& b);
 /// The distance between the local positions of two nodes.
 double PositionDistance(const Node& a, const Node& b);
-/// How far b's box is beyond a's along an axis (0, 1, 2): negative if it is below; 0 if they share a part of the axis.
+/// How far b's box is beyond a's along an axis (0, 1, 2): negative if it is below; 0 if they overlap on the axis.
 double AxisDistance(const Node& a, const Node& b, int axis);
 /// The same along any direction, by projections.
 double AxisDistance(const Node& a, const Node& b, const Vec3& direction);
@@ -40,15 +40,15 @@ double BoxVolume(const Node& node);
 /// The product of the node's own scale.
 double ScaleVolume(const Node& node);
 bool HullsTouch(const Node& a, const Node& b);
-/// The share of a that is in b, from 200 points.
+/// The fraction of a that is in b, from 200 points.
 double Overlap(const Node& a, const Node& b, PlainRandom& random);
-/// Where a's centroid has to be for gaps of `separation` beside b, per axis: 0 asks for none. Axes: those of
+/// Where a's centroid must be for gaps of `separation` beside b, per axis; 0 asks for no gap. The axes are those of
 /// `reference`'s own rotation, or of the world.
 Vec3 Placement(const Node& a, const Node& b, const Node* reference, const Vec3& separation);
 
 /// Lines from the eye's centroid to the points of all hulls of a target.
 void AppendSightLines(const Node& target, const Node& eye, std::vector<SightLine>& lines);
-/// The share of the lines that some shape of an occluder crosses.
+/// The fraction of the lines that any shape of an occluder crosses.
 double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> occluders);
 
 /// Shrinks a node until it touches none of the scene's nodes with the tag object-source belief.

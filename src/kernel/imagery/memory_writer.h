@@ -14,9 +14,9 @@
 
 namespace soarbox::kernel::imagery {
 
-/// Reads commands from working memory and writes what imagery has to say. Its elements stand in slots without a
-/// preference. It holds none of them: an element is found by what it says, so that nothing dangles when rules or the
-/// architecture take away what it stood on. Nothing is written on identifiers that no state reaches.
+/// Reads commands from working memory and writes what imagery reports. Its elements are in slots without a preference.
+/// It keeps no references to them but finds an element by its contents, so nothing dangles when rules or the
+/// architecture remove the identifier below which it was. It writes nothing on identifiers that no state reaches.
 class MemoryWriter {
  public:
   MemoryWriter(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes, PreferenceChanges& preferences)
@@ -31,7 +31,7 @@ class MemoryWriter {
   std::int64_t IntegerOf(Symbol number) const;
 
   Symbol Text(std::string_view text) { return symbols_.String(text); }
-  /// What is not finite becomes the largest number of its sign, and 0 what is no number.
+  /// Infinities become the largest number of their sign, and what is no number becomes 0.
   Symbol Float(double value);
   Symbol Integer(std::int64_t value) { return symbols_.Integer(value); }
 
@@ -44,7 +44,7 @@ class MemoryWriter {
       }
     }
   }
-  /// The first value of an attribute, or none.
+  /// The first value of an attribute, or the none symbol.
   Symbol ValueOf(Symbol id, std::string_view attribute) const;
   /// The element itself; none if it is not there.
   WmeId ElementOf(Symbol id, Symbol attribute, Symbol value) const;
@@ -53,15 +53,15 @@ class MemoryWriter {
   /// The numbers ^x, ^y and ^z of the attribute's value; none unless all are there.
   std::optional<Vec3> VectorOf(Symbol id, std::string_view attribute) const;
 
-  /// Adds an element, unless it is there.
+  /// Adds an element unless it exists.
   void Add(Symbol id, std::string_view attribute, Symbol value);
-  /// Adds an element with a new identifier, which it returns: none if `id` is not reached.
+  /// Adds an element with a new identifier and returns the identifier: none if no state reaches `id`.
   Symbol AddObject(Symbol id, std::string_view attribute);
   Symbol AddObject(Symbol id, std::string_view attribute, char letter);
   void Remove(Symbol id, std::string_view attribute, Symbol value);
-  /// Removes all elements of an attribute that no rule supports.
+  /// Removes all elements of an attribute that have no support from rules.
   void RemoveAll(Symbol id, std::string_view attribute);
-  /// The same, and adds one.
+  /// The same, then adds one element.
   void Replace(Symbol id, Symbol attribute, Symbol value);
 
  private:

@@ -34,18 +34,18 @@ struct NodeSpec {
 
 class SceneWatcher;
 
-/// An object of a scene: a shape and a pose in its parent's frame. What follows from the poses above it is worked out
-/// when somebody asks, and kept until something moves. Only its scene changes it.
+/// An object of a scene: a shape and a pose in its parent's frame. What depends on the poses above it is computed on
+/// request and kept until something moves. Only its scene changes it.
 class Node {
  public:
-  /// Somebody who hears what happens to the node, and a number of their own for it.
+  /// Someone who is notified about the node, with their own number for it.
   struct Hold {
     SceneWatcher* watcher;
     std::uint32_t number;
     friend bool operator==(const Hold&, const Hold&) = default;
   };
 
-  /// Groups within groups, down to here.
+  /// The deepest nesting of groups.
   static constexpr int kDeepest = 200;
 
   const std::string& id() const { return spec_.id; }
@@ -55,7 +55,7 @@ class Node {
   double radius() const { return spec_.radius; }
   const Pose& pose() const { return spec_.pose; }
   const Tags& tags() const { return tags_; }
-  /// Null if it has none of that name.
+  /// Null if the node has no tag of that name.
   const std::string* Tag(std::string_view name) const;
   const Node* parent() const { return parent_; }
   const std::vector<std::unique_ptr<Node>>& children() const { return children_; }
@@ -67,8 +67,8 @@ class Node {
   const std::vector<Vec3>& WorldPoints() const;  ///< kHull.
   const Box& Bounds() const;
   Vec3 Centroid() const { return Bounds().Middle(); }
-  /// From where to where the node reaches along a direction of length 1. A ball's reach is the length of the world
-  /// vector to (radius, 0, 0) in its frame, as in Soar 9.6.3.
+  /// The node's extent along a direction of length 1. A ball's extent is the length of the world vector to (radius, 0,
+  /// 0) in its frame, as in Soar 9.6.3.
   std::pair<double, double> Extent(const Vec3& axis) const;
 
  private:
@@ -89,20 +89,20 @@ class Node {
 
 enum class NodeChange : std::uint8_t {
   kAdded,
-  kRemoved,   ///< Its children have gone; the node is still to be read.
-  kMoved,     ///< It, or something above it.
-  kReshaped,  ///< Its shape, or something below it.
+  kRemoved,   ///< Its children have gone; you can still read the node.
+  kMoved,     ///< It moved, or something above it.
+  kReshaped,  ///< Its shape changed, or something below it.
   kTagged,
   kUntagged,
 };
 
-/// Hears what happens to a scene. It must not change the scene, nor watchers.
+/// Is notified about a scene. It must not change the scene or its watchers.
 class SceneWatcher {
  public:
   virtual ~SceneWatcher() = default;
   /// `tag`: the name of the tag that came, changed or went.
   virtual void OnNode(Node& node, NodeChange change, std::string_view tag) = 0;
-  /// What happens to a node that it holds under a number. One that is removed is held no longer.
+  /// What happens to a node that it holds under a number. A removed node is no longer held.
   virtual void OnHeld(std::uint32_t number, NodeChange change) {
     (void)number;
     (void)change;
@@ -121,35 +121,35 @@ class Scene {
   const std::string& name() const { return name_; }
   Node& root() { return *root_; }
   const Node& root() const { return *root_; }
-  /// With the root.
+  /// Includes the root.
   std::size_t size() const { return index_.size(); }
   Node* Find(std::string_view id);
   const Node* Find(std::string_view id) const { return const_cast<Scene*>(this)->Find(id); }
-  /// All nodes in order, the root first. `visit` must not change the scene.
+  /// Visits all nodes in order, the root first. `visit` must not change the scene.
   template <typename Visit>
   void ForEach(Visit&& visit) const {
     for (Node* node = root_.get(); node != nullptr; node = node->next_) visit(*node);
   }
   std::size_t MemoryBytes() const;
 
-  /// Null if there is a node of that id, or the parent is no group or too deep.
+  /// Null if a node of that id exists, or the parent is no group or too deep.
   Node* Add(Node& parent, NodeSpec spec);
-  /// With all below it. The root stays.
+  /// Removes the node and everything below it. The root stays.
   void Remove(Node& node);
   void Move(Node& node, const Pose& pose);
   void SetPoints(Node& node, std::vector<Vec3> points);
   void SetRadius(Node& node, double radius);
   void SetTag(Node& node, std::string_view name, std::string_view value);
   void DeleteTag(Node& node, std::string_view name);
-  /// Removes all but the root, last first.
+  /// Removes all nodes but the root, last first.
   void Clear();
   /// A copy without watchers; its nodes are in depth-first order.
   std::unique_ptr<Scene> Clone(std::string name) const;
 
-  /// A watcher goes before it dies.
+  /// Unwatch before the watcher dies.
   void Watch(SceneWatcher& watcher) { watchers_.push_back(&watcher); }
   void Unwatch(SceneWatcher& watcher);
-  /// Whoever holds a node hears of that node alone. They release it before they die.
+  /// Like a watcher, but only for this node. Release before the watcher dies.
   void Hold(Node& node, SceneWatcher& watcher, std::uint32_t number) { node.holds_.push_back({&watcher, number}); }
   void Release(Node& node, SceneWatcher& watcher, std::uint32_t number);
   /// Grows with every change.
@@ -157,7 +157,7 @@ class Scene {
 
  private:
   void Tell(Node& node, NodeChange change, std::string_view tag = {});
-  /// A node's shape changed: so did those above it, from the root down.
+  /// A node's shape changed, and so did those above it: notifies from the root down.
   void TellReshaped(Node* node);
   void TellMoved(Node& node);
   void CopyBelow(const Node& from, Node& to);

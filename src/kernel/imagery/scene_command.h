@@ -18,12 +18,12 @@ namespace soarbox::kernel::imagery {
 class FilterPool;
 class PlainRandom;
 
-/// What is wrong with a command, and what to do about it; no problem: nothing is.
+/// What is wrong with a command, and what to do about it; empty if nothing is wrong.
 struct Trouble {
   std::string problem, hint;
 };
 
-/// A name that no node has: what to write instead.
+/// A hint for a name that no node has: what to write instead.
 std::string HintForNode(const Scene& scene, std::string_view id);
 
 /// What a command is made with.
@@ -35,27 +35,27 @@ struct CommandParts {
   Symbol id;  ///< Its identifier.
 };
 
-/// A command that rules put on ^svs.command of a state, as long as it is there.
+/// A command that rules put on ^svs.command of a state. Lives as long as it is there.
 class SceneCommand {
  public:
   virtual ~SceneCommand() = default;
-  /// Whether it changes the scene, once; else it looks at it.
+  /// Whether it changes the scene, once; otherwise it looks at the scene.
   virtual bool writes() const = 0;
-  /// In the input phase. `look_again`: something may have changed since the last.
+  /// In the input phase. `look_again`: something may have changed since the last time.
   virtual void Update(bool look_again) = 0;
   virtual void Mark(const std::function<void(Symbol)>& mark) const = 0;
-  // For whoever looks at what is asked.
+  // For code that inspects commands.
   Symbol id() const { return id_; }
-  /// What an extract computes; null for commands that change the scene, and if it cannot be read.
+  /// What an extract computes; null for commands that change the scene, and if the command cannot be read.
   virtual const Filter* filter() const { return nullptr; }
-  /// The record that shows a value of the filter; none if it is not shown.
+  /// The record that shows a value of the filter; none if the value is not shown.
   virtual Symbol RecordOf(const Value& value) const {
     (void)value;
     return {};
   }
   /// Grows when what it shows changes.
   std::uint64_t version() const { return version_; }
-  /// What went wrong, or asks for what is not there.
+  /// What went wrong, or what the command asks for although it does not exist.
   virtual Trouble trouble() const = 0;
 
  protected:

@@ -8,14 +8,14 @@
 
 namespace soarbox::kernel::imagery {
 
-/// Sends a line, which ends with a newline, to a viewer; false if there is no viewer any more.
+/// Sends a line, which ends with a newline, to a viewer; false once the viewer has gone.
 using ViewerSink = std::function<bool(std::string_view line)>;
 
 /// Shows a scene to a viewer in the protocol of Soar's svs_viewer, from now on: first all of it, then what changes.
 class SceneFeed final : private SceneWatcher {
  public:
   SceneFeed(Scene& scene, const ViewerSink& sink);
-  /// Takes the scene from the viewer's picture.
+  /// Removes the scene from the viewer's picture.
   ~SceneFeed() override;
   SceneFeed(const SceneFeed&) = delete;
   SceneFeed& operator=(const SceneFeed&) = delete;

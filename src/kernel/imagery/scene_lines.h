@@ -12,18 +12,18 @@ namespace soarbox::kernel::imagery {
 /// Why a line was refused.
 struct LineError {
   std::string line;
-  int field = 0;     ///< The word, from 1 on, the keyword being 0; 0 if it is the keyword.
+  int field = 0;     ///< The number of the word, the keyword being 0.
   std::string text;  ///< What is wrong and what to do.
 
   /// In one sentence: "add x nobody b 1: parent: ..."
   std::string ToString() const;
 };
 
-/// Does what one line of the scene graph edit language says: add, change, delete or tag. Blank lines do nothing. A line
-/// that is refused has done nothing, except a `change` in which something before the error is right.
+/// Carries out one line of the scene graph edit language: add, change, delete or tag. Blank lines do nothing. A refused
+/// line changes nothing, except a `change` with correct parts before the error.
 std::optional<LineError> ApplyLine(Scene& scene, std::string_view line);
 
-/// The answers to queries, one a line: obj-info ID, list-all-objs, objs-with-flag NAME VALUE.
+/// The answers to queries, one per line: obj-info ID, list-all-objs, objs-with-flag NAME VALUE.
 std::string AnswerQueries(const Scene& scene, std::string_view queries);
 
 /// A number with 6 significant digits, as all texts of scenes show it.

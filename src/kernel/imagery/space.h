@@ -6,7 +6,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A point or a direction. Units are those of whoever feeds the scene (metres in the sandbox).
+/// A point or a direction. The feeder of the scene decides the units (metres in the sandbox).
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
@@ -32,7 +32,7 @@ inline double Distance(const Vec3& a, const Vec3& b) {
   return Length(b - a);
 }
 
-/// A box along the axes of the world; its sides belong to it.
+/// An axis-aligned box in the world, sides included.
 struct Box {
   Vec3 low, high;
 
@@ -47,7 +47,7 @@ struct Box {
   double Gap(const Box& other) const;
 };
 
-/// Where a node stands in the frame of its parent: scaled, then turned about x, y and z (radians), then moved.
+/// The pose of a node in its parent's frame: scaled, then turned about x, y and z (radians), then moved.
 struct Pose {
   Vec3 position, rotation, scale{1, 1, 1};
 
@@ -61,9 +61,9 @@ class Transform {
   explicit Transform(const Pose& pose);
 
   Vec3 operator()(const Vec3& point) const { return Turn(point) + shift_; }
-  /// Of a direction: the linear part.
+  /// Turns a direction: applies the linear part only.
   Vec3 Turn(const Vec3& direction) const;
-  /// The transposed linear part: what a support function needs to look back into the local frame.
+  /// Applies the transposed linear part, with which a support function goes back into the local frame.
   Vec3 TurnTransposed(const Vec3& direction) const;
   friend Transform operator*(const Transform& outer, const Transform& inner);
   const Vec3& shift() const { return shift_; }

@@ -9,7 +9,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A ^status on an identifier, which changes only when its text does.
+/// A ^status on an identifier. The element changes only when its text does.
 class StatusLine {
  public:
   StatusLine(MemoryWriter& writer, Symbol owner)

@@ -9,17 +9,17 @@
 
 namespace soarbox::kernel::imagery {
 
-/// What a TrackedList knows of each of its entries; entries derive from it.
+/// What a TrackedList stores with each of its entries; entries derive from it.
 template <typename Entry>
 struct Tracked {
-  Entry *previous = nullptr, *next = nullptr;  ///< In the list, or among those that went.
-  std::uint32_t slot = 0;                      ///< The entry's number: it is used again once the entry is forgotten.
-  std::uint32_t changed = 0;                   ///< Its place among those that changed, from 1; 0: it did not.
-  bool fresh = true;                           ///< Came since the changes were cleared.
+  Entry *previous = nullptr, *next = nullptr;  ///< In the list, or among the removed entries.
+  std::uint32_t slot = 0;                      ///< The entry's number; used again once the entry is forgotten.
+  std::uint32_t changed = 0;                   ///< Its place among the changed entries, from 1; 0: it did not change.
+  bool fresh = true;                           ///< It came since the changes were cleared.
 };
 
 /// A list in order of arrival that remembers what came, changed and went until the changes are cleared. Entries do not
-/// move; the room of those that went is used again.
+/// move; the memory of removed ones is used again.
 template <typename Entry>
 class TrackedList {
  public:
@@ -62,11 +62,11 @@ class TrackedList {
   std::size_t size() const { return size_; }
   Iterator begin() const { return Iterator(first_); }
   Iterator end() const { return {}; }
-  /// Those that came stand at the end.
+  /// New entries are at the end.
   Range fresh() const { return {first_fresh_}; }
-  /// Null where one that changed has gone.
+  /// Null where a changed entry has gone.
   const std::vector<Entry*>& changed() const { return changed_; }
-  /// Gone, and still to be read until the changes are cleared. A fresh entry that went is here, too.
+  /// Removed entries, which you can read until the changes are cleared. A fresh entry that was removed is here, too.
   Range removed() const { return {removed_}; }
   bool HasChanges() const { return first_fresh_ != nullptr || !changed_.empty() || removed_ != nullptr; }
   /// Slots are below this.
@@ -121,7 +121,7 @@ class TrackedList {
     changed_.clear();
     ForgetRemoved();
   }
-  /// Everything is fresh.
+  /// Marks every entry as fresh.
   void Restart() {
     ClearChanges();
     first_fresh_ = first_;
@@ -147,7 +147,7 @@ class TrackedList {
     removed_ = last_removed_ = nullptr;
   }
 
-  std::vector<std::unique_ptr<Entry[]>> chunks_;  ///< The first small: most lists have few entries.
+  std::vector<std::unique_ptr<Entry[]>> chunks_;  ///< The first chunk is small: most lists have few entries.
   std::vector<std::uint32_t> free_;
   std::uint32_t used_ = 0;
   std::size_t size_ = 0;

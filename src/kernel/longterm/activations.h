@@ -14,7 +14,7 @@
 
 namespace soarbox::kernel {
 
-/// How active each object is for one agent. Only objects that were touched have a record; the others have activation 0.
+/// How active each object is for one agent. Only objects that were touched have a record; all others have activation 0.
 ///
 /// The clock counts touches, not decisions: nothing happens while nothing is touched, and init-soar does not reset it.
 /// recency: the clock at the last touch. frequency: how often. base-level: ln(s / (1 + s)), where s is the sum of
@@ -25,7 +25,7 @@ class Activations {
 
   struct Touched {
     std::uint32_t object = 0;
-    bool forget_last = false;  ///< Prohibited since its last touch: that one is taken back at the next.
+    bool forget_last = false;  ///< Prohibited since its last touch: the next touch undoes that one.
     double activation = 0;
     std::uint64_t count = 0;
     std::uint64_t first = 0;                      ///< Tick of the first touch.
@@ -42,20 +42,20 @@ class Activations {
     const std::uint32_t at = by_object_.Find(object + 1ull);
     return at == FlatMap::kNone ? nullptr : &records_[at];
   }
-  /// s of what was never used: as if once, when the clock began.
+  /// s of an object that was never used: as if it was used once, when the clock began.
   double UnusedStrength() const;
-  /// A touch: the clock goes on by one; unless `advance` is false: storing leaves it, and the next touch
-  /// has the same time. True if it is the object's first.
+  /// A touch. The clock advances by one, unless `advance` is false: storing leaves the clock, and the next touch has
+  /// the same time. True if it is the object's first touch.
   bool Touch(std::uint32_t object, bool advance = true);
-  /// Works a base-level activation out as of now, without a touch.
+  /// Computes a base-level activation as of now, without a touch.
   void Update(std::uint32_t object);
   void Prohibit(std::uint32_t object);
   std::uint64_t tick() const { return tick_; }
-  /// How often an activation was worked out (`smem --stats act_updates`).
+  /// How often an activation was computed (`smem --stats act_updates`).
   std::uint64_t updates() const { return updates_; }
   std::span<const Touched> records() const { return records_; }
 
-  /// Everything as it was written down.
+  /// Restores everything from its written form.
   void Restore(std::uint64_t tick, std::span<const Touched> records);
   void Clear();
   std::size_t MemoryBytes() const {
@@ -69,7 +69,7 @@ class Activations {
   const SmemSettings& settings_;
   std::vector<Touched> records_;
   FlatMap by_object_;                          ///< Object + 1 -> index of records_.
-  std::vector<std::uint32_t> object_of_tick_;  ///< Incremental policy: who was touched when, from first_tick_ on.
+  std::vector<std::uint32_t> object_of_tick_;  ///< Incremental policy: objects by tick of touch, from first_tick_.
   std::uint64_t first_tick_ = 0;
   std::uint64_t tick_ = 0;
   std::uint64_t updates_ = 0;

@@ -23,8 +23,8 @@ class SymbolTable;
 class WmeChanges;
 class WorkingMemory;
 
-/// What long-term memory uses of an agent. LongTerm has it; modules, which are made while the agent lives, take it from
-/// there.
+/// The parts of an agent that long-term memory uses. LongTerm holds them; modules, which are made while the agent
+/// lives, get them from there.
 struct AgentParts {
   Agent& agent;
   SymbolTable& symbols;

@@ -9,11 +9,11 @@
 
 namespace soarbox::kernel {
 
-/// Attributes that were met lately: their symbols and their terms. Most agents have few, and use them all the time.
-/// It holds until a sweep frees symbols or other knowledge takes the place of what is known.
+/// Attributes met recently: their symbols and their terms. Most agents have few and use them all the time. Valid until
+/// a sweep frees symbols or other knowledge is loaded.
 class AttributeSymbols {
  public:
-  /// None: not met lately.
+  /// None: not met recently.
   Symbol SymbolOf(StoreTerm term) const {
     const Entry& entry = by_term_[term.bits() % kPlaces];
     return entry.term == term ? entry.symbol : Symbol();

@@ -12,11 +12,11 @@
 
 namespace soarbox::kernel {
 
-/// Tells a module whether any state's command may have changed, so that it looks at commands only then: it watches the
-/// identifiers that commands consist of. A module has one of its own, and passes Flushed and IdentifierFreed on.
+/// Tells a module whether any state's command may have changed, so that it reads commands only then: it watches the
+/// identifiers of the commands. Each module has its own, and passes Flushed and IdentifierFreed on.
 class CommandWatch {
  public:
-  /// From now on elements of `id` belong to a command.
+  /// From now on the elements of `id` belong to a command.
   void Watch(Symbol id) {
     if (id.index() >= watched_.size()) watched_.resize(id.index() + 1u, 0);
     watched_[id.index()] = 1;
@@ -35,7 +35,7 @@ class CommandWatch {
   void IdentifierFreed(Symbol id) {
     if (id.index() < watched_.size()) watched_[id.index()] = 0;
   }
-  /// What was watched is not told of any more: a state is new, or its command moved.
+  /// A state is new, or its command moved: commands must be read again.
   void Touch() { changed_ = true; }
   bool changed() const { return changed_; }
   /// True once after something changed.

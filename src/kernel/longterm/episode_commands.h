@@ -20,36 +20,36 @@
 
 namespace soarbox::kernel {
 
-/// Answers what rules ask on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command is answered
-/// once; when anything that hangs on it changes, what it gave leaves ^epmem.result, and it is answered anew.
+/// Answers the commands that rules put on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command
+/// is answered once. When anything below it changes, its answer leaves ^epmem.result, and it is answered again.
 class EpisodeCommands {
  public:
   EpisodeCommands(const AgentParts& parts, const EpisodeStore& store, const EpisodeTerms& terms,
                   const EpisodicSettings& settings, EpisodicCounters& counters)
       : uses_(parts), store_(store), terms_(terms), settings_(settings), counters_(counters), installer_(parts) {}
 
-  /// Answers what is new, the lowest state first. True if working memory changed; the caller settles.
+  /// Answers new commands, the lowest state first. True if working memory changed; the caller must settle.
   bool Process();
-  /// States come and go, init-soar.
+  /// A state was made or removed, or init-soar.
   void StateMade() { watch_.Touch(); }
   void StateRemoved(GoalLevel level);
-  /// There are other episodes now: ^next and ^previous have nothing to go on from.
+  /// The episodes have been replaced: ^next and ^previous have no starting point.
   void ForgetRetrieved();
   void Clear();
   void ForEachHeld(const std::function<void(PreferenceId)>& visit) const;
   CommandWatch& watch() { return watch_; }
-  /// Prints which episodes queries found better than those before (`trace --epmem`).
+  /// Prints which episodes queries found better than earlier ones (`trace --epmem`).
   void SetTrace(bool on) { traced_ = on; }
 
  private:
-  /// The command of a state, as it was read last.
+  /// The command of a state, as last read.
   struct State {
     std::uint64_t newest = 0;  ///< Time tag.
     std::size_t count = 0;
-    EpisodeNumber retrieved = 0;  ///< ^next and ^previous go on from it.
+    EpisodeNumber retrieved = 0;  ///< ^next and ^previous continue from it.
     std::vector<PreferenceId> made;
   };
-  /// Elements that hang on an object, breadth first.
+  /// The elements below an object, breadth first.
   struct Reach {
     std::vector<Symbol> objects;
     struct Element {
@@ -67,9 +67,9 @@ class EpisodeCommands {
     std::optional<std::int64_t> before, after;
     std::vector<EpisodeNumber> prohibited;
     bool refined = false;     ///< By any of the last three.
-    bool is_counted = false;  ///< A query, though its window holds nothing.
+    bool is_counted = false;  ///< A query, although its window is empty.
   };
-  /// What is to be put into working memory.
+  /// What goes into working memory.
   struct Output {
     std::vector<Triple> results, contents;
   };
@@ -81,13 +81,13 @@ class EpisodeCommands {
   void Execute(GoalLevel level, const Command& command, Output& output);
   void Query(GoalLevel level, const Command& command, Output& output);
   EpisodeCue CueOf(const Reach& reach) const;
-  /// The contents of an episode below a new identifier on ^retrieved; gives the identifiers by node.
+  /// Puts the contents of an episode below a new identifier on ^retrieved; returns the identifiers by node.
   std::vector<std::pair<EpisodeNode, Symbol>> Recall(GoalLevel level, EpisodeNumber episode, Output& output);
-  /// The links of a cue to objects, in the order in which Soar lists them: that of the places in which it keeps the
-  /// elements of cues, which are taken up and left again query by query.
+  /// The links of a cue to objects, in the order in which Soar lists them: that of the places where it keeps the
+  /// elements of cues, which each query takes and frees again.
   std::vector<std::uint32_t> ListingOrder(const EpisodeCue& positive, const EpisodeCue& negative);
   void Say(Output& output, GoalLevel level, const char* attribute, Symbol value) const;
-  /// Tells observers what came of a command, and why.
+  /// Tells observers the result of a command, and why.
   void Tell(GoalLevel level, EpisodeNumber episode, std::string_view question, std::string_view reason) const;
   void TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query, const EpisodeAnswer& answer) const;
   void TraceQuery(const EpisodeQuery& query) const;

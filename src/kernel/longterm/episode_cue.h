@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// What a cue says, as the agent wrote it: elements of objects. Object 0 is the cue itself, which stands for the top
-/// state of the episode.
+/// The contents of a cue, as the agent wrote it: elements of objects. Object 0 is the cue itself, which represents the
+/// top state of the episode.
 struct EpisodeCueElement {
   std::uint32_t object = 0;
   EpisodeTerm attribute = kUnknownEpisodeTerm;
@@ -20,10 +20,10 @@ struct EpisodeCueElement {
   double weight = 1;
 };
 
-/// A cue as a graph without cycles: which variables are linked by which attributes to which others and to constants.
-/// An element that leads back to an object on the way from the cue is left out, and so is one that leads to nothing but
-/// such elements. Variable 0 is the top state. An object without elements is a variable for each link that leads to it:
-/// two links to one such object may be met by two nodes.
+/// A cue as a graph without cycles: variables, and the attributes that link them to each other and to constants. An
+/// element that leads back to an object on the way from the cue is left out, and so is one that leads only to such
+/// elements. Variable 0 is the top state. An object without elements is a separate variable for each link that leads to
+/// it: two links to such an object may match two nodes.
 class EpisodeCue {
  public:
   static constexpr std::uint32_t kNoVariable = 0xFFFFFFFF;
@@ -33,12 +33,12 @@ class EpisodeCue {
     std::uint32_t to = kNoVariable;  ///< A variable, or none: `value` is a constant.
     EpisodeTerm attribute = 0;
     EpisodeTerm value = 0;
-    bool leaf = false;  ///< What scores are made of: a constant, or an object without elements.
+    bool leaf = false;  ///< Scores count these: a constant, or an object without elements.
     double weight = 0;
   };
 
   EpisodeCue() = default;
-  /// `elements` in the order in which the agent's memory lists them, of `objects` objects.
+  /// `elements` of `objects` objects, in the order in which the agent's memory lists them.
   EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_t objects);
 
   std::uint32_t variable_count() const { return static_cast<std::uint32_t>(object_of_.size()); }
@@ -47,13 +47,13 @@ class EpisodeCue {
   /// Indices of the edges that leave a variable, or lead to one.
   std::span<const std::uint32_t> EdgesFrom(std::uint32_t variable) const { return from_.Of(variable); }
   std::span<const std::uint32_t> EdgesTo(std::uint32_t variable) const { return to_.Of(variable); }
-  /// The agent's object that a variable stands for.
+  /// The agent's object that a variable represents.
   std::uint32_t ObjectOf(std::uint32_t variable) const { return object_of_[variable]; }
-  /// Variables such that each comes after those that lead to it.
+  /// Variables in an order in which each comes after those that lead to it.
   std::span<const std::uint32_t> TopDown() const { return top_down_; }
   std::uint32_t leaf_count() const { return leaf_count_; }
   double leaf_weight() const { return leaf_weight_; }
-  /// All leaves weigh more than nothing.
+  /// All leaves have a weight above 0.
   bool all_weigh() const { return all_weigh_; }
 
  private:
@@ -82,10 +82,10 @@ struct EpisodeWindow {
 
   /// The latest episode up to `episode` that may be returned; 0 if there is none.
   EpisodeNumber Latest(EpisodeNumber episode) const { return Latest(episode, first); }
-  /// The same, were `least` the first.
+  /// The same with `least` as the first.
   EpisodeNumber Latest(EpisodeNumber episode, EpisodeNumber least) const;
-  /// Whether the first is prohibited, so that a walk back that steps over what is prohibited may step out of the
-  /// window: as in Soar 9.6.3, what it meets there may be returned.
+  /// Whether the first episode is prohibited. Then a walk back that skips prohibited episodes may leave the window: as
+  /// in Soar 9.6.3, what it finds there may be returned.
   bool is_open() const { return std::binary_search(prohibited.begin(), prohibited.end(), first); }
 };
 

@@ -23,8 +23,8 @@ struct EpisodeInterval {
   friend bool operator==(const EpisodeInterval&, const EpisodeInterval&) = default;
 };
 
-/// Many growing lists of intervals in one array. A list has room for a power of two of them; what a list leaves when it
-/// outgrows its room serves the next one of that size.
+/// Many growing lists of intervals in one array. The room of a list is a power of two; the room that it leaves when it
+/// outgrows it serves the next list of that size.
 class EpisodeIntervals {
  public:
   struct List {
@@ -46,7 +46,7 @@ class EpisodeIntervals {
   std::size_t MemoryBytes() const { return all_.capacity() * sizeof(EpisodeInterval); }
 
  private:
-  /// Called when the list is full: moves it to a room of twice the size.
+  /// Moves a full list to a room of twice the size.
   void Grow(List& list) {
     const std::size_t old_class = static_cast<std::size_t>(std::bit_width(list.count));  // 0: no room yet.
     const std::uint32_t room = list.count == 0 ? 1 : list.count * 2;

@@ -25,20 +25,20 @@ struct EpisodeAnswer {
   std::vector<EpisodeNode> nodes;  ///< If so: by variable of the positive cue.
 };
 
-/// The episode that answers a query: the latest in which the positive cue holds as a graph and no leaf of the negative
-/// one does; if there is none, or graphs are not asked for, the one with the best surface score.
+/// The episode that answers a query: the latest in which the positive cue matches as a graph and no leaf of the
+/// negative one matches. If there is none, or graphs are not requested, the one with the best surface score.
 EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query);
 
-/// What is the best on the way when a query is answered as Soar answers it, episode by episode from the latest one
+/// The successive best episodes when a query is answered as Soar answers it, one episode at a time from the latest
 /// back.
 std::vector<SurfaceStep> StepsOf(const EpisodeStore& store, const EpisodeQuery& query);
 
-/// Tells in which episodes a leaf of a negative cue holds.
+/// Finds the episodes in which a leaf of a negative cue matches.
 class NegativeLeaves {
  public:
   NegativeLeaves(const EpisodeStore& store, const EpisodeCue& cue) : store_(store), cue_(cue) {}
 
-  /// The latest episode up to `episode` in which none holds, or 0.
+  /// The latest episode up to `episode` in which none matches, or 0.
   EpisodeNumber LatestWithout(EpisodeNumber episode);
 
  private:

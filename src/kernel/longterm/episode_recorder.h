@@ -19,15 +19,15 @@ class GoalStack;
 class SymbolTable;
 class WorkingMemory;
 
-/// Makes episodes of working memory: all that hangs on the top state, but for attributes that are excluded. Takes notes
-/// of what comes and goes, so that an episode costs what changed since the last one.
+/// Makes episodes of working memory: everything below the top state except excluded attributes. It notes what comes and
+/// goes, so that an episode costs only what changed since the last one.
 ///
-/// An element is taken up when its identifier has a node and its attribute is not excluded; that is decided once. When
-/// an object gets a node, its elements are taken up however old they are. The node of an object that nothing recorded
-/// leads to any more serves the next object in the same place, so that the store stays as large as memory ever was.
+/// An element is recorded when its identifier has a node and its attribute is not excluded; this is decided once. When
+/// an object gets a node, its elements are recorded however old they are. When no recorded element leads to an object
+/// any longer, its node serves the next object in the same place, so that the store stays as large as memory ever was.
 class EpisodeRecorder {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const GoalStack& goals;
@@ -36,14 +36,14 @@ class EpisodeRecorder {
   EpisodeRecorder(const Uses& uses, EpisodeStore& store, EpisodeTerms& terms)
       : uses_(uses), store_(store), terms_(terms) {}
 
-  /// What came and went in working memory. Removed elements are readable still.
+  /// What came and went in working memory. You can still read removed elements.
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
-  /// The object is linked to another object of semantic memory now.
+  /// The object is now linked to another object of semantic memory.
   void LinkChanged(Symbol id);
   /// Makes the next episode.
   EpisodeNumber Record(std::span<const std::string> exclusions);
-  /// Forgets what stands in working memory: the next episode begins at the top state anew. Nodes that the store has
-  /// serve again.
+  /// Forgets what is in working memory: the next episode begins again at the top state. Nodes of the store are used
+  /// again.
   void Restart();
   bool recording() const { return recording_; }
 
@@ -59,7 +59,7 @@ class EpisodeRecorder {
   void TakeUpAll(Symbol id, std::span<const std::string> exclusions);
   EpisodeNode Place(EpisodeNode parent, EpisodeTerm attribute, Symbol object);
   void Bind(EpisodeNode node, Symbol object);
-  /// An element leads to the node.
+  /// Notes that an element leads to the node.
   void Refer(WmeId wme, EpisodeNode node);
   void Drop(WmeId wme);
   void DropNode(EpisodeNode node);
@@ -79,15 +79,15 @@ class EpisodeRecorder {
   struct Node {
     Symbol object;                  ///< None: the node is free.
     std::uint32_t references = 0;   ///< Elements that lead to it.
-    std::uint32_t news = 0;         ///< New elements of its object, while an episode is recorded.
-    std::vector<EpisodeFact> ways;  ///< Facts whose value it is.
+    std::uint32_t news = 0;         ///< New elements of its object while an episode is recorded.
+    std::vector<EpisodeFact> ways;  ///< The facts whose value it is.
   };
   std::vector<Node> nodes_;
   std::vector<Added> added_;
   std::size_t stale_check_at_ = 1024;
-  std::vector<Symbol> found_;   ///< Objects that got a node and whose elements wait.
-  std::vector<WmeId> leaving_;  ///< Recorded elements that go.
-  /// Free nodes by the place where they were, as the facts that led there.
+  std::vector<Symbol> found_;   ///< Objects that got a node and whose elements are still to be recorded.
+  std::vector<WmeId> leaving_;  ///< Recorded elements that are leaving.
+  /// Free nodes by their former place, given as the facts that led there.
   std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> free_;
   std::vector<bool> listed_;  ///< By fact: is in free_.
 };

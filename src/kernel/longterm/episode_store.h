@@ -13,19 +13,19 @@
 
 namespace soarbox::kernel {
 
-/// An object that episodes speak of. 0 is the top state.
+/// An object in episodes. 0 is the top state.
 using EpisodeNode = std::uint32_t;
-/// A triple that was true in some episode. Dense from 0; never taken back.
+/// A triple that was true in some episode. Dense from 0; never removed.
 using EpisodeFact = std::uint32_t;
-/// A constant that episodes speak of: an attribute or a value (see EpisodeTerms).
+/// A constant in episodes: an attribute or a value (see EpisodeTerms).
 using EpisodeTerm = std::uint32_t;
 
 inline constexpr EpisodeNode kNoEpisodeNode = 0x7FFFFFFF;
 inline constexpr EpisodeFact kNoEpisodeFact = 0x7FFFFFFF;
-/// A term that no episode speaks of: nothing matches it.
+/// A term that is in no episode: nothing matches it.
 inline constexpr EpisodeTerm kUnknownEpisodeTerm = 0x7FFFFFFF;
 
-/// What stands in a fact's third place: a constant or a node.
+/// The third part of a fact: a constant or a node.
 class EpisodeValue {
  public:
   constexpr EpisodeValue() = default;
@@ -59,31 +59,31 @@ struct EpisodeTriple {
 /// log of what changed from each episode to the next, with key frames.
 ///
 /// An episode costs what changed since the last one. Frames are written after as many changes as there are true facts,
-/// so that they double the log at most, and any episode is worked out in time proportional to its size.
+/// so they at most double the log, and any episode can be computed in time proportional to its size.
 ///
 /// Invariants: intervals of a fact are in order, disjoint and not adjacent; a fact is open exactly if it was true in
-/// the newest episode; replay of an episode gives the facts whose intervals hold it.
+/// the newest episode; replay of an episode gives the facts whose intervals contain it.
 class EpisodeStore {
  public:
   EpisodeStore() { Clear(); }
 
   // Recording -------------------------------------------------------------------------------------------------------
 
-  /// A node that nothing speaks of yet.
+  /// A node that no fact mentions yet.
   EpisodeNode NewNode() { return node_count_++; }
   /// The fact, made if it is new.
   EpisodeFact Intern(const EpisodeTriple& triple);
-  /// One more, or one less, reason why the fact is true in the episode to come.
+  /// Adds or removes one reason why the fact is true in the coming episode.
   void Hold(EpisodeFact fact);
   void Release(EpisodeFact fact);
-  /// From the episode to come on, the node is the object with that number in semantic memory; 0: none.
+  /// From the coming episode on, the node is the object with that number in semantic memory; 0: none.
   void SetLink(EpisodeNode node, std::uint64_t lti);
-  /// Makes the next episode of what holds now.
+  /// Makes the next episode from what is true now.
   EpisodeNumber Commit();
-  /// What the last Commit found changed: twice the fact, one more if it became true.
+  /// The changes of the last Commit: twice the fact, plus one if it became true.
   std::span<const std::uint32_t> LastChanges() const;
   bool IsHeld(EpisodeFact fact) const { return now_[fact].holders != 0; }
-  /// Nothing holds any more: the objects of a past life are gone. The next Commit says so.
+  /// Makes all facts untrue: the objects of the previous life are gone. The next Commit records it.
   void ReleaseAll();
   void Clear();
 
@@ -99,17 +99,17 @@ class EpisodeStore {
   }
   /// The fact, or kNoEpisodeFact.
   EpisodeFact Find(const EpisodeTriple& triple) const;
-  /// The facts with this parent and attribute whose value is a node, in the order of their making.
+  /// The facts with this parent and attribute whose value is a node, in the order in which they were made.
   std::span<const EpisodeFact> Children(EpisodeNode parent, EpisodeTerm attribute) const;
-  /// The latest episode up to `episode`, which exists, in which the fact was true; 0 if there is none.
+  /// The latest episode up to `episode` in which the fact was true; 0 if there is none. `episode` must exist.
   EpisodeNumber Latest(EpisodeFact fact, EpisodeNumber episode) const {
     const Fact& f = facts_[fact];
     return f.open != 0 && f.open <= episode ? episode : LatestClosed(f, episode);
   }
   bool Holds(EpisodeFact fact, EpisodeNumber episode) const { return Latest(fact, episode) == episode; }
-  /// Since when the fact has been what it is in `episode`: true or not.
+  /// The first episode since which the fact has been as in `episode`: true or not.
   EpisodeNumber SameSince(EpisodeFact fact, EpisodeNumber episode) const;
-  /// The facts of an episode, which exists, in no particular order.
+  /// The facts of an episode in no particular order. The episode must exist.
   std::vector<EpisodeFact> Replay(EpisodeNumber episode) const;
   /// The node's number in semantic memory in that episode; 0: none.
   std::uint64_t Link(EpisodeNode node, EpisodeNumber episode) const;
@@ -118,7 +118,7 @@ class EpisodeStore {
   /// The closed intervals of a fact; the open one, if any, begins at `open`.
   std::span<const EpisodeInterval> Intervals(EpisodeFact fact) const { return intervals_.Of(facts_[fact].intervals); }
   EpisodeNumber OpenSince(EpisodeFact fact) const { return facts_[fact].open; }
-  /// The changes from the episode before to this one.
+  /// The changes from the previous episode to this one.
   std::span<const std::uint32_t> ChangesOf(EpisodeNumber episode) const;
 
   std::size_t MemoryBytes() const;
@@ -130,13 +130,13 @@ class EpisodeStore {
     EpisodeNode parent = 0;
     EpisodeTerm attribute = 0;
     EpisodeValue value;
-    EpisodeNumber open = 0;  ///< True since this episode, as of the newest; 0: not true in it.
+    EpisodeNumber open = 0;  ///< True since this episode, as of the newest; 0: not true in the newest.
     EpisodeIntervals::List intervals;
   };
-  /// What only recording needs.
+  /// Data that only recording needs.
   struct Now {
     std::uint32_t holders = 0;
-    std::uint32_t live_at : 31 = 0;  ///< Its place in live_, while open.
+    std::uint32_t live_at : 31 = 0;  ///< Its place in live_ while open.
     std::uint32_t touched : 1 = 0;   ///< Is in touched_.
   };
   struct Frame {
@@ -166,7 +166,7 @@ class EpisodeStore {
   PlainVector<std::uint32_t> by_content_;  ///< Open addressing: fact + 1, or 0.
   std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> children_;
   PlainVector<std::uint32_t> changes_;
-  PlainVector<std::uint32_t> begins_;  ///< Where the changes of episode n begin: [n - 1]. One more at the end.
+  PlainVector<std::uint32_t> begins_;  ///< Where the changes of episode n begin: [n - 1]. One extra entry at the end.
   PlainVector<EpisodeFact> frame_facts_;
   std::vector<Frame> frames_;
   std::size_t changes_since_frame_ = 0;

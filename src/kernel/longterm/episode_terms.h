@@ -15,8 +15,8 @@
 
 namespace soarbox::kernel {
 
-/// The constants that episodes speak of, under numbers of their own: an agent's symbols are swept, episodes stay.
-/// Dense from 0; never taken back.
+/// The constants of episodes, with their own numbers: an agent's symbols are swept, but episodes stay. Dense from 0;
+/// never removed.
 class EpisodeTerms {
  public:
   EpisodeTerms() = default;
@@ -28,7 +28,7 @@ class EpisodeTerms {
   EpisodeTerm Intern(std::string_view text);
   EpisodeTerm Intern(std::int64_t value);
   EpisodeTerm Intern(double value);
-  /// kUnknownEpisodeTerm if no episode speaks of it.
+  /// kUnknownEpisodeTerm if no episode contains it.
   EpisodeTerm Find(const SymbolTable& symbols, Symbol constant) const;
   EpisodeTerm Find(std::string_view text) const;
 
@@ -39,7 +39,7 @@ class EpisodeTerms {
   std::int64_t Integer(EpisodeTerm term) const { return terms_[term].integer; }
   double Float(EpisodeTerm term) const { return terms_[term].real; }
   Symbol ToSymbol(SymbolTable& symbols, EpisodeTerm term) const;
-  /// As Soar shows constants of episodes: text as it is, floats with sixteen decimals.
+  /// As Soar shows constants of episodes: text unchanged, floats with sixteen decimals.
   std::string Show(EpisodeTerm term) const;
 
   /// The agent's symbols are swept: handles may name other constants from now on.

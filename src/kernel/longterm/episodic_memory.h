@@ -26,59 +26,60 @@ namespace soarbox::kernel {
 class Journal;
 class LongTerm;
 
-/// Episodic memory of an agent: takes episodes of working memory, and brings them back when rules ask.
+/// Episodic memory of an agent: records episodes of working memory, and retrieves them when rules ask.
 ///
-/// In the output phase (or at the end of the decide phase, by setting) an episode is taken if the trigger says so, and
-/// then commands are answered, so that a query finds the episode just taken.
+/// In the output phase (or at the end of the decide phase, by setting) it records an episode if the trigger says so,
+/// and then answers commands, so that a query finds the new episode.
 ///
-/// Episodes live in memory and go with init-soar. Who wants them to outlive the process gives an Opener: it is called
-/// when the memory is used first, and again after it was closed.
+/// Episodes live in memory and end with init-soar. To let them outlive the process, give an Opener: it is called at the
+/// first use of the memory, and again after the memory was closed.
 class EpisodicMemory final : public Module {
  public:
   explicit EpisodicMemory(const AgentParts& parts);
   ~EpisodicMemory() override;
 
-  /// The agent's; null while nobody has asked for it.
+  /// The agent's episodic memory; null if nobody has asked for it yet.
   static EpisodicMemory* Find(LongTerm& long_term);
   static const EpisodicMemory* Find(const LongTerm& long_term);
-  /// The same, made if it is not there.
+  /// The same, made if it does not exist.
   static EpisodicMemory& Of(LongTerm& long_term);
 
   const EpisodicSettings& settings() const { return settings_; }
-  /// For all but `learning`.
+  /// For all settings but `learning`.
   EpisodicSettings& mutable_settings() { return settings_; }
   void SetLearning(bool on);
-  /// On the list of exclusions, or off it if it was there.
+  /// Adds the attribute to the exclusions, or removes it if it was there.
   void ToggleExclusion(std::string_view attribute);
 
   const EpisodeStore& store() const { return store_; }
   const EpisodeTerms& terms() const { return terms_; }
   const EpisodicCounters& counters() const { return counters_; }
-  /// The decision in which an episode, which exists, was taken; 0: in an earlier run.
+  /// The decision in which an episode was recorded; 0: in an earlier run. The episode must exist.
   std::uint64_t DecisionOf(EpisodeNumber episode) const { return decisions_[episode - 1]; }
   /// The number that the next episode will have.
   EpisodeNumber time() const { return store_.last() + 1; }
   /// `trace --epmem`.
   void SetTrace(bool on) { commands_.SetTrace(on); }
-  /// Closes the file, if there is one, which keeps what it has, and begins anew without episodes.
+  /// Closes the file, if any, which keeps its contents, and starts again without episodes.
   void Close();
 
   // The journal -----------------------------------------------------------------------------------------------------
 
-  /// Opens the file: takes over what it holds (Load), and gives the memory its journal (SetJournal). `continues`: what
-  /// it holds goes on (append) and is to be opened as soon as a run begins anew. Null: episodes stay in memory.
+  /// Opens the file: loads its contents (Load), and gives the memory its journal (SetJournal). `continues`: the
+  /// contents are continued (append), and the file must be opened as soon as a run begins again. Null: episodes stay in
+  /// memory.
   using Opener = std::function<Result<void>(EpisodicMemory&)>;
   void SetOpener(Opener opener, bool continues);
-  /// Calls the opener if the memory was not used yet. A failure is printed, and the memory goes on without a file.
+  /// Calls the opener if the memory was not used yet. A failure is printed, and the memory works without a file.
   void EnsureOpen();
-  /// The same; a failure is the caller's to tell.
+  /// The same; the caller must report a failure.
   Result<void> TryOpen();
   bool opened() const { return opened_; }
-  /// From now on all episodes go to the journal, which holds those that there are. Null: none.
+  /// From now on all episodes go to the journal, which must already hold the existing ones. Null: none.
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
-  /// All episodes as a record for a journal; and the way back. False if the records make no sense: there are no
-  /// episodes then.
+  /// All episodes as a record for a journal, and the inverse. False if the records make no sense: then there are no
+  /// episodes.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 
@@ -114,8 +115,8 @@ class EpisodicMemory final : public Module {
   std::unique_ptr<Journal> journal_;
   Opener opener_;
   bool continues_ = false, opened_ = false;
-  bool warned_ = false;              ///< Of a journal that cannot be written.
-  std::uint64_t newest_output_ = 0;  ///< Time tag of the newest element on the output link when last looked at.
+  bool warned_ = false;              ///< About a journal that cannot be written.
+  std::uint64_t newest_output_ = 0;  ///< Time tag of the newest element on the output link at the last check.
 };
 
 }  // namespace soarbox::kernel

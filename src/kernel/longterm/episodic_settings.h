@@ -14,15 +14,15 @@ struct EpisodicSettings {
   enum class Force : std::uint8_t { kOff, kRemember, kIgnore };
 
   bool learning = false;
-  Phase phase = Phase::kOutput;          ///< When episodes are taken and commands answered.
+  Phase phase = Phase::kOutput;          ///< When episodes are recorded and commands answered.
   Trigger trigger = Trigger::kDecision;  ///< An episode per decision, or when rules made something on the output link.
-  Force force = Force::kOff;             ///< For the next opportunity only, whatever the trigger says.
+  Force force = Force::kOff;             ///< For the next opportunity only, overriding the trigger.
   std::vector<std::string> exclusions = {"epmem", "smem"};  ///< Attributes that episodes leave out.
-  double balance = 1;  ///< Below 1 the leaves of a cue weigh as much as they are active in working memory.
+  double balance = 1;  ///< Below 1, each leaf of a cue weighs as much as it is active in working memory.
   bool graph_match = true;
 };
 
-/// What `epmem --stats` shows beside the store.
+/// What `epmem --stats` shows besides the store.
 struct EpisodicCounters {
   std::uint64_t retrievals = 0, queries = 0, nexts = 0, previous = 0;
   std::uint64_t last_retrieval_wmes = 0;

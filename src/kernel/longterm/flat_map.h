@@ -19,7 +19,7 @@ class FlatMap {
       if (entries_[at].key == 0) return kNone;
     }
   }
-  /// The number of a key, which gets `value` if it is new.
+  /// The number of a key; a new key gets `value`.
   std::uint32_t FindOrAdd(std::uint64_t key, std::uint32_t value) {
     if ((count_ + 1) * 4 > entries_.size() * 3) Grow();
     for (std::size_t at = Home(key);; at = (at + 1) & (entries_.size() - 1)) {

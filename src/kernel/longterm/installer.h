@@ -22,22 +22,22 @@ class RunControl;
 class WmActivation;
 class WorkingMemory;
 
-/// What a retrieval says of working memory: (id ^attribute value).
+/// One result of a retrieval for working memory: (id ^attribute value).
 struct Triple {
   Symbol id, attribute, value;
 };
 
-/// Puts what long-term memory answers into working memory: preferences of an instantiation that no rule made ("Memory
+/// Puts the answers of long-term memory into working memory: preferences of an instantiation that no rule made ("Memory
 /// System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets follow it as
-/// they follow any rule's. Nothing but Retract takes them back, but as in Soar 9.6.3 they count as o-supported only if
-/// the rules that fired last were: only then the goal dependency set and the activation of working memory know them.
+/// they follow any rule's. Only Retract removes them, but as in Soar 9.6.3 they count as o-supported only if the rules
+/// that fired last were: only then the goal dependency set and the activation of working memory include them.
 ///
-/// A retrieval calls Install twice: first for what stands on ^result (the caller keeps these preferences and gives them
-/// to Retract when the command changes), then for the contents of the objects retrieved, which live as long as they are
-/// linked; then Settle. In this order the contents get the lower time tags, as in Soar 9.6.3.
+/// A retrieval calls Install twice: first for the contents of ^result (the caller keeps these preferences and gives
+/// them to Retract when the command changes), then for the contents of the retrieved objects, which live as long as
+/// they are linked; then Settle. In this order the contents get the lower time tags, as in Soar 9.6.3.
 class Installer {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     WorkingMemory& memory;
     const GoalStack& goals;
@@ -52,15 +52,15 @@ class Installer {
   explicit Installer(const Uses& uses) : uses_(uses) {}
   explicit Installer(const AgentParts& parts);
 
-  /// A new identifier for the contents, at the level of a state; linked to the long-term identifier if that is not 0.
+  /// A new identifier for the contents, at the level of a state; linked to the long-term identifier unless that is 0.
   Symbol NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier = 0);
   /// Asserts all triples as one instantiation of the state at `level`, which rests on `command`. Appends what entered
-  /// its slot to `made`, if given, in order. A fact that is there already is left out.
+  /// its slot to `made`, if given, in order. Triples that exist already are left out.
   void Install(GoalLevel level, std::span<const WmeId> command, std::span<const Triple> triples,
                std::vector<PreferenceId>* made = nullptr);
-  /// Takes preferences back, last first, and empties the list.
+  /// Retracts preferences, last first, and empties the list.
   void Retract(std::vector<PreferenceId>& made);
-  /// Decides the slots that changed and tells the match. Call when something was installed or retracted.
+  /// Decides the slots that changed and updates the match. Call after something was installed or retracted.
   void Settle();
 
  private:
@@ -69,7 +69,7 @@ class Installer {
   WmActivation* Activation() const;
 
   Uses uses_;
-  std::vector<PreferenceId> preferences_;  ///< Of the instantiation at hand.
+  std::vector<PreferenceId> preferences_;  ///< Of the current instantiation.
 };
 
 }  // namespace soarbox::kernel

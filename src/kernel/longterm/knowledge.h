@@ -15,14 +15,14 @@
 
 namespace soarbox::kernel {
 
-/// One augmentation of an object: ^attribute value. `row` counts augmentations in the order in which they were made:
-/// of equally active objects the one whose augmentation is youngest answers a query.
+/// One augmentation of an object: ^attribute value. `row` counts augmentations in order of creation: among equally
+/// active objects, the one with the youngest augmentation answers a query.
 struct Edge {
   StoreTerm attribute, value;
   std::uint32_t row = 0;
 };
 
-/// An augmentation with the place of its attribute in the order in which the store met them.
+/// An augmentation with the rank of its attribute in the order in which the store met them.
 struct RankedEdge {
   std::uint32_t rank = 0;
   Edge edge;
@@ -36,14 +36,14 @@ struct Member {
 
 class Knowledge;
 
-/// The members of an index, in the order of rows: those of shared knowledge, less those that this agent took away, and
-/// those of its own.
+/// The members of an index, in the order of rows: those of shared knowledge that this agent has not removed, and its
+/// own.
 class MemberList {
  public:
   /// How many there are.
   std::size_t size() const { return inherited_.size() + own_.size() - hidden_count_; }
   bool empty() const { return size() == 0; }
-  /// The places of the list, of which some may be hidden: they are no members any more.
+  /// The slots of the list, some of which may be hidden: those are no longer members.
   std::size_t slots() const { return inherited_.size() + own_.size(); }
   const Member& At(std::size_t slot) const {
     return slot < inherited_.size() ? inherited_[slot] : own_[slot - inherited_.size()];
@@ -68,22 +68,22 @@ class MemberList {
 };
 
 /// What semantic memory knows: objects with numbers, and their augmentations; indices from (attribute, value) and from
-/// attribute to the objects that have it. How active objects are is known elsewhere (activations.h), so agents may
-/// share one Knowledge as long as none of them changes it.
+/// attribute to the objects that have it. The activation of objects is elsewhere (activations.h), so agents may share
+/// one Knowledge as long as none of them changes it.
 ///
-/// Who wants to change shared knowledge puts a layer over it, a Knowledge of its own that begins equal and holds only
-/// what differs: objects that were added, copies of those that were changed, and of each index the members that came.
-/// It costs what was changed, not what is known. A layer stands on whole knowledge, never on another layer.
+/// To change shared knowledge, put a layer over it: a Knowledge of its own that begins equal and holds only the
+/// differences: added objects, copies of changed ones, and the new members of each index. It costs what was changed,
+/// not what is known. The base of a layer is complete knowledge, never another layer.
 ///
-/// Invariants: an object has an augmentation once; each augmentation stands in both indices, in the order of rows;
-/// an object's place never changes and none is ever removed but by Clear. What a layer adds has greater places and
-/// rows than all that it stands on.
+/// Invariants: an object has an augmentation once; each augmentation is in both indices, in the order of rows; an
+/// object's place never changes, and only Clear removes objects. What a layer adds has greater places and rows than
+/// everything in its base.
 class Knowledge {
  public:
   static constexpr std::uint32_t kNowhere = FlatMap::kNone;
 
   Knowledge() = default;
-  /// A layer over `base`, which never changes from now on.
+  /// A layer over `base`, which must not change from now on.
   explicit Knowledge(std::shared_ptr<const Knowledge> base);
 
   bool is_layer() const { return base_ != nullptr; }
@@ -98,9 +98,9 @@ class Knowledge {
     return own != kNowhere || base_ == nullptr ? own : base_->by_number_.Find(number);
   }
   std::uint32_t FindOrAdd(Lti number);
-  /// A new object with the lowest number that is free and above those given out before.
+  /// A new object with the lowest free number above those given out before.
   std::uint32_t AddNew();
-  /// Moves the search for the next new number behind those that are taken, once for all who will share this.
+  /// Moves the search for the next new number past the taken ones, once for everyone who will share this.
   void SkipTakenNumbers();
   Lti NumberAt(std::uint32_t place) const {
     return place >= first_place_ ? objects_[place - first_place_].number : base_->objects_[place].number;
@@ -108,16 +108,16 @@ class Knowledge {
   std::span<const Edge> EdgesAt(std::uint32_t place) const {
     return place >= first_place_ ? objects_[place - first_place_].edges : InheritedEdgesAt(place);
   }
-  /// The order in which an object's augmentations are shown and retrieved: by attribute, and of one attribute first
-  /// the objects by number, then the constants; attributes and constants in the order in which the store met them.
+  /// The order in which an object's augmentations are shown and retrieved: by attribute; for one attribute, first the
+  /// objects by number, then the constants. Attributes and constants are in the order in which the store met them.
   std::vector<Edge> OrderedEdgesAt(std::uint32_t place) const;
-  /// The same, in `edges` instead of what is there.
+  /// The same, writing to `edges` and replacing its contents.
   void OrderEdgesAt(std::uint32_t place, std::vector<RankedEdge>& edges) const;
   bool Has(std::uint32_t place, StoreTerm attribute, StoreTerm value) const;
   bool Has(std::uint32_t place, StoreTerm attribute) const;
-  /// False if it is there already.
+  /// False if it exists already.
   bool AddEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
-  /// False if there is none.
+  /// False if it does not exist.
   bool RemoveEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
   void Clear();
   /// The number at which the search for a new one begins.
@@ -127,7 +127,7 @@ class Knowledge {
   // Indices ---------------------------------------------------------------------------------------------------------
 
   /// The index of (attribute, value), or of an attribute with any value if `value` is none; kNowhere if nobody ever had
-  /// it. It holds until something changes.
+  /// it. Valid until something changes.
   std::uint32_t FindList(StoreTerm attribute, StoreTerm value) const {
     const std::uint64_t key = Key(attribute, value);
     const std::uint32_t own = lists_by_key_.Find(key);
@@ -135,18 +135,18 @@ class Knowledge {
     const std::uint32_t inherited = base_->lists_by_key_.Find(key);
     return inherited == kNowhere ? kNowhere : inherited | kInherited;
   }
-  /// Oldest row first. Of an attribute an object with several values stands here several times.
+  /// Oldest row first. An object with several values of the attribute appears several times in the attribute's list.
   MemberList ListAt(std::uint32_t list) const;
 
   Terms& terms() { return terms_; }
   const Terms& terms() const { return terms_; }
 
-  /// Names given to objects: (@steel ^name x).
+  /// The object with this name: (@steel ^name x).
   Lti FindAlias(std::string_view name) const;
   void SetAlias(std::string_view name, Lti number) { aliases_.insert_or_assign(std::string(name), number); }
   std::map<std::string, Lti, std::less<>> Aliases() const;
 
-  /// Without what it stands on.
+  /// Without the base.
   std::size_t MemoryBytes() const;
   /// The first violation of the class's invariants in words, or empty.
   std::string CheckInvariants() const;
@@ -168,12 +168,12 @@ class Knowledge {
     return (static_cast<std::uint64_t>(attribute.bits()) << 32) | value.bits();
   }
   std::span<const Edge> InheritedEdgesAt(std::uint32_t place) const;
-  /// To be changed: of an object of the base, a copy.
+  /// For changes: copies an object of the base first.
   std::vector<Edge>& OwnEdgesAt(std::uint32_t place);
   std::uint32_t OwnList(std::uint64_t key);
   void Enter(std::uint64_t key, Member member);
   void Leave(std::uint64_t key, std::uint32_t row);
-  /// Whether a member of the base's lists is none here.
+  /// Whether a member of the base's lists is not one here.
   bool Hides(const Member& member) const;
 
   std::shared_ptr<const Knowledge> base_;

@@ -12,8 +12,8 @@
 namespace soarbox::kernel {
 
 /// Long-term memory of one agent: it owns the modules, and registers them with the decision cycle (decide/modules.h). A
-/// module is made when it is asked for first (by its command); an agent that never does pays one test per place of the
-/// cycle and no memory.
+/// module is made at the first request (by its command); an agent without modules pays one test per place of the cycle
+/// and no memory.
 class LongTerm {
  public:
   /// In the order in which the cycle calls them.
@@ -23,13 +23,13 @@ class LongTerm {
   LongTerm(const LongTerm&) = delete;
   LongTerm& operator=(const LongTerm&) = delete;
 
-  /// The module, or null while nobody has made it.
+  /// The module, or null if nobody has made it yet.
   Module* module(ModuleKind kind) const { return modules_[static_cast<std::size_t>(kind)].get(); }
   /// Adds a module. It lives as long as the agent.
   void Attach(ModuleKind kind, std::unique_ptr<Module> module);
-  /// The calls that a module wants from now on; that of freed identifiers it gets anyway.
+  /// The calls that a module wants from now on; it always gets the call for freed identifiers.
   void SetHooks(ModuleKind kind, ModuleHooks hooks);
-  /// Tells the modules that an identifier of working memory is linked to another long-term identifier now, or to none.
+  /// Tells the modules that an identifier of working memory is now linked to another long-term identifier, or to none.
   void LinkChanged(Symbol id);
 
   const AgentParts& parts() const { return parts_; }

@@ -9,7 +9,7 @@
 
 namespace soarbox::kernel {
 
-/// Episodes as full copies, and queries by trying everything: what the store and the matchers are tested against.
+/// Episodes as full copies, and queries by exhaustive search: the reference for tests of the store and the matchers.
 class NaiveEpisodes {
  public:
   using Fact = std::tuple<EpisodeNode, EpisodeTerm, std::uint32_t>;  ///< The value as EpisodeValue::bits().
@@ -21,7 +21,7 @@ class NaiveEpisodes {
   const std::set<Fact>& Episode(EpisodeNumber number) const { return episodes_[number - 1]; }
 
   EpisodeAnswer Answer(const EpisodeQuery& query) const;
-  /// Whether those nodes, by variable, are the cue in that episode.
+  /// Whether these nodes, by variable, match the cue in this episode.
   static bool IsMatch(const std::set<Fact>& episode, const EpisodeCue& cue, const std::vector<EpisodeNode>& nodes);
 
  private:

@@ -11,13 +11,13 @@
 
 namespace soarbox::kernel {
 
-/// How a command looked: it changed if this did.
+/// A fingerprint of a command: the command changed if this did.
 struct CommandStamp {
   std::uint64_t count = 0, time = 0;
   friend bool operator==(const CommandStamp&, const CommandStamp&) = default;
 };
 
-/// The command of one state, as its elements say it.
+/// The command of one state, as its elements express it.
 struct SemanticCommand {
   enum class Kind { kNone, kBad, kStore, kStoreNew, kRetrieve, kQuery };
 
@@ -31,7 +31,7 @@ struct SemanticCommand {
   std::int64_t depth = 1;
   bool link = true;  ///< link-to-ltm, or link-to-new-ltm.
 
-  /// Ready for the next one, with the memory of this one.
+  /// Makes it ready for the next command, keeping its memory.
   void Clear() {
     wmes.clear();
     store = other = {};
@@ -46,7 +46,7 @@ struct SemanticCommand {
 
 /// What a retrieval puts into working memory.
 struct Retrieval {
-  /// The identifier of an object, and whether its augmentations are, or will be, among the contents.
+  /// The identifier of an object, and whether the contents include, or will include, its augmentations.
   struct Made {
     std::uint32_t object = 0;
     Symbol id;
@@ -54,9 +54,9 @@ struct Retrieval {
   };
   std::vector<Triple> contents;
   std::vector<Made> made;      ///< One per object, by object.
-  std::vector<Symbol> deeper;  ///< What came with ^depth, in order.
+  std::vector<Symbol> deeper;  ///< What ^depth added, in order.
   std::vector<Triple> meta;    ///< Of ^result.
-  // Room for work.
+  // Scratch.
   std::vector<RankedEdge> edges;
   std::vector<std::uint32_t> wave, next;
 

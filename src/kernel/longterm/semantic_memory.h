@@ -41,12 +41,12 @@ struct SmemCounters {
 /// Semantic memory of one agent: what it knows (Knowledge), how active that is (Activations), and the commands that
 /// rules put on ^smem.command of any state, with their answers on ^smem.result.
 ///
-/// A command is looked at when an element of it changed: `store` after every elaboration, everything else in the output
-/// phase, the lowest state first. A changed command takes the old answer back. Elements of ^query and ^store objects
-/// count as the command's; those of other objects, and anything deeper, do not.
+/// A command is read when one of its elements changed: `store` after every elaboration, everything else in the output
+/// phase, the lowest state first. A changed command removes the old answer. Elements of ^query and ^store objects count
+/// as the command's; those of other objects, and anything deeper, do not.
 ///
-/// The knowledge lives in memory. Who wants it to outlive the process gives a Journal (journal.h), which is told of
-/// every change.
+/// The knowledge lives in memory. To let it outlive the process, give a Journal (journal.h), which receives every
+/// change.
 class SemanticMemory final : public Module {
  public:
   /// The semantic memory of an agent; made if there is none.
@@ -64,18 +64,18 @@ class SemanticMemory final : public Module {
 
   const Knowledge& knowledge() const { return *knowledge_; }
   const Activations& activations() const { return activations_; }
-  /// How active an object is, with what spread to it when activation spread last.
+  /// How active an object is, including what spread to it when activation last spread.
   double ActivationOf(std::uint32_t object) const {
     return search_.ActivationOf(object, settings_.spreading ? &spreading_ : nullptr);
   }
   const SmemCounters& counters() const { return counters_; }
-  /// True once: Soar shows the floats of the first object that an agent prints with as few digits as they need, those
-  /// of all later ones with 16 decimals.
+  /// True once. Soar shows the floats of the first object that an agent prints with as few digits as they need, and
+  /// those of all later objects with 16 decimals.
   bool TakeFirstLine() const { return std::exchange(first_line_, false); }
   /// What `smem --stats spread_size` counts.
   std::size_t spread_size() const { return spreading_.size(); }
 
-  // Changes from outside. They are told to the journal.
+  // Changes from outside. The journal receives them.
   std::uint32_t ObjectOf(Lti number);
   std::uint32_t NewObject();
   bool AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value);
@@ -86,56 +86,56 @@ class SemanticMemory final : public Module {
   StoreTerm FloatTerm(double value) { return Writable().terms().Float(value); }
   WrittenOrder& written_order() { return written_order_; }
   const SymbolTable& symbols() const;
-  /// Gives new links of an object weights, by object that they lead to: all others keep theirs. `before`: the weights
-  /// that its links had before the new ones came.
+  /// Sets the weights of an object's new links, by linked object; all others keep theirs. `before`: the weights of its
+  /// links before the new ones came.
   void SetWeights(std::uint32_t object, const LinkWeights::Weights& before, const LinkWeights::Weights& added);
-  /// The weights of an object's links as they are now.
+  /// The current weights of an object's links.
   LinkWeights::Weights WeightsOf(std::uint32_t object) const { return link_weights_.Effective(*knowledge_, object); }
   /// Makes the weights of an object's links equal.
   void ResetWeights(std::uint32_t object);
-  /// From here on the number of the next new object is looked for.
+  /// Where the search for the number of the next new object begins.
   void SetNextNumber(Lti number);
   /// Forgets everything.
   void Clear();
-  /// The objects that fit, best first, as `smem --query` lists them: nothing is touched.
+  /// The objects that fit, best first, as `smem --query` lists them. Touches nothing.
   std::vector<std::uint32_t> Search(const Cue& cue, std::size_t limit);
 
-  /// Working memory used a link between instances of two objects: the activation that spreads learns from it.
+  /// Working memory used a link between instances of two objects: spreading activation learns from it.
   void LinkUsed(Lti object, Lti linked, std::uint64_t cycle);
 
-  /// Shows additions and removals as text (`trace --smem`).
+  /// Prints additions and removals (`trace --smem`).
   void SetTrace(bool on) { traced_ = on; }
-  /// Makes all augmentations of an object anew: they are the youngest then.
+  /// Makes all augmentations of an object again: they are then the youngest.
   void Rewrite(std::uint32_t object);
 
   // The journal -----------------------------------------------------------------------------------------------------
 
-  /// From now on all changes go to the journal, whose contents are what is known now. Null: none.
+  /// From now on all changes go to the journal, which must hold what is known now. Null: none.
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
-  /// Commits what changed; told once if it cannot be written. After every output phase, and after commands.
+  /// Commits what changed; reports once if that fails. Called after every output phase, and after commands.
   void Keep();
-  /// Called before the memory is used for the first time from now on: to open its file. Null: nothing. If it fails,
-  /// the reason is printed and the memory goes on without a file.
+  /// Called at the next first use of the memory, to open its file. Null: nothing. If it fails, the reason is printed
+  /// and the memory works without a file.
   using Opener = std::function<Result<void>(SemanticMemory&)>;
   void SetOpener(Opener opener) { opener_ = std::move(opener); }
   void EnsureOpen();
   bool waits_for_file() const { return opener_ != nullptr; }
-  /// Whether it has been used since it was made or closed: some settings hold from the next opening on only.
+  /// Whether it has been used since it was made or closed: some settings only take effect at the next opening.
   bool opened() const { return opened_; }
   void NoteClosed() { opened_ = false; }
-  /// The whole memory and how active it is, as records for a journal; and the way back. False if the records do not
-  /// make sense: nothing has changed then.
+  /// The whole memory and its activations, as records for a journal, and the inverse. False if the records make no
+  /// sense: then nothing has changed.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 
   // Sharing ---------------------------------------------------------------------------------------------------------
 
-  /// Shares the knowledge with other agents that know the very same, if there are any. Done by itself when the agent
-  /// runs first. Who changes shared knowledge gets a layer of its own over it.
+  /// Shares the knowledge with other agents that know exactly the same, if any. Happens automatically at the agent's
+  /// first run. An agent that changes shared knowledge gets its own layer over it.
   void Share();
-  /// For whoever is about to add a large text of knowledge to an empty memory: true if it shares now what an agent made
-  /// of the same text before. Else, call NoteText when all of the text has been added.
+  /// Call before adding a large text of knowledge to an empty memory. True: the memory now shares what an agent made
+  /// from the same text before. Otherwise call NoteText once the whole text has been added.
   bool TakeText(std::string_view text);
   void NoteText(std::string_view text, Lti next_number);
   bool shares() const { return shared_; }
@@ -153,27 +153,27 @@ class SemanticMemory final : public Module {
   std::size_t MemoryBytes() const override;
 
  private:
-  /// What is known of the command of one state.
+  /// What is known about the command of one state.
   struct State {
-    CommandStamp store, other;  ///< When it was answered last.
+    CommandStamp store, other;  ///< As of the last answer.
     std::vector<PreferenceId> results;
   };
 
   Knowledge& Writable();
   void Respond(bool store_only);
   bool RespondTo(GoalLevel level, bool store_only);
-  /// The command of a state as it is now: in command_. Parse then says what it asks for.
+  /// Reads the current command of a state into command_. Parse then says what it asks for.
   const SemanticCommand& Read(GoalLevel level);
   void Parse();
   void AnswerStore(GoalLevel level, const SemanticCommand& command);
   void AnswerRetrieval(GoalLevel level, const SemanticCommand& command);
   bool MakeCue(const SemanticCommand& command, Cue& cue);
-  /// Tells observers what came of a command, and why. `object` may be Knowledge::kNowhere.
+  /// Tells observers the result of a command, and why. `object` may be Knowledge::kNowhere.
   void Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
             std::uint32_t object);
   bool AddMath(Symbol object, Cue& cue);
-  /// The object that an identifier is stored in. With `made_new`, it and its children get new objects, whatever they
-  /// are linked to: those that one command made, by identifier. Who had no link is linked to what it got.
+  /// The object that stores an identifier. With `made_new`, it and its children get new objects, whatever their links;
+  /// the map holds those that one command made, by identifier. An identifier without a link is linked to its object.
   std::uint32_t Store(Symbol id, std::map<std::uint32_t, std::uint32_t>* made_new);
   /// Adds an object's augmentations, and those of its children to the command's depth, to what will be installed.
   Symbol Retrieve(GoalLevel level, std::uint32_t object);
@@ -183,7 +183,7 @@ class SemanticMemory final : public Module {
   StoreTerm FindAttribute(Symbol attribute);
   Symbol AttributeOf(StoreTerm attribute);
   void Touch(std::uint32_t object, bool advance = true);
-  /// Before a query: activation spreads to its candidates.
+  /// Spreads activation to the candidates of a query.
   void Spread(const Cue& cue);
   void UpdateSources();
   void TraceGone(std::uint32_t object);
@@ -205,7 +205,7 @@ class SemanticMemory final : public Module {
   SmemCounters counters_;
   WrittenOrder written_order_;
   std::vector<State> states_;  ///< By level - 1.
-  // Of the command at hand.
+  // Of the current command.
   SemanticCommand command_;
   Cue cue_;
   Retrieval retrieval_;
@@ -216,7 +216,7 @@ class SemanticMemory final : public Module {
   bool shared_ = false;
   bool asked_to_share_ = false;
   bool traced_ = false;
-  bool warned_ = false;  ///< Of a journal that cannot be written.
+  bool warned_ = false;  ///< About a journal that cannot be written.
   mutable bool first_line_ = true;
 };
 

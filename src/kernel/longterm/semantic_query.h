@@ -16,7 +16,7 @@ class Spreading;
 
 enum class MathTest : std::uint8_t { kNone, kLess, kGreater, kLessOrEqual, kGreaterOrEqual, kMax, kMin };
 
-/// One demand on an object.
+/// One requirement on an object.
 struct CueElement {
   StoreTerm attribute;
   StoreTerm value;        ///< None: any.
@@ -25,11 +25,12 @@ struct CueElement {
   double bound = 0;  ///< Of a math test but the largest and the smallest.
 };
 
-/// What a query asks for. A term that the store does not hold is none: `impossible` says that a demand needs it.
+/// What a query asks for. A term that the store does not contain is none: `impossible` says that a requirement needs
+/// one.
 struct Cue {
   std::vector<CueElement> elements;
   bool impossible = false;
-  bool takes_last = false;  ///< The last of those that fit answers, not the first.
+  bool takes_last = false;  ///< The last object that fits answers, not the first.
 
   void Clear() {
     elements.clear();
@@ -37,27 +38,28 @@ struct Cue {
   }
 };
 
-/// Finds the objects that fit a cue, the most active first; of equally active ones an object with many augmentations
-/// (SmemSettings::thresh) first if it was ever touched, then the one whose augmentation in the list of the rarest
-/// demand is the youngest.
+/// Finds the objects that fit a cue, the most active first. Among equally active ones, an object with many
+/// augmentations (SmemSettings::thresh) comes first if it was ever touched, then the one whose augmentation in the list
+/// of the rarest requirement is the youngest.
 ///
-/// The rarest demand drives: only objects that meet it are looked at. Those that were never touched all have activation
-/// 0 and stand in the right order already; those that were are kept beside, for each list that ever drove.
+/// The rarest requirement drives: only objects that meet it are examined. Those never touched all have activation 0 and
+/// are in the right order already; touched ones are kept separately, for each list that ever drove.
 class SemanticSearch {
  public:
   SemanticSearch(const SmemSettings& settings, Activations& activations)
       : settings_(settings), activations_(activations) {}
 
-  /// The places of up to `limit` objects, best first. With spreading, its share is added to the activations.
+  /// The places of up to `limit` objects, best first. With spreading, its share is added to their activations.
   std::vector<std::uint32_t> Find(const Knowledge& knowledge, const Cue& cue, std::span<const std::uint32_t> prohibited,
                                   std::size_t limit, const Spreading* spreading = nullptr);
-  /// The list of the rarest demand, whose members are the candidates; kNowhere if a demand is met by nobody.
+  /// The list of the rarest requirement, whose members are the candidates; kNowhere if no object meets some
+  /// requirement.
   std::uint32_t DrivingList(const Knowledge& knowledge, const Cue& cue) const;
-  /// How active an object is, with what spreads to it, if `spreading` is there.
+  /// How active an object is, including its share if `spreading` is given.
   double ActivationOf(std::uint32_t object, const Spreading* spreading) const;
-  /// To be called when an object is touched for the first time.
+  /// Call when an object is touched for the first time.
   void FirstTouched(const Knowledge& knowledge, std::uint32_t object);
-  /// To be called before or after augmentations of an object with this attribute change.
+  /// Call before or after augmentations of an object with this attribute change.
   void Forget(StoreTerm attribute) {
     hot_.clear();
     numbers_.erase(attribute.bits());
@@ -78,10 +80,10 @@ class SemanticSearch {
     double number;
     std::uint32_t object;
   };
-  /// What was stored but never used counts as if it were new: by frequency, and by recency if it is large.
+  /// An object that was stored but never used counts as new: by frequency, and by recency if it is large.
   double OwnActivation(const Knowledge& knowledge, std::uint32_t object) const;
   static bool Better(const Candidate& a, const Candidate& b);
-  /// The numbers that objects have for an attribute, in ascending order.
+  /// The numbers that objects have as values of an attribute, in ascending order.
   const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);
   static bool Has(const Terms& terms, std::span<const Edge> edges, const CueElement& element);
   static bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object);
@@ -90,7 +92,7 @@ class SemanticSearch {
 
   const SmemSettings& settings_;
   Activations& activations_;
-  std::vector<Candidate> candidates_;                                  ///< Of the query at hand.
+  std::vector<Candidate> candidates_;                                  ///< Of the current query.
   std::unordered_map<std::uint32_t, std::vector<Number>> numbers_;     ///< By attribute, for those that were asked for.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> hot_;  ///< By list: its members that were touched.
 };

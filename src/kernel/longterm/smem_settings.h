@@ -10,7 +10,7 @@ namespace soarbox::kernel {
 enum class ActivationMode : std::uint8_t { kRecency, kFrequency, kBaseLevel };
 enum class BaseUpdatePolicy : std::uint8_t { kStable, kNaive, kIncremental };
 
-/// What `smem --set` sets, as far as it means something to the kernel.
+/// The settings of `smem --set` that matter to the kernel.
 struct SmemSettings {
   bool enabled = false;
   std::uint64_t initial_number = 1;  ///< Where the numbers of new objects begin in an empty memory.
@@ -19,7 +19,7 @@ struct SmemSettings {
   double base_decay = 0.5;
   BaseUpdatePolicy base_update_policy = BaseUpdatePolicy::kStable;
   std::vector<std::uint64_t> base_incremental_threshes = {10};
-  std::uint64_t thresh = 100;  ///< Of equally active objects those with as many edges come first, once touched.
+  std::uint64_t thresh = 100;  ///< Among equally active objects, those with so many edges come first, once touched.
   bool base_inhibition = false;
   double base_unused_age_offset = 0;
 

@@ -15,28 +15,28 @@
 
 namespace soarbox::kernel {
 
-/// Activation that spreads from what is in working memory: an object that a working memory identifier is an instance
-/// of, and that identifier has elements, is a source. What it gives flows along augmentations, by their weights, and
-/// grows less with each step.
+/// Activation that spreads from the contents of working memory. An object is a source if a working memory identifier
+/// with elements is an instance of it. What it gives flows along augmentations, by their weights, and shrinks with each
+/// step.
 ///
-/// A source's reach depends on the graph alone: an object's part of all that the source gives. It is worked out when
-/// the source comes, and holds, whatever happens to the graph, until it goes; if the graph has not changed when it
-/// comes again, then, too. As in Soar 9.6.3 activation spreads when a query has more than one candidate, and to its
-/// candidates only: all others keep what they got last, as long as any source reaches them.
+/// A source's reach depends on the graph alone: each object's part of what the source gives. It is computed when the
+/// source comes, and stays until the source goes, whatever happens to the graph. If the graph has not changed when the
+/// source returns, the reach is used again. As in Soar 9.6.3, activation spreads when a query has more than one
+/// candidate, and only to its candidates: all others keep what they got last, as long as any source reaches them.
 ///
-/// A source of strength x gives x / (1 + x), and no object less than the least, which is
-/// baseline / (p (1 + p)^depth). What an object gets of all sources, t, adds ln(t) - ln(least) to its activation.
+/// A source of strength x gives x / (1 + x), and no object gets less than the least, which is baseline / (p (1 +
+/// p)^depth). What an object gets from all sources, t, adds ln(t) - ln(least) to its activation.
 class Spreading {
  public:
   Spreading(const SmemSettings& settings, LinkWeights& weights) : settings_(settings), weights_(weights) {}
 
-  /// The sources of now: how strong each is, by object. Spread tells what comes of it.
+  /// The current sources: how strong each is, by object. Spread computes the effect.
   void SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources);
   /// What an object got: it adds `share` to the object's own activation, or to `unused` if it was never used.
   struct Gift {
     double share, unused;
   };
-  /// The candidates of a query get their shares. `unused`: how active is now what was never used.
+  /// Gives the candidates of a query their shares. `unused`: the current activation of objects that were never used.
   template <class ForEachCandidate>
   void Spread(double unused, ForEachCandidate&& for_each) {
     std::erase_if(shares_, [&](const auto& share) { return !totals_.contains(share.first); });
@@ -76,8 +76,8 @@ class Spreading {
 
   const SmemSettings& settings_;
   LinkWeights& weights_;
-  std::unordered_map<std::uint32_t, Reach> reaches_;  ///< That hold, of sources of now and of old.
-  std::map<std::uint32_t, Reach> active_;             ///< Of the sources of now.
+  std::unordered_map<std::uint32_t, Reach> reaches_;  ///< Those still valid, of current and former sources.
+  std::map<std::uint32_t, Reach> active_;             ///< Of the current sources.
   std::map<std::uint32_t, double> known_;
   std::unordered_map<std::uint32_t, double> totals_;
   std::map<std::uint32_t, Gift> shares_;

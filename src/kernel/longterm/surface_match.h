@@ -14,62 +14,62 @@ namespace soarbox::kernel {
 
 /// How well an episode agrees with a cue leaf by leaf.
 struct SurfaceScore {
-  EpisodeNumber episode = 0;  ///< 0: no leaf held in any.
+  EpisodeNumber episode = 0;  ///< 0: no leaf matched in any.
   double score = 0;
-  std::int32_t cardinality = 0;  ///< Positive leaves that held less negative ones that did.
+  std::int32_t cardinality = 0;  ///< Positive leaves that matched minus negative leaves that matched.
 };
 
-/// An episode that scored more than all later ones, or the same and holds the cue as a graph.
+/// An episode that scored more than all later ones, or the same and matches the cue as a graph.
 struct SurfaceStep {
   EpisodeNumber episode = 0;
-  bool is_perfect = false;  ///< All positive leaves hold, no negative one does.
+  bool is_perfect = false;  ///< All positive leaves match, no negative one does.
   bool ends_search = false;
 };
 
-/// The episode whose score is best, the latest of these. A leaf counts once in an episode, and only if all that leads
-/// to it holds; a variable stands for any node there, and for several at a time.
+/// The episode with the best score, the latest of these. A leaf counts once per episode, and only if everything that
+/// leads to it matches; a variable may be any node there, and several at a time.
 ///
-/// Walks the ends of intervals of the facts that the cue can reach, latest first; ends as soon as leaves that were true
+/// Walks the interval ends of the facts that the cue can reach, latest first; stops as soon as leaves that were true
 /// still earlier cannot beat the best.
 class SurfaceMatch {
  public:
-  /// Told of each episode in which all positive leaves hold and no negative one, as long as no later one scored more:
-  /// true ends the search with it.
+  /// Called for each episode in which all positive leaves match and no negative one does, as long as no later one
+  /// scored more; true ends the search with this episode.
   using OnPerfect = std::function<bool(EpisodeNumber)>;
 
   SurfaceMatch(const EpisodeStore& store, const EpisodeCue& positive, const EpisodeCue& negative)
       : store_(store), positive_(positive), negative_(negative) {}
 
-  /// `on_perfect` may be empty. `steps`, if there, gets what was the best on the way.
+  /// `on_perfect` may be empty. `steps`, if given, receives the successive best episodes.
   SurfaceScore Find(const EpisodeWindow& window, const OnPerfect& on_perfect,
                     std::vector<SurfaceStep>* steps = nullptr);
 
  private:
-  /// A variable as a node: held when each edge to the variable has a fact that holds and comes from a held cell.
+  /// A variable as a node: held when each edge to the variable has a fact that is true and comes from a held cell.
   struct Cell {
     std::uint32_t variable = 0;  ///< Those of the negative cue after those of the positive one.
     EpisodeNode node = 0;
     std::uint32_t needed = 0, have = 0;
-    std::vector<std::uint32_t> pairs;  ///< That leave it.
+    std::vector<std::uint32_t> pairs;  ///< The pairs that leave it.
     bool held() const { return have == needed; }
   };
   /// An edge of a cue as a fact.
   struct Pair {
     std::uint32_t leaf = 0;  ///< Index into leaves_, or none.
     EpisodeFact fact = 0;
-    std::uint32_t cell = 0;     ///< That it leaves.
+    std::uint32_t cell = 0;     ///< The cell that it leaves.
     std::uint32_t arrival = 0;  ///< Index into arrivals_, or none.
     bool holds = false;
   };
-  /// An edge of a cue that leads to a cell: how many pairs of it speak for the cell.
+  /// An edge of a cue that leads to a cell: how many of its pairs support the cell.
   struct Arrival {
     std::uint32_t cell = 0, count = 0;
   };
   struct Leaf {
-    double weight = 0;           ///< Negative leaves: less than nothing.
+    double weight = 0;           ///< Below 0 for negative leaves.
     std::int32_t step = 1;       ///< What it adds to the cardinality.
-    std::uint32_t count = 0;     ///< Pairs that hold and are reached.
-    std::uint32_t possible = 0;  ///< Pairs that hold at or before the present episode.
+    std::uint32_t count = 0;     ///< Pairs that are true and reached.
+    std::uint32_t possible = 0;  ///< Pairs that are true at or before the current episode.
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -93,12 +93,12 @@ class SurfaceMatch {
   std::vector<Arrival> arrivals_;
   std::vector<Leaf> leaves_;
   std::unordered_map<std::uint64_t, std::uint32_t> cell_of_, arrival_of_;
-  std::vector<std::pair<EpisodeNumber, std::uint32_t>> heap_;  ///< When which pair changes, going back.
+  std::vector<std::pair<EpisodeNumber, std::uint32_t>> heap_;  ///< When each pair changes next, going back.
   std::vector<std::pair<std::uint32_t, bool>> work_;
   double score_ = 0, possible_ = 0;
   std::int32_t cardinality_ = 0;
   bool leaf_seen_ = false;
-  bool changed_ = false;  ///< A leaf, since the weights were added up.
+  bool changed_ = false;  ///< A leaf has changed since the weights were added up.
 };
 
 }  // namespace soarbox::kernel

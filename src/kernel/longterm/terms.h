@@ -16,8 +16,8 @@ using Lti = std::uint64_t;
 
 enum class TermKind : std::uint32_t { kString, kInteger, kFloat, kObject };
 
-/// What stands in long-term memory in the place of a symbol: four bytes, compared by value. An object's index is its
-/// place in the store. (An agent's symbols are swept and its identifiers used again; terms stay.)
+/// A symbol's counterpart in long-term memory: four bytes, compared by value. An object's index is its place in the
+/// store. (An agent's symbols are swept and its identifiers used again; terms stay.)
 class StoreTerm {
  public:
   constexpr StoreTerm() = default;
@@ -37,13 +37,13 @@ class StoreTerm {
   std::uint32_t bits_ = 0;
 };
 
-/// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are three). Nothing is ever taken out.
+/// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are three). Nothing is ever removed.
 ///
-/// Terms may stand on others, which nobody changes any more: they hold what those hold, and what was added since.
+/// Terms may have a base, which nobody changes any longer: they contain its constants and those added since.
 class Terms {
  public:
   Terms() = default;
-  /// `base` outlives this, never changes, and stands on nothing itself.
+  /// `base` must outlive this, never changes, and has no base itself.
   explicit Terms(const Terms* base);
   Terms(const Terms&) = delete;
   Terms& operator=(const Terms&) = delete;
@@ -53,7 +53,7 @@ class Terms {
   StoreTerm String(std::string_view text);
   StoreTerm Integer(std::int64_t value);
   StoreTerm Float(double value);
-  /// The term of a constant that is there, else none. Never adds.
+  /// The term of an existing constant, otherwise none. Never adds.
   StoreTerm FindString(std::string_view text) const;
   StoreTerm FindInteger(std::int64_t value) const;
   StoreTerm FindFloat(double value) const;
@@ -67,7 +67,8 @@ class Terms {
   double NumberValue(StoreTerm number) const {
     return number.kind() == TermKind::kFloat ? FloatValue(number) : static_cast<double>(IntegerValue(number));
   }
-  /// The how manieth constant it was that the store met, whatever its kind: values are shown in this order.
+  /// The rank of a constant in the order in which the store met them, whatever its kind: values are shown in this
+  /// order.
   std::uint32_t Order(StoreTerm constant) const {
     const std::uint32_t index = constant.index();
     switch (constant.kind()) {
@@ -82,14 +83,14 @@ class Terms {
     }
     return 0;
   }
-  /// How a constant is written in `smem --add`: strings with bars where they need them, floats with 16 decimals or,
-  /// if `short_floats`, 16 digits.
+  /// Writes a constant as in `smem --add`: strings between bars if they need them, floats with 16 decimals or, if
+  /// `short_floats`, 16 digits.
   void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
 
   bool empty() const { return next_order_ == 0; }
   /// How many constants the store met.
   std::uint32_t count() const { return next_order_; }
-  /// Without those of the terms that it stands on.
+  /// Without the terms of the base.
   std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 64; }
 
  private:
@@ -106,7 +107,7 @@ class Terms {
   }
 
   const Terms* base_ = nullptr;
-  std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< How many `base_` has.
+  std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< How many terms `base_` has.
   std::uint32_t next_order_ = 0;
   std::deque<std::string> strings_;
   std::vector<std::uint32_t> string_orders_;

@@ -24,23 +24,23 @@ struct WmaSettings {
   double decay_thresh = -2;
   bool petrov_approx = false;
   enum class Forgetting : std::uint8_t { kOff, kNaive, kBisection } forgetting = Forgetting::kOff;
-  bool forget_linked_only = false;  ///< forget-wme lti: elements of long-term identifiers' instances only.
-  bool fake_forgetting = false;     ///< Counts what would be forgotten, and keeps it.
+  bool forget_linked_only = false;  ///< forget-wme lti: only elements of long-term identifiers' instances.
+  bool fake_forgetting = false;     ///< Counts what would be forgotten, but keeps it.
 };
 
-/// How active the elements of working memory are, and forgetting of those that are active no more.
+/// How active the elements of working memory are, and forgetting of those that are no longer active.
 ///
-/// An element with o-support that was made since this is on has a history: how often it was used in which decision
-/// cycle, the last ten of them. Being made counts 1 for each preference that says so, and the mean strength of what the
-/// o-supported ones of them rested on: of o-supported elements the sum of uses * age^decay_rate, of those that no rule
-/// made e, and i-supported ones stand for what they rest on. Each match that waits to fire when rules fire uses the
-/// elements that it tests, and each preference of a rule the element that it says again; of an i-supported element it
-/// uses the o-supported ones that this rests on. An i-supported element that becomes o-supported begins its history
-/// when it is used next. Uses of a cycle are entered in its output phase. The activation is ln of the sum of uses *
-/// age^decay_rate. All other elements show 1.
+/// An o-supported element made since this was switched on has a history: how often it was used in which decision cycle,
+/// for the last ten of them. Its creation counts 1 for each preference for it, plus the mean strength of what the
+/// o-supported ones of these rested on. That strength is the sum of uses * age^decay_rate for o-supported elements, and
+/// e for elements that no rule made; i-supported ones are replaced by what they rest on. Each match that waits to fire
+/// when rules fire uses the elements that it tests, and each preference of a rule uses an existing element that it
+/// makes again. A use of an i-supported element is a use of the o-supported ones on which it rests. An i-supported
+/// element that becomes o-supported begins its history at its next use. Uses of a cycle are entered in its output
+/// phase. The activation is ln of the sum of uses * age^decay_rate. All other elements show 1.
 ///
-/// Forgetting retracts the preferences of elements whose activation is below the threshold, at the end of the output
-/// phase.
+/// At the end of the output phase, forgetting retracts the preferences of elements whose activation is below the
+/// threshold.
 class WmActivation final : public Module {
  public:
   static constexpr std::size_t kHistory = 10;
@@ -52,9 +52,9 @@ class WmActivation final : public Module {
     std::uint64_t first = 0;    ///< Cycle of the first.
     std::uint64_t pending = 0;  ///< Uses in this cycle.
     std::uint8_t count = 0;     ///< Entries.
-    bool gone = false;          ///< The element has left: what rested on it may yet ask.
+    bool gone = false;          ///< The element has left, but elements that rested on it may still need its history.
     std::uint64_t due = 0;      ///< The cycle in which it may be forgotten, unless it is used.
-    std::uint64_t timetag = 0;  ///< Of the element: others get its WmeId.
+    std::uint64_t timetag = 0;  ///< Of the element: its WmeId is used again.
   };
 
   static WmActivation& Of(LongTerm& long_term);
@@ -65,24 +65,25 @@ class WmActivation final : public Module {
   WmaSettings& mutable_settings() { return settings_; }
   void SettingsChanged();
 
-  /// A module made the elements of `answer` with o-support from what was there: the elements of a command, and three
+  /// A module made the elements of `answer` with o-support from what existed: the elements of a command, and three
   /// links of the architecture that lead to it and to its answer.
   void NoteAnswer(InstantiationId answer, std::span<const WmeId> command);
-  /// The elements of answers are there.
+  /// The elements of all answers exist now.
   void ForgetAnswers() { answers_.clear(); }
 
-  /// Of an element, as of now: 1 for those without a history, -1e9 for those whose first use is not entered yet.
+  /// The current activation of an element: 1 without a history, -1e9 if its first use is not entered yet.
   double Of(WmeId wme) const;
-  /// The same of an element that is just entering working memory.
+  /// The same for an element that is just entering working memory.
   double OfNew(WmeId wme) const;
-  /// Null for those without a history.
+  /// Null if the element has no history.
   const History* HistoryOf(WmeId wme) const;
   std::uint64_t forgotten() const { return forgotten_; }
-  /// The decision cycle that is under way. As soon as the uses of a cycle are entered, the next one is.
+  /// The current decision cycle. Once the uses of a cycle are entered, the next one is current.
   std::uint64_t now() const;
 
   // Module
-  /// Counts the uses of what each waiting match of the match set tested, those that wait for the apply phase included.
+  /// Counts the uses of what each waiting match of the match set tested, including matches that wait for the apply
+  /// phase.
   void RulesFire() override;
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
   void Asserted(PreferenceId preference) override;
@@ -94,7 +95,7 @@ class WmActivation final : public Module {
 
  private:
   double ActivationAt(const History& history, std::uint64_t cycle) const;
-  /// Whether an element gets a history when it is made: o-supported ones do, but for operators.
+  /// Whether an element gets a history when it is made: o-supported ones do, except operators.
   bool IsForHistory(WmeId wme) const;
   /// The sum of uses * age^decay_rate.
   double StrengthAt(const History& history, std::uint64_t cycle) const;
@@ -105,14 +106,14 @@ class WmActivation final : public Module {
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);
-  /// What the makers of an element rested on gives it its mean strength; what is as new as it gives nothing.
+  /// The mean strength that an element gets from what its makers rested on; elements as new as itself give nothing.
   std::uint64_t MeanStrength(WmeId wme);
   /// Adds the elements that a preference rests on to open_; returns how many others there are that no rule made.
   std::uint64_t OpenGrounds(WmeId wme, PreferenceId preference);
   void ReleaseGrounds();
   void ReleaseGroundsOf(WmeId wme);
   void Enter(WmeId wme, History& history);
-  /// The first cycle in which the element will be below the threshold if nobody uses it.
+  /// The first cycle in which the element will be below the threshold if nobody uses it again.
   std::uint64_t DueOf(const History& history) const;
   bool Forget(WmeId wme);
 
@@ -120,21 +121,21 @@ class WmActivation final : public Module {
   AgentParts uses_;
   WmaSettings settings_;
   std::unordered_map<std::uint32_t, History> histories_;  ///< By WmeId.
-  std::vector<std::uint32_t> used_;                       ///< With uses in this cycle.
+  std::vector<std::uint32_t> used_;                       ///< Elements with uses in this cycle.
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
   std::uint64_t entered_ = kNever;                                     ///< The last cycle whose uses are entered.
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: who may be forgotten then.
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: which elements may be forgotten.
   struct Answer {
     InstantiationId instantiation;
     std::vector<WmeId> grounds;
   };
-  std::vector<Answer> answers_;  ///< Whose elements are not there yet.
+  std::vector<Answer> answers_;  ///< Answers whose elements do not exist yet.
   struct Grounds {
     PreferenceId preference;
     std::vector<WmeId> elements;  ///< Held.
   };
-  /// By WmeId, of elements without a history: what o-supported preferences rest on whose matches may end before it
-  /// begins.
+  /// By WmeId, for elements without a history: the grounds of their o-supported preferences, whose matches may end
+  /// before the history begins.
   std::unordered_map<std::uint32_t, std::vector<Grounds>> grounds_;
   std::vector<WmeId> open_, held_;
   std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that passed it.

@@ -9,17 +9,17 @@
 
 namespace soarbox::kernel {
 
-/// In which order the attributes of a clause of `smem --add` are met. In Soar 9.6.3 that is the order of the places
-/// where its texts lie: a new text takes the place that became free last, or a new one behind all others, and when the
-/// clause has been added its places become free again. What the agent knows anyway lies before all of them.
+/// The order in which the attributes of a clause of `smem --add` are met. In Soar 9.6.3 this is the order of the places
+/// where its texts are: a new text takes the place freed last, or a new one after all others; after the clause has been
+/// added, its places become free again. Texts that the agent knows anyway are before all of them.
 class WrittenOrder {
  public:
-  /// Of a clause with more texts the order is that in which they are written.
+  /// A clause with more texts keeps the order in which they are written.
   static constexpr std::size_t kMostTexts = 64;
 
-  /// The next text of a clause: where it lies.
+  /// The place of the next text of a clause.
   std::uint32_t Read(std::string_view text, const SymbolTable& known);
-  /// One of the texts that were read is not needed any more.
+  /// One of the texts that were read is no longer needed.
   void Drop(std::string_view text);
 
  private:

@@ -35,26 +35,26 @@ struct AlphaItem {
 };
 
 struct AlphaState {
-  std::uint32_t first = kNil;  ///< Items.
+  std::uint32_t first = kNil;  ///< The newest item.
   std::uint32_t count = 0;
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0, value_bits = 0;  ///< 0: no table; the items are searched one by one.
-  bool has_tables = false;                                  ///< Any of them is not 0.
+  bool has_tables = false;                                  ///< At least one of them is not 0.
   std::uint32_t sparse = 0;  ///< Joins that feed sparse memories; kInPaths, kBusy, kPrimed.
 
   static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
   static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see OnlyIds.
-  static constexpr std::uint32_t kPrimed = 0x20000000u;   ///< Its items may be in another order than elements came.
+  static constexpr std::uint32_t kPrimed = 0x20000000u;   ///< Its items may not be in order of arrival.
   static constexpr std::uint32_t kFlags = kInPaths | kBusy | kPrimed;
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
-/// The alpha memories of an agent: which elements pass which constant tests, newest first, with indexes by identifier
-/// and by identifier and value that are made when somebody looks.
+/// The alpha memories of an agent: which elements pass which constant tests, newest first. The indexes by identifier
+/// and by identifier and value are made on demand.
 ///
-/// Invariants: an element has one item in each memory that it fits, on the memory's list, on its own, and in each index
-/// that the memory has. Which nodes hang on a memory is kept by NodeStates.
+/// Invariants: an element has one item in each memory that it fits, on the memory's list, on its own list, and in each
+/// index of the memory. NodeStates knows which nodes are linked to a memory.
 class [[gnu::visibility("hidden")]] AlphaMemories {
  public:
   AlphaState& operator[](std::uint32_t alpha) {
@@ -70,7 +70,7 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     return items_.records();
   }
 
-  /// A memory is new and empty.
+  /// Initialises a new, empty memory.
   void Begin(std::uint32_t alpha);
   /// Puts an element into a memory. `first_item`: the head of the element's own list.
   [[gnu::always_inline]] void Insert(std::uint32_t alpha, std::uint32_t wme, const Wme& element,
@@ -102,7 +102,7 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
       InsertInTables(memory, alpha, index);
     }
   }
-  /// Takes an item off its memory's list and indexes. Counting is the caller's part, and so is the element's own list.
+  /// Removes an item from its memory's list and indexes. The caller updates the count and the element's own list.
   [[gnu::always_inline]] void TakeOut(AlphaState & memory, std::uint32_t index) {
     const Records<AlphaItem> all = items_.records();
     const AlphaItem& item = all[index];
@@ -120,13 +120,13 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     items_[index].next = free_;
     free_ = index;
   }
-  /// The memory with these constant tests, for one more node: made if there is none, and filled from the next more
-  /// general memory or from all elements, newest first; each becomes the first item.
+  /// The memory with these constant tests, for one more node. If it does not exist, it is made and filled from the next
+  /// more general memory or from all elements, newest first; each becomes the first item.
   std::uint32_t Use(Network & network, ElementLinks & links, const WmeTable& wmes, const std::uint32_t(&constants)[3],
                     std::uint32_t mask, bool acceptable);
-  /// A node that used a memory has gone.
+  /// A node no longer uses this memory.
   void GiveUp(Network & network, ElementLinks & links, std::uint32_t alpha);
-  /// A memory goes, with all of its items.
+  /// Removes a memory with all its items.
   void Drop(std::uint32_t alpha, ElementLinks & elements);
 
   /// Makes an index of 2^bits buckets, or more if there are more items.
@@ -135,14 +135,14 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
   void EnterByValue(std::uint32_t alpha, std::uint32_t index);
   void BuildIdTable(std::uint32_t alpha, std::uint8_t bits);
   void BuildPairTable(std::uint32_t alpha, std::uint8_t bits);
-  /// The first item of the bucket of an index, which the memory must have.
+  /// The first item of a bucket of an index, which the memory must have.
   std::uint32_t IdBucket(const AlphaState& memory, std::uint32_t id) const {
     return tables_[memory.id_table + TablePool::Hash(id, memory.id_bits)];
   }
   std::uint32_t PairBucket(const AlphaState& memory, std::uint32_t key) const {
     return tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
   }
-  /// Calls visit(item) for the items whose element has a value. An index that is worth its price is made.
+  /// Calls visit(item) for the items whose element has a value. Makes an index if that pays off.
   template <typename Visit>
   void ForEachWithValue(std::uint32_t alpha, std::uint32_t value, Visit && visit) {
     const AlphaState& memory = states_[alpha];
@@ -158,11 +158,11 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
       }
     }
   }
-  /// All items in an index, to be compared with the memory's list.
+  /// The number of items in an index, to compare with the memory's list.
   std::uint32_t CountInIdTable(const AlphaState& memory) const;
   std::uint32_t CountInPairTable(const AlphaState& memory) const;
 
-  /// Gives the memory of all items back; no element is in any memory then.
+  /// Frees the memory of all items; afterwards no element is in any memory.
   void Release();
   void ShrinkToFit() {
     states_.shrink_to_fit();
@@ -234,7 +234,7 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
   RecordArray<AlphaItem> items_;
   std::uint32_t free_ = kNil;
   TablePool tables_;
-  std::vector<std::uint32_t> value_tables_;  ///< By alpha memory, of those that have value_bits.
+  std::vector<std::uint32_t> value_tables_;  ///< By alpha memory, for those that have value_bits.
 };
 
 }  // namespace soarbox::kernel

@@ -10,32 +10,32 @@
 
 namespace soarbox::kernel {
 
-/// What the match keeps of an element: where it stands.
+/// What the match stores about an element: the lists that it is on.
 struct WmeLinks {
   std::uint32_t first_item = kNil;
   std::uint32_t first_token = kNil;
   std::uint32_t next = kNil, previous = kNil;  ///< All elements in the match, newest first.
-  std::uint64_t serial = 0;                    ///< Of its arrival, then of its departure.
+  std::uint64_t serial = 0;                    ///< Of its arrival, later of its departure.
   bool in_match = false;
-  bool unsorted = false;  ///< The list of its tokens may be out of order.
+  bool unsorted = false;  ///< The list of its tokens may be unsorted.
 };
 static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
 
 /// The elements in the match, newest first, and which of them is leaving.
 ///
-/// Invariants: an element is on the list exactly while it is in the match; `serial` of one that is leaving or has left
-/// is that of its departure.
+/// Invariants: an element is on the list exactly while it is in the match; once it begins to leave, `serial` is that of
+/// its departure.
 class ElementLinks {
  public:
   WmeLinks& operator[](std::uint32_t wme) { return links_[wme]; }
   const WmeLinks& operator[](std::uint32_t wme) const { return links_[wme]; }
   std::uint32_t newest() const { return newest_; }
   std::uint32_t count() const { return count_; }
-  /// The highest time tag of all elements that have come.
+  /// The highest time tag of all elements so far.
   std::uint64_t last_timetag() const { return last_timetag_; }
   void ForgetTimetags() { last_timetag_ = 0; }
 
-  /// An element comes. `room`: how many there may be before the table of elements grows.
+  /// An element arrives. `room`: how many elements fit before their table must grow.
   [[gnu::always_inline]] void Enter(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag, std::size_t room) {
     if (wme >= links_.size()) {
       links_.resize(std::max<std::size_t>(wme + 1u, room));
@@ -55,13 +55,13 @@ class ElementLinks {
     ++count_;
     last_timetag_ = std::max(last_timetag_, timetag);
   }
-  /// An element begins to leave: its items and tokens go.
+  /// An element begins to leave: its items and tokens are removed.
   void BeginLeaving(std::uint32_t wme, std::uint64_t serial) {
     leaving_ = wme;
     arrival_of_leaving_ = links_[wme].serial;
     links_[wme].serial = last_serial_ = serial;
   }
-  /// It has left.
+  /// The element has left.
   void Leave(WmeLinks& link) {
     if (link.next != kNil) {
       links_[link.next].previous = link.previous;
@@ -71,16 +71,16 @@ class ElementLinks {
     --count_;
     leaving_ = kNil;
   }
-  /// The element that is leaving, or kNil.
+  /// The element that is now leaving, or kNil.
   std::uint32_t leaving() const { return leaving_; }
-  /// When the last one came or began to leave.
+  /// When the last element arrived or began to leave.
   std::uint64_t last_serial() const { return last_serial_; }
-  /// When an element of the match came, also if it is leaving.
+  /// When an element of the match arrived, even if it is leaving.
   std::uint64_t ArrivalOf(std::uint32_t wme) const {
     return wme == leaving_ ? arrival_of_leaving_ : links_[wme].serial;
   }
 
-  /// Gives all memory back.
+  /// Frees all memory.
   void Release() {
     links_ = std::vector<WmeLinks>();
     newest_ = kNil;

@@ -12,8 +12,8 @@
 
 namespace soarbox::kernel {
 
-/// Links joins and negative nodes to their memories and alpha memories, and off them: see NodeState on unlinking. Made
-/// where it is needed.
+/// Links joins and negative nodes to their memories and alpha memories, and unlinks them: see NodeState on unlinking.
+/// Create one where you need it.
 class [[gnu::visibility("hidden")]] JoinLinks {
  public:
   [[gnu::always_inline]] JoinLinks(const Network& network, AlphaMemories& alphas, NodeStates& nodes, OnlyIds& only_ids,
@@ -38,7 +38,7 @@ class [[gnu::visibility("hidden")]] JoinLinks {
   }
 
   /// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the
-  /// join is then off its memory's list.
+  /// join then leaves its memory's list.
   [[gnu::always_inline]] bool LinkJoin(std::uint32_t join) {
     LinkRight(join);
     if (alphas_[network_.node(join).alpha].count == 0) {
@@ -47,14 +47,14 @@ class [[gnu::visibility("hidden")]] JoinLinks {
     }
     return true;
   }
-  /// A pair is coming to a sparse memory. While there are others its join is linked.
+  /// A pair is about to enter a sparse memory, whose join is linked while there are other pairs.
   [[gnu::always_inline]] void LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
     if (nodes_[memory].count == 0 && nodes_.marks(join).Is(NodeMarks::kLeftLinked) &&
         !nodes_.marks(join).Is(NodeMarks::kRightLinked)) {
       LinkJoin(join);
     }
   }
-  /// The last token of a memory or a negative node is going: nothing can join with it from the right.
+  /// The last token of a memory or a negative node is leaving: nothing can join with it from the right.
   [[gnu::always_inline]] void MemoryEmptied(std::uint32_t node) {
     if (nodes_.marks(node).Is(NodeMarks::kNegative)) {
       if (nodes_.marks(node).Is(NodeMarks::kRightLinked)) {
@@ -68,19 +68,19 @@ class [[gnu::visibility("hidden")]] JoinLinks {
       }
     }
   }
-  /// The last pair of a sparse memory is gone.
+  /// The last pair of a sparse memory has left.
   [[gnu::noinline]] void SparseEmptied(std::uint32_t memory);
 
-  /// Of a node that is right-linked to a busy alpha memory: see OnlyIds.
+  /// For a node that is right-linked to a busy alpha memory: see OnlyIds.
   [[gnu::always_inline]] void FindOnlyId(std::uint32_t node) {
     FindOnlyId(network_, nodes_, only_ids_, tokens_, wmes_, node);
   }
-  /// One more node uses an alpha memory. It becomes busy when many of them are linked: counting them at times is
-  /// enough.
+  /// One more node uses an alpha memory. It becomes busy when many of its nodes are linked; they need to be counted
+  /// only now and then.
   void NoteNodes(std::uint32_t alpha);
 
  private:
-  // Static, so that what is made where it is needed stays in registers.
+  // Static, so that objects made where they are needed stay in registers.
   [[gnu::noinline]] static void FindOnlyId(const Network& network, const NodeStates& nodes, OnlyIds& only_ids,
                                            const TokenPool& tokens, const WmeTable& wmes, std::uint32_t index);
 

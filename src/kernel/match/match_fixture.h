@@ -15,7 +15,7 @@
 
 namespace soarbox::kernel {
 
-/// The nth of a few instantiations for matches to name: the matcher never looks into them.
+/// The nth of a few instantiations for matches to refer to: the matcher never looks inside.
 InstantiationId SomeInstantiation(std::size_t n);
 
 /// Working memory for tests: a table of elements, goals, and a Rete over them. Words: "S1" is an identifier, "<x>" a
@@ -25,7 +25,7 @@ class MatchFixture {
   MatchFixture() : rete(symbols, wmes) {}
 
   Symbol Word(std::string_view text);
-  /// Makes an identifier a goal of this level; 0 makes it none.
+  /// Makes an identifier a goal of this level; with 0 it is no longer a goal.
   void SetGoal(std::string_view id, GoalLevel level);
   void SetLti(std::string_view id, std::uint64_t lti);
   GoalView Goals() const { return {levels_, ltis_}; }
@@ -43,7 +43,7 @@ class MatchFixture {
   SymbolTable symbols;
   WmeTable wmes;
   Rete rete;
-  std::vector<WmeId> live;  ///< In the order of adding.
+  std::vector<WmeId> live;  ///< In the order in which they were added.
 
  private:
   std::vector<GoalLevel> levels_;

@@ -13,8 +13,8 @@
 
 namespace soarbox::kernel {
 
-/// A complete match of a rule (a token that reached its production node), from the moment it appears until both it is
-/// gone and its instantiation has been retracted. Handles are used again after that.
+/// A complete match of a rule (a token that reached its production node), from its appearance until it is gone and its
+/// instantiation has been retracted. After that its handle is used again.
 enum class MatchId : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 enum class MatchState : std::uint8_t {
@@ -26,7 +26,7 @@ enum class MatchState : std::uint8_t {
   kRetracting,         ///< Taken by TakeRetraction; Release comes next.
 };
 
-/// What to know of a match to fire it or to show it.
+/// What you need to know of a match to fire or show it.
 struct PendingMatch {
   MatchId match = MatchId::kNone;
   ProductionId production = ProductionId::kNone;
@@ -37,14 +37,14 @@ struct PendingMatch {
   explicit operator bool() const { return match != MatchId::kNone; }
 };
 
-/// The conflict set: complete matches that wait to fire or to be retracted, per level of their goal.
+/// The conflict set: complete matches that wait to fire or to be retracted, by level of their goal.
 ///
-/// Each level has a list of i-assertions, one of o-assertions and one of retractions; level 0 holds what belongs to no
-/// goal, or to a goal that has gone. New entries go to the head; lists are consumed from the head. A match's elements
-/// are kept here from the day it appears until it is released.
+/// Each level has a list of i-assertions, one of o-assertions and one of retractions; level 0 holds matches without a
+/// goal, or whose goal has gone. New entries go to the head, and lists are consumed from the head. A match's elements
+/// are kept here until it is released.
 ///
-/// A match that appears while an equal one (same rule, same elements) waits for its retraction takes that one's place:
-/// nothing fires and nothing is retracted. Retractions that can come back are found by hash.
+/// A new match that equals one that waits for its retraction (same rule, same elements) takes that one's place: nothing
+/// fires and nothing is retracted. A hash table finds the retractions that can come back.
 ///
 /// Filled by the Rete, consumed by the decision cycle. Single-threaded. No allocation in the steady state.
 class MatchSet {
@@ -60,11 +60,11 @@ class MatchSet {
   /// Retractions of matches that touch no goal, or whose goal has gone.
   bool HasNoGoalRetractions() const { return HasRetractions(0); }
 
-  /// Takes the newest assertion of a level; an empty PendingMatch if there is none. The match is then marked as fired,
-  /// put back, or dropped (Release).
+  /// Takes the newest assertion of a level; an empty PendingMatch if there is none. Then mark the match as fired, put
+  /// it back, or drop it (Release).
   PendingMatch TakeAssertion(GoalLevel level, bool o_support);
-  /// Returns taken matches to the head of their lists. `taken` is in the order of taking, and they will be taken in
-  /// that order again.
+  /// Returns taken matches to the head of their lists. `taken` is in the order of taking; they will be taken again in
+  /// this order.
   void PutBack(std::span<const MatchId> taken);
   void MarkFired(MatchId match, InstantiationId instantiation);
   InstantiationId InstantiationOf(MatchId match) const { return records_[Index(match)].instantiation; }
@@ -72,14 +72,14 @@ class MatchSet {
   /// Takes the newest retraction of a level (0: the no-goal list), or kNone. Its elements, rule and instantiation stay
   /// readable until Release.
   MatchId TakeRetraction(GoalLevel level);
-  /// Forgets a taken match. A fired match may be released as well (its instantiation ended otherwise); it stays matched
+  /// Forgets a taken match. You can also release a fired match whose instantiation ended otherwise; it stays matched
   /// and silent.
   void Release(MatchId match);
 
-  /// How many calls of GoalRemoved there were.
+  /// How often GoalRemoved was called.
   std::uint32_t goals_removed() const { return goals_removed_; }
-  /// The goal of this level is going away: its retractions move to the no-goal list, its assertions too (they vanish
-  /// when the goal's elements leave the match; they never fire).
+  /// The goal of this level is leaving: its retractions move to the no-goal list, and so do its assertions (they never
+  /// fire, and vanish when the goal's elements leave the match).
   void GoalRemoved(GoalLevel level);
 
   PendingMatch Describe(MatchId match) const;
@@ -97,7 +97,7 @@ class MatchSet {
 
   // For the Rete ----------------------------------------------------------------------------------------------------
 
-  /// What a new match is.
+  /// The data of a new match.
   struct Arrival {
     std::uint32_t production = 0;
     std::uint32_t token = 0;
@@ -106,39 +106,40 @@ class MatchSet {
     GoalLevel level = 0;
     bool o_support = false;
   };
-  /// An equal match that waits for its retraction and that `arrival.token` now matches again; kNone if there is none.
+  /// An equal match that waits for its retraction and that `arrival.token` matches again; kNone if there is none.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
-  /// False if no match of the rule waits for its retraction and can come back.
+  /// False if no waiting retraction of the rule can come back.
   bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }
-  /// To be called before the first match of a rule.
+  /// Call before the first match of a rule.
   void RuleAdded(std::uint32_t production, std::size_t elements, bool interrupts) {
     if (production >= rules_.size()) rules_.resize(production + 1u);
     rules_[production].interrupts = interrupts;
     ExpectElements(elements);
   }
-  /// Whether new assertions of a rule are to be noted, see TakeInterrupting.
+  /// Whether to note new assertions of a rule, see TakeInterrupting.
   void SetInterrupts(std::uint32_t production, bool on) { rules_[production].interrupts = on; }
   bool HasInterrupting() const { return !interrupting_.empty(); }
-  /// The rules with interrupts that got a new assertion since the last call, one entry for each of them.
+  /// The rules with interrupts that got a new assertion since the last call, each once.
   std::vector<std::uint32_t> TakeInterrupting() { return std::exchange(interrupting_, {}); }
-  /// Gives back room kept for more rules.
+  /// Frees the room for more rules.
   void ShrinkRules() { rules_.shrink_to_fit(); }
   /// A new pending assertion.
   MatchId Assert(const Arrival& arrival);
   /// A match that counts as fired from the start.
   MatchId AddFired(const Arrival& arrival, InstantiationId instantiation);
   /// The match's token is gone: a pending assertion vanishes, a fired match becomes a retraction. `can_return` is false
-  /// when one of its own elements left (then no equal match can appear); `last_timetag` is the largest given so far.
-  /// Returns false if the record is free now.
+  /// when one of its own elements left (then no equal match can appear); `last_timetag` is the highest time tag so far.
+  /// Returns false if the record is now free.
   bool TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag);
   /// Frees the record of a fixed match.
   void Drop(MatchId match);
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
-  /// An instantiation names the rule, though its match may be released: the rule keeps its number until it lets go.
+  /// An instantiation refers to the rule, although its match may be released: the rule keeps its number until the hold
+  /// ends.
   void HoldRule(ProductionId production) { ++rules_[Index(production)].live; }
   void LetGoOfRule(ProductionId production) { --rules_[Index(production)].live; }
-  /// What belongs to a rule: records in use, and holds. Its number is used again when this is 0.
+  /// The records in use and the holds of a rule. At 0 its number is free.
   std::uint32_t LiveCount(std::uint32_t production) const { return rules_[production].live; }
   void Clear();
   /// Calls visit(match) for each record in use. For checks.
@@ -156,7 +157,7 @@ class MatchSet {
   struct Record {
     union {
       std::uint32_t token = kNil;
-      std::uint32_t hash_next;  ///< When `hashed`: then it has no token.
+      std::uint32_t hash_next;  ///< If `hashed`: then the match has no token.
     };
     std::uint32_t production = 0;
     std::uint32_t elements = 0;  ///< Where they begin in elements_.
@@ -165,14 +166,14 @@ class MatchSet {
     MatchState state = MatchState::kFree;
     std::uint8_t list = 0;
     bool o_support = false;
-    bool hashed = false;  ///< Stands in the table of retractions that can come back.
+    bool hashed = false;  ///< It is in the table of retractions that can come back.
     Symbol goal;
     InstantiationId instantiation = InstantiationId::kNone;
     std::uint32_t next = kNil, previous = kNil;  ///< In its list; `next` also in the free list.
-    std::uint32_t generation = 0;  ///< Of its level when it appeared: tells whether the goal has gone since.
+    std::uint32_t generation = 0;  ///< That of its level when it appeared: shows whether the goal has gone since.
     std::uint32_t hash_previous = kNil;
-    std::uint64_t stamp = 0;         ///< Of an assertion or retraction: its running number. For display order.
-    std::uint64_t last_timetag = 0;  ///< When it became a retraction.
+    std::uint64_t stamp = 0;         ///< Running number of an assertion or retraction, for display order.
+    std::uint64_t last_timetag = 0;  ///< The largest time tag when it became a retraction.
   };
   static_assert(sizeof(Record) == 64, "matches are addressed by a shift");
   struct RuleCounts {
@@ -182,7 +183,7 @@ class MatchSet {
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
-    std::uint32_t generation = 0;  ///< Grows when a goal of this level goes away.
+    std::uint32_t generation = 0;  ///< Grows when a goal of this level leaves.
   };
 
   void ExpectElements(std::size_t count) {
@@ -203,7 +204,7 @@ class MatchSet {
   std::uint32_t free_records_ = kNil;
   std::vector<Level> levels_;
   std::vector<WmeId> elements_;
-  std::vector<std::uint32_t> free_elements_;  ///< Heads of free lists by number of elements.
+  std::vector<std::uint32_t> free_elements_;  ///< Heads of free lists, by number of elements.
   std::vector<std::uint32_t> hash_buckets_;
   std::uint32_t hash_count_ = 0;
   std::vector<RuleCounts> rules_;

@@ -15,7 +15,7 @@
 
 namespace soarbox::kernel {
 
-/// The goal and the support of new matches.
+/// Determines the goal and the support of new matches.
 class [[gnu::visibility("hidden")]] MatchSupport {
  public:
   MatchSupport(const MatchSet& matches, const WmeTable& wmes) : matches_(matches), wmes_(wmes) {}
@@ -41,11 +41,11 @@ class [[gnu::visibility("hidden")]] MatchSupport {
       }
     }
   }
-  /// Whether a new match of a rule whose support depends on its matches is o-supported. `other`: the tokens of the
-  /// other ones, `count` of them, newest first.
+  /// Whether a new match is o-supported, for a rule whose support depends on its matches. `other`: the tokens of the
+  /// other matches, `count` of them, newest first.
   bool ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arrival, const GoalView& goals, const TokenPool& tokens,
                  std::uint32_t other, std::uint32_t count);
-  /// A rule is new, or has other matches than ByMatches has seen.
+  /// A rule is new, or ByMatches has not seen some of its matches.
   void Forget(std::uint32_t rule) {
     if (rule < shared_.size()) {
       shared_[rule] = SharedOperator();
@@ -53,9 +53,9 @@ class [[gnu::visibility("hidden")]] MatchSupport {
   }
 
  private:
-  /// The operator that all matches of a rule test, while goals do not change.
+  /// The operator that all matches of a rule test, as long as the goals do not change.
   struct SharedOperator {
-    Symbol selected;  ///< None: they differ, or it is not known.
+    Symbol selected;  ///< None: they differ, or it is unknown.
     std::uint32_t goals_removed = 0;
     bool none_has_a_say = false;  ///< None of the matches tests an operator of its goal.
   };
@@ -64,7 +64,7 @@ class [[gnu::visibility("hidden")]] MatchSupport {
   const WmeTable& wmes_;
   std::function<void(ProductionId)> on_mixed_;
   bool mixed_is_o_ = false;
-  std::vector<SharedOperator> shared_;  ///< By rule, as far as one has matched.
+  std::vector<SharedOperator> shared_;  ///< By rule, for rules that have matched.
 };
 
 }  // namespace soarbox::kernel

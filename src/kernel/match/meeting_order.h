@@ -8,7 +8,7 @@
 
 namespace soarbox::kernel {
 
-/// A token that a path blocks, and a token on the path's way down.
+/// A token that a path blocks, and a token higher up on that path.
 struct OwnerAndPath {
   std::uint32_t owner = kNil;
   std::uint32_t prefix = kNil;
@@ -16,17 +16,17 @@ struct OwnerAndPath {
   std::uint32_t place = 0;    ///< Breaks ties.
   std::uint32_t node = kNil;  ///< The owner's.
   std::uint64_t serial = 0;   ///< The owner's.
-  std::uint64_t due = 0;      ///< To be opened: tokens that are younger than this go first.
+  std::uint64_t due = 0;      ///< For openings: tokens younger than this go first.
 };
 
-/// The order in which the owners of shared conjunctions and the paths that block them meet (rete_shared.cpp).
+/// The order in which the owners of shared conjunctions meet the paths that block them (rete_shared.cpp).
 class [[gnu::visibility("hidden")]] MeetingOrder {
  public:
   MeetingOrder(const TokenPool& tokens, const ElementLinks& elements) : tokens_(tokens), elements_(elements) {}
 
-  /// An owner and a token on a path's way down.
+  /// The meeting of an owner and a token on a path.
   OwnerAndPath Meeting(std::uint32_t owner, std::uint32_t prefix) const;
-  /// Whether the partial match of a's owner and prefix would have been made after that of b's.
+  /// Whether the partial match of a's owner and prefix would have been made after b's.
   bool CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const;
 
  private:

@@ -21,8 +21,9 @@ inline constexpr std::uint32_t kNil = 0xFFFFFFFFu;
 /// The nodes of the beta network.
 ///
 /// Joins, negative nodes, conjunctive nodes and the root *emit* (token, element) pairs to their children. A memory
-/// makes a token of each pair; so do negative and conjunctive nodes, which are their own memories; a partner makes a
-/// result for its conjunctive node; a production node makes a complete match. The children of a memory are joins.
+/// turns each pair into a token; so do negative and conjunctive nodes, which are their own memories. A partner turns it
+/// into a result for its conjunctive node, and a production node into a complete match. The children of a memory are
+/// joins.
 enum class NodeKind : std::uint8_t {
   kFree,
   kRoot,
@@ -31,17 +32,17 @@ enum class NodeKind : std::uint8_t {
   kNegative,
   kConjunctive,
   kPartner,
-  kAnchors,  ///< Memory above a shared conjunction (rete_shared.cpp): the identifiers that it begins with.
+  kAnchors,  ///< Memory above a shared conjunction (rete_shared.cpp): the identifiers at which it begins.
   kPaths,    ///< Memory below it: the paths of elements that it matches. Its only child is the partner.
   kProduction,
   kGuard,  ///< Of a justification, below its negated conditions alone (rete_guard.cpp).
 };
 
-/// What a memory (or negative node) and the alpha memory on the other side are indexed by.
+/// The key that indexes a memory (or negative node) and the alpha memory on the other side.
 enum class KeyKind : std::uint8_t {
-  kNone,     ///< Nothing: every pair is tested.
+  kNone,     ///< No key: every pair is tested.
   kId,       ///< The element's identifier equals an earlier binding.
-  kIdValue,  ///< And its value another one. The two are mixed into 32 bits: a hit on the left side is to be checked.
+  kIdValue,  ///< The value also equals a binding. Both are mixed into 32 bits: check each hit on the left side.
 };
 
 enum class TestOp : std::uint8_t {
@@ -61,7 +62,7 @@ enum class TestOp : std::uint8_t {
   kIsNotLti,
 };
 
-/// One test of a join that the alpha memory and the key do not cover.
+/// A test of a join that neither the alpha memory nor the key covers.
 struct NodeTest {
   TestOp op = TestOp::kNever;
   Field field = Field::kId;      ///< Of the element.
@@ -75,7 +76,7 @@ struct NodeTest {
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
 };
 
-/// What kind of node it is, and what it is indexed by.
+/// The kind of a node, and the key that indexes it.
 struct NodeShape {
   NodeKind kind = NodeKind::kFree;
   KeyKind key = KeyKind::kNone;  ///< kMemory, kNegative; a join has that of its memory.
@@ -84,7 +85,7 @@ struct NodeShape {
   std::uint16_t key_id_levels = 0;  ///< Steps up from the memory's own token. kPartner: size of the conjunction.
   std::uint16_t key_value_levels = 0;
 
-  /// All of it as one number.
+  /// All fields as one number.
   std::uint64_t Bits() const {
     std::uint64_t bits;
     std::memcpy(&bits, this, sizeof(bits));
@@ -95,12 +96,11 @@ struct NodeShape {
 static_assert(sizeof(NodeShape) == 8);
 
 /// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
-/// that sort one number into many bands make many joins below one memory; one comparison settles all but a few of
-/// them.
+/// that sort one number into many bands make many joins below one memory; one comparison decides all but a few of them.
 struct ValueFilter {
   std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
 
-  /// Ascending with a small integer's value.
+  /// Grows with a small integer's value.
   static std::uint32_t Place(std::uint32_t bits) { return bits ^ 1u << (Symbol::kIndexBits - 1); }
   static bool Knows(std::uint32_t bits) {
     return bits >> Symbol::kIndexBits == static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger);
@@ -117,12 +117,12 @@ struct Node : NodeShape {
                                      ///< Shared conjunctive node: the anchors of its conjunction.
   std::uint32_t counterpart = kNil;  ///< See partner() and rule().
   std::uint32_t share_hash = 0, share_next = kNil;
-  std::uint32_t only_memory = kNil;  ///< The child if there is just one and it is a memory: the common case.
+  std::uint32_t only_memory = kNil;  ///< The only child, if it is a memory: the common case.
   ValueFilter filter;                ///< kJoin.
 
   /// Between a conjunctive node and its partner. kPaths: the conjunctive node.
   std::uint32_t partner() const { return counterpart; }
-  /// Of a conjunctive node: is its conjunction a shared one?
+  /// Whether a conjunctive node belongs to a shared conjunction.
   bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
   /// A join whose memory is indexed by the element's identifier alone: the common case, in one comparison.
   bool IsJoinById() const {
@@ -137,8 +137,8 @@ struct Node : NodeShape {
         of_both(static_cast<std::uint8_t>(NodeKind::kJoin), static_cast<std::uint8_t>(KeyKind::kId));
     return (Bits() & kBoth) == kJoinById;
   }
-  /// A memory whose pairs are found by the value of their element and what their token binds: (s ^many x) above
-  /// (x ^attribute known).
+  /// A memory that finds its pairs by the value of their element and a binding of their token: (s ^many x) above (x
+  /// ^attribute known).
   bool IsHop() const {
     return key_id_levels == 0 && key_id_field == Field::kValue &&
            (key == KeyKind::kId || (key == KeyKind::kIdValue && key_value_levels != 0));
@@ -151,20 +151,20 @@ struct Node : NodeShape {
 
 static_assert(sizeof(Node) == 64, "nodes are addressed by a shift");
 
-/// A node that is wanted.
+/// A description of a node to find or make.
 struct NodePlan {
-  // What makes nodes alike: rules share those that are.
+  // These make nodes equal: rules share equal nodes.
   std::uint32_t parent = kNil;
   std::uint32_t alpha = kNil;
   NodeShape shape;
   std::span<const NodeTest> tests;
   std::span<const std::uint32_t> disjuncts;  ///< Of the tests.
-  std::uint32_t digest = 0;                  ///< Spreads nodes that FindShared never looks for.
-  // What else it gets if it is made.
+  std::uint32_t digest = 0;                  ///< Distinguishes nodes that FindShared never looks for.
+  // These only matter if the node is made.
   std::uint32_t ancestor = kNil;
   std::uint32_t rule = kNil;
 
-  /// Of what makes nodes alike.
+  /// Of the fields that make nodes equal.
   std::uint32_t Hash() const;
 };
 
@@ -179,17 +179,17 @@ struct Alpha {
   friend bool operator==(const Alpha&, const Alpha&) = default;
 };
 
-/// What an alpha memory's mask selects of an element.
+/// What an alpha memory's mask selects from an element.
 struct MaskUse {
   std::uint32_t field[3];         ///< All bits or none.
-  std::uint32_t hash_of_kind[2];  ///< By whether the memory is one of acceptable elements.
+  std::uint32_t hash_of_kind[2];  ///< By whether the memory holds acceptable elements.
 
   explicit constexpr MaskUse(std::uint32_t mask)
       : field{0u - (mask & 1), 0u - (mask >> 1 & 1), 0u - (mask >> 2)},
         hash_of_kind{mask * 2 * 0x27D4EB2Fu, (mask * 2 + 1) * 0x27D4EB2Fu} {}
 };
 
-/// The topology of a Rete: which tests where. Holds nothing that changes while rules run, so that agents with the same
+/// The topology of a Rete: the tests of each node. Holds nothing that changes while rules run, so agents with the same
 /// rules can share it. Node 0 is the root. Children are listed newest first.
 class [[gnu::visibility("hidden")]] Network {
  public:
@@ -264,25 +264,25 @@ class [[gnu::visibility("hidden")]] Network {
     return kNil;
   }
 
-  // Building. The caller keeps the agent's state in step (rete_nodes.cpp). ----------------------------------------
+  // Building. The caller updates the agent's state (rete_nodes.cpp). ------------------------------------------------
 
   std::uint32_t AddAlpha(const std::uint32_t(&constants)[3], std::uint32_t mask, bool acceptable);
   void UseAlpha(std::uint32_t alpha) {
     ++alphas_[alpha].uses;
   }
-  /// True if that was the last use; the memory is gone then.
+  /// True if that was the last use; then the memory is gone.
   bool DropAlpha(std::uint32_t alpha);
 
-  /// A node that is what is planned, or kNil. Not for productions. `hash`: of the plan, here and below.
+  /// A node equal to the plan, or kNil. Not for productions. `hash`: of the plan, here and below.
   std::uint32_t FindShared(const NodePlan& plan, std::uint32_t hash) const;
-  /// The first production with the parent and the digest of what is planned, or the next one after `after`.
+  /// The first production with the plan's parent and digest, or the next one after `after`.
   std::uint32_t FindProduction(const NodePlan& plan, std::uint32_t hash, std::uint32_t after = kNil) const;
   /// Makes a node at the head of its parent's children.
   std::uint32_t AddNode(const NodePlan& plan, std::uint32_t hash);
-  /// The node has no children. Its tests go with it.
+  /// The node must have no children. Its tests are removed with it.
   void RemoveNode(std::uint32_t node);
   void MoveToHead(std::uint32_t node);
-  /// Both have the same parent.
+  /// Both must have the same parent.
   void MoveBehind(std::uint32_t node, std::uint32_t sibling);
   void SetPartner(std::uint32_t conjunctive, std::uint32_t partner);
   /// Of a shared conjunction.
@@ -293,12 +293,12 @@ class [[gnu::visibility("hidden")]] Network {
 
   // Sharing. ------------------------------------------------------------------------------------------------------
 
-  /// Lets an agent have the network that it holds for itself, to change it: a fork if others hold it, too.
+  /// Lets an agent change its network: forks it if others hold it, too.
   static void Own(std::shared_ptr<Network> & network);
-  /// A copy to be changed. `many`: more copies may be asked for. They share what they leave as it is, page by page, if
-  /// there is enough of it. Any thread may ask.
+  /// A copy to change. `many`: more copies may follow. They share unchanged pages, if there are enough. Any thread may
+  /// call it.
   std::shared_ptr<Network> Fork(bool many) const;
-  /// It has one owner and is about to be changed: the next copies are made of what it becomes.
+  /// The network has one owner and is about to change: later copies start from the result.
   void BeginChange() {
     if (has_images_) {
       ForgetImages();
@@ -346,10 +346,10 @@ class [[gnu::visibility("hidden")]] Network {
   std::uint8_t masks_of_attribute_[2][kAttributeClasses];
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
-  std::uint32_t most_per_bucket_ = 1;  ///< On the average. In a fork more: sorting all nodes anew would write to all.
+  std::uint32_t most_per_bucket_ = 1;  ///< On average. More in a fork: sorting all nodes again would write to them all.
   std::vector<std::shared_ptr<const RuleInfo>> rules_;
   std::uint64_t digest_ = 0x9E3779B97F4A7C15u;
-  mutable bool has_images_ = false;  ///< Large arrays are there as images, too, for copies to share.
+  mutable bool has_images_ = false;  ///< Large arrays also exist as images, for copies to share.
 };
 
 }  // namespace soarbox::kernel

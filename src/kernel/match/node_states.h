@@ -12,7 +12,7 @@
 
 namespace soarbox::kernel {
 
-/// A node's part of the agent's state, in the four words that nodes of its kind need.
+/// A node's part of the agent's state, in the four words that this kind of node needs.
 ///
 /// Unlinking: a join is not in its memory's list while its alpha memory is empty, and not in the alpha memory's list
 /// while its memory is empty, but it is always in at least one of the two. A negative node is in its alpha memory's
@@ -23,7 +23,7 @@ struct NodeState {
     std::uint32_t next_left;    ///< Join: in its memory's list.
   };
   union {
-    std::uint32_t count = 0;  ///< Tokens; of a sparse memory also parked pairs that are not stale.
+    std::uint32_t count = 0;  ///< Tokens; for a sparse memory also parked pairs that are not stale.
     std::uint32_t previous_left;
   };
   union {
@@ -39,31 +39,31 @@ struct NodeState {
 };
 static_assert(sizeof(NodeState) == 16, "nodes are addressed by a shift");
 
-/// The small part of a node's state, in an array of its own so that it costs no more than it is. One number of 16 bits:
-/// storing bytes, which may be part of anything, would make the compiler forget what it has in registers.
+/// The small part of a node's state, in its own array to avoid padding. It is one number of 16 bits: stores of bytes,
+/// which may alias anything, would make the compiler reload its registers.
 class NodeMarks {
  public:
-  // What a node has to do with sparse memories (rete_sparse.cpp).
-  static constexpr std::uint16_t kSparse = 0x100;       ///< Is one.
+  // How a node relates to sparse memories (rete_sparse.cpp).
+  static constexpr std::uint16_t kSparse = 0x100;       ///< It is one.
   static constexpr std::uint16_t kAboveSparse = 0x200;  ///< Memory: its only join feeds one.
   static constexpr std::uint16_t kFeedsSparse = 0x400;  ///< Join: its only child is one.
-  // What else the end of a token depends on.
-  static constexpr std::uint16_t kNegative = 0x800;  ///< Is a negative node.
-  static constexpr std::uint16_t kOther = 0x1000;    ///< Is neither a negative node nor a memory.
+  // What else matters when a token ends.
+  static constexpr std::uint16_t kNegative = 0x800;  ///< It is a negative node.
+  static constexpr std::uint16_t kOther = 0x1000;    ///< It is neither a negative node nor a memory.
   static constexpr std::uint16_t kUncommonEnd = kSparse | kAboveSparse | kOther;
-  static constexpr std::uint16_t kInPath = 0x8000;  ///< Is part of a shared conjunction.
+  static constexpr std::uint16_t kInPath = 0x8000;  ///< It is part of a shared conjunction.
   // See NodeState on unlinking.
   static constexpr std::uint16_t kLeftLinked = 0x2000;   ///< Join.
   static constexpr std::uint16_t kRightLinked = 0x4000;  ///< Join, negative.
 
-  /// Any of them.
+  /// True if any of these marks is set.
   bool Is(std::uint16_t mark) const { return (word_ & mark) != 0; }
   void Set(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ | mark); }
   void Unset(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ & ~mark); }
 
   /// Of the node's table of tokens; 0: it has none.
   std::uint32_t bits() const { return word_ & 0xFFu; }
-  /// Of a memory: its tokens are all tokens there are, in one list.
+  /// For a memory: all its tokens are in one list.
   bool HasList() const { return (word_ & (0xFFu | kSparse)) == 0; }
   void SetBits(std::uint32_t bits) { word_ = static_cast<std::uint16_t>((word_ & 0xFF00u) | bits); }
 
@@ -71,10 +71,10 @@ class NodeMarks {
   std::uint16_t word_ = 0;
 };
 
-/// An agent's part of each node: the tokens that stand there, by key, and which joins are linked on which side.
+/// An agent's part of each node: its tokens, by key, and which joins are linked on which side.
 ///
-/// Invariants: see NodeState on unlinking; tokens of a bucket stand newest first, but in sparse memories that say that
-/// they do not.
+/// Invariants: see NodeState on unlinking; the tokens of a bucket are newest first, except in sparse memories marked as
+/// unsorted.
 class [[gnu::visibility("hidden")]] NodeStates {
  public:
   NodeState& operator[](std::uint32_t node) {
@@ -96,14 +96,14 @@ class [[gnu::visibility("hidden")]] NodeStates {
     return states_.size();
   }
 
-  /// There are this many nodes at least.
+  /// Makes room for at least so many nodes.
   void MakeRoom(std::size_t count);
-  /// A node has gone: its state is as good as new.
+  /// A node has been removed: resets its state.
   void Reset(std::uint32_t node);
 
   // Tokens --------------------------------------------------------------------------------------------------------
 
-  /// The first token of the bucket in which tokens with this key stand (among others). `bits`: of the node's marks.
+  /// The first token of the bucket that holds tokens with this key (among others). `bits`: of the node's marks.
   [[gnu::always_inline]] std::uint32_t BucketHead(std::uint32_t node, std::uint32_t bits, std::uint32_t key) const {
     const std::uint32_t head = states_[node].head;
     return bits == 0 ? head : tables_[head + TablePool::Hash(key, bits)];
@@ -111,7 +111,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
   std::uint32_t BucketHead(std::uint32_t node, std::uint32_t key) const {
     return BucketHead(node, marks_[node].bits(), key);
   }
-  /// Puts a token at the head of its bucket and lets the table grow with the number of tokens, which is in `counter`.
+  /// Puts a token at the head of its bucket and grows the table with the number of tokens, which is in `counter`.
   [[gnu::always_inline]] void Insert(TokenPool & tokens, NodeState & memory, std::uint32_t node, std::uint32_t index,
                                      std::uint32_t key, bool keyed, std::uint32_t& counter) {
     const Records<Token> all = tokens.records();
@@ -156,7 +156,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
       all[next].previous_in_bucket = index;
     }
   }
-  /// Takes a token off its bucket. Counting is the caller's part.
+  /// Removes a token from its bucket. The caller updates the count.
   [[gnu::always_inline]] void UnlinkFromBucket(Records<Token> all, std::uint32_t node, const Token& token) {
     const std::uint32_t next = token.next_in_bucket;
     const std::uint32_t previous = token.previous_in_bucket;
@@ -175,7 +175,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
     UnlinkFromBucket(tokens.records(), node, tokens[token]);
     --states_[node].count;
   }
-  /// Calls visit(token) for the tokens of a node, which may go meanwhile.
+  /// Calls visit(token) for the tokens of a node; visit may remove them.
   template <typename Visit>
   void ForEachToken(const TokenPool& tokens, std::uint32_t node, Visit&& visit) const {
     const std::uint32_t head = states_[node].head;
@@ -189,19 +189,19 @@ class [[gnu::visibility("hidden")]] NodeStates {
       }
     }
   }
-  /// Puts the tokens of all buckets in order.
+  /// Sorts the tokens of all buckets.
   void SortBuckets(TokenPool & tokens, std::uint32_t node);
 
   // Links ---------------------------------------------------------------------------------------------------------
 
-  /// Puts a join onto the list of its memory, or takes it off.
+  /// Adds a join to the list of its memory, or removes it.
   void LinkLeft(std::uint32_t join, std::uint32_t memory);
   void UnlinkLeft(std::uint32_t join, std::uint32_t memory);
   /// The same for a join or a negative node and its alpha memory.
   void LinkRight(const Network& network, AlphaState& alpha, std::uint32_t node);
   void UnlinkRight(AlphaState & alpha, std::uint32_t node);
 
-  /// No node has tokens, and none is linked.
+  /// Frees all memory: no node has tokens, and none is linked.
   void Release();
   void ShrinkToFit() {
     states_.shrink_to_fit();

@@ -19,7 +19,7 @@ inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
   return (left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall;
 }
 
-/// One comparison with a constant or a binding. False in `decided` if it is none of the common ones.
+/// One comparison with a constant or a binding. `decided` is false if it is not one of the common ones.
 [[gnu::always_inline]] inline bool Compare(const TokenPool& tokens, const WmeTable& wmes, const NodeTest& test,
                                            std::uint32_t parent, std::uint32_t left, const Wme& element,
                                            bool& decided) {
@@ -46,7 +46,7 @@ inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
   return false;
 }
 
-/// The key that an element has for a node.
+/// The key of an element for a node.
 inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
   switch (node.key) {
     case KeyKind::kNone:
@@ -59,7 +59,7 @@ inline std::uint32_t KeyOfElement(const Node& node, const Wme& wme) {
   return 0;
 }
 
-/// Whether a pair has the identifier and value of an element; to be asked of kIdValue keys that are equal.
+/// Whether a pair has the identifier and value of an element; call it when kIdValue keys are equal.
 inline bool HasKey(const TokenPool& pool, const WmeTable& table, const Node& node, std::uint32_t parent,
                    std::uint32_t left, const Wme& wme) {
   if (node.key != KeyKind::kIdValue) {
@@ -75,7 +75,7 @@ inline bool HasKey(const TokenPool& pool, const WmeTable& table, const Node& nod
   return HasKey(pool, table, node, pool[token].parent, pool[token].wme, wme);
 }
 
-/// The tests of a join with a pair: what a token stands for, (parent, left), and an element.
+/// The tests of a join on a pair: a token's (parent, left), and an element.
 class [[gnu::visibility("hidden")]] PairTests {
  public:
   PairTests(const std::shared_ptr<Network>& network, const TokenPool& tokens, const WmeTable& wmes,

@@ -9,8 +9,8 @@
 
 namespace soarbox::kernel {
 
-/// Draws rules and elements from a small world, so that much matches: few identifiers, attributes and values, which
-/// also makes an element match twice in a rule. The same seed draws the same.
+/// Draws rules and elements from a small world, so that many match: it has few identifiers, attributes and values, so
+/// an element often matches twice in a rule. The same seed draws the same.
 class RandomRules {
  public:
   RandomRules(MatchFixture& fixture, std::uint32_t seed);

@@ -10,7 +10,7 @@
 
 namespace soarbox::kernel {
 
-/// The records of a RecordArray where they are now: good until the array grows.
+/// The current addresses of the records of a RecordArray: valid until the array grows.
 template <typename T>
 class Records {
  public:
@@ -22,9 +22,9 @@ class Records {
   Byte* base_;
 };
 
-/// A growing array of plain records for the innermost loops. Records are addressed by a 32-bit handle, their distance
-/// from the start in bytes, so that following a link costs no multiplication. They are never destroyed one by one; the
-/// whole moves by reallocation, which for large arrays copies nothing.
+/// A growing array of plain records for the innermost loops. A 32-bit handle addresses a record: its distance from the
+/// start in bytes, so that following a link needs no multiplication. Records are never destroyed one by one. The whole
+/// array moves by reallocation, which for large arrays copies nothing.
 template <typename T>
 class RecordArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -42,17 +42,17 @@ class RecordArray {
   std::size_t size() const { return used_ / sizeof(T); }
   std::size_t MemoryBytes() const { return capacity_; }
 
-  /// Gives all memory back.
+  /// Frees all memory.
   void Release() {
     std::free(data_);
     data_ = nullptr;
     used_ = capacity_ = 0;
   }
-  /// From now on it grows to no more than `records` records: as if there were no memory for more. What there is stays.
+  /// Limits its growth to `records` records, as if there were no memory for more. Existing records stay.
   void SetLimit(std::size_t records) {
     limit_ = static_cast<std::uint32_t>(std::min(records, kMostBytes / sizeof(T)) * sizeof(T));
   }
-  /// The limit left no room for one more record. (Else it was the system.)
+  /// True if the limit left no room for another record. (Otherwise it was the system.)
   bool at_limit() const { return used_ >= limit_; }
   /// Appends one record, uninitialised, and returns its handle.
   std::uint32_t Append() {

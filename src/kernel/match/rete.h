@@ -25,11 +25,11 @@ class Network;
 /// 1995), hashed joins, negation and conjunctive negation.
 ///
 /// The topology (Network) is immutable once shared and common to all agents that run the same rules; the contents of
-/// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule forks a shared
-/// topology first. No allocation in the steady state.
+/// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule first forks a shared
+/// topology. No allocation in the steady state.
 ///
 /// Order is part of the contract: every list is last in, first out, as kernel_algorithms says, so that firing order,
-/// identifiers and timetags come out as in the reference.
+/// identifiers and time tags equal those of the reference.
 ///
 /// Single-threaded per agent.
 class Rete {
@@ -55,8 +55,8 @@ class Rete {
 
   // Rules -----------------------------------------------------------------------------------------------------------
 
-  /// Builds or shares nodes for the rule's conditions and matches it against working memory at once. A rule whose
-  /// conditions end at the same node and whose actions are equal to another's is a duplicate and is not added.
+  /// Builds or shares nodes for the rule's conditions and matches it with working memory at once. A rule whose
+  /// conditions end at the same node as another's and whose actions are equal is a duplicate and is not added.
   Added AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options);
   Added AddProduction(ProductionPtr production, const GoalView& goals) {
     return AddProduction(std::move(production), goals, AddOptions());
@@ -69,41 +69,41 @@ class Rete {
   /// Called when a match of a rule both elaborates and applies its operator; once per match. The match is then
   /// i-supported.
   void OnMixedSupport(std::function<void(ProductionId)> callback);
-  /// Whether such a match has o-support (and is not told).
+  /// Whether such a match has o-support (then the callback is not called).
   void MixedSupportIsO(bool is_o);
 
   // Working memory --------------------------------------------------------------------------------------------------
 
-  /// Adds to the match an element that the table holds already; removes one that it still holds.
+  /// Adds to the match an element that the table already holds, or removes one that it still holds.
   void AddWme(WmeId wme, const GoalView& goals);
   void RemoveWme(WmeId wme, const GoalView& goals);
   /// Forgets all elements and matches, keeps the rules (init-soar).
   void Clear();
-  /// Memory ran out in the middle of a change: gives the memory of partial matches back. From then on nothing may be
+  /// Call when memory ran out in the middle of a change: frees the memory of partial matches. After that nothing may be
   /// matched; rules and the match set stay readable, and the queries below find no matches.
   void Abandon();
 
   /// A match without a rule in the network, fired from the start: it becomes a retraction as soon as one of the
-  /// elements leaves the match. This is all that a justification without negated conditions needs.
-  /// `production` of such a match is ProductionId::kNone.
+  /// elements leaves the match. A justification without negated conditions needs no more. `production` of such a match
+  /// is ProductionId::kNone.
   MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
-  /// Ends it as if one of its elements left.
+  /// Ends the match as if one of its elements left.
   void RetractFixedMatch(MatchId match);
 
-  /// How many partial matches there may be at the same time: what needs more throws std::bad_alloc, as if memory had
-  /// run out. (Partial matches that a memory keeps apart are counted for themselves, memory by memory.)
+  /// The most partial matches at the same time: more throw std::bad_alloc, as if memory had run out. (Partial matches
+  /// that a memory parks are counted separately, memory by memory.)
   void LimitPartialMatches(std::uint32_t most);
-  /// It was this limit that left no room.
+  /// True if this limit left no room.
   bool at_limit() const;
 
-  /// How many more partial matches must have come to a memory in vain than not before it keeps those apart that join
-  /// with nothing (256). Changes speed only; for tests.
-  void ParkAfter(std::uint32_t matches);
-  /// How many nodes must wait for an alpha memory's elements before it knows who waits for which identifier (32).
+  /// A memory parks the partial matches that join with nothing once so many more have come in vain than not (256).
   /// Changes speed only; for tests.
+  void ParkAfter(std::uint32_t matches);
+  /// How many nodes must wait for an alpha memory's elements before it tracks which node waits for which identifier
+  /// (32). Changes speed only; for tests.
   void BusyFrom(std::uint32_t nodes);
-  /// Whether conjunctive negations of rules that are added from now on may be shared (rete_shared.cpp): they are,
-  /// unless a test compares the two ways.
+  /// Whether conjunctive negations of rules added from now on may be shared (rete_shared.cpp): yes, unless a test
+  /// compares the two ways.
   void ShareConjunctions(bool share);
 
   // The match set ---------------------------------------------------------------------------------------------------
@@ -122,11 +122,12 @@ class Rete {
   std::size_t CountAfter(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Oldest first.
   PartialMatches MatchesAfter(ProductionId production, std::span<const std::uint16_t> path) const;
-  /// What reaches the condition, oldest first.
+  /// The partial matches that reach the condition, oldest first.
   PartialMatches MatchesBefore(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Elements that pass the condition's constant tests, newest first. Empty for a conjunctive negation.
   std::vector<WmeId> RightMatches(ProductionId production, std::span<const std::uint16_t> path) const;
-  /// Tokens in the memories of a rule; shared ones count for each rule that uses them. `complete`: with whole matches.
+  /// Tokens in the memories of a rule; shared ones count for each rule that uses them. `complete`: includes whole
+  /// matches.
   std::size_t CountTokens(ProductionId production, bool complete = true) const;
   static constexpr std::size_t kTokenBytes = 64;
 
@@ -136,8 +137,8 @@ class Rete {
   /// A digest of all rules added and excised so far. Agents with equal digests, equal frozen symbols and equal rules
   /// have equal topologies.
   std::uint64_t NetworkDigest() const;
-  /// Uses `network` in place of its own if the two are equal, and gives back what room its own state had for more nodes
-  /// and rules; false (and no change) if not.
+  /// Replaces its own network by `network` if the two are equal, and frees the room in its own state for more nodes and
+  /// rules; false (and no change) otherwise.
   bool AdoptNetwork(const std::shared_ptr<const Network>& network);
 
   struct Statistics {

@@ -14,20 +14,20 @@ namespace soarbox::kernel {
 
 struct ReteState;
 
-/// Adds rules to the network of an agent and takes them out: turns the conditions of one rule into nodes, sharing those
-/// that exist.
+/// Adds rules to the network of an agent and removes them: turns the conditions of one rule into nodes, and shares
+/// those that exist.
 ///
-/// Depth counts conditions from the top, negated ones and conjunctive negations as one each; inside a conjunctive
-/// negation it goes on from the conditions in front of it. A binding at depth b is seen from a condition at depth d as
-/// d - b levels up. A condition that tests a variable for equality binds it anew, so that later conditions find it as
-/// few levels up as can be.
+/// Depth counts conditions from the top, with a negated condition or a conjunctive negation as one; inside a
+/// conjunctive negation it continues from the conditions before it. From a condition at depth d, a binding at depth b
+/// is d - b levels up. A condition that tests a variable for equality binds it again, so that later conditions find it
+/// as few levels up as possible.
 class [[gnu::visibility("hidden")]] ReteBuilder {
  public:
   explicit ReteBuilder(ReteState & state) : state_(state) {}
 
   /// See Rete::AddProduction. The goals are those of the state.
   Rete::Added AddProduction(ProductionPtr production, const Rete::AddOptions& options);
-  /// See Rete::ExciseProduction; the rule is there.
+  /// See Rete::ExciseProduction; the rule must exist.
   void ExciseProduction(std::uint32_t production);
 
  private:
@@ -39,7 +39,7 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
     std::uint32_t variable = 0;
     Binding before;
   };
-  /// The tests of one condition, taken apart.
+  /// The tests of one condition, by where they are carried out.
   struct Tests {
     std::uint32_t constants[3] = {0, 0, 0};
     std::uint32_t mask = 0;
@@ -50,14 +50,14 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
 
   /// The node that emits the rule's complete matches.
   std::uint32_t Build(std::span<const Condition> conditions);
-  /// The node that emits while all of a rule's negated conditions hold, whatever else matches (rete_guard.cpp).
+  /// The node that emits while none of a rule's negated conditions matches, whatever else matches (rete_guard.cpp).
   std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
   bool CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const;
   bool AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, const Rete::AddOptions& options);
   void EnterRule(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, std::uint32_t node);
   void MatchNewRule(std::uint32_t node, const Rete::AddOptions& options);
   void RemoveUnused(std::uint32_t node);
-  /// A join of this memory has gone.
+  /// A join of this memory has been removed.
   void JoinRemoved(std::uint32_t memory) {
     MoveIfJoinsAre(1, memory);
   }
@@ -93,10 +93,10 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
   void Unbind(std::size_t trail);
 
   ReteState& state_;
-  /// A shared conjunction that is being built. Its own conditions are tested where they stand; what compares them with
-  /// earlier bindings, once they have all been met.
+  /// A shared conjunction under construction. Its own conditions are tested where they are; comparisons with earlier
+  /// bindings follow once they have all matched.
   struct Path {
-    std::uint32_t first = kNil;  ///< Depth of its first condition; kNil: none is being built.
+    std::uint32_t first = kNil;  ///< Depth of its first condition; kNil: none is under construction.
     std::uint32_t last = 0;
     bool anchored = false;  ///< The identifier of the first condition has been seen.
     NodeShape anchor;       ///< Where the owner has this identifier. Only its key fields.
@@ -110,7 +110,7 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
   Path path_;
   std::vector<Symbol> inside_;     ///< Scratch: variables of a conjunction.
   std::vector<Binding> bindings_;  ///< By variable.
-  std::vector<Rebinding> trail_;   ///< What was bound, in order, and what it was before.
+  std::vector<Rebinding> trail_;   ///< Bound variables, in order, with their earlier bindings.
 };
 
 }  // namespace soarbox::kernel

@@ -5,10 +5,10 @@
 
 #include "kernel/match/rete_state.h"
 
-/// The innermost loops, shared by the files of the Rete.
+/// The innermost loops, which the files of the Rete share.
 namespace soarbox::kernel {
 
-/// Makes a token. Everything but its bucket and its key is set.
+/// Makes a token. Sets everything but its bucket and its key.
 [[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
                                                       std::uint32_t wme) {
   return state.tokens.Make(state.links, node, parent, wme);
@@ -33,7 +33,8 @@ namespace soarbox::kernel {
   return parts;
 }
 
-/// Whether (parent, left) and an element pass a join's tests, with the commonest case (one comparison) at hand.
+/// Whether (parent, left) and an element pass a join's tests, with a short path for the most common case (one
+/// comparison).
 [[gnu::always_inline]] inline bool PassesAll(const ReteState& state, const Network& network, const Node& node,
                                              std::uint32_t parent, std::uint32_t left, const Wme& element) {
   const NodeTest* test = network.tests(node).data();
@@ -46,7 +47,7 @@ namespace soarbox::kernel {
   return true;
 }
 
-/// Calls visit(element) for the pairs of a run, parked in a sparse memory, that are still there, newest element first,
+/// Calls visit(element) for the pairs of a run, parked in a sparse memory, that still exist, newest element first,
 /// until it returns true.
 template <typename Visit>
 void ForEachOfRun(const ReteState& state, std::uint32_t memory, const ParkedRun& run, Visit&& visit) {

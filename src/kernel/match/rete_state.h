@@ -28,20 +28,20 @@
 
 namespace soarbox::kernel {
 
-/// While a new rule is matched for the first time: the match that counts as fired.
+/// The match that counts as fired, during a new rule's first match.
 struct Refraction {
   std::uint32_t node = kNil;  ///< Of the rule.
   std::span<const WmeId> elements;
   InstantiationId instantiation = InstantiationId::kNone;
-  MatchId match = MatchId::kNone;  ///< Once it was found.
+  MatchId match = MatchId::kNone;  ///< Set once it is found.
 };
 
-/// The contents of one agent's Rete, in parts that own what they hold, and the algorithms that need several of them,
-/// file by file: rete_match (additions), rete_join (joins and memories), rete_sparse (memories that park pairs),
-/// rete_shared (conjunctions that tokens share), rete_guard (justifications with negations), rete_remove, rete_nodes
-/// (nodes come and go). What needs a few parts only takes just these: PairTests, JoinLinks, EmissionReader,
-/// SharedConjunctions, fixed_match. Rules come and go in ReteBuilder (rete_rules, rete_builder); what may be asked is
-/// in rete_query and rete_check.
+/// The contents of one agent's Rete, in parts that own their data, and the algorithms that need several parts, file by
+/// file: rete_match (additions), rete_join (joins and memories), rete_sparse (memories that park pairs), rete_shared
+/// (conjunctions that tokens share), rete_guard (justifications with negations), rete_remove, rete_nodes (adding and
+/// removing nodes). Code that needs only a few parts takes just these: PairTests, JoinLinks, EmissionReader,
+/// SharedConjunctions, fixed_match. ReteBuilder (rete_rules, rete_builder) adds and removes rules; the queries are in
+/// rete_query and rete_check.
 struct [[gnu::visibility("hidden")]] ReteState {
   ReteState(MatchSet & matches, const SymbolTable& symbols, const WmeTable& wmes);
   ~ReteState();
@@ -52,7 +52,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   const SymbolTable& symbols;
   const WmeTable& wmes;
   GoalView goals;
-  std::shared_ptr<Network> network;  ///< Changed only while this agent alone holds it.
+  std::shared_ptr<Network> network;  ///< Changed only while no other agent holds it.
 
   // The parts.
   TokenPool tokens;
@@ -70,7 +70,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
 
   std::uint32_t most_partial_matches = 0xFFFFFFFFu;
   bool excising = false;
-  bool abandoned = false;               ///< There are no tokens any more, whatever matches.
+  bool abandoned = false;               ///< There are no tokens any longer, whatever matches.
   std::vector<WmeId> elements;          ///< Scratch for a new match.
   std::vector<Emission> primed;         ///< Scratch for Prime.
   std::vector<std::uint32_t> gathered;  ///< Scratch: tokens that an element joins with.
@@ -140,7 +140,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   bool TakeFromRun(std::uint32_t node, ParkedPair & pair);
   void ExpandRuns(std::uint32_t node);
   void ForgetPairs(std::uint32_t join, std::uint32_t wme);
-  /// Counts off pairs of a sparse memory.
+  /// Subtracts pairs from the count of a sparse memory.
   void ForgetPairsOf(std::uint32_t memory, std::uint32_t pairs) {
     std::uint32_t& count = nodes[memory].count;
     count -= pairs;

@@ -8,16 +8,15 @@
 
 namespace soarbox::kernel {
 
-/// What a token of a memory is indexed by.
+/// The key of a token of a memory.
 struct KeyParts {
   std::uint32_t key = 0;    ///< As in Token::key.
   std::uint32_t id = 0;     ///< kId, kIdValue.
   std::uint32_t value = 0;  ///< kIdValue.
 };
 
-/// The elements that the right side of a join or a negative node offers for keys: the one look-up there. Tests are
-/// still to be made. Good as long as nothing enters or leaves the alpha memory. An index that is worth its price is
-/// made.
+/// The elements that the right side of a join or a negative node offers for a key: the only look-up there. Tests still
+/// follow. Valid as long as nothing enters or leaves the alpha memory. Makes an index if that pays off.
 class [[gnu::visibility("hidden")]] RightSide {
  public:
   enum Kind : std::uint8_t { kIdTable, kPairTable, kAll, kIdList, kPairList };
@@ -69,7 +68,7 @@ class [[gnu::visibility("hidden")]] RightSide {
     }
     return kNil;
   }
-  /// The next one.
+  /// The next item with this key.
   template <Kind kind>
   [[gnu::always_inline]] std::uint32_t NextOf(std::uint32_t item, const KeyParts& key) const {
     const AlphaItem& at = alphas_.item(item);
@@ -100,7 +99,7 @@ class [[gnu::visibility("hidden")]] RightSide {
     }
     return kNil;
   }
-  /// Calls visit(element) for each element that is offered for a key, newest first.
+  /// Calls visit(element) for each element offered for a key, newest first.
   template <typename Visit>
   [[gnu::always_inline]] void ForEach(const KeyParts& key, Visit&& visit) const {
     switch (kind_) {

@@ -12,11 +12,11 @@
 
 namespace soarbox::kernel {
 
-/// What the match needs to know of a rule beside its nodes, computed once when it is added.
+/// What the match must know of a rule besides its nodes, computed once when it is added.
 ///
-/// Support (kernel_features section 10): a declared support decides; a rule that makes operator preferences on a goal
-/// is i-supported; a rule that tests the selected operator of its lowest goal is o-supported unless its actions change
-/// only that operator. Most rules are decided here; the rest looks at the goals of each match.
+/// Support (kernel_features section 10): a declared support decides. A rule that makes operator preferences on a goal
+/// is i-supported. A rule that tests the selected operator of its lowest goal is o-supported unless its actions change
+/// only that operator. Most rules are decided here; for the others the goals of each match decide.
 struct RuleInfo {
   enum class Support : std::uint8_t { kI, kO, kByMatch };
 
@@ -38,11 +38,11 @@ struct RuleInfo {
 
   /// True if the actions propose an operator to a goal: such a match is i-supported.
   bool Proposes(std::span<const WmeId> elements, const WmeTable& wmes, std::span<const GoalLevel> level_of_goal) const;
-  /// What the actions of a match do to the operators that a match of the rule (it or another one) tests.
+  /// What the actions of a match do to the operators that a match of the same rule (this one or another) tests.
   struct OperatorUse {
     bool elaborates = false;  ///< An action changes the operator.
     bool applies = false;     ///< An action changes something else.
-    Symbol selected;          ///< The operator that is tested; none if there is none, or more than one.
+    Symbol selected;          ///< The tested operator; none if there is none, or more than one.
   };
   /// `goal`: the lowest one of `tested`; `actor`: the elements of the match that acts.
   OperatorUse UseOfOperator(std::span<const WmeId> tested, Symbol goal, std::span<const WmeId> actor,
@@ -52,11 +52,11 @@ struct RuleInfo {
   std::unique_ptr<std::uint16_t[]> lists_;  ///< The lists, one behind the other.
 };
 
-/// True if the actions do the same, as far as Soar looks: variables count by where they are bound, not by name; what
-/// follows the first action that is a call does not count, nor do arguments that only one of two calls has. With
+/// True if the actions do the same, as far as Soar compares them: variables count by where they are bound, not by name.
+/// What follows the first call among the actions does not count, nor do arguments that only one of two calls has. With
 /// `ignore_rl_value` the number of two RL rules' preferences may differ.
 bool SameActions(const Production& a, const Production& b, bool ignore_rl_value);
-/// Equal for rules with the same actions (the number of RL rules does not count).
+/// Equal for rules with the same actions (ignoring the number of RL rules).
 std::uint32_t ActionsDigest(const Production& production);
 
 }  // namespace soarbox::kernel

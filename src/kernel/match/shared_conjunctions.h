@@ -14,24 +14,24 @@
 
 namespace soarbox::kernel {
 
-/// What an agent knows of conjunctions that tokens share (rete_shared.cpp).
+/// An agent's data on conjunctions that tokens share (rete_shared.cpp).
 struct [[gnu::visibility("hidden")]] SharedConjunctions {
   bool allowed = true;                           ///< See Rete::ShareConjunctions.
-  bool exist = false;                            ///< There are some, or have been.
+  bool exist = false;                            ///< There are some, or were.
   bool path_element = false;                     ///< The element that is leaving may be part of a path.
-  std::uint32_t last_owner = kNil;               ///< That was made.
+  std::uint32_t last_owner = kNil;               ///< The owner made last.
   std::vector<std::uint32_t> new_paths;          ///< Paths whose owners are still to be blocked.
   std::vector<OwnerAndPath> pairings, openings;  ///< Scratch.
 
-  /// Whether a path that has an owner's key blocks it.
+  /// Whether a path with an owner's key blocks it.
   static bool Pairs(const Network& net, const TokenPool& tokens, const WmeTable& wmes, const PairTests& tests,
                     std::uint32_t owner, std::uint32_t path);
   /// Whether a token belongs to a shared conjunction's own conditions.
   static bool IsInPath(const NodeStates& nodes, const Token& token);
   /// Whether a path without the element blocks an owner.
   static bool StaysBlocked(const TokenPool& tokens, std::uint32_t owner, std::uint32_t wme);
-  /// Finds the owners that nothing will block when the paths with an element have gone: those that are opened first
-  /// come last in `openings`. The element's tokens in paths move behind its other ones.
+  /// Finds the owners that nothing will block once the paths with an element are gone, in `openings`: those to open
+  /// first come last. The element's tokens in paths move behind its other ones.
   void FindOpenings(const Network& network, const NodeStates& nodes, TokenPool& tokens, ElementLinks& links,
                     std::uint32_t wme);
 };

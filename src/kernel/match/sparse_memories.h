@@ -17,26 +17,26 @@
 
 namespace soarbox::kernel {
 
-/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). Stale, and as good as gone, once its
-/// token or its element has left: then their records have changed hands since.
+/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). It is stale, and counts as gone, once
+/// its token or its element has left: then their records have been used again.
 struct ParkedPair {
   std::uint32_t parent;
   std::uint32_t wme;
   std::uint64_t serial;
-  std::uint32_t key;   ///< As of a token.
+  std::uint32_t key;   ///< As in a token.
   std::uint32_t next;  ///< In its bucket, or in the free list.
 };
 
-/// Pairs of one token with elements of its bucket that follow each other there, newest first, and that joined with
-/// nothing when the token came. Stale once the token has left; an element that has left is in the bucket no more.
+/// Pairs of one token with consecutive elements of its bucket, newest first, that joined with nothing when the token
+/// came. Stale once the token has left; an element that has left is no longer in the bucket.
 struct ParkedRun {
   std::uint32_t parent;
-  std::uint32_t count;           ///< At first; so many serial numbers are theirs.
+  std::uint32_t count;           ///< At first; the run owns so many serial numbers.
   std::uint64_t serial;          ///< Of the first pair.
-  std::uint64_t newest, oldest;  ///< When the first and the last element came.
+  std::uint64_t newest, oldest;  ///< When the first and the last element arrived.
 };
 
-/// For vectors whose new records are written before they are read: memory that is not used yet is not touched.
+/// For vectors whose records are written before they are read: does not touch memory before its use.
 template <typename T>
 struct UnsetAllocator : std::allocator<T> {
   template <typename U>
@@ -53,32 +53,32 @@ struct UnsetAllocator : std::allocator<T> {
   }
 };
 
-/// The rest of a sparse memory's state. Pairs are parked in a log; the first element that comes from the right moves
-/// them into a table by their key.
+/// The rest of a sparse memory's state. Pairs are parked in a log; the first element from the right moves them into a
+/// table by their key.
 struct SparseState {
   std::uint32_t node = kNil;
   std::uint32_t tokens = 0;                                 ///< Pairs that are tokens.
   std::vector<ParkedPair, UnsetAllocator<ParkedPair>> log;  ///< In use: the first `logged`.
   std::uint32_t logged = 0;
-  std::uint32_t log_limit = 0;  ///< Stale pairs are dropped, or the log grows, when it is as long as this.
+  std::uint32_t log_limit = 0;  ///< At this length, stale pairs are dropped or the log grows.
   std::vector<ParkedRun> runs;
   std::size_t run_limit = 0;   ///< Likewise.
   std::uint32_t indexed = 0;   ///< Pairs in the table.
   std::uint32_t table = kNil;  ///< Of buckets.
   std::uint8_t bits = 0;       ///< 0: no table.
   bool unsorted = false;       ///< Buckets of tokens may be out of order.
-  std::uint8_t tries = 0;      ///< How often the memory was plain again after it had been sparse.
-  std::uint32_t saved = 0;     ///< Pairs that went without ever being tokens.
+  std::uint8_t tries = 0;      ///< How often the memory was sparse and became plain again.
+  std::uint32_t saved = 0;     ///< Pairs that left without ever being tokens.
   std::uint32_t late = 0;      ///< Pairs that became tokens later.
 };
 
-/// The parked pairs of an agent's sparse memories, and what decides which memories are to become sparse or plain.
+/// The parked pairs of an agent's sparse memories, and the scores that make memories sparse or plain.
 ///
-/// Invariants: a pair that is not stale stands in the log or in the table of its memory, in one of the two; what is
-/// indexed is counted.
+/// Invariants: a pair that is not stale is either in the log or in the table of its memory; pairs in the table are
+/// counted.
 class [[gnu::visibility("hidden")]] SparseMemories {
  public:
-  /// Whether a memory may be sparse at all: it, the join above and the one below it stand in a row of single children.
+  /// Whether a memory may be sparse at all: it and the joins above and below it form a chain of only children.
   static bool CanBeSparse(const Network& net, std::uint32_t index);
 
   SparseState& operator[](std::uint32_t place) {
@@ -87,9 +87,9 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   const SparseState& operator[](std::uint32_t place) const {
     return *states_[place];
   }
-  /// A place for a memory that becomes sparse.
+  /// Reserves a place for a memory that becomes sparse.
   std::uint32_t Take();
-  /// The memory at this place is plain again, and its table has gone.
+  /// The memory at this place is plain again, and its table is gone.
   void GiveBack(std::uint32_t place);
 
   // Pairs ---------------------------------------------------------------------------------------------------------
@@ -106,11 +106,11 @@ class [[gnu::visibility("hidden")]] SparseMemories {
     }
     memory.runs.push_back(run);
   }
-  /// Drops stale pairs from a full log, and lets it grow if that leaves too many.
+  /// Drops stale pairs from a full log, and grows it if too many remain.
   void MakeRoomToPark(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory);
   /// Moves the log into the table.
   void Index(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory);
-  /// Takes the pairs with a key out of the table for which `leaves(pair)` is true.
+  /// Removes the pairs with a key from the table for which `leaves(pair)` is true.
   template <typename Leaves>
   void TakePairs(SparseState & memory, std::uint32_t key, Leaves && leaves) {
     std::uint32_t previous = kNil;
@@ -128,7 +128,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
       index = next;
     }
   }
-  /// Calls visit(pair) for all pairs in the table, and drops the table.
+  /// Calls visit(pair) for all pairs in the table, then drops the table.
   template <typename Visit>
   void TakeTable(SparseState & memory, Visit && visit) {
     for (std::uint32_t n = 0; n < 1u << memory.bits; ++n) {
@@ -153,8 +153,8 @@ class [[gnu::visibility("hidden")]] SparseMemories {
 
   // Scores --------------------------------------------------------------------------------------------------------
 
-  // The score of a memory that may become sparse: the number of its tries in the lowest bits, above them its points.
-  // On others it is kNil.
+  // The score of a memory that may become sparse: the number of its tries in the lowest bits, its points above them.
+  // For other memories it is kNil.
   static constexpr std::uint32_t kTryBits = 3;
   static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
   /// See Rete::ParkAfter. Each try makes a memory sixteen times as patient.
@@ -164,7 +164,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
       threshold_[tries] = static_cast<std::uint32_t>(points) << kTryBits | tries;
     }
   }
-  /// A pair has become a token of a memory that may become sparse, and did or did not join.
+  /// A pair has become a token of a memory that may become sparse; `joined` says whether it joined.
   void AddToScore(std::uint32_t & score, std::uint32_t node, bool joined) {
     if (joined) {
       LowerScore(score, 3);
@@ -178,9 +178,9 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   static void LowerScore(std::uint32_t & score, std::uint32_t weight) {
     score -= std::min(score & ~kTryMask, weight << kTryBits);
   }
-  /// `count` pairs of a sparse memory became tokens late: that is dear, and it may have to become plain.
+  /// `count` pairs of a sparse memory became tokens late. That is expensive, and the memory may have to become plain.
   void CountLate(SparseState & memory, std::size_t count);
-  /// Memories that are to change when the element is in.
+  /// Whether memories are to change once the element is in.
   bool HasChanges() const {
     return !becoming_sparse_.empty() || !becoming_plain_.empty();
   }
@@ -193,13 +193,13 @@ class [[gnu::visibility("hidden")]] SparseMemories {
 
   // All of them ---------------------------------------------------------------------------------------------------
 
-  /// No log and no table takes more pairs than this.
+  /// Limits the pairs in each log and each table.
   void SetLimit(std::uint32_t most);
-  /// One of them was that long.
+  /// True if one of them reached the limit.
   bool at_limit() const {
     return log_at_limit_ || parked_.at_limit();
   }
-  /// Calls visit(state) for those in use.
+  /// Calls visit(state) for the states in use.
   template <typename Visit>
   void ForEach(Visit && visit) const {
     for (const auto& state : states_) {
@@ -208,7 +208,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
       }
     }
   }
-  /// Gives all memory back.
+  /// Frees all memory.
   void Release();
   std::size_t MemoryBytes() const;
 
@@ -220,9 +220,9 @@ class [[gnu::visibility("hidden")]] SparseMemories {
     free_parked_ = index;
   }
 
-  std::vector<std::unique_ptr<SparseState>> states_;  ///< Those of memories that are plain again are used again.
+  std::vector<std::unique_ptr<SparseState>> states_;  ///< The states of memories that are plain again are used again.
   std::vector<std::uint32_t> free_;
-  RecordArray<ParkedPair> parked_;  ///< Indexed ones.
+  RecordArray<ParkedPair> parked_;  ///< Pairs in tables.
   std::uint32_t free_parked_ = kNil;
   TablePool tables_;
   std::vector<std::uint32_t> becoming_sparse_, becoming_plain_;

@@ -7,7 +7,7 @@
 
 namespace soarbox::kernel {
 
-/// Tables of 2^n words out of one array, with free lists by size. Offsets stay valid while the pool grows.
+/// Tables of 2^n words from one array, with free lists by size. Offsets stay valid while the pool grows.
 class TablePool {
  public:
   /// A table of 2^bits words, all kNil.

@@ -13,8 +13,8 @@
 
 namespace soarbox::kernel {
 
-/// A partial match at a node, or a blocking result. Tokens of a parent form a list, newest first; so do the tokens that
-/// hold an element. Kinds, by node:
+/// A partial match at a node, or a blocking result. The tokens of a parent form a list, newest first, and so do the
+/// tokens with the same element. Kinds, by node:
 ///
 /// * memory, negative, conjunctive: stands in a bucket of its node's memory (by `key`).
 /// * result of a negative node (kResultBit set): child of the negative token that it blocks; in no bucket. A blocked
@@ -28,8 +28,8 @@ namespace soarbox::kernel {
 /// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens. Of a guarded
 ///   rule (rete_guard.cpp): `previous_in_bucket` is kGuarded, `key` the guard.
 ///
-/// Tokens that a parked pair was made into late stand at the wrong place of their lists: then kUnsortedBit of the
-/// parent and WmeLinks::unsorted tell that the list is to be sorted by serial number before its order matters.
+/// A token that was made late from a parked pair is at the wrong place of its lists. Then kUnsortedBit of the parent
+/// and WmeLinks::unsorted say that the list must be sorted by serial number before its order matters.
 struct Token {
   std::uint32_t parent;
   std::uint32_t wme;
@@ -39,9 +39,9 @@ struct Token {
   std::uint32_t next_of_wme, previous_of_wme;
   std::uint32_t next_in_bucket, previous_in_bucket;
   std::uint32_t key;
-  std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token that the sparse memory holds, else 0.
+  std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token in the sparse memory, else 0.
   std::uint64_t serial;     ///< Running number: when it (or the parked pair that it was) reached its node.
-  std::uint64_t forgotten;  ///< Likewise: when a token with parked pairs last gave this record back. They are older.
+  std::uint64_t forgotten;  ///< When a token with parked pairs last freed this record: those pairs are older.
 
   static constexpr std::uint32_t kResultBit = 0x80000000u;
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
@@ -52,11 +52,11 @@ struct Token {
 };
 static_assert(sizeof(Token) == Rete::kTokenBytes);
 
-/// All tokens of an agent, their lists by parent and by element, and the running numbers that say what came before
-/// what.
+/// All tokens of an agent, their lists by parent and by element, and the running numbers that record the order of
+/// arrival.
 ///
-/// Invariants: a token is on the list of its parent and on that of its element, if it has them; a record that is free
-/// has no pairs.
+/// Invariants: a token is on the list of its parent and on that of its element, if it has them; a free record has no
+/// pairs.
 class [[gnu::visibility("hidden")]] TokenPool {
  public:
   Token& operator[](std::uint32_t token) {
@@ -86,7 +86,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
   void ForgetPairs(Token & token) {
     token.forgotten = last_forgotten_ = next_serial_;
   }
-  /// When one did so last.
+  /// When a token last did so.
   std::uint64_t last_forgotten() const {
     return last_forgotten_;
   }
@@ -94,7 +94,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
     next_serial_ = serial;
   }
 
-  /// Takes a record for a new token. Everything but its bucket and its key is set.
+  /// Takes a record for a new token. Sets everything but its bucket and its key.
   [[gnu::always_inline]] std::uint32_t Make(ElementLinks & elements, std::uint32_t node, std::uint32_t parent,
                                             std::uint32_t wme, std::uint64_t serial) {
     std::uint32_t index = free_;
@@ -140,7 +140,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
     return Make(elements, node, parent, wme, next_serial_++);
   }
 
-  /// Takes a token off its element's list.
+  /// Removes a token from its element's list.
   [[gnu::always_inline]] static void UnlinkFromElement(ElementLinks & elements, Records<Token> all,
                                                        const Token& token) {
     if (token.wme != kNil) [[likely]] {
@@ -162,11 +162,11 @@ class [[gnu::visibility("hidden")]] TokenPool {
           token.next_sibling;
     }
   }
-  /// Takes a token off the lists of its parent and its element.
+  /// Removes a token from the lists of its parent and its element.
   void Unlink(ElementLinks & elements, std::uint32_t token);
   /// Frees all results of a blocked conjunctive token.
   void FreeResults(ElementLinks & links, std::uint32_t owner);
-  /// A token that is on no list any more gives its record back.
+  /// Frees the record of a token that is on no list any longer.
   [[gnu::always_inline]] void Free(Token & token, std::uint32_t index) {
     token.next_sibling = free_;
     free_ = index;
@@ -175,20 +175,20 @@ class [[gnu::visibility("hidden")]] TokenPool {
     Free(records_[index], index);
   }
 
-  /// Newest first.
+  /// Sorts a list, newest first.
   void SortByAge(std::vector<std::uint32_t> & list) const;
   void SortChildren(std::uint32_t parent);
   void SortTokensOf(WmeLinks & element);
-  /// `head`: of a bucket.
+  /// `head`: that of a bucket.
   void SortBucket(std::uint32_t & head);
 
-  /// The token at the top of those that lead to a token.
+  /// The topmost of the tokens that lead to a token.
   std::uint32_t TopOf(std::uint32_t token) const;
-  /// Whether an element is part of what leads to a token; the token at the top has none.
+  /// Whether an element belongs to the tokens that lead to a token; the topmost token has none.
   bool Holds(std::uint32_t token, std::uint32_t wme) const;
 
   std::size_t CountInUse() const;
-  /// Calls visit(token) for each record that is free.
+  /// Calls visit(token) for each free record.
   template <typename Visit>
   void ForEachFree(Visit && visit) const {
     for (std::uint32_t token = free_; token != kNil; token = records_[token].next_sibling) {
@@ -201,7 +201,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
   bool at_limit() const {
     return records_.at_limit();
   }
-  /// Gives all memory back.
+  /// Frees all memory.
   void Release() {
     records_.Release();
     free_ = kNil;
@@ -226,7 +226,7 @@ inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t token,
   return tokens[token].wme;
 }
 
-/// The element bound `levels` steps up from the token that stands, or would stand, for (parent, wme).
+/// The element bound `levels` steps up from the token that represents, or would represent, (parent, wme).
 inline std::uint32_t ElementAt(Records<const Token> tokens, std::uint32_t parent, std::uint32_t wme,
                                std::uint32_t levels) {
   return levels == 0 ? wme : ElementAt(tokens, parent, levels - 1);

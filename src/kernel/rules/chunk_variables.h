@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 
 /// Renames the variables of a rule whose own names Soar does not keep (chunks and justifications): <s1> for states,
-/// else a letter from the attribute in front of the first occurrence and a number, in match order. Call before the
+/// otherwise a letter from the attribute before the first occurrence and a number, in match order. Call before the
 /// actions' variables are bound. Variables keep their numbers.
 void RenameVariables(RuleDraft& rule, const VariableIndex& variables, SymbolTable& symbols);
 

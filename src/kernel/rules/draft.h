@@ -9,10 +9,10 @@
 #include "kernel/rules/production.h"
 
 /// Rules while they are read, checked, reordered or derived from others: trees that can be changed. They live in an
-/// arena and go with it. Production::Make turns a draft into a finished rule.
+/// arena and end with it. Production::Make turns a draft into a finished rule.
 namespace soarbox::kernel {
 
-/// Items in a row, linked through their `next`. Copies of a list share the items.
+/// A list of items, linked through their `next`. Copies of a list share the items.
 template <typename T>
 struct DraftList {
   T* first = nullptr;
@@ -41,7 +41,7 @@ struct DraftList {
     }
     return count;
   }
-  /// The item must not stand in another list any more.
+  /// The item must not be in another list.
   void Add(T* item) {
     item->next = nullptr;
     (first == nullptr ? first : last->next) = item;
@@ -56,7 +56,7 @@ struct DraftList {
   }
 };
 
-/// Variables of a rule are numbered from 0 (VariableIndex); this stands for constants and for nothing at all.
+/// The variables of a rule are numbered from 0 (VariableIndex); this value means a constant or nothing.
 inline constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
 
 /// A constant or variable as a rule names it.
@@ -72,7 +72,7 @@ struct TestDraft {
   TestKind kind = TestKind::kBlank;
   std::uint32_t disjunct_count = 0;
   std::uint32_t variable = kNoVariable;  ///< The referent's number.
-  bool is_turned = false;                ///< Put in order, it stands where its referent stood; no part of equality.
+  bool is_turned = false;                ///< After reordering it is where its referent was; equality ignores this.
   Symbol referent;                       ///< Constant or variable, for the relational kinds and @.
   const Symbol* disjuncts = nullptr;     ///< kDisjunction.
   DraftList<TestDraft> parts;            ///< kConjunction; never nested, at most one part is kEqual.
@@ -157,12 +157,12 @@ inline const TestDraft* EqualityIn(const TestDraft& test) {
   }
   return nullptr;
 }
-/// The variable or constant that a test equates its field with; none if it has no equality test.
+/// The variable or constant that a test equates its field with; none without an equality test.
 inline Symbol EqualitySymbol(const TestDraft& test) {
   const TestDraft* const equality = EqualityIn(test);
   return equality != nullptr ? equality->referent : Symbol();
 }
-/// Its number, if it is a variable.
+/// The number of that variable; kNoVariable for anything else.
 inline std::uint32_t EqualityVariable(const TestDraft& test) {
   const TestDraft* const equality = EqualityIn(test);
   return equality != nullptr ? equality->variable : kNoVariable;

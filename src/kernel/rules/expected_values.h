@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// How many values the user expects under some attributes (`production optimize-attribute`). The reorderer takes
-/// conditions on such an attribute for so much dearer. Counts for rules that are loaded from then on.
+/// How many values the user expects for some attributes (`production optimize-attribute`). The reorderer multiplies the
+/// cost of conditions on such an attribute by this number. Applies to rules loaded from then on.
 ///
 /// Its symbols must be pinned: it does not keep them.
 class ExpectedValues {
@@ -25,7 +25,7 @@ class ExpectedValues {
       counts_.emplace_back(attribute, count);
     }
   }
-  /// 1 for attributes of which nothing was said.
+  /// 1 for attributes without an entry.
   std::int64_t Of(Symbol attribute) const {
     const auto known = std::ranges::find(counts_, attribute, &Count::first);
     return known != counts_.end() ? known->second : 1;

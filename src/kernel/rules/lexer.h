@@ -41,31 +41,31 @@ enum class TokenKind : std::uint8_t {
   kLeftAngles,
   kRightAngles,  ///< << and >>
   kArrow,        ///< -->
-  kAmpersand,    ///< A sign that nothing uses any more.
-  kUnclosed,     ///< A bar or quote without its partner.
+  kAmpersand,    ///< A sign that nothing uses any longer.
+  kUnclosed,     ///< A bar or quote that is never closed.
 };
 
 struct RuleToken {
   TokenKind kind = TokenKind::kEnd;
-  bool suspicious = false;  ///< Something is wrong with it: see Warning().
+  bool suspicious = false;  ///< Something is wrong with the token: see Warning().
   std::string_view text;    ///< Contents; for signs the characters themselves. Lives as long as the text and the arena.
   std::int64_t integer = 0;
   double real = 0;
   std::size_t offset = 0;  ///< Of the first character in the text that is read.
   std::size_t length = 0;
 
-  /// What Soar prints when it meets the token, with its line end; usually empty.
+  /// What Soar prints when it reads the token, with its line end; usually empty.
   std::string Warning() const;
 };
 
-/// Cuts the text of a rule into tokens, as Soar's lexer does: any text gives tokens, characters that no token can hold
-/// count as blanks. Texts that are not in the source as they are (with escapes in them) are made in the arena.
+/// Splits the text of a rule into tokens, as Soar's lexer does. Any text gives tokens; characters that no token can
+/// hold count as blanks. Texts that differ from the source (because of escapes) are made in the arena.
 class Lexer {
  public:
   Lexer(std::string_view text, Arena& arena)
       : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), arena_(arena) {}
 
-  /// Reads the next token; kEnd again and again once the text is used up.
+  /// Reads the next token; after the end of the text always kEnd.
   void Read(RuleToken& token);
   RuleToken Next() {
     RuleToken token;
@@ -83,7 +83,7 @@ class Lexer {
     token.length = static_cast<std::size_t>(end - first);
     at_ = end;
   }
-  /// A token that a path's dot may follow.
+  /// Ends a token that a path's dot may follow.
   void FinishName(RuleToken& token, TokenKind kind, const char* first, const char* end) {
     name_end_ = end;
     Finish(token, kind, first, end);
@@ -92,7 +92,7 @@ class Lexer {
   const char* begin_;
   const char* end_;
   const char* at_;
-  const char* name_end_ = nullptr;  ///< A dot that stands here is a path's.
+  const char* name_end_ = nullptr;  ///< A dot at this place belongs to a path.
   Arena& arena_;
 };
 
@@ -102,7 +102,7 @@ struct TextPlace {
   int column = 1;
 };
 
-/// Finds the lines and columns of offsets in a text; quick if each is near the one before.
+/// Finds the lines and columns of offsets in a text; fast if each is near the one before.
 class PlaceFinder {
  public:
   explicit PlaceFinder(std::string_view text) : text_(text) {}

@@ -12,32 +12,32 @@
 
 namespace soarbox::kernel {
 
-/// Where a rule's text stands.
+/// Where a rule's text is.
 struct SourcePlace {
   FileName file;  ///< As the user named it; empty for typed rules.
   int line = 1;   ///< Of the first character of the text.
   int column = 1;
 };
 
-/// A text that Soar prints while it reads a rule, letter by letter, with its line ends.
+/// A text that Soar prints while it reads a rule, exactly, with its line ends.
 struct RuleMessage {
   std::string text;
-  bool fresh_line = false;  ///< Begins on a new line: a line end goes first if the output stands within a line.
+  bool fresh_line = false;  ///< Begins on a new line: if the output is within a line, a line end comes first.
   bool is_warning = false;  ///< Not printed while warnings are off.
 };
 
 struct ParseOutcome {
   ProductionPtr production;  ///< None if the rule was refused.
   std::string name;          ///< Empty if not even the name could be read.
-  /// As soon as the name is read, an older rule of this name is excised (and `#` printed), even if this one is refused
-  /// in the end; `late_messages` come after that.
+  /// As soon as the name is read, an older rule of this name is excised (and `#` printed), even if the new one is
+  /// refused later; `late_messages` come after that.
   std::vector<RuleMessage> messages, late_messages;
   std::vector<Diagnostic> diagnostics;  ///< Our own: errors with their place and a hint, and traps found.
 };
 
-/// Reads a rule: the text between the braces of `sp { ... }`. Interns what the rule mentions, pinned. Never fails in
-/// another way than through the outcome, whatever the text; work and depth are bounded by its length. `expected` is for
-/// the order of the conditions.
+/// Reads a rule: the text between the braces of `sp { ... }`. Interns what the rule mentions, pinned. Whatever the
+/// text, errors appear only in the outcome; the text's length bounds work and depth. `expected` affects the order of
+/// the conditions.
 ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
                              const ExpectedValues& expected = {});
 

@@ -10,14 +10,15 @@
 
 namespace soarbox::kernel {
 
-/// How many characters a printed line may hold; longer objects go on in an indented line.
+/// How many characters a printed line may hold; longer objects continue in an indented line.
 inline constexpr std::size_t kPrintColumns = 80;
 
 struct RulePrintOptions {
   bool internal = false;  ///< One line per condition and action, in match and firing order (`print -i`).
 };
 
-/// A rule as `print` shows it, ready to be read again: "sp {name\n ... }\n". The text ends after the brace's line end.
+/// A rule as `print` shows it, in a form that can be read again: "sp {name\n ... }\n". The text ends after the brace's
+/// line end.
 std::string PrintProduction(const SymbolTable& symbols, const Production& production,
                             const RulePrintOptions& options = {});
 
@@ -32,11 +33,11 @@ void AppendRhsValue(std::string& out, const SymbolTable& symbols, const ValueDra
 void AppendAction(std::string& out, const SymbolTable& symbols, const Action& action);
 /// As AppendAction, with the sign of an acceptable preference always shown.
 void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const ActionDraft& action);
-/// "(<s> ^name value)", "(<s> -^name value)" or "-{ (...) (...)}" in one line; with `state` if the condition tests
-/// that.
+/// "(<s> ^name value)", "(<s> -^name value)" or "-{ (...) (...)}" in one line; with `state` if the condition tests for
+/// a state.
 void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition);
 
-/// The sign of a comparison with a space behind it: "<> ", "@ "; empty for tests that have none.
+/// The sign of a comparison with a space after it: "<> ", "@ "; empty for tests without a sign.
 std::string_view ComparisonSign(TestKind kind);
 /// The sign of a preference: "+", ">", "=", without its referent.
 std::string_view PreferenceSign(PreferenceType type);

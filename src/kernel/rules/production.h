@@ -12,12 +12,12 @@
 #include "kernel/rules/file_name.h"
 #include "kernel/rules/rule_kinds.h"
 
-/// A rule after reading, checking and reordering: what the match, the firing and the printers work on. Immutable once
-/// made, and shared by agents that run the same rules; symbols are handles of their table.
+/// A rule after reading, checking and reordering: the input of the match, the firing and the printers. It is immutable
+/// once made, and shared by agents that run the same rules; symbols are handles of their table.
 ///
-/// The tree of a rule lies in one block of memory and is small, because there are many: its parts refer to each other
-/// by their distance in the block. So they cannot be copied one by one; ToDraft (draft.h) gives a copy that can be
-/// changed.
+/// The tree of a rule is in one block of memory and is small, because there are many rules. Its parts refer to each
+/// other by their distance in the block, so you cannot copy them one by one; ToDraft (draft.h) gives a copy that you
+/// can change.
 namespace soarbox::kernel {
 
 struct RuleDraft;
@@ -45,7 +45,7 @@ struct Test {
   const std::byte* Items() const { return reinterpret_cast<const std::byte*>(this) + data_; }
 
   std::uint32_t count_ : 24 = 0;  ///< Of the items, for lists.
-  std::uint32_t data_ = 0;        ///< The referent's bits, or how many bytes behind this test its items begin.
+  std::uint32_t data_ = 0;        ///< The referent's bits, or how many bytes after this test its items begin.
 };
 static_assert(sizeof(Test) == 8);
 
@@ -99,8 +99,8 @@ struct RhsValue {
   friend class RuleWriter;
   Field field_ = Field::kId;
   std::uint16_t index_ = 0;
-  std::uint32_t data_ = 0;  ///< The symbol's bits, or how many bytes behind this value the number of arguments stands;
-                            ///< they follow it.
+  std::uint32_t data_ = 0;  ///< The symbol's bits, or how many bytes after this value the number of arguments is;
+                            ///< the arguments follow it.
 };
 static_assert(sizeof(RhsValue) == 8);
 
@@ -124,12 +124,12 @@ static_assert(sizeof(Action) == 36);
 
 class Production {
  public:
-  /// Makes a rule of a draft whose variables are bound.
+  /// Makes a rule from a draft whose variables are bound.
   static std::shared_ptr<const Production> Make(const RuleDraft& draft);
 
   ProductionType type = ProductionType::kUser;
   DeclaredSupport declared_support = DeclaredSupport::kUndeclared;
-  bool has_documentation = false;  ///< An empty documentation string differs from none.
+  bool has_documentation = false;  ///< An empty documentation string differs from a missing one.
   bool interrupt = false;          ///< :interrupt
   bool explain = false;            ///< :explain
   bool is_rl = false;              ///< Exactly one action, a numeric-indifferent preference for an operator.
@@ -141,7 +141,7 @@ class Production {
   std::span<const Action> actions;          ///< In firing order.
   std::span<const Symbol> new_identifiers;  ///< The variables behind RhsValueKind::kNew, by new_index.
 
-  /// Where it was read; empty for typed rules.
+  /// Where it was read from; empty for typed rules.
   const std::string& file() const { return file_.text(); }
   const FileName& file_name() const { return file_; }
   std::size_t MemoryBytes() const { return sizeof(Production) + block_bytes_; }

@@ -18,10 +18,10 @@ struct ReorderOutcome {
   std::vector<Symbol> unconnected;  ///< Root variables that no goal test names.
 };
 
-/// Brings a rule's conditions into match order, as Soar does (kernel_algorithms: cheapest next, one step of look-ahead,
+/// Puts a rule's conditions into match order, as Soar does (kernel_algorithms: cheapest next, one step of look-ahead,
 /// ties by creation stamps), and moves every test to the first place where both its sides are bound, turned round if
-/// need be. Relational tests that nothing binds vanish from positive conditions and are errors in negated ones.
-/// `variables` has numbered all variables of the conditions; `expected` makes some attributes dearer.
+/// necessary. Relational tests on unbound variables are dropped from positive conditions and are errors in negated
+/// ones. `variables` has numbered all variables of the conditions; `expected` makes some attributes more expensive.
 ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const ExpectedValues& expected,
                                  const SymbolTable& symbols, Arena& arena);
 

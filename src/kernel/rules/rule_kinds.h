@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// The words that rules are described in, drafts and finished rules alike.
+/// The terms that describe rules, drafts and finished rules alike.
 namespace soarbox::kernel {
 
 enum class TestKind : std::uint8_t {
@@ -26,7 +26,7 @@ enum class TestKind : std::uint8_t {
   kIsNotLti,  ///< @+, @-
 };
 
-/// A comparison with its sides exchanged.
+/// A comparison with its sides swapped.
 constexpr TestKind TurnedRound(TestKind kind) {
   switch (kind) {
     case TestKind::kLess:

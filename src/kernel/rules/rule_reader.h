@@ -14,7 +14,8 @@
 
 namespace soarbox::kernel {
 
-/// Makes the variables that a rule needs but does not write: <a*1>, <a*2>, ... per letter, none that the rule writes.
+/// Makes the variables that a rule needs but does not write: <a*1>, <a*2>, ... per letter, never one that the rule
+/// writes.
 class VariableNames {
  public:
   VariableNames(SymbolTable& symbols, std::string_view body) : symbols_(symbols), body_(body) {}
@@ -29,12 +30,12 @@ class VariableNames {
   SymbolTable& symbols_;
   std::string_view body_;
   bool collected_ = false;
-  std::unordered_set<std::string> written_;  ///< Those that could clash; known when the first variable is made.
+  std::unordered_set<std::string> written_;  ///< The names that could clash; filled when the first variable is made.
   std::array<int, 26> count_{};
 };
 
 /// Reads the text of one rule by recursive descent; for ParseProduction only. Reading stops at the first error: the
-/// functions return false then, and the messages say why.
+/// functions then return false, and the messages say why.
 class RuleReader {
  public:
   RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
@@ -113,7 +114,7 @@ class RuleReader {
   PlaceFinder places_;
   RuleToken token_;
   std::vector<Symbol> disjuncts_;  ///< Scratch.
-  std::string edited_;             ///< The text with `exec` inserted; empty as long as none has been.
+  std::string edited_;             ///< The text with `exec` inserted; empty until something is inserted.
   std::size_t inserted_ = 0;       ///< How many characters were inserted.
 };
 

@@ -12,14 +12,14 @@
 
 namespace soarbox::kernel {
 
-/// Numbers the variables of one rule from 0, in the order in which they are first met, so that sets of them are bits.
+/// Numbers the variables of one rule from 0, in order of first occurrence, so that bits can represent sets of them.
 class VariableIndex {
  public:
   VariableIndex() : slots_(first_slots_) {}
   VariableIndex(const VariableIndex&) = delete;
   VariableIndex& operator=(const VariableIndex&) = delete;
 
-  /// The number of a variable; makes one if it is new. Symbols that are no variables have none.
+  /// The number of a variable, a new one for a new variable. Symbols that are not variables have none.
   std::uint32_t Add(Symbol variable) {
     const std::uint32_t slot = Slot(variable);
     if (slots_[slot] != 0) {
@@ -58,14 +58,14 @@ class VariableIndex {
   std::vector<std::uint32_t> more_slots_;
 };
 
-/// A set of the variables of a rule that has few: the usual case.
+/// A set of variables for a rule that has few: the usual case.
 class FewVariables {
  public:
   static constexpr std::uint32_t kMost = 63;
 
   FewVariables(const VariableIndex&, Arena&) {}
 
-  /// kNoVariable stands for the last bit, which is set in sets of bound variables only.
+  /// kNoVariable is the last bit, which is set only in sets of bound variables.
   bool Has(std::uint32_t variable) const { return (bits_ >> (variable % 64) & 1u) != 0; }
   void Add(std::uint32_t variable) { bits_ |= std::uint64_t{1} << (variable % 64); }
   void Remove(std::uint32_t variable) { bits_ &= ~(std::uint64_t{1} << (variable % 64)); }

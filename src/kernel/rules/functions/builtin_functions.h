@@ -9,19 +9,19 @@
 
 namespace soarbox::kernel {
 
-/// A function that the kernel itself knows.
+/// A function that is part of the kernel.
 struct BuiltinFunction {
   std::string_view name;
-  int arguments = -1;       ///< How many it takes; -1 for any number.
-  bool as_value = true;     ///< May stand where a value is expected.
-  bool as_action = false;   ///< May stand alone.
-  bool literalizes = true;  ///< Learning keeps its arguments as they were, instead of making variables of them.
-  /// Gives the value, or the none symbol if there is none (after printing why). Never throws or crashes, whatever the
+  int arguments = -1;       ///< The number of arguments; -1 for any number.
+  bool as_value = true;     ///< May be used where a value is expected.
+  bool as_action = false;   ///< May be used alone, as an action.
+  bool literalizes = true;  ///< Learning keeps its arguments as they were, instead of turning them into variables.
+  /// Returns the value, or the none symbol if there is none (after printing why). Never throws or crashes, whatever the
   /// number and kinds of the arguments.
   Symbol (*evaluate)(FunctionContext& context, std::span<const Symbol> arguments) = nullptr;
 };
 
-/// All built-in functions; RhsValue::function_index counts in this list.
+/// All built-in functions; RhsValue::function_index is an index into this list.
 std::span<const BuiltinFunction> BuiltinFunctions();
 
 /// The index of a built-in function, or RhsValue::kUserFunction.

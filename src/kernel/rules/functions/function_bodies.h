@@ -5,7 +5,7 @@
 
 #include "kernel/rules/functions/function_context.h"
 
-/// The bodies of the built-in functions, by topic; see BuiltinFunction::evaluate for the rules that they keep.
+/// The bodies of the built-in functions, by topic; see BuiltinFunction::evaluate for their contract.
 namespace soarbox::kernel::function_bodies {
 
 Symbol Write(FunctionContext& context, std::span<const Symbol> arguments);

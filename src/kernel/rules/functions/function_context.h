@@ -13,11 +13,11 @@
 
 namespace soarbox::kernel {
 
-/// What the functions on right-hand sides need of the agent that fires. The engine implements it; the functions touch
-/// nothing else. Single-threaded, called from the firing of a rule only.
+/// What the functions on right-hand sides need from the agent that fires. The engine implements it; the functions
+/// access nothing else. Single-threaded, called only while a rule fires.
 class FunctionContext {
  public:
-  /// An element of an identifier, as seen by functions that look into working memory.
+  /// An element of an identifier, for functions that inspect working memory.
   struct Child {
     Symbol attribute;
     Symbol value;
@@ -31,8 +31,8 @@ class FunctionContext {
 
   // Text and control ----------------------------------------------------------------------------------------------
 
-  /// Prints a message of the architecture ("Error: ..."), just as it is. The text ends with a line end; only those
-  /// messages that Soar begins with a line end begin with one.
+  /// Prints a message of the architecture ("Error: ...") unchanged. The text ends with a line end; it begins with one
+  /// only if Soar's does.
   virtual void PrintError(std::string_view text) = 0;
   /// Prints what a rule writes, unless the agent's writes are off.
   virtual void Write(std::string_view text) = 0;
@@ -51,24 +51,24 @@ class FunctionContext {
 
   // Calls outwards ------------------------------------------------------------------------------------------------
 
-  /// Runs a command line and gives what it printed.
+  /// Runs a command line and returns what it printed.
   virtual std::string RunCommand(std::string_view line) = 0;
-  /// Calls the function that a client registered: false if nobody registered it.
+  /// Calls the function that a client registered: false if there is none.
   virtual bool CallUserFunction(std::string_view name, std::string_view argument, std::string& result) = 0;
 
   // Working memory and learning -----------------------------------------------------------------------------------
 
-  /// The elements of an identifier that rules made (neither the architecture's nor input), newest slot first, values
-  /// in list order. Acceptable-preference elements are left out.
+  /// The elements of an identifier that rules made (neither the architecture's nor input), newest slot first, values in
+  /// list order. Acceptable-preference elements are not included.
   virtual void SlotChildren(Symbol identifier, std::vector<Child>& out) const = 0;
   /// All elements of an identifier: rules', the architecture's and input.
   virtual void AllChildren(Symbol identifier, std::vector<Child>& out) const = 0;
   /// A new identifier that belongs to the firing instantiation, with the next number of its letter.
   virtual Symbol NewIdentifier(char letter) = 0;
-  /// Adds an acceptable preference to what the firing instantiation makes.
+  /// Adds an acceptable preference to the results of the firing instantiation.
   virtual void MakePreference(Symbol identifier, Symbol attribute, Symbol value) = 0;
-  /// Adds a preference for the copy of an element of `original`. It comes after what the action itself makes, and the
-  /// firing rests on the element from now on.
+  /// Adds a preference for the copy of an element of `original`. It follows the action's own results, and the firing
+  /// now also rests on the element.
   virtual void CopyElement([[maybe_unused]] const Child& element, [[maybe_unused]] Symbol original, Symbol copy,
                            Symbol attribute, Symbol value) {
     MakePreference(copy, attribute, value);
@@ -80,7 +80,7 @@ class FunctionContext {
   virtual void SetLearning(Symbol state, bool learn) = 0;
 };
 
-/// How a symbol is written in messages.
+/// A symbol as messages show it.
 inline std::string Name(FunctionContext& context, Symbol symbol) {
   return ToString(context.symbols(), symbol);
 }

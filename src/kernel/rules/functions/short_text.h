@@ -13,7 +13,7 @@
 
 namespace soarbox::kernel::function_bodies {
 
-/// A text that a function puts together before it becomes a symbol: on the stack while it is short, else in a string.
+/// A text that a function builds before it becomes a symbol: on the stack while it is short, then in a string.
 class ShortText {
  public:
   ShortText() = default;
@@ -29,7 +29,7 @@ class ShortText {
     size_ += piece.size();
   }
 
-  /// As (write ...) shows the symbol.
+  /// Appends the symbol as (write ...) shows it.
   void Append(const SymbolTable& symbols, Symbol symbol) {
     if (symbol.IsString()) {
       Append(symbols.Text(symbol));
@@ -47,7 +47,7 @@ class ShortText {
  private:
   static constexpr std::size_t kRoom = 256;
   static constexpr std::size_t kLongestInteger = 20;
-  /// A text that grows beyond this is taken for one that grows without end: memory has run out.
+  /// A text that grows beyond this is assumed to grow without end: it counts as out of memory.
   static constexpr std::size_t kLongest = std::size_t{64} << 20;
 
   [[gnu::noinline]] void AppendLong(std::string_view piece) {
@@ -56,9 +56,9 @@ class ShortText {
     long_ += piece;
   }
 
-  std::size_t size_ = 0;  ///< Of what is in room_.
+  std::size_t size_ = 0;  ///< The size of the text in room_.
   char room_[kRoom];
-  std::string long_;  ///< The whole text once it is too long for room_.
+  std::string long_;  ///< The whole text once it no longer fits room_.
 };
 
 }  // namespace soarbox::kernel::function_bodies
