@@ -123,10 +123,6 @@ class Client : public server::Connection {
     Tell(wire::ToXml(command));
   }
   void OnOutputInit(HostedAgent& agent) override { Tell(agent.name()); }
-  std::optional<std::string> OnStringEvent(int, std::string_view value) override {
-    Write(value);
-    return Wait();
-  }
   std::optional<std::string> OnFunction(HostedAgent*, int event, std::string_view name,
                                         std::string_view argument) override {
     Write(name);
