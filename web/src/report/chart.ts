@@ -45,6 +45,11 @@ export function ticks(low: number, high: number, count: number): number[] {
   return list;
 }
 
+/** About how many round numbers an axis has room for. */
+export function tickCount(width: number, most: number): number {
+  return Math.max(3, Math.min(most, Math.round(width / 110)));
+}
+
 /** A number on an axis, with the digits that tell it from its neighbours. */
 export function labelOf(value: number, list: readonly number[]): string {
   const step = list.length > 1 ? Math.abs(list[1]! - list[0]!) : 1;

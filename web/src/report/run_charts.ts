@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h, type Child, type View } from "../dom/view";
-import { axis, chart, color, cut, dash, digits, line, paints, scale, seconds, text, ticks } from "./chart";
+import { axis, chart, color, cut, dash, digits, line, paints, scale, seconds, text, tickCount, ticks } from "./chart";
 import type { EventReport, RunReport, Way } from "./data";
 import type { Time } from "./time";
 
@@ -33,7 +33,7 @@ export function timelineFigure(run: RunReport, time: Time): View {
     return {
       height,
       children: [
-        axis(0, end, Math.max(3, Math.min(16, Math.round(width / 110))), x, height, " s"),
+        axis(0, end, tickCount(width, 16), x, height, " s"),
         run.agents.map((agent, i) => h("g", null, h("title", null, agent.name), text(4, i * ROW_PX + 18, cut(agent.name, fits)))),
         run.spans.map(([agent, from, to, name]): Child => {
           const number = names.get(name)!, wide = Math.max(1, x(to) - x(from));
@@ -63,7 +63,7 @@ export function plotFigure(run: RunReport, ways: readonly (Way | null)[], what: 
       height: PLOT_PX,
       children: [
         ticks(0, high, 4).map((value) => [line(left, y(value), width - RIGHT_PX, y(value), "var(--line)"), text(left - 6, y(value) + 4, digits(value), "end", "text.quiet")]),
-        ticks(0, end, Math.max(3, Math.round(width / 110))).map((value) => text(x(value), PLOT_PX - 6, `${value} s`, "middle", "text.quiet")),
+        ticks(0, end, tickCount(width, Infinity)).map((value) => text(x(value), PLOT_PX - 6, `${value} s`, "middle", "text.quiet")),
         ways.map((way, i): Child => {
           if (way === null) return null;
           const every = Math.max(1, Math.floor(way[what].length / MOST_POINTS)), last = way[what].length - 1;

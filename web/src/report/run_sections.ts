@@ -2,7 +2,7 @@
 import { icon } from "../app/icons";
 import { button, h, patch, type Child, type View } from "../dom/view";
 import { seconds } from "./chart";
-import { wayOf, type CheckReport, type RunReport } from "./data";
+import { wayOf, type CheckReport, type RunReport, type Way } from "./data";
 import { mapFigure } from "./map";
 import { legend, plotFigure, timelineFigure } from "./run_charts";
 import { section } from "./section";
@@ -44,8 +44,8 @@ function timeline(run: RunReport, time: Time): Child {
     fold("Events as table", () => table(["time", "agent", "kind", "what"], events(), "Events")));
 }
 
-function numbers(run: RunReport, time: Time): Child {
-  const ways = run.agents.map(wayOf), rows = run.agents.map((agent) => [agent.name, agent.team, agent.distance, agent.health, agent.damage, agent.rounds, agent.alive ? "yes" : "no"]);
+function numbers(run: RunReport, ways: readonly (Way | null)[], time: Time): Child {
+  const rows = run.agents.map((agent) => [agent.name, agent.team, agent.distance, agent.health, agent.damage, agent.rounds, agent.alive ? "yes" : "no"]);
   return section("numbers", "Numbers", h("div.even", null, plotFigure(run, ways, "speed", "Speed, m/s", time), plotFigure(run, ways, "health", "Health", time)), run.agents.length <= MOST_PLOTTED && legend(run),
     table(["agent", "team", "metres walked", "health", "health lost", "rounds", "alive"], rows, "Each agent at the end"));
 }
@@ -78,6 +78,6 @@ export function runSections(run: RunReport, time: Time, hasScene: boolean): Chil
   const ways = run.agents.map(wayOf), lists = [checks(run, time), moments(run, time)].filter((one) => one !== false);
   return [
     h(`div${lists.length > 0 ? ".two" : ""}`, null, lists.length > 0 && h("div", null, lists), section("map", "Map", mapFigure(run, ways, time))),
-    timeline(run, time), numbers(run, time), messages(run, time, hasScene), rules(run), files(run), about(run),
+    timeline(run, time), numbers(run, ways, time), messages(run, time, hasScene), rules(run), files(run), about(run),
   ];
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h, type Child, type View } from "../dom/view";
-import { axis, chart, color, cut, digits, line, scale, text } from "./chart";
+import { axis, chart, color, cut, digits, line, scale, text, tickCount } from "./chart";
 import type { Metric, Standing, SweepReport } from "./data";
 import { section } from "./section";
 import { table, type TableCell } from "./table";
@@ -31,7 +31,7 @@ function distribution(metric: Metric, names: readonly string[]): View {
         one.mean !== undefined && h("g", null, h("title", null, whole(`mean ${digits(one.mean)}`, one.low!, one.high!)), line(x(one.low!), y + 30, x(one.high!), y + 30, own, 3), h("circle", { attributes: { cx: x(one.mean), cy: y + 30, r: 4, fill: own } })),
       ];
     };
-    return { height, children: [axis(low, high, Math.max(3, Math.min(8, Math.round(width / 110))), x, height), metric.variants.map(row)] };
+    return { height, children: [axis(low, high, tickCount(width, 8), x, height), metric.variants.map(row)] };
   });
 }
 
@@ -44,7 +44,7 @@ function standings(agents: readonly Standing[]): View {
       const { left, fits } = namesOf(agents.map((one) => one.agent), width), x = scale(low, high, left + 8, width - 28), height = ROW * agents.length + 30;
       return {
         height,
-        children: [axis(low, high, Math.max(3, Math.min(8, Math.round(width / 110))), x, height), agents.map((one, i): Child => {
+        children: [axis(low, high, tickCount(width, 8), x, height), agents.map((one, i): Child => {
           const y = i * ROW + 14;
           return [named(one.agent, y + 4, fits), h("g", null, h("title", null, whole(`${one.agent}: ${one.rating}`, one.low, one.high)), line(x(one.low), y, x(one.high), y, color(i), 3), h("circle", { attributes: { cx: x(one.rating), cy: y, r: 4.5, fill: color(i) } }))];
         })],
