@@ -94,6 +94,12 @@ void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btV
   share = entry->fraction;
 }
 
+/// Whether the segment enters the body before `share` of it.
+bool IsEnteredBefore(const btCollisionObject& body, const btVector3& from, const btVector3& to, btScalar share) {
+  const auto entry = EntryOf(body, from, to);
+  return entry && entry->fraction < share;
+}
+
 /// What a body fills, seen from above.
 struct Circle {
   btScalar x, z, radius;
@@ -206,9 +212,7 @@ bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVecto
              const btCollisionObject* target) {
   btScalar share = ShareInFrontOf(target, from, to);
   return VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
-    if (&body == viewer || &body == target) return true;
-    const auto entry = EntryOf(body, from, to);
-    return !entry || entry->fraction >= share;
+    return &body == viewer || &body == target || !IsEnteredBefore(body, from, to, share);
   });
 }
 
@@ -217,9 +221,8 @@ bool NearBodies::IsClear(const btVector3& from, const btVector3& to, const btCol
   const btScalar share = ShareInFrontOf(target, from, to);
   const Probe probe(from, to);
   return VisitNear(from, to, [&](const Boxed& each) {
-    if (each.body == viewer || each.body == target || !probe.Meets(each.box, share)) return true;
-    const auto entry = EntryOf(*each.body, from, to);
-    return !entry || entry->fraction >= share;
+    return each.body == viewer || each.body == target || !probe.Meets(each.box, share) ||
+           !IsEnteredBefore(*each.body, from, to, share);
   });
 }
 

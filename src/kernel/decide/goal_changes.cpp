@@ -155,7 +155,7 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   // Soar counts a firing of its own behind each item.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
   const bool told = engine_.modules.Wants(ModuleHook::kStates);
-  if (told) engine_.modules.ItemsMade(goal.level, firings);
+  if (told) engine_.modules.ItemsMade(firings);
   engine_.instantiations.SkipSerials(firings);
   std::uint32_t firing = 0;
   const auto add = [&](Symbol attribute, Symbol value) {

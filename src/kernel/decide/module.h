@@ -76,7 +76,7 @@ class Module {
   /// it.
   virtual void StateComplete(GoalLevel /*level*/) {}
   /// The impasse of a substate got its items: `firings` in number, each of which counts as one.
-  virtual void ItemsMade(GoalLevel /*level*/, std::uint32_t /*firings*/) {}
+  virtual void ItemsMade(std::uint32_t /*firings*/) {}
   /// An item that was not there before; `index` of the firings that ItemsMade told of last.
   virtual void ItemMade(WmeId /*item*/, std::uint32_t /*index*/) {}
   /// The state is about to go; everything is still there. Not called by init-soar.

@@ -83,8 +83,8 @@ void Modules::StateComplete(GoalLevel level) {
   ForEach(ModuleHook::kStates, [&](Module& module) { module.StateComplete(level); });
 }
 
-void Modules::ItemsMade(GoalLevel level, std::uint32_t firings) {
-  ForEach(ModuleHook::kStates, [&](Module& module) { module.ItemsMade(level, firings); });
+void Modules::ItemsMade(std::uint32_t firings) {
+  ForEach(ModuleHook::kStates, [&](Module& module) { module.ItemsMade(firings); });
 }
 
 void Modules::ItemMade(WmeId item, std::uint32_t index) {

@@ -43,7 +43,7 @@ class Modules {
   void Halted();
   void StateMade(GoalLevel level);
   void StateComplete(GoalLevel level);
-  void ItemsMade(GoalLevel level, std::uint32_t firings);
+  void ItemsMade(std::uint32_t firings);
   void ItemMade(WmeId item, std::uint32_t index);
   void StateEnds(GoalLevel level);
   void StateRemoved(GoalLevel level);

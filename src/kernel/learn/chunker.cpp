@@ -118,7 +118,7 @@ void Chunker::CountIdentities(std::uint32_t count) {
   statistics_.identities_created += count;
 }
 
-void Chunker::ItemsMade(GoalLevel, std::uint32_t firings) {
+void Chunker::ItemsMade(std::uint32_t firings) {
   if (!settings_.learning()) return;
   first_item_ = {uses_.instantiations.last_serial() + 1, next_identity_ + 1};
   CountIdentities(2 * firings);

@@ -130,7 +130,7 @@ class Chunker final : public Module {
   // Module
   void StateMade(GoalLevel level) override;
   /// Each item stands for a firing that names its state and its operator.
-  void ItemsMade(GoalLevel level, std::uint32_t firings) override;
+  void ItemsMade(std::uint32_t firings) override;
   void ItemMade(WmeId item, std::uint32_t index) override;
   void StateRemoved(GoalLevel level) override;
   /// For singletons.

@@ -81,7 +81,6 @@ class [[gnu::visibility("hidden")]] TokenPool {
   std::uint64_t TakeSerial() {
     return next_serial_++;
   }
-  /// For loops that count on their own.
   /// A token above a sparse memory gives its record back: the pairs that it has parked are stale.
   void ForgetPairs(Token & token) {
     token.forgotten = last_forgotten_ = next_serial_;
