@@ -256,9 +256,9 @@ void Actor::MoveBody() {
   world::Vec3 ahead = look_.value_or(world::Length(wanted) > 0.3f ? wanted : world::Vec3{});
   ahead.y = 0;
   if (ahead == world::Vec3{}) return;
-  const float turn = WrapDegrees(HeadingOf(ahead) - HeadingOf(body_->Forward()));
+  const float heading = HeadingOf(body_->Forward()), turn = WrapDegrees(HeadingOf(ahead) - heading);
   const float most = kTurnRate_deg_per_s * step_s;
-  body_->SetForward(AlongHeading(HeadingOf(body_->Forward()) + std::clamp(turn, -most, most)));
+  body_->SetForward(AlongHeading(heading + std::clamp(turn, -most, most)));
 }
 
 void Actor::Die() {

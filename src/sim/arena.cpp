@@ -160,9 +160,13 @@ bool Arena::MayReach(world::Vec3 from, world::Vec3 to, float within_m) {
          mesh.value()->MayReach(from, to, within_m);
 }
 
-void Arena::Foresee(const ForEach& each) {
+void Arena::Foresee(const world::Workers& workers) {
   const auto last = std::ranges::find_if(actors_, [](const auto& actor) { return !actor->OnlyWalks(); });
-  each(static_cast<std::size_t>(last - actors_.begin()), [this](std::size_t i) { actors_[i]->Foresee(); });
+  const auto count = static_cast<std::size_t>(last - actors_.begin());
+  constexpr std::size_t kWorthThread = 8;
+  world::WorkInPieces(workers, count, kWorthThread, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) actors_[i]->Foresee();
+  });
 }
 
 void Arena::Step() {

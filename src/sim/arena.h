@@ -53,10 +53,8 @@ class Arena {
   bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
   /// Before Step: actors find what they will look for, as long as nobody who acts before them does more than walk. They
-  /// only read the world, so neither their order nor the number of threads behind `each` matters. `each` calls its
-  /// second argument with every number below its first.
-  using ForEach = std::function<void(std::size_t, const std::function<void(std::size_t)>&)>;
-  void Foresee(const ForEach& each);
+  /// only read the world, so neither their order nor the number of threads matters.
+  void Foresee(const world::Workers& workers);
   void Step();
   /// Makes the collisions of the world's last step happenings of those who took part.
   void HearCollisions();

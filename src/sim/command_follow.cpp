@@ -65,7 +65,7 @@ StepResult Evade(Actor& actor, Running& command) {
   actor.way().remaining_m = std::max(0.0f, until_m - range_m);
   if (range_m >= until_m) return StepResult::Done();
   Vec3 away = world::Normalized(Flat(actor.body().Position() - danger));
-  if (away == Vec3{}) away = actor.body().Forward();
+  if (away == Vec3{}) away = Flat(actor.body().Forward());
   actor.Walk(FreeDirection(actor, away, 3, world::kNoEntity, command.turn_deg) * actor.TopSpeed());
   return StepResult::Going(range_m / until_m);
 }

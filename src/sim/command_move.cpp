@@ -29,25 +29,12 @@ Vec3 FootOf(const world::Agent& body) {
   return foot;
 }
 
-/// What a body may meet that goes so far, in whatever direction.
-world::BodiesAround InTheWay(const Actor& actor, float ahead_m) {
+/// The ways of a body that goes so far, in whatever direction.
+world::WaysAround WaysOf(const Actor& actor, float ahead_m, world::EntityId through) {
   const world::Agent& body = actor.body();
   constexpr float kSlack_m = 0.01f;
-  return actor.world().Around(FootOf(body), ahead_m + (1 + kHalfWidth) * body.Radius() + kSlack_m);
-}
-
-/// Whether a body of this width can go so far in that direction.
-bool IsFree(const Actor& actor, const world::BodiesAround& bodies, Vec3 direction, float ahead_m,
-            world::EntityId through) {
-  const world::Agent& body = actor.body();
-  const Vec3 foot = FootOf(body);
-  const Vec3 side{direction.z, 0, -direction.x};
-  const float reach_m = ahead_m + body.Radius();
-  for (const float offset : {0.0f, 1.0f, -1.0f}) {
-    const Vec3 from = foot + side * (offset * body.Radius() * kHalfWidth);
-    if (!bodies.IsOpen(from, from + direction * reach_m, through, body.id())) return false;
-  }
-  return true;
+  return actor.world().Ways({FootOf(body), body.Radius() * kHalfWidth, body.id(), through},
+                            ahead_m + (1 + kHalfWidth) * body.Radius() + kSlack_m);
 }
 
 /// Whether there may be a way for who stands on the ground; who stands on something may jump down.
@@ -157,7 +144,7 @@ StepResult Flee(Actor& actor, Running& command) {
   actor.way().remaining_m = std::max(0.0f, until_m - now_m);
   if (now_m >= until_m) return StepResult::Done();
   Vec3 away = world::Normalized(Flat(actor.body().Position() - place->position));
-  if (away == Vec3{}) away = actor.body().Forward();
+  if (away == Vec3{}) away = Flat(actor.body().Forward());
   actor.Walk(FreeDirection(actor, away, 3, world::kNoEntity, command.turn_deg) * actor.TopSpeed());
   return StepResult::Going(now_m / until_m);
 }
@@ -187,7 +174,8 @@ StepResult Wander(Actor& actor, Running& command) {
   if (seconds > 0 && passed >= seconds) return StepResult::Done();
   command.best_m = Drift(actor, command, actor.body().random());
   const Vec3 free = FreeWander(actor, command, AlongHeading(command.best_m));
-  if (std::abs(WrapDegrees(HeadingOf(free) - command.best_m)) > 1) command.best_m = HeadingOf(free);
+  const float heading = HeadingOf(free);
+  if (std::abs(WrapDegrees(heading - command.best_m)) > 1) command.best_m = heading;
   actor.Walk(free * actor.speed_mps());
   return StepResult::Going(seconds > 0 ? static_cast<float>(passed / seconds) : 0);
 }
@@ -253,8 +241,11 @@ void ForeseeWander(Actor& actor, Running& command) {
 }
 
 Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::EntityId through, float& turn_deg) {
-  const world::BodiesAround bodies = InTheWay(actor, ahead_m);
-  if (IsFree(actor, bodies, wanted, ahead_m, through)) {
+  const world::WaysAround ways = WaysOf(actor, ahead_m, through);
+  const auto is_free = [&](Vec3 direction, float so_far_m) {
+    return ways.IsOpen(direction, so_far_m + actor.body().Radius());
+  };
+  if (is_free(wanted, ahead_m)) {
     turn_deg = 0;
     return wanted;
   }
@@ -265,13 +256,13 @@ Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::Entity
     for (const float sign : {side, -side}) {
       for (float turn = 15; turn <= 135; turn += 15) {
         const Vec3 tried = AlongHeading(heading + sign * turn);
-        if (!IsFree(actor, bodies, tried, reach_m, through)) continue;
+        if (!is_free(tried, reach_m)) continue;
         const bool decided = turn_deg != 0;
         if (!decided && sign == side) {
           // Nothing chosen yet: the smaller turn of both sides.
           for (float other = 15; other < turn; other += 15) {
             const Vec3 mirrored = AlongHeading(heading - sign * other);
-            if (!IsFree(actor, bodies, mirrored, reach_m, through)) continue;
+            if (!is_free(mirrored, reach_m)) continue;
             turn_deg = -sign * other;
             return mirrored;
           }

@@ -42,8 +42,8 @@ struct WalkOrder {
   float shun_m = 0;                            ///< and how far to stay away from it.
 };
 StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order);
-/// The direction nearest to the wanted one (a unit vector) in which the next metres are free; remembers the side in
-/// `turn_deg`, so that it does not dither.
+/// The direction nearest to the wanted one (level, of length 1 or 0) in which the next metres are free; remembers the
+/// side in `turn_deg`, so that it does not dither.
 world::Vec3 FreeDirection(const Actor& actor, world::Vec3 wanted, float ahead_m, world::EntityId through,
                           float& turn_deg);
 

@@ -47,7 +47,15 @@ class Contacts {
     const iterator at = Place(id);
     return at != end() && at->first == id ? at->second : entries_.insert(at, {id, Contact{}})->second;
   }
-  iterator erase(iterator at) { return entries_.erase(at); }
+  // For whoever goes through all of them by their place.
+  Entry& At(std::size_t place) { return entries_[place]; }
+  /// `place`: where its id belongs.
+  Entry& Insert(std::size_t place, world::EntityId id) {
+    Contact contact;
+    contact.agent = id;
+    return *entries_.insert(entries_.begin() + static_cast<std::ptrdiff_t>(place), {id, contact});
+  }
+  void Erase(std::size_t place) { entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(place)); }
 
  private:
   iterator Place(world::EntityId id) {

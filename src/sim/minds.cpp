@@ -303,16 +303,17 @@ void Minds::Decide() {
 }
 
 void Minds::LookAhead() {
-  constexpr std::size_t kWorthThreads = 16;
   pool_.Join();  // Scripted minds have been awaited one by one.
-  arena_.Foresee([this](std::size_t count, const std::function<void(std::size_t)>& look) {
-    const std::size_t threads = count < kWorthThreads ? 1 : host_.threads();
-    const auto part = [&](std::size_t thread) {
-      for (std::size_t i = thread; i < count; i += threads) look(i);
-    };
-    if (threads == 1) return part(0);
-    pool_.Run(part);
-  });
+  arena_.Foresee(AllThreads());
+}
+
+world::Workers Minds::AllThreads() {
+  if (host_.threads() == 1) return {};
+  return [this](std::size_t count, const std::function<void(std::size_t)>& job) {
+    pool_.Run([&](std::size_t thread) {
+      for (std::size_t i = thread; i < count; i += host_.threads()) job(i);
+    });
+  };
 }
 
 /// Bodies learn of orders and of each other. Each changes only what it knows itself, draws from its own stream and sees
@@ -320,7 +321,9 @@ void Minds::LookAhead() {
 void Minds::Notice() {
   constexpr std::size_t kWorthThreads = 16;
   const auto actors = arena_.actors();
-  world_.PrepareForReaders();
+  // They look for ways and at each other. Where there are many more things than them, it is not worth while.
+  constexpr std::size_t kThingsOfEach = 4;
+  world_.PrepareForReaders(actors.size() >= kWorthThreads && world_.ObjectIds().size() < kThingsOfEach * actors.size());
   const auto notice = [&](std::size_t thread, std::size_t threads) {
     for (std::size_t i = 0; i < actors.size(); ++i) {
       if (ThreadOf(i, threads) != thread || !actors[i]->IsAlive()) continue;
@@ -412,7 +415,7 @@ void Minds::Conclude(Mind& mind) {
   }
 }
 
-void Minds::Answer() {
+world::Workers Minds::Answer() {
   AwaitAll();
   KeepWithinMemory();
   for (Mind& mind : minds_) {
@@ -425,8 +428,10 @@ void Minds::Answer() {
       TellOutcome(mind, outcome, row != nullptr && row->lasting);
     }
   }
+  if (std::ranges::none_of(minds_, [](const Mind& mind) { return !mind.answers.empty(); })) return AllThreads();
   pool_.Begin(tell_scripts_);
   TellScripts(0);
+  return {};
 }
 
 void Minds::NoteAnswer(Mind& mind, Outcome outcome) {

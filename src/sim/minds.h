@@ -72,8 +72,9 @@ class Minds final : public script::MindFactory {
   /// Notes how a command of a scripted mind went, for Answer.
   void NoteAnswer(Mind& mind, Outcome outcome);
   /// After the bodies have acted: reports to the minds how their commands went. Scripted minds on other threads have
-  /// heard it when EndAnswers returns; until then nothing else may ask a mind for anything.
-  void Answer();
+  /// heard it when EndAnswers returns; until then nothing else may ask a mind for anything. Returns the threads that
+  /// are free until then: all or none.
+  world::Workers Answer();
   void EndAnswers() { pool_.Join(); }
 
   /// Reports what is most likely a slip in rules that loaded, once per file of rules: when all agents of the set-up are
@@ -197,6 +198,8 @@ class Minds final : public script::MindFactory {
   std::vector<std::size_t> places_;                ///< Scratch: by thread.
   WorkerPool pool_;
   int asked_ = 0;  ///< How often a mind was asked why it does nothing.
+  /// What the world's thread may ask to do, while no mind decides.
+  world::Workers AllThreads();
   std::size_t MemoryLeft() const {
     return memory_limit_ - std::min(memory_limit_, memory_bytes_ + scripts_bytes_ + bodies_bytes_);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -210,12 +211,35 @@ void SenseAgents(const Actor& actor, PerceptSink& sink) {
   }
 }
 
-/// Whether the eyes take in a point so far away in that direction.
-bool IsInView(const Actor& actor, Vec3 point) {
-  const SenseSettings& senses = actor.kind().senses;
-  if (FlatDistance(actor.body().Position(), point) > senses.sight_m) return false;
-  return std::abs(BearingTo(actor, point)) <= static_cast<double>(senses.view_deg) / 2;
-}
+/// What the eyes take in.
+class FieldOfView {
+ public:
+  explicit FieldOfView(const Actor& actor)
+      : here_(actor.body().Position()),
+        forward_(actor.body().Forward()),
+        sight_m_(actor.kind().senses.sight_m),
+        half_deg_(static_cast<double>(actor.kind().senses.view_deg) / 2),
+        cosine_(std::cos(actor.kind().senses.view_deg / 2 * std::numbers::pi_v<float> / 180)),
+        ahead_m_(world::Length(Flat(forward_))) {}
+
+  bool Holds(Vec3 point) const {
+    const Vec3 to = Flat(point - here_);
+    const float range_m = world::Length(to);
+    if (range_m > sight_m_) return false;
+    // Far from the edge there is no need to know the angle.
+    constexpr float kNearEdge = 1e-3f;
+    const float along = world::Dot(forward_, to), edge = cosine_ * range_m * ahead_m_;
+    const float unsure = kNearEdge * range_m * ahead_m_;
+    if (half_deg_ <= 180 && std::abs(along - edge) > unsure) return along > edge;
+    return std::abs(static_cast<double>(BearingOf(here_, forward_, point))) <= half_deg_;
+  }
+
+ private:
+  Vec3 here_, forward_;
+  float sight_m_;
+  double half_deg_;
+  float cosine_, ahead_m_;
+};
 
 void SenseObjects(const Actor& actor, PerceptSink& sink) {
   const Vec3 here = actor.body().Position();
@@ -301,23 +325,6 @@ Vec3 Noise(Actor& actor) {
   return {x * sigma_m, 0, z * sigma_m};
 }
 
-/// Whom the actor may notice now or has noticed before, in ascending id: nobody else changes what it knows.
-std::vector<world::EntityId> NearOrKnown(const Actor& actor) {
-  constexpr float kSlack_m = 0.01f;
-  const SenseSettings& senses = actor.kind().senses;
-  const auto near = AgentsNear(actor.body(), std::max({senses.sight_m, senses.hearing_m, 0.0f}) + kSlack_m);
-  std::vector<world::EntityId> all;
-  all.reserve(near.size() + actor.contacts().size());
-  auto contact = actor.contacts().begin();
-  for (const world::EntityId id : near) {
-    for (; contact != actor.contacts().end() && contact->first < id; ++contact) all.push_back(contact->first);
-    if (contact != actor.contacts().end() && contact->first == id) ++contact;
-    all.push_back(id);
-  }
-  for (; contact != actor.contacts().end(); ++contact) all.push_back(contact->first);
-  return all;
-}
-
 }  // namespace
 
 void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
@@ -348,41 +355,51 @@ void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard) {
 void NoticeOthers(Actor& actor) {
   const SenseSettings& senses = actor.kind().senses;
   const world::World& world = actor.world();
-  auto& contacts = actor.contacts();
-  const std::vector<world::EntityId> others = NearOrKnown(actor);
+  const Vec3 here = actor.body().Position();
+  Contacts& contacts = actor.contacts();
+  constexpr float kSlack_m = 0.01f;
+  const auto near = AgentsNear(actor.body(), std::max({senses.sight_m, senses.hearing_m, 0.0f}) + kSlack_m);
   // Where many stand close together, all lines of sight are tested against what is there.
   constexpr std::size_t kMany = 8;
   constexpr float kClose_m = 15;
   std::optional<world::BodiesAround> around;
-  if (others.size() > kMany && senses.sight_m <= kClose_m) around = world::AroundEyes(actor.body(), senses.sight_m);
-  const auto sees = [&](const world::Agent& other, Vec3 point) {
-    return SeesAgent(actor.body(), other, point, around ? &*around : nullptr);
-  };
-  for (const world::EntityId id : others) {
-    if (id == actor.id()) continue;
-    const world::Agent& other = *world.FindAgent(id);
-    const float range_m = FlatDistance(actor.body().Position(), other.Position());
-    const bool seen =
-        IsInView(actor, other.Position()) && (sees(other, other.Position()) || sees(other, world::EyesOf(other)));
-    // Who runs is heard at the full range, who walks at a part of it.
-    const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
-    const bool heard = !seen && other.Health() > 0 && range_m <= senses.hearing_m * loudness;
-    const auto known = contacts.find(id);
-    if (known != contacts.end()) known->second.visible = seen;
-    if (!seen && !heard) {
-      if (known == contacts.end()) continue;
-      if (known->second.noticed_tick + 1 < world.tick() && known->second.source == Contact::Source::kSight)
-        known->second.source = Contact::Source::kMemory;
-      if (Seconds(actor, world.tick() - known->second.noticed_tick) > static_cast<double>(senses.memory_s))
-        contacts.erase(known);
+  if (near.size() + contacts.size() > kMany && senses.sight_m <= kClose_m)
+    around = world::AroundEyes(actor.body(), senses.sight_m, senses.view_deg);
+  const FieldOfView view(actor);
+  // Whom it may notice now or has noticed before, in ascending id: nobody else changes what it knows.
+  std::size_t known = 0;
+  for (auto next = near.begin(); next != near.end() || known < contacts.size();) {
+    const bool is_near = next != near.end() && (known == contacts.size() || *next <= contacts.At(known).first);
+    const world::EntityId id = is_near ? *next++ : contacts.At(known).first;
+    const bool is_known = known < contacts.size() && contacts.At(known).first == id;
+    if (id == actor.id()) {
+      known += is_known ? 1 : 0;
       continue;
     }
-    Contact& contact = contacts[id];
-    contact.agent = id;
-    contact.source = seen ? Contact::Source::kSight : Contact::Source::kHearing;
+    const world::Agent& other = *world.FindAgent(id);
+    const Vec3 place = other.Position();
+    const bool seen = view.Holds(place) && SeesAgent(actor.body(), other, around ? &*around : nullptr);
+    // Who runs is heard at the full range, who walks at a part of it.
+    const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
+    const bool heard = !seen && other.Health() > 0 && FlatDistance(here, place) <= senses.hearing_m * loudness;
+    if (!is_known && !seen && !heard) continue;
+    Contact& contact = (is_known ? contacts.At(known) : contacts.Insert(known, id)).second;
     contact.visible = seen;
+    contact.agent = id;
+    if (!seen && !heard) {
+      if (contact.noticed_tick + 1 < world.tick() && contact.source == Contact::Source::kSight)
+        contact.source = Contact::Source::kMemory;
+      if (Seconds(actor, world.tick() - contact.noticed_tick) > static_cast<double>(senses.memory_s)) {
+        contacts.Erase(known);
+      } else {
+        ++known;
+      }
+      continue;
+    }
+    ++known;
+    contact.source = seen ? Contact::Source::kSight : Contact::Source::kHearing;
     contact.noticed_tick = world.tick();
-    contact.position = other.Position() + Noise(actor);
+    contact.position = place + Noise(actor);
     contact.velocity = other.Velocity();
     contact.forward = other.Forward();
     contact.alive = other.Health() > 0;
@@ -394,12 +411,13 @@ void NoticeThings(Actor& actor) {
   const world::World& world = actor.world();
   auto& things = actor.things();
   for (auto& [id, thing] : things) thing.visible = false;
+  const FieldOfView view(actor);
   for (const world::EntityId id : world.ObjectIds()) {
     const world::Object& object = *world.FindObject(id);
     if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
       continue;
     const Vec3 center = object.Position();
-    if (!IsInView(actor, center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
+    if (!view.Holds(center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
     SeenThing& thing = things[id];
     if (thing.name.empty()) {
       thing.name = actor.arena().NameOfObject(id);
@@ -421,7 +439,7 @@ void NoticeThings(Actor& actor) {
     const SeenThing& thing = known.second;
     if (thing.visible) return false;
     if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
-    return IsInView(actor, thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first);
+    return view.Holds(thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first);
   });
 }
 

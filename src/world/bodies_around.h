@@ -2,30 +2,33 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
-#include "world/collision.h"
 #include "world/math.h"
 
 namespace soarbox::world {
 
-/// The bodies around a place, for many short rays there: each costs a fraction of World::RayCast where there are many
-/// bodies. Valid until something moves, comes or goes.
+class PhysicsWorld;
+
+/// What somebody may look at from a place: whatever is above or below.
+struct View {
+  Vec3 place;
+  float range_m = 0;      ///< On the ground.
+  Vec3 forward;           ///< Zero: it looks to all sides.
+  float angle_deg = 360;  ///< From side to side, about forward.
+};
+
+/// The bodies that may hide something in a view, for many lines of sight there. Valid until something moves, comes or
+/// goes.
 class BodiesAround {
  public:
-  struct Bodies;
-  explicit BodiesAround(std::unique_ptr<const Bodies> bodies);
+  BodiesAround(const PhysicsWorld& physics, const View& view);
   BodiesAround(BodiesAround&&) noexcept;
   BodiesAround& operator=(BodiesAround&&) noexcept;
   ~BodiesAround();
 
-  /// What World::RayCast answers, for segments within the reach that was asked for.
-  std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// Whether RayCast would hit nothing, or one of these two. Cheaper where much is in the way.
-  bool IsOpen(Vec3 from, Vec3 to, EntityId through, EntityId self) const;
-
  private:
   friend class PhysicsWorld;
+  struct Bodies;
   std::unique_ptr<const Bodies> bodies_;
 };
 

@@ -6,92 +6,25 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numbers>
 
-#include "world/physics_crowd.h"
+#include "world/limits.h"
 
 namespace soarbox::world {
 namespace {
 
-/// A segment as bounding boxes are tested against it. Four numbers at a time: the fourth is no coordinate.
-class Probe {
- public:
-  Probe(const btVector3& from, const btVector3& to) {
-    constexpr btScalar kLarge = 1e18f;
-    const btVector3 along = to - from;
-    for (int axis = 0; axis < 3; ++axis) inverse_[axis] = along[axis] != 0 ? 1 / along[axis] : kLarge;
-    for (int axis = 0; axis < 3; ++axis) from_[axis] = from[axis];
-  }
-
-  /// Whether the segment up to this share meets the box.
-  bool Meets(const btDbvtVolume& box, btScalar share) const {
-    const Four a = (Load(box.Mins()) - from_) * inverse_, b = (Load(box.Maxs()) - from_) * inverse_;
-    const Four enter = a < b ? a : b, leave = a < b ? b : a;
-    return std::max(std::max(enter[0], enter[1]), std::max(enter[2], btScalar{0})) <=
-           std::min(std::min(leave[0], leave[1]), std::min(leave[2], share));
-  }
-
- private:
-  using Four [[gnu::vector_size(16)]] = btScalar;
-  static Four Load(const btVector3& vector) {
-    static_assert(sizeof(Four) == sizeof(btVector3));
-    Four loaded;
-    std::memcpy(&loaded, &vector, sizeof(loaded));  // Not aligned.
-    return loaded;
-  }
-
-  Four from_{}, inverse_{};
-};
-
-/// Calls visit(box, body) for each body below a node whose bounding box `meets` accepts, like those of all nodes above
-/// it. Ends when visit answers false; returns whether it never did.
-template <class Meets, class Visit>
-bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
-  std::array<const btDbvtNode*, 64> waiting;
-  std::size_t count = 0;
-  for (const btDbvtNode* node = root; node != nullptr; node = count > 0 ? waiting[--count] : nullptr) {
-    if (!meets(node->volume)) continue;
-    if (node->isleaf()) {
-      const auto* proxy = static_cast<const btBroadphaseProxy*>(node->data);
-      if (!visit(node->volume, *static_cast<const btCollisionObject*>(proxy->m_clientObject))) return false;
-      continue;
-    }
-    for (const btDbvtNode* child : {node->childs[0], node->childs[1]}) {
-      if (count < waiting.size()) {
-        waiting[count++] = child;
-      } else if (!VisitTree(child, meets, visit)) {
-        return false;  // A tree this deep is rare: it continues on a list of its own.
-      }
-    }
-  }
-  return true;
-}
-
-template <class Meets, class Visit>
-bool VisitTrees(const CrowdBroadphase& bodies, const Meets& meets, const Visit& visit) {
-  for (const btDbvt* tree : bodies.Trees())
-    if (tree->m_root != nullptr && !VisitTree(tree->m_root, meets, visit)) return false;
-  return true;
-}
-
-/// Each body whose bounding box the segment meets up to `share`, which visit may lessen.
+/// Each body whose bounding box the segment meets up to `share`, which visit may lessen; ends when visit answers false.
 template <class Visit>
-bool VisitBodies(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, btScalar& share,
+bool VisitBodies(const AllBodies& bodies, const btVector3& from, const btVector3& to, btScalar& share,
                  const Visit& visit) {
   const Probe probe(from, to);
+  if (bodies.field.is_known() && (to - from).length2() < BodyField::kLongest_m * BodyField::kLongest_m) {
+    return bodies.field.VisitAlong(
+        from, to, [&](const BoxedBody& each) { return !probe.Meets(each.box, share) || visit(*each.body); });
+  }
   return VisitTrees(
-      bodies, [&](const btDbvtVolume& box) { return probe.Meets(box, share); },
+      bodies.trees, [&](const btDbvtVolume& box) { return probe.Meets(box, share); },
       [&](const btDbvtVolume&, const btCollisionObject& body) { return visit(body); });
-}
-
-/// Takes the body for the first hit if it is entered no later; of several at one point the one of the smallest owner.
-void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btVector3& to, FirstHit& first,
-                 btScalar& share) {
-  const auto entry = EntryOf(body, from, to);
-  if (!entry || entry->fraction > share) return;
-  const bool ties = first.body != nullptr && entry->fraction == share;
-  if (ties && body.getUserIndex() >= first.body->getUserIndex()) return;
-  first = {&body, *entry};
-  share = entry->fraction;
 }
 
 /// Whether the segment enters the body before `share` of it.
@@ -100,21 +33,36 @@ bool IsEnteredBefore(const btCollisionObject& body, const btVector3& from, const
   return entry && entry->fraction < share;
 }
 
-/// What a body fills, seen from above.
-struct Circle {
-  btScalar x, z, radius;
-};
-
-Circle CircleAround(const btCollisionObject& body, const btDbvtVolume& box) {
-  const btTransform& place = body.getWorldTransform();
-  const bool stands = place.getBasis()[1][1] == 1;
-  if (stands && body.getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE) {
-    const auto& capsule = static_cast<const btCapsuleShape&>(*body.getCollisionShape());
-    return {place.getOrigin().x(), place.getOrigin().z(), capsule.getRadius()};
+/// The edges of a view, seen from above.
+class Edges {
+ public:
+  explicit Edges(const View& view) {
+    constexpr float kSlack_deg = 0.5f;
+    const float angle = (view.angle_deg / 2 + kSlack_deg) * std::numbers::pi_v<float> / 180;
+    const float length = std::sqrt(view.forward.x * view.forward.x + view.forward.z * view.forward.z);
+    constexpr float kLeast = 1e-3f;
+    if (!(length > kLeast) || !(angle < std::numbers::pi_v<float>)) return;
+    const float x = view.forward.x / length, z = view.forward.z / length;
+    const float sine = std::sin(angle), cosine = std::cos(angle);
+    // Into the view from its left edge, and from its right one.
+    left_x_ = sine * x - cosine * z;
+    left_z_ = sine * z + cosine * x;
+    right_x_ = sine * x + cosine * z;
+    right_z_ = sine * z - cosine * x;
+    is_wide_ = cosine < 0;
+    is_open_ = false;
   }
-  const btVector3 center = box.Center(), half = box.Extents();
-  return {center.x(), center.z(), std::sqrt(half.x() * half.x() + half.z() * half.z())};
-}
+
+  /// Whether a circle about that place, from the viewer, is outside of the view.
+  bool AreBeside(btScalar x, btScalar z, btScalar radius) const {
+    const bool left = x * left_x_ + z * left_z_ < -radius, right = x * right_x_ + z * right_z_ < -radius;
+    return !is_open_ && (is_wide_ ? left && right : left || right);
+  }
+
+ private:
+  btScalar left_x_ = 0, left_z_ = 0, right_x_ = 0, right_z_ = 0;
+  bool is_wide_ = false, is_open_ = true;
+};
 
 /// The part of the segment in front of the target's surface; all of it if there is none.
 btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, const btVector3& to) {
@@ -124,9 +72,21 @@ btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, 
   return surface ? surface->fraction : 1;
 }
 
+/// How far the target reaches from above or below that place, to any side.
+btScalar ReachOf(const btCollisionObject* target, const btVector3& place) {
+  if (target == nullptr) return 0;
+  btVector3 middle;
+  btScalar radius = 0;
+  target->getCollisionShape()->getBoundingSphere(middle, radius);
+  if (target->getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE && Stands(*target))
+    radius = static_cast<const btCapsuleShape*>(target->getCollisionShape())->getRadius();
+  const btVector3 off = target->getWorldTransform() * middle - place;
+  return radius + std::sqrt(off.x() * off.x() + off.z() * off.z());
+}
+
 }  // namespace
 
-FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to) {
+FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVector3& to) {
   FirstHit first;
   btScalar share = 1;
   VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
@@ -136,79 +96,79 @@ FirstHit FindFirstHit(const CrowdBroadphase& bodies, const btVector3& from, cons
   return first;
 }
 
-NearBodies::NearBodies(const CrowdBroadphase& bodies, const btVector3& low, const btVector3& high) {
+NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
   constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);
-  const btDbvtVolume wanted = btDbvtVolume::FromMM(low, high);
-  VisitTrees(
-      bodies, [&](const btDbvtVolume& box) { return Intersect(box, wanted); },
-      [&](const btDbvtVolume& box, const btCollisionObject& body) {
-        bodies_.push_back({box, &body});
-        return true;
-      });
-  circles_.resize((bodies_.size() + kLanes - 1) / kLanes);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Circle circle = CircleAround(*bodies_[i].body, bodies_[i].box);
-    // More than what rounding can take away.
-    constexpr btScalar kSlack_m = 0.02f, kSlack = 4e-6f;
-    const btScalar far = std::abs(circle.x) + std::abs(circle.z) + (high - low).x() + circle.radius;
-    Circles& circles = circles_[i / kLanes];
-    circles.x[i % kLanes] = circle.x;
-    circles.z[i % kLanes] = circle.z;
-    circles.radius[i % kLanes] = circle.radius + kSlack_m + kSlack * far;
-  }
+  circles_.reserve(kUsual / kLanes);
+  constexpr float kBeyond_m = 0.1f, kHigh_m = 1e6f;
+  const Vec3 reach{view.range_m + kBeyond_m, kHigh_m, view.range_m + kBeyond_m};
+  const btVector3 low = ToBullet(LimitPosition(view.place - reach)), high = ToBullet(LimitPosition(view.place + reach));
+  const Edges edges(view);
+  // More than what rounding can take away.
+  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
+  slack_m_ =
+      kSlack_m + kSlack * (std::abs(view.place.x) + std::abs(view.place.y) + std::abs(view.place.z) + 4 * view.range_m);
+  VisitTouching(bodies, low, high, [&](const BoxedBody& each) {
+    const btScalar x = each.x - view.place.x, z = each.z - view.place.z, radius = each.radius + slack_m_;
+    if (edges.AreBeside(x, z, radius)) return;
+    const std::size_t lane = bodies_.size() % kLanes;
+    bodies_.push_back(each);
+    if (lane == 0) circles_.emplace_back();
+    Circles& four = circles_.back();
+    four.x[lane] = x;
+    four.z[lane] = z;
+    four.radius[lane] = radius;
+  });
 }
 
-/// Calls visit for each body that the segment may enter, until it answers false; returns whether it never did.
+/// A line of sight to two places above each other, seen from above.
+struct NearBodies::Line {
+  Line(const btVector3& from, const btVector3& to, const btVector3& other)
+      : x(to.x() - from.x()),
+        z(to.z() - from.z()),
+        length(std::sqrt(x * x + z * z)),
+        eyes(from.y()),
+        rise{to.y() - from.y(), other.y() - from.y()} {}
+
+  btScalar x, z, length, eyes;
+  btScalar rise[2];
+};
+
+/// Calls visit for each body that the line may enter, with how far its middle is along the line and beside it, both
+/// times the line's length, until it answers false; returns whether it never did.
 template <class Visit>
-bool NearBodies::VisitNear(const btVector3& from, const btVector3& to, const Visit& visit) const {
-  const btScalar dx = to.x() - from.x(), dz = to.z() - from.z();
-  const btScalar length = std::sqrt(dx * dx + dz * dz);
+bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
+  const btScalar length_2 = line.length * line.length;
   for (std::size_t n = 0; n < circles_.size(); ++n) {
     const Circles& four = circles_[n];
-    // How far its centre is beside the segment and along it, and its radius, all times the segment's length.
-    const Four x = four.x - from.x(), z = four.z - from.z();
-    const Four beside = x * dz - z * dx, along = x * dx + z * dz, radius = four.radius * length;
-    const auto near =
-        (beside <= radius) & (beside >= -radius) & (along >= -radius) & (along <= radius + length * length);
+    const Four along = four.x * line.x + four.z * line.z, beside = four.x * line.z - four.z * line.x;
+    const Four radius = four.radius * line.length;
+    const auto near = (beside <= radius) & (beside >= -radius) & (along >= -radius) & (along <= radius + length_2);
     std::uint64_t halves[2];
     static_assert(sizeof(halves) == sizeof(near));
     std::memcpy(halves, &near, sizeof(halves));
     if ((halves[0] | halves[1]) == 0) continue;
     for (std::size_t lane = 0; lane < kLanes && n * kLanes + lane < bodies_.size(); ++lane)
-      if (near[lane] != 0 && !visit(bodies_[n * kLanes + lane])) return false;
+      if (near[lane] != 0 && !visit(bodies_[n * kLanes + lane], along[lane], beside[lane])) return false;
   }
   return true;
 }
 
-FirstHit NearBodies::FindFirst(const btVector3& from, const btVector3& to) const {
-  FirstHit first;
-  btScalar share = 1;
-  const Probe probe(from, to);
-  VisitNear(from, to, [&](const Boxed& each) {
-    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
-    return true;
-  });
-  return first;
+/// Whether it certainly hides all that is farther away than `before`, a share of the line: the line passes through it
+/// where it comes nearest to its axis.
+bool NearBodies::HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before,
+                                 btScalar along, btScalar beside) const {
+  const btScalar length_2 = line.length * line.length;
+  if (!each.IsPillar() || !(along > 0) || !(along < before * length_2)) return false;
+  const btScalar radius = each.radius - slack_m_, off = beside / line.length, share = along / length_2;
+  const btScalar height = line.eyes + rise * share;
+  const btScalar past = std::max({each.low - height, height - each.high, btScalar{0}});
+  // The eyes are outside of it.
+  const btScalar away = along / line.length, outer = each.radius + slack_m_;
+  return radius > 0 && off * off + past * past < radius * radius && off * off + away * away > outer * outer;
 }
 
-bool NearBodies::IsOpen(const btVector3& from, const btVector3& to, int owner, int other) const {
-  const Probe probe(from, to);
-  const auto is_of_these = [&](const Boxed& each) {
-    const int its = each.body->getUserIndex();
-    return its == owner || its == other;
-  };
-  const auto enters = [&](const Boxed& each) {
-    return probe.Meets(each.box, 1) && EntryOf(*each.body, from, to).has_value();
-  };
-  if (VisitNear(from, to, [&](const Boxed& each) { return is_of_these(each) || !enters(each); })) return true;
-  // Something is in the way, unless one of these stands in front of it.
-  if (VisitNear(from, to, [&](const Boxed& each) { return !is_of_these(each) || !enters(each); })) return false;
-  const int first = FindFirst(from, to).body->getUserIndex();
-  return first == owner || first == other;
-}
-
-bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
+bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target) {
   btScalar share = ShareInFrontOf(target, from, to);
   return VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
@@ -216,14 +176,39 @@ bool IsClear(const CrowdBroadphase& bodies, const btVector3& from, const btVecto
   });
 }
 
-bool NearBodies::IsClear(const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
-                         const btCollisionObject* target) const {
-  const btScalar share = ShareInFrontOf(target, from, to);
-  const Probe probe(from, to);
-  return VisitNear(from, to, [&](const Boxed& each) {
-    return each.body == viewer || each.body == target || !probe.Meets(each.box, share) ||
-           !IsEnteredBefore(*each.body, from, to, share);
+bool NearBodies::IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,
+                                 const btCollisionObject* viewer, const btCollisionObject* target) const {
+  const Line line(from, to, other);
+  // No nearer to its end than this share of it does the line enter the target.
+  const btScalar before = line.length > 0 ? 1 - (ReachOf(target, to) + slack_m_) / line.length : 0;
+  // Most are hidden by one or by none, for certain; what else may be between is tested as any segment is.
+  std::array<const BoxedBody*, 32> between;
+  std::size_t count = 0;
+  bool is_hidden[2] = {};
+  VisitNear(line, [&](const BoxedBody& each, btScalar along, btScalar beside) {
+    if (each.body == viewer || each.body == target) return true;
+    between[count++] = &each;
+    for (int n : {0, 1})
+      is_hidden[n] = is_hidden[n] || HidesForCertain(each, line, line.rise[n], before, along, beside);
+    return count < between.size() && !(is_hidden[0] && is_hidden[1]);
   });
+  if (count == 0) return true;
+  for (int n : {0, 1}) {
+    if (is_hidden[n]) continue;
+    const btVector3& end = n == 0 ? to : other;
+    const btScalar share = ShareInFrontOf(target, from, end);
+    const Probe probe(from, end);
+    const auto hides = [&](const BoxedBody& each) {
+      return probe.Meets(each.box, share) && IsEnteredBefore(*each.body, from, end, share);
+    };
+    if (std::any_of(between.begin(), between.begin() + count, [&](const BoxedBody* each) { return hides(*each); }))
+      continue;
+    if (count < between.size() || VisitNear(line, [&](const BoxedBody& each, btScalar, btScalar) {
+          return each.body == viewer || each.body == target || !hides(each);
+        }))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace soarbox::world

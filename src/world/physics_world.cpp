@@ -12,10 +12,12 @@
 #include "world/physics_capsule_plane.h"
 #include "world/physics_crowd.h"
 #include "world/physics_debug.h"
+#include "world/physics_dispatch.h"
 #include "world/physics_dynamics.h"
 #include "world/physics_lift.h"
 #include "world/physics_shape.h"
 #include "world/physics_sight.h"
+#include "world/physics_ways.h"
 #include "world/rotation.h"
 #include "world/state_hash.h"
 
@@ -122,7 +124,13 @@ struct PhysicsWorld::Impl {
     world.setForceUpdateAllAabbs(false);
   }
 
+  /// Null for kNone.
+  const btCollisionObject* ObjectOf(BodyId body) const {
+    return body == BodyId::kNone ? nullptr : bodies[static_cast<std::size_t>(body)]->rigid.get();
+  }
+
   void AddToWorld(Body& body) {
+    field.Forget();
     crowd.Forget(*body.rigid);
     world.addRigidBody(body.rigid.get());
     crowd.Check(*body.rigid);
@@ -131,6 +139,7 @@ struct PhysicsWorld::Impl {
 
   // Keeps bounding boxes right for ray casts between steps, and for fixed bodies altogether.
   void Moved(Body& body) {
+    field.Forget();
     body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
     world.updateSingleAabb(body.rigid.get());
     crowd.Check(*body.rigid);
@@ -166,8 +175,10 @@ struct PhysicsWorld::Impl {
   void LiftSunken();
 
   btDefaultCollisionConfiguration configuration{SmallPools()};
-  btCollisionDispatcher dispatcher;
+  PairDispatcher dispatcher;
   CrowdBroadphase broadphase;
+  BodyField field;
+  const AllBodies all{broadphase, field};
   PairLimit pair_limit{*broadphase.getOverlappingPairCache()};
   btSequentialImpulseConstraintSolver solver;
   DynamicsWorld world;
@@ -283,6 +294,7 @@ void PhysicsWorld::Remove(BodyId id) {
     if (!other->isStaticObject()) other->activate(true);
   }
   if (!body.upright) ++impl_->changes;
+  impl_->field.Forget();
   impl_->ForgetHash(body);
   impl_->crowd.Forget(*body.rigid);
   impl_->sunken.Forget(*body.rigid);
@@ -433,10 +445,13 @@ void PhysicsWorld::ApplyAngularImpulse(BodyId id, Vec3 impulse) {
   impl_->Wake(body);
 }
 
-void PhysicsWorld::Step(float step_s) {
+void PhysicsWorld::Step(float step_s, const Workers& workers) {
+  impl_->field.Forget();
   impl_->pushes.swap(impl_->last_pushes);
   impl_->pushes.clear();
+  impl_->dispatcher.SetWorkers(&workers);
   impl_->world.stepSimulation(step_s, 0);
+  impl_->dispatcher.SetWorkers(nullptr);
   impl_->KeepInRange();
   impl_->crowd.CheckAll();
   impl_->GatherCollisions();
@@ -519,45 +534,48 @@ std::optional<RayHit> HitOf(const FirstHit& hit, Vec3 from, Vec3 to) {
 
 std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
   if (from == to) return std::nullopt;
-  return HitOf(FindFirstHit(impl_->broadphase, ToBullet(from), ToBullet(to)), from, to);
+  return HitOf(FindFirstHit(impl_->all, ToBullet(from), ToBullet(to)), from, to);
+}
+
+void PhysicsWorld::PrepareRays() {
+  if (!impl_->field.is_known()) impl_->field.Build(impl_->broadphase);
 }
 
 struct BodiesAround::Bodies {
   NearBodies near;
 };
 
-BodiesAround::BodiesAround(std::unique_ptr<const Bodies> bodies) : bodies_(std::move(bodies)) {}
+BodiesAround::BodiesAround(const PhysicsWorld& physics, const View& view)
+    : bodies_(std::make_unique<Bodies>(Bodies{NearBodies(physics.impl_->all, view)})) {}
 BodiesAround::BodiesAround(BodiesAround&&) noexcept = default;
 BodiesAround& BodiesAround::operator=(BodiesAround&&) noexcept = default;
 BodiesAround::~BodiesAround() = default;
 
-std::optional<RayHit> BodiesAround::RayCast(Vec3 from, Vec3 to) const {
-  if (bodies_ == nullptr || !IsFinite(from) || !IsFinite(to)) return std::nullopt;
-  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
-  if (begin == end) return std::nullopt;
-  return HitOf(bodies_->near.FindFirst(ToBullet(begin), ToBullet(end)), begin, end);
+bool PhysicsWorld::IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target,
+                                   const BodiesAround* around) const {
+  const btVector3 begin = ToBullet(from), end = ToBullet(to), other_end = ToBullet(other);
+  const btCollisionObject *self = impl_->ObjectOf(viewer), *aim = impl_->ObjectOf(target);
+  if (around != nullptr) return around->bodies_->near.IsClearToEither(begin, end, other_end, self, aim);
+  return IsClear(impl_->all, begin, end, self, aim) || IsClear(impl_->all, begin, other_end, self, aim);
 }
 
-bool BodiesAround::IsOpen(Vec3 from, Vec3 to, EntityId through, EntityId self) const {
-  if (bodies_ == nullptr || !IsFinite(from) || !IsFinite(to)) return true;
-  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
-  return begin == end || bodies_->near.IsOpen(ToBullet(begin), ToBullet(end), static_cast<int>(Number(through)),
-                                              static_cast<int>(Number(self)));
-}
+struct WaysAround::Ways {
+  LevelWays level;
+};
 
-BodiesAround PhysicsWorld::Around(Vec3 place, Vec3 reach_m) const {
-  if (!IsFinite(place) || !IsFinite(reach_m)) return BodiesAround(nullptr);
-  const btVector3 low = ToBullet(LimitPosition(place - reach_m)), high = ToBullet(LimitPosition(place + reach_m));
-  return BodiesAround(
-      std::make_unique<BodiesAround::Bodies>(BodiesAround::Bodies{NearBodies(impl_->broadphase, low, high)}));
+WaysAround::WaysAround(const PhysicsWorld& physics, const Walker& walker, float reach_m) {
+  if (!IsFinite(walker.place) || !IsFinite(reach_m) || !IsFinite(walker.half_width_m)) return;
+  ways_ = std::make_unique<Ways>(Ways{LevelWays(walker, reach_m)});
+  LevelWays& level = ways_->level;
+  VisitTouching(physics.impl_->all, level.low(), level.high(), [&](const BoxedBody& each) { level.Consider(each); });
 }
+WaysAround::WaysAround(WaysAround&&) noexcept = default;
+WaysAround& WaysAround::operator=(WaysAround&&) noexcept = default;
+WaysAround::~WaysAround() = default;
 
-bool PhysicsWorld::IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around) const {
-  const auto object = [this](BodyId body) { return body == BodyId::kNone ? nullptr : Get(body).rigid.get(); };
-  const btVector3 begin = ToBullet(from), end = ToBullet(to);
-  if (around != nullptr && around->bodies_ != nullptr)
-    return around->bodies_->near.IsClear(begin, end, object(viewer), object(target));
-  return world::IsClear(impl_->broadphase, begin, end, object(viewer), object(target));
+bool WaysAround::IsOpen(Vec3 direction, float length_m) const {
+  if (ways_ == nullptr || !IsFinite(direction) || !IsFinite(length_m)) return true;
+  return ways_->level.IsOpen(direction, length_m);
 }
 
 std::span<const Obstacle> PhysicsWorld::Obstacles() {

@@ -16,6 +16,8 @@
 #include "world/scene_snapshot.h"
 #include "world/settings.h"
 #include "world/steer_avoid_objects.h"
+#include "world/ways_around.h"
+#include "world/workers.h"
 
 namespace soarbox::world {
 
@@ -80,7 +82,7 @@ class PhysicsWorld {
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);
 
   /// One step. Bodies that leave the range of the numbers are put back at its edge, at rest.
-  void Step(float step_s);
+  void Step(float step_s, const Workers& workers = {});
   /// Those that may have moved by themselves in the last step: those that could move and did not sleep. In a fixed
   /// order; some may have gone since, and their ids may belong to others.
   std::span<const BodyId> MovedBodies() const;
@@ -99,11 +101,12 @@ class PhysicsWorld {
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// Those whose bounding boxes come within that reach of the place, along each axis.
-  BodiesAround Around(Vec3 place, Vec3 reach_m) const;
-  /// Whether nothing but these two is on the segment in front of the target's surface; either may be kNone. Much faster
-  /// than RayCast where many bodies are on the way. `around`: those around the segment, if somebody has them.
-  bool IsClear(Vec3 from, Vec3 to, BodyId viewer, BodyId target, const BodiesAround* around = nullptr) const;
+  /// Makes the questions above and below cheaper until a body moves, comes or goes. Pays off for some for each body.
+  void PrepareRays();
+  /// Whether nothing but these two is on one of the segments to two places above each other, in front of the target's
+  /// surface; either may be kNone. Much faster than RayCast where many bodies are on the way. `around`: of a view that
+  /// holds the places, or null.
+  bool IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target, const BodiesAround* around) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
   /// that is not const.
   std::span<const Obstacle> Obstacles();
@@ -121,6 +124,8 @@ class PhysicsWorld {
   static constexpr float kMaxSize_m = 1e5f;
 
  private:
+  friend class BodiesAround;
+  friend class WaysAround;
   struct Body;
   struct Impl;
   Body& Get(BodyId body) const;

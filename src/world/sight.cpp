@@ -8,17 +8,17 @@
 
 namespace soarbox::world {
 
-bool SeesAgent(const Agent& from, const Agent& target, Vec3 point, const BodiesAround* around) {
-  const Vec3 eyes = EyesOf(from);
-  if (LengthSquared(point - eyes) < 1e-6f || !IsFinite(eyes) || !IsFinite(point)) return true;
-  const Vec3 begin = LimitPosition(eyes), end = LimitPosition(point);
-  return begin == end || AgentStore::Of(from).IsClear(begin, end, from, target, around);
+bool SeesAgent(const Agent& from, const Agent& target, const BodiesAround* around) {
+  const Vec3 eyes = EyesOf(from), middle = target.Position(), head = EyesOf(target);
+  constexpr float kTooNear_m2 = 1e-6f;
+  if (LengthSquared(middle - eyes) < kTooNear_m2 || LengthSquared(head - eyes) < kTooNear_m2) return true;
+  const Vec3 begin = LimitPosition(eyes), to = LimitPosition(middle), other = LimitPosition(head);
+  if (begin == to || begin == other) return true;
+  return AgentStore::Of(from).IsClearToEither(begin, to, other, from, target, around);
 }
 
-BodiesAround AroundEyes(const Agent& from, float range_m) {
-  // What is seen may be far above or below.
-  constexpr float kSlack_m = 0.1f, kHigh_m = 1e6f;
-  return AgentStore::Of(from).physics().Around(EyesOf(from), {range_m + kSlack_m, kHigh_m, range_m + kSlack_m});
+BodiesAround AroundEyes(const Agent& from, float range_m, float angle_deg) {
+  return BodiesAround(AgentStore::Of(from).physics(), {EyesOf(from), range_m, from.Forward(), angle_deg});
 }
 
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m) {

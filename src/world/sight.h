@@ -9,12 +9,12 @@
 // What agents can see and hear of each other, fast enough for crowds in which everybody looks at everybody.
 namespace soarbox::world {
 
-/// HasLineOfSight for an agent as the target: whether the other's eyes see this point of it. `around`: AroundEyes of
-/// the one who looks, if the point is within that range of it.
-bool SeesAgent(const Agent& from, const Agent& target, Vec3 point, const BodiesAround* around = nullptr);
-/// What may hide others from an agent up to this distance on the ground. Pays off for an agent that looks at many
-/// nearby.
-BodiesAround AroundEyes(const Agent& from, float range_m);
+/// Whether the other's eyes have a line of sight to the middle of the target or to its eyes: nothing but these two is
+/// on it in front of the target. `around`: AroundEyes of the other, if the target is in that view.
+bool SeesAgent(const Agent& from, const Agent& target, const BodiesAround* around = nullptr);
+/// What may hide others from an agent up to this distance on the ground, in a view so wide. Pays off for an agent that
+/// looks at many nearby.
+BodiesAround AroundEyes(const Agent& from, float range_m, float angle_deg);
 
 /// All agents within this distance, and perhaps some beyond, in ascending id. Several threads may ask at a time if
 /// World::PrepareForReaders was called since an agent last moved.

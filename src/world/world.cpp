@@ -53,20 +53,25 @@ Object* World::Impl::ObjectOf(BodyId body) const {
   return index < by_body.size() ? by_body[index] : nullptr;
 }
 
-void World::Impl::WalkBodies() {
-  for (const NodeId id : scene.animated()) {
+void World::Impl::WalkBodies(const Workers& workers) {
+  const auto& animated = scene.animated();
+  const auto walk = [&](NodeId id) {
     Animator* animator = scene.AnimatorOf(id);
-    if (!animator->has_locomotion()) continue;
+    if (!animator->has_locomotion()) return;
     const Scene::Node& node = *scene.Find(id);
     const Agent* agent = node.owner_is_agent ? agents.Find(node.owner) : nullptr;
-    if (!agent) continue;
+    if (!agent) return;
     const Vec3 velocity = agent->Velocity(), forward = agent->Forward();
     animator->Walk({.forward_mps = Dot(velocity, forward),
                     .left_mps = Dot(velocity, agent->Left()),
                     .heading_rad = std::atan2(forward.x, forward.z),
                     .alive = agent->Health() > 0},
                    settings.step_s);
-  }
+  };
+  constexpr std::size_t kWorthThread = 32;
+  WorkInPieces(workers, animated.size(), kWorthThread, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) walk(animated[i]);
+  });
 }
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
@@ -105,17 +110,17 @@ void World::SyncAgent(EntityId id) {
   if (Agent* agent = impl_->agents.Find(id); agent && !agent->is_node_placed_) agent->MoveNode();
 }
 
-void World::Step() {
+void World::Step(const Workers& workers) {
   // Nodes are placed where their bodies went in the step before; what rests stays where it is.
   for (const BodyId body : impl_->physics.MovedBodies())
     if (Object* object = impl_->ObjectOf(body)) object->MoveNode();
-  impl_->physics.Step(impl_->settings.step_s);
+  impl_->physics.Step(impl_->settings.step_s, workers);
   for (const BodyId body : impl_->physics.MovedBodies()) {
     if (const Object* object = impl_->ObjectOf(body))
       impl_->scene.BodyMoved(object->node(), object->Position(), object->Orientation());
   }
   impl_->agents.ReadBodies();
-  impl_->WalkBodies();
+  impl_->WalkBodies(workers);
   impl_->physics_lines.clear();
   if (impl_->draw_physics) impl_->physics.AddDebugLines(impl_->physics_lines);
 }
@@ -173,8 +178,9 @@ NodeId World::NodeOf(EntityId id) const {
   return object ? object->node() : NodeId::kNone;
 }
 
-void World::PrepareForReaders() {
+void World::PrepareForReaders(bool for_many_rays) {
   impl_->agents.PrepareCopyNear();
+  if (for_many_rays) impl_->physics.PrepareRays();
 }
 
 std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
@@ -182,8 +188,8 @@ std::optional<RayHit> World::RayCast(Vec3 from, Vec3 to) const {
   return impl_->physics.RayCast(LimitPosition(from), LimitPosition(to));
 }
 
-BodiesAround World::Around(Vec3 place, float reach_m) const {
-  return impl_->physics.Around(place, {reach_m, reach_m, reach_m});
+WaysAround World::Ways(const Walker& walker, float reach_m) const {
+  return WaysAround(impl_->physics, walker, reach_m);
 }
 
 Scene& World::scene() {

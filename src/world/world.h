@@ -11,7 +11,6 @@
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/result.h"
 #include "world/agent.h"
-#include "world/bodies_around.h"
 #include "world/camera.h"
 #include "world/collision.h"
 #include "world/debug_draw.h"
@@ -25,6 +24,8 @@
 #include "world/scene_snapshot.h"
 #include "world/settings.h"
 #include "world/ui.h"
+#include "world/ways_around.h"
+#include "world/workers.h"
 
 namespace soarbox::world {
 
@@ -65,7 +66,8 @@ class World {
   std::vector<EntityId> BeginTick();
   /// The agent's node follows its body.
   void SyncAgent(EntityId agent);
-  void Step();
+  /// The same on any number of threads.
+  void Step(const Workers& workers = {});
   /// The collisions of the last step.
   std::span<const Collision> Collisions() const;
   /// Hash of all that decides the future of the bodies, agents and random streams. The same on every run of one build.
@@ -102,11 +104,12 @@ class World {
   /// The node of the sandbox, an agent or an object, as parent for Scene::Create*; kNone for unknown ids.
   NodeId NodeOf(EntityId id) const;
   /// From now until something moves, comes or goes, several threads may call what is const, and sight.h.
-  void PrepareForReaders();
+  /// `for_many_rays`: rays, ways and lines of sight become cheaper until then, which pays off for some for each body.
+  void PrepareForReaders(bool for_many_rays = false);
   /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// For many such rays, all of them within that reach of the place.
-  BodiesAround Around(Vec3 place, float reach_m) const;
+  /// The ways on level ground of a walker that goes no farther than `reach_m` on any of them, its width included.
+  WaysAround Ways(const Walker& walker, float reach_m) const;
 
   // Navigation.
   /// Starts to build a mesh over all present fixed objects that have looks; leaves out planes. See Navigation::Create.

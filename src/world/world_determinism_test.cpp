@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -15,7 +16,7 @@ namespace {
 // A crowd that seeks, avoids, separates and wanders on a floor with blocks that are thrown and removed.
 class Crowd {
  public:
-  Crowd(std::uint64_t seed, int agents) : world_(WorldSettings{.seed = seed}) {
+  Crowd(std::uint64_t seed, int agents, float reach_m = 50) : world_(WorldSettings{.seed = seed}), reach_m_(reach_m) {
     world_.CreatePlane(200, 200);
     for (int i = 0; i < agents; ++i) {
       Agent& agent = *world_.FindAgent(world_.CreateAgent({}));
@@ -24,13 +25,13 @@ class Crowd {
     }
   }
 
-  void Tick() {
+  void Tick(const Workers& workers = {}) {
     world_.BeginTick();
     for (const EntityId id : world_.AgentIds()) {
       Drive(*world_.FindAgent(id));
       world_.SyncAgent(id);
     }
-    world_.Step();
+    world_.Step(workers);
     if (world_.tick() % 10 == 1) Throw();
     if (world_.tick() % 25 == 0) world_.RemoveObject(world_.ObjectIds().back());
   }
@@ -38,7 +39,11 @@ class Crowd {
   World& world() { return world_; }
 
  private:
-  static Vec3 Somewhere(RandomStream& random) { return {random.Unit() * 100 - 50, 0.8f, random.Unit() * 100 - 50}; }
+  Vec3 Somewhere(RandomStream& random) const {
+    const auto about = [&] { return (random.Unit() * 2 - 1) * reach_m_; };
+    const float x = about();
+    return {x, 0.8f, about()};
+  }
 
   void Drive(Agent& agent) {
     if (Distance(agent.Position(), agent.Target()) < 2) agent.SetTarget(Somewhere(agent.random()));
@@ -63,6 +68,7 @@ class Crowd {
   }
 
   World world_;
+  float reach_m_;
 };
 
 std::vector<std::uint64_t> Hashes(std::uint64_t seed, int agents, int ticks) {
@@ -91,6 +97,32 @@ TEST(WorldDeterminism, WorldsOnSeparateThreadsDoNotDisturbEachOther) {
   two.join();
   EXPECT_EQ(first, second);
   EXPECT_EQ(first, Hashes(42, 40, 150));
+}
+
+TEST(WorldDeterminism, AStepIsTheSameOnAnyNumberOfThreadsInAnyOrder) {
+  const auto backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+    while (count > 0) job(--count);
+  };
+  const auto threads = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+    std::vector<std::thread> three;
+    for (std::size_t thread = 0; thread < 3; ++thread)
+      three.emplace_back([&, thread] {
+        for (std::size_t i = thread; i < count; i += 3) job(i);
+      });
+    for (std::thread& each : three) each.join();
+  };
+  // So many so close that they bump into each other all the time.
+  Crowd alone(6, 500, 12), other(6, 500, 12), third(6, 500, 12);
+  std::size_t collisions = 0;
+  for (int i = 0; i < 40; ++i) {
+    alone.Tick();
+    other.Tick(threads);
+    third.Tick(backwards);
+    ASSERT_EQ(other.world().Hash(), alone.world().Hash()) << i;
+    ASSERT_EQ(third.world().Hash(), alone.world().Hash()) << i;
+    collisions += alone.world().Collisions().size();
+  }
+  EXPECT_GT(collisions, 500u);
 }
 
 TEST(WorldDeterminism, TwoSeedsDiffer) {

@@ -24,7 +24,7 @@ struct World::Impl {
   void DeleteObject(EntityId id);
   NavigationGeometry FixedGeometry() const;
   /// Bodies that walk by themselves take over how their agents move.
-  void WalkBodies();
+  void WalkBodies(const Workers& workers);
 
   WorldSettings settings;
   RandomStream random;

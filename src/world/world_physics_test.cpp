@@ -12,7 +12,6 @@
 #include "world/overlay_snapshot.h"
 #include "world/random.h"
 #include "world/rotation.h"
-#include "world/sight.h"
 #include "world/world.h"
 
 // The numbers are those measured on the sandbox (spec 6 and 18).
@@ -386,54 +385,6 @@ TEST(WorldPhysics, AnAgentWithoutPhysicsStaysWhereItIsPut) {
   EXPECT_FALSE(world.RayCast({0, 9, 0}, {0, 0, 0}).has_value());
   EXPECT_TRUE(agent.SetPosition({7, 8, 9}));
   EXPECT_EQ(world.scene().WorldPosition(agent.node()), (Vec3{7, 8, 9}));
-}
-
-TEST(WorldPhysics, RaysAmongTheBodiesAroundAPlaceHitWhatRaysOfTheWorldHit) {
-  World world;
-  RandomStream random(11, 1);
-  const auto about = [&](float reach) { return (random.Unit() * 2 - 1) * reach; };
-  world.CreatePlane(40, 40);
-  std::vector<EntityId> ids;
-  for (int i = 0; i < 60; ++i) {
-    const EntityId id = ids.emplace_back(i % 2 == 0 ? world.CreateBox(0.6f, 1.5f, 0.4f) : world.CreateAgent({}));
-    if (Object* object = world.FindObject(id)) object->SetPosition({about(6), 0.8f, about(6)});
-    if (Agent* agent = world.FindAgent(id)) agent->SetPosition({about(6), 0.8f, about(6)});
-  }
-  int hits = 0;
-  for (int i = 0; i < 50; ++i) {
-    const Vec3 place{about(6), 0.5f, about(6)};
-    const BodiesAround bodies = world.Around(place, 3);
-    for (int n = 0; n < 20; ++n) {
-      const Vec3 from = place + Vec3{about(1), about(1), about(1)}, to = place + Vec3{about(3), about(3), about(3)};
-      const auto wanted = world.RayCast(from, to), found = bodies.RayCast(from, to);
-      ASSERT_EQ(found.has_value(), wanted.has_value()) << i << " " << n;
-      const EntityId through = ids[random.Below(60)], self = wanted && n % 2 == 0 ? wanted->entity : ids[0];
-      EXPECT_EQ(bodies.IsOpen(from, to, through, self), !wanted || wanted->entity == through || wanted->entity == self);
-      if (!wanted) continue;
-      ++hits;
-      EXPECT_EQ(found->entity, wanted->entity);
-      EXPECT_EQ(found->point, wanted->point);
-      EXPECT_EQ(found->normal, wanted->normal);
-    }
-  }
-  EXPECT_GT(hits, 100);
-  int hidden = 0;
-  for (std::size_t i = 1; i < ids.size(); i += 2) {
-    const Agent& viewer = *world.FindAgent(ids[i]);
-    const BodiesAround around = AroundEyes(viewer, 20);
-    for (std::size_t n = 1; n < ids.size(); n += 2) {
-      const Agent& target = *world.FindAgent(ids[n]);
-      const bool sees = SeesAgent(viewer, target, target.Position());
-      EXPECT_EQ(SeesAgent(viewer, target, target.Position(), &around), sees) << i << " " << n;
-      hidden += sees ? 0 : 1;
-    }
-  }
-  EXPECT_GT(hidden, 50);
-  EXPECT_LT(hidden, 850);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(world.Around({nan, 0, 0}, 3).RayCast({0, 5, 0}, {0, -5, 0}));
-  EXPECT_TRUE(world.Around({nan, 0, 0}, 3).IsOpen({0, 5, 0}, {0, -5, 0}, ids[0], ids[1]));
-  EXPECT_FALSE(world.Around({0, 0, 0}, 3).RayCast({0, nan, 0}, {0, -5, 0}));
 }
 
 TEST(WorldPhysics, RemovingABodyDuringItsCollisionTakesEffectAtTheNextTick) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/physics_bullet.h"
+
+// For the physics_*.cpp files only.
+namespace soarbox::world {
+
+/// A body with the box in which the broad phase keeps it, outside of which rays do not find it, and with what it fills,
+/// seen from above.
+struct BoxedBody {
+  btDbvtVolume box;
+  const btCollisionObject* body = nullptr;
+  btScalar x = 0, z = 0, radius = 0;  ///< It fills no more than this circle.
+  /// The ends of the axis of an upright capsule, which fills all of the circle between them and is round above and
+  /// below; low > high for other bodies, and if the box lags behind the body.
+  btScalar low = 1, high = 0;
+
+  bool IsPillar() const { return low <= high; }
+};
+
+/// Whether it leans by no more than rounding.
+inline bool Stands(const btCollisionObject& body) {
+  return body.getWorldTransform().getBasis()[1][1] == 1;
+}
+
+inline BoxedBody SeenFromAbove(const btCollisionObject& body, const btDbvtVolume& box) {
+  BoxedBody result{box, &body};
+  constexpr btScalar kTallest_m = 5;
+  if (body.getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE && Stands(body)) {
+    const auto& capsule = static_cast<const btCapsuleShape&>(*body.getCollisionShape());
+    const btVector3& middle = body.getWorldTransform().getOrigin();
+    const btScalar radius = capsule.getRadius(), half = capsule.getHalfHeight();
+    if (half <= kTallest_m) {
+      result.x = middle.x();
+      result.z = middle.z();
+      result.radius = radius;
+      const btVector3 reach(radius, half + radius, radius);
+      const btVector3 below = middle - reach - box.Mins(), above = box.Maxs() - middle - reach;
+      const bool is_boxed = std::min({below.x(), below.y(), below.z(), above.x(), above.y(), above.z()}) >= 0;
+      if (is_boxed) {
+        result.low = middle.y() - half;
+        result.high = middle.y() + half;
+      }
+      return result;
+    }
+  }
+  const btVector3 center = box.Center(), half = box.Extents();
+  result.x = center.x();
+  result.z = center.z();
+  result.radius = std::sqrt(half.x() * half.x() + half.z() * half.z());
+  return result;
+}
+
+}  // namespace soarbox::world

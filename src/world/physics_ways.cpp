@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "world/physics_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "world/ids.h"
+#include "world/limits.h"
+
+namespace soarbox::world {
+namespace {
+
+bool IsAny(const void* mask) {
+  std::uint64_t halves[2];
+  std::memcpy(halves, mask, sizeof(halves));
+  return (halves[0] | halves[1]) != 0;
+}
+
+}  // namespace
+
+struct LevelWays::Way {
+  btScalar x, z;  ///< The direction.
+  btScalar length_m;
+  bool is_unit;
+  btScalar sides[3];
+};
+
+bool LevelWays::Segment::Enters(const BoxedBody& each) const {
+  return probe.Meets(each.box, 1) && EntryOf(*each.body, from, to).has_value();
+}
+
+LevelWays::LevelWays(const Walker& walker, float reach_m) : walker_(walker), reach_m_(reach_m) {
+  constexpr std::size_t kUsual = 32;
+  bodies_.reserve(kUsual);
+  circles_.reserve(kUsual / kLanes);
+  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
+  slack_m_ = kSlack_m +
+             kSlack * (std::abs(walker.place.x) + std::abs(walker.place.y) + std::abs(walker.place.z) + 4 * reach_m);
+  low_ = ToBullet(LimitPosition(walker.place - Vec3{reach_m, 0, reach_m}));
+  high_ = ToBullet(LimitPosition(walker.place + Vec3{reach_m, 0, reach_m}));
+}
+
+bool LevelWays::IsOwn(const btCollisionObject& body) const {
+  const int owner = body.getUserIndex();
+  return owner == static_cast<int>(Number(walker_.self)) || owner == static_cast<int>(Number(walker_.through));
+}
+
+/// Whether it is a plane that no way comes near: the ground.
+bool LevelWays::IsPlaneAfar(const BoxedBody& each) const {
+  constexpr btScalar kLarge_m = 1e6f;
+  if (each.radius < kLarge_m || each.body->getCollisionShape()->getShapeType() != STATIC_PLANE_PROXYTYPE) return false;
+  const auto& plane = static_cast<const btStaticPlaneShape&>(*each.body->getCollisionShape());
+  const btTransform& place = each.body->getWorldTransform();
+  const btVector3 normal = place.getBasis() * plane.getPlaneNormal();
+  const btScalar above_m = normal.dot(ToBullet(walker_.place) - place.getOrigin()) - plane.getPlaneConstant();
+  return std::abs(above_m) > 2 * reach_m_ * (std::abs(normal.x()) + std::abs(normal.z())) + slack_m_;
+}
+
+LevelWays::Circle LevelWays::CircleOf(const BoxedBody& each) const {
+  const bool is_beside = walker_.place.y > each.low + slack_m_ && walker_.place.y < each.high - slack_m_;
+  return {each.x - walker_.place.x, each.z - walker_.place.z, each.radius + slack_m_,
+          is_beside ? std::max(each.radius - slack_m_, btScalar{0}) : btScalar{0}};
+}
+
+bool LevelWays::StandsIn(const BoxedBody& each) const {
+  const Circle circle = CircleOf(each);
+  const btScalar off_m = std::sqrt(circle.x * circle.x + circle.z * circle.z);
+  return off_m < circle.inner && off_m + circle.outer < walker_.half_width_m;
+}
+
+void LevelWays::Consider(const BoxedBody& each) {
+  if (IsPlaneAfar(each)) return;
+  if (IsOwn(*each.body)) {
+    if (!StandsIn(each)) own_.push_back(each);
+    return;
+  }
+  const Circle circle = CircleOf(each);
+  const std::size_t lane = bodies_.size() % kLanes;
+  bodies_.push_back(each);
+  if (lane == 0) circles_.emplace_back();
+  Circles& four = circles_.back();
+  four.x[lane] = circle.x;
+  four.z[lane] = circle.z;
+  four.outer[lane] = circle.outer;
+  four.inner[lane] = circle.inner;
+}
+
+bool LevelWays::IsNear(const Circle& circle, const Way& way) const {
+  const btScalar along = circle.x * way.x + circle.z * way.z, beside = circle.x * way.z - circle.z * way.x;
+  return !way.is_unit || (std::abs(beside) <= circle.outer + walker_.half_width_m && along >= -circle.outer &&
+                          along <= circle.outer + way.length_m);
+}
+
+/// Whether a body is certainly entered by one of the segments.
+bool LevelWays::IsBlockedForCertain(const Way& way) const {
+  for (const Circles& four : circles_) {
+    // How far each circle's middle is along the way and beside it.
+    const Four along = four.x * way.x + four.z * way.z, beside = four.x * way.z - four.z * way.x;
+    const Four inner = four.inner * four.inner, outer = four.outer * four.outer;
+    const Four past = along - way.length_m;
+    const Mask before_end = past <= four.inner - four.outer;
+    Mask enters{};
+    for (const btScalar side : way.sides) {
+      const Four off = beside - side, off_2 = off * off;
+      enters |= (off_2 < inner) & (off_2 + along * along > outer) & (before_end | (off_2 + past * past < inner));
+    }
+    enters &= along > 0;
+    if (IsAny(&enters)) return true;
+  }
+  return false;
+}
+
+/// Calls visit for each body that one of the segments may enter, until it answers false; returns whether it never did.
+template <class Visit>
+bool LevelWays::VisitNear(const Way& way, const Visit& visit) const {
+  for (std::size_t n = 0; n < circles_.size(); ++n) {
+    const Circles& four = circles_[n];
+    const Four along = four.x * way.x + four.z * way.z, beside = four.x * way.z - four.z * way.x;
+    const Four reach = four.outer + walker_.half_width_m;
+    const Mask near =
+        (beside <= reach) & (beside >= -reach) & (along >= -four.outer) & (along <= four.outer + way.length_m);
+    if (way.is_unit && !IsAny(&near)) continue;
+    for (std::size_t lane = 0; lane < kLanes && n * kLanes + lane < bodies_.size(); ++lane)
+      if ((near[lane] != 0 || !way.is_unit) && !visit(bodies_[n * kLanes + lane])) return false;
+  }
+  return true;
+}
+
+bool LevelWays::IsOpen(Vec3 direction, float length_m) const {
+  constexpr float kUnit = 1e-5f;
+  const btScalar half_m = walker_.half_width_m;
+  const Way way{
+      direction.x, direction.z, length_m, std::abs(LengthSquared(direction) - 1) < kUnit, {0, half_m, -half_m}};
+  const bool may_meet_own =
+      std::ranges::any_of(own_, [&](const BoxedBody& each) { return IsNear(CircleOf(each), way); });
+  if (!may_meet_own && way.is_unit && IsBlockedForCertain(way)) return false;
+  const Vec3 across{direction.z, 0, -direction.x};
+  for (const btScalar side : way.sides) {
+    const Vec3 from = walker_.place + across * side;
+    const Vec3 begin = LimitPosition(from), end = LimitPosition(from + direction * length_m);
+    if (begin == end) continue;
+    const Segment segment{ToBullet(begin), ToBullet(end), Probe(ToBullet(begin), ToBullet(end))};
+    if (may_meet_own ? !IsOwnFirst(way, segment)
+                     : !VisitNear(way, [&](const BoxedBody& each) { return !segment.Enters(each); }))
+      return false;
+  }
+  return true;
+}
+
+/// Whether the segment enters nothing, or one of the walker's own bodies first.
+bool LevelWays::IsOwnFirst(const Way& way, const Segment& segment) const {
+  FirstHit first;
+  btScalar share = 1;
+  const auto take = [&](const BoxedBody& each) {
+    if (segment.probe.Meets(each.box, share)) TakeIfFirst(*each.body, segment.from, segment.to, first, share);
+    return true;
+  };
+  VisitNear(way, take);
+  for (const BoxedBody& each : own_) take(each);
+  return first.body == nullptr || IsOwn(*first.body);
+}
+
+}  // namespace soarbox::world
