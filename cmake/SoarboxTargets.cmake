@@ -24,11 +24,19 @@ if(SOARBOX_PRECOMPILE AND NOT SOARBOX_SANITIZE)
 endif()
 add_library(soarbox_options INTERFACE)
 target_include_directories(soarbox_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
+# Developers' builds accept no warning. A release is what users compile, with whatever compiler they have; to look for warnings
+# would take a tenth of the time. A first build in batches has precompiled headers, for which GCC warns of more than is so:
+# there a warning stays a warning.
+set(soarbox_warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual)
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT SOARBOX_CI)
+  set(soarbox_warnings -w)
+elseif(SOARBOX_CI OR NOT soarbox_first_build)
+  list(APPEND soarbox_warnings -Werror)
+endif()
 target_compile_options(soarbox_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
-  # Developers' builds accept no warning. A release is what users compile, with whatever compiler they have, and a first
-  # build in batches has precompiled headers, for which GCC warns of more than is so: there a warning stays a warning.
-  $<$<OR:$<BOOL:${SOARBOX_CI}>,$<NOT:$<OR:$<CONFIG:Release>,${soarbox_first_build}>>>:-Werror>
+  ${soarbox_warnings}
+  # Large batches: GCC collects what it no longer needs when it holds half a gigabyte, not eighty times before.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${SOARBOX_UNITY}>>:SHELL:--param ggc-min-heapsize=500000>
   # Determinism is a public contract: no fused multiply-add, no machine-specific code.
   -ffp-contract=off
   # GCC 12 warns of impossible overlaps and sizes in std::string at -O3 (its bug 105651).
@@ -156,13 +164,12 @@ function(soarbox_sort_into_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# The headers of the standard library that most files include are read once for all libraries, and once more, with those of
-# GoogleTest, for all test programs: a second and a half less for each batch. Not while somebody develops: a file that
-# forgets a header should not compile.
-option(SOARBOX_PRECOMPILE "Precompile the standard library's headers (builds that nobody repeats)" OFF)
-set(soarbox_standard_headers <algorithm> <array> <charconv> <cmath> <deque> <filesystem> <fstream> <functional> <map> <memory>
-    <optional> <set> <span> <sstream> <string> <string_view> <unordered_map> <utility> <variant> <vector>)
-if(SOARBOX_PRECOMPILE)
+# All test programs read the headers of GoogleTest and those of the standard library that most files include from one place: a
+# second and a half less for each. Not while somebody develops: a file that forgets a header should not compile. Libraries in
+# large batches gain nothing. (GCC keeps the level of optimisation with what it precompiled and uses that one, whatever the
+# options of a file say.)
+option(SOARBOX_PRECOMPILE "Precompile headers for tests (builds that nobody repeats)" OFF)
+if(SOARBOX_PRECOMPILE AND SOARBOX_TESTS)
   # A compiler cache has to be told that what reads these headers may be kept.
   if(SOARBOX_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${SOARBOX_CCACHE}")
@@ -170,29 +177,15 @@ if(SOARBOX_PRECOMPILE)
   # GCC 12 takes what it precompiled for no system header and then warns of impossible bounds in std::string.
   target_compile_options(soarbox_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-stringop-overread>)
   file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/headers/program.cpp" CONTENT "int main() {}\n")
-  add_library(soarbox_library_headers STATIC EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/headers/program.cpp")
-  target_link_libraries(soarbox_library_headers PRIVATE soarbox_options)
-  target_precompile_headers(soarbox_library_headers PRIVATE ${soarbox_standard_headers})
-  if(SOARBOX_CI)
-    target_compile_options(soarbox_library_headers PRIVATE -UNDEBUG)
-  endif()
-  if(SOARBOX_TESTS)
-    add_executable(soarbox_test_headers EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/headers/program.cpp")
-    target_link_libraries(soarbox_test_headers PRIVATE soarbox_options GTest::gtest GTest::gmock)
-    target_compile_options(soarbox_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
-    target_precompile_headers(soarbox_test_headers PRIVATE ${soarbox_standard_headers} <gmock/gmock.h> <gtest/gtest.h>)
-  endif()
+  add_executable(soarbox_test_headers EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/headers/program.cpp")
+  target_link_libraries(soarbox_test_headers PRIVATE soarbox_options GTest::gtest GTest::gmock)
+  target_compile_options(soarbox_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(soarbox_test_headers PRIVATE <algorithm> <array> <charconv> <cmath> <deque> <filesystem> <fstream> <functional>
+      <map> <memory> <optional> <set> <span> <sstream> <string> <string_view> <unordered_map> <utility> <variant> <vector>
+      <gmock/gmock.h> <gtest/gtest.h>)
 endif()
 # The kernel, and what reaches it, is counted by instruction.
 set(soarbox_counted "^soarbox_(diagnostics|kernel|mind|journal|sml|soar_client)")
-# soarbox_reads_headers_of(TARGET HEADERS): lets a target read precompiled headers. In a release the kernel does not: GCC 12
-# makes 4 % more instructions of the decision cycle where headers are precompiled.
-function(soarbox_reads_headers_of target headers)
-  if(SOARBOX_PRECOMPILE AND NOT (CMAKE_BUILD_TYPE STREQUAL "Release" AND target MATCHES "${soarbox_counted}"))
-    target_precompile_headers(${target} REUSE_FROM ${headers})
-  endif()
-endfunction()
-
 # soarbox_is_fuzzed(TARGET): fuzzers follow the paths through it, as it reads foreign text or bytes. What counts them makes
 # compiling a fifth longer and running slower, so only what is fuzzed has it.
 function(soarbox_is_fuzzed target)
@@ -210,7 +203,6 @@ function(soarbox_library name)
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
   add_library(soarbox::${name} ALIAS soarbox_${name})
   target_link_libraries(soarbox_${name} PUBLIC soarbox_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
-  soarbox_reads_headers_of(soarbox_${name} soarbox_library_headers)
   if(arg_LARGE_BATCHES)
     soarbox_in_large_batches(soarbox_${name})
   else()
@@ -261,7 +253,9 @@ function(soarbox_test name)
   target_link_libraries(${name} PRIVATE soarbox_options ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
   soarbox_paths_for(${name} "${arg_SOURCES}" "SOARBOX_SOURCE_DIR|_fixture\\.h|test_run\\.h" SOARBOX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   soarbox_in_large_batches(${name})
-  soarbox_reads_headers_of(${name} soarbox_test_headers)
+  if(SOARBOX_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM soarbox_test_headers)
+  endif()
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   # Virtual displays that start at the same moment may pick the same number.
   set(lock "")
