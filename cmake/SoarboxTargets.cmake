@@ -18,24 +18,17 @@ if(SOARBOX_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
-set(soarbox_first_build 0)
-if(SOARBOX_PRECOMPILE AND NOT SOARBOX_SANITIZE)
-  set(soarbox_first_build 1)
-endif()
 add_library(soarbox_options INTERFACE)
 target_include_directories(soarbox_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
-# Developers' builds accept no warning. A release is what users compile, with whatever compiler they have; to look for warnings
-# would take a tenth of the time. A first build in batches has precompiled headers, for which GCC warns of more than is so:
-# there a warning stays a warning.
-set(soarbox_warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual)
-if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT SOARBOX_CI)
+# Developers' builds accept no warning. A release is what users compile, with whatever compiler they have, and nobody looks for
+# warnings in a first build in batches: to find them would take a tenth of the time.
+set(soarbox_warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+if(NOT SOARBOX_CI AND NOT SOARBOX_SANITIZE AND (CMAKE_BUILD_TYPE STREQUAL "Release" OR SOARBOX_PRECOMPILE))
   set(soarbox_warnings -w)
-elseif(SOARBOX_CI OR NOT soarbox_first_build)
-  list(APPEND soarbox_warnings -Werror)
 endif()
 target_compile_options(soarbox_options INTERFACE
   ${soarbox_warnings}
-  # Large batches: GCC collects what it no longer needs when it holds half a gigabyte, not eighty times before.
+  # Large batches: GCC first looks for what it no longer needs when it holds half a gigabyte.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${SOARBOX_UNITY}>>:SHELL:--param ggc-min-heapsize=500000>
   # Determinism is a public contract: no fused multiply-add, no machine-specific code.
   -ffp-contract=off
