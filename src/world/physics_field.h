@@ -26,7 +26,7 @@ class BodyField {
   void Build(const CrowdBroadphase& bodies);
   void Forget() { is_known_ = false; }
   bool is_known() const { return is_known_; }
-  static constexpr btScalar kLongest_m = 200;
+  static constexpr btScalar kLongest_m = 8;  ///< What is longer is found as fast by the trees.
 
   /// Calls visit(const BoxedBody&) for each body whose box touches this one, and perhaps for others.
   template <class Visit>

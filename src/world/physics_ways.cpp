@@ -12,6 +12,11 @@
 namespace soarbox::world {
 namespace {
 
+/// As a bit; there may be more groups than bits.
+std::uint64_t GroupOf(std::size_t n) {
+  return 1ull << (n % 64);
+}
+
 bool IsAny(const void* mask) {
   std::uint64_t halves[2];
   std::memcpy(halves, mask, sizeof(halves));
@@ -93,13 +98,19 @@ bool LevelWays::IsNear(const Circle& circle, const Way& way) const {
                           along <= circle.outer + way.length_m);
 }
 
-/// Whether a body is certainly entered by one of the segments.
-bool LevelWays::IsBlockedForCertain(const Way& way) const {
-  for (const Circles& four : circles_) {
+/// Whether a body is certainly entered by one of the segments. If not, `groups` becomes those of the fours that hold
+/// bodies which may be entered.
+bool LevelWays::IsBlockedForCertain(const Way& way, std::uint64_t& groups) const {
+  groups = 0;
+  for (std::size_t n = 0; n < circles_.size(); ++n) {
     // How far each circle's middle is along the way and beside it.
+    const Circles& four = circles_[n];
     const Four along = four.x * way.x + four.z * way.z, beside = four.x * way.z - four.z * way.x;
+    const Four reach = four.outer + walker_.half_width_m, past = along - way.length_m;
+    const Mask near = (beside <= reach) & (beside >= -reach) & (along >= -four.outer) & (past <= four.outer);
+    if (!IsAny(&near)) continue;
+    groups |= GroupOf(n);
     const Four inner = four.inner * four.inner, outer = four.outer * four.outer;
-    const Four past = along - way.length_m;
     const Mask before_end = past <= four.inner - four.outer;
     Mask enters{};
     for (const btScalar side : way.sides) {
@@ -112,18 +123,15 @@ bool LevelWays::IsBlockedForCertain(const Way& way) const {
   return false;
 }
 
-/// Calls visit for each body that one of the segments may enter, until it answers false; returns whether it never did.
+/// Calls visit for each body of the groups that one of the segments may enter, until it answers false; returns whether
+/// it never did.
 template <class Visit>
-bool LevelWays::VisitNear(const Way& way, const Visit& visit) const {
-  for (std::size_t n = 0; n < circles_.size(); ++n) {
+bool LevelWays::VisitNear(const Way& way, std::uint64_t groups, const Visit& visit) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const std::size_t n = i / kLanes, lane = i % kLanes;
+    if ((groups & GroupOf(n)) == 0) continue;
     const Circles& four = circles_[n];
-    const Four along = four.x * way.x + four.z * way.z, beside = four.x * way.z - four.z * way.x;
-    const Four reach = four.outer + walker_.half_width_m;
-    const Mask near =
-        (beside <= reach) & (beside >= -reach) & (along >= -four.outer) & (along <= four.outer + way.length_m);
-    if (way.is_unit && !IsAny(&near)) continue;
-    for (std::size_t lane = 0; lane < kLanes && n * kLanes + lane < bodies_.size(); ++lane)
-      if ((near[lane] != 0 || !way.is_unit) && !visit(bodies_[n * kLanes + lane])) return false;
+    if (IsNear({four.x[lane], four.z[lane], four.outer[lane], 0}, way) && !visit(bodies_[i])) return false;
   }
   return true;
 }
@@ -135,7 +143,11 @@ bool LevelWays::IsOpen(Vec3 direction, float length_m) const {
       direction.x, direction.z, length_m, std::abs(LengthSquared(direction) - 1) < kUnit, {0, half_m, -half_m}};
   const bool may_meet_own =
       std::ranges::any_of(own_, [&](const BoxedBody& each) { return IsNear(CircleOf(each), way); });
-  if (!may_meet_own && way.is_unit && IsBlockedForCertain(way)) return false;
+  std::uint64_t groups = ~0ull;
+  if (!may_meet_own && way.is_unit) {
+    if (IsBlockedForCertain(way, groups)) return false;
+    if (groups == 0) return true;
+  }
   const Vec3 across{direction.z, 0, -direction.x};
   for (const btScalar side : way.sides) {
     const Vec3 from = walker_.place + across * side;
@@ -143,7 +155,7 @@ bool LevelWays::IsOpen(Vec3 direction, float length_m) const {
     if (begin == end) continue;
     const Segment segment{ToBullet(begin), ToBullet(end), Probe(ToBullet(begin), ToBullet(end))};
     if (may_meet_own ? !IsOwnFirst(way, segment)
-                     : !VisitNear(way, [&](const BoxedBody& each) { return !segment.Enters(each); }))
+                     : !VisitNear(way, groups, [&](const BoxedBody& each) { return !segment.Enters(each); }))
       return false;
   }
   return true;
@@ -157,7 +169,7 @@ bool LevelWays::IsOwnFirst(const Way& way, const Segment& segment) const {
     if (segment.probe.Meets(each.box, share)) TakeIfFirst(*each.body, segment.from, segment.to, first, share);
     return true;
   };
-  VisitNear(way, take);
+  VisitNear(way, ~0ull, take);
   for (const BoxedBody& each : own_) take(each);
   return first.body == nullptr || IsOwn(*first.body);
 }

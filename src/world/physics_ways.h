@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "world/physics_field.h"
@@ -53,10 +54,10 @@ class LevelWays {
   /// Whether the walker stands in the middle of the body, so that it never enters it.
   bool StandsIn(const BoxedBody& each) const;
   bool IsNear(const Circle& circle, const Way& way) const;
-  bool IsBlockedForCertain(const Way& way) const;
+  bool IsBlockedForCertain(const Way& way, std::uint64_t& groups) const;
   bool IsOwnFirst(const Way& way, const Segment& segment) const;
   template <class Visit>
-  bool VisitNear(const Way& way, const Visit& visit) const;
+  bool VisitNear(const Way& way, std::uint64_t groups, const Visit& visit) const;
 
   Walker walker_;
   float reach_m_;
