@@ -169,8 +169,8 @@ RunResult Agent::RunGuarded(Work work) {
 RunResult Agent::Run(RunUnit unit, std::uint64_t count) {
   return RunGuarded([&](RunControl& run) { return run.Run(unit, count); });
 }
-RunResult Agent::Step(RunUnit unit) {
-  return RunGuarded([&](RunControl& run) { return run.Step(unit); });
+RunResult Agent::Step(RunUnit unit, std::uint64_t most) {
+  return RunGuarded([&](RunControl& run) { return run.Step(unit, most); });
 }
 RunResult Agent::RunToPhase(Phase phase) {
   return RunGuarded([&](RunControl& run) { return run.RunToPhase(phase); });

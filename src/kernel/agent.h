@@ -117,7 +117,9 @@ class Agent {
   /// kElaboration: one elaboration, or one phase if the phase has none. kPhase: to the end of the current phase.
   /// kDecision: to the end of the output phase. kOutput: to the end of an output phase that changed the output link, or
   /// until max_nil_output_cycles output phases have passed without one. kForever is not a step.
-  RunResult Step(RunUnit unit);
+  /// `most`: if the agent comes to rest in a step of kDecision, so that further ones would come to nothing without new
+  /// input, they are counted as made, as many as make that number with the first.
+  RunResult Step(RunUnit unit, std::uint64_t most = 1);
   /// Runs phase by phase until `phase` is next. Does nothing if it is.
   RunResult RunToPhase(Phase phase);
   /// The phase that runs next, or that the agent stands in the middle of.

@@ -26,7 +26,7 @@ inline world::Vec3 AlongHeading(float degrees) {
 }
 /// Into (-180, 180].
 inline float WrapDegrees(float degrees) {
-  degrees = std::fmod(degrees, 360.0f);
+  if (!(std::abs(degrees) < 360)) degrees = std::fmod(degrees, 360.0f);
   if (degrees > 180) degrees -= 360;
   return degrees <= -180 ? degrees + 360 : degrees;
 }

@@ -25,18 +25,11 @@ void InputMirror::Slot::Hold(std::string_view value) {
 
 /// What stood there the last time under that name; it is the next one nearly always. Null if there was nothing.
 InputMirror::Slot* InputMirror::Find(const Name& name) {
-  OpenObject& open = open_.back();
-  Slots& slots = *open.slots;
-  for (std::size_t n = open.next; n < slots.size(); ++n) {
-    const Slot& slot = slots[n];
-    if (slot.row != name.row || slot.key != name.key || slot.kind != name.kind) continue;
-    if (name.row == nullptr && name.other != slot.element->GetAttribute()) continue;
-    if (n != open.next) {
-      const auto first = slots.begin() + static_cast<std::ptrdiff_t>(open.next);
-      const auto found = slots.begin() + static_cast<std::ptrdiff_t>(n);
-      std::rotate(first, found, found + 1);
-    }
-    return &slots[open.next++];
+  for (Slot* slot = next_; slot != end_; ++slot) {
+    if (slot->row != name.row || slot->key != name.key || slot->kind != name.kind) continue;
+    if (name.row == nullptr && name.other != slot->element->GetAttribute()) continue;
+    if (slot != next_) std::rotate(next_, slot, slot + 1);
+    return next_++;
   }
   return nullptr;
 }
@@ -55,8 +48,11 @@ InputMirror::Slot* InputMirror::Insert(const Name& name, sml::WMElement* element
     slot.below = spare_.back();
     spare_.pop_back();
   }
-  OpenObject& open = open_.back();
-  return &*open.slots->insert(open.slots->begin() + static_cast<std::ptrdiff_t>(open.next++), slot);
+  Slots& slots = *open_.back().slots;
+  const std::ptrdiff_t place = next_ - slots.data();
+  slots.insert(slots.begin() + place, slot);
+  GoOn(slots, static_cast<std::size_t>(place) + 1);
+  return next_ - 1;
 }
 
 void InputMirror::Recycle(Slots& slots) {
@@ -82,24 +78,22 @@ void InputMirror::Destroy(const Slot& slot) {
 void InputMirror::DropRest() {
   OpenObject& open = open_.back();
   Slots& slots = *open.slots;
-  for (std::size_t n = open.next; n < slots.size(); ++n) Destroy(slots[n]);
-  slots.resize(open.next);
+  for (const Slot* slot = next_; slot != end_; ++slot) Destroy(*slot);
+  slots.resize(static_cast<std::size_t>(next_ - slots.data()));
   slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(open.dropped));
 }
 
 std::uint32_t InputMirror::NextKey() const {
-  const OpenObject& open = open_.back();
-  return open.next < open.slots->size() ? (*open.slots)[open.next].key : 0;
+  return next_ != end_ ? next_->key : 0;
 }
 
 void InputMirror::Drop() {
-  OpenObject& open = open_.back();
-  Destroy((*open.slots)[open.next++]);
-  open.dropped = open.next;
+  Destroy(*next_++);
+  open_.back().dropped = static_cast<std::size_t>(next_ - open_.back().slots->data());
 }
 
 void InputMirror::KeepRest() {
-  open_.back().next = open_.back().slots->size();
+  next_ = end_;
 }
 
 // Telling -------------------------------------------------------------------------------------------------------------
@@ -111,10 +105,12 @@ void InputMirror::Begin() {
   named_ = 0;
   open_.clear();
   open_.push_back({top_.get(), 0, agent_->GetInputLink()});
+  GoOn(*top_, 0);
 }
 
 void InputMirror::End() {
   DropRest();
+  next_ = end_ = nullptr;
 }
 
 void InputMirror::Note(const Slot& slot) {
@@ -144,57 +140,63 @@ std::string_view InputMirror::Path() {
 
 void InputMirror::TellInteger(const Name& name, std::int64_t value) {
   if (refused_ > 0) return;
-  Slot* slot = Find(name);
-  if (slot == nullptr) {
-    const std::string attribute = name.attribute();
-    slot = Insert(name, agent_->CreateIntWME(open_.back().object, attribute.c_str(), value));
-    if (slot == nullptr) return;
-  } else if (slot->integer == value) {
+  if (Slot* slot = Find(name); slot != nullptr) {
+    if (slot->integer != value) Change(*slot, value);
     return;
-  } else {
-    agent_->Update(static_cast<sml::IntElement*>(slot->element), value);
-    ++changes_;
   }
+  const std::string attribute = name.attribute();
+  Slot* slot = Insert(name, agent_->CreateIntWME(open_.back().object, attribute.c_str(), value));
+  if (slot == nullptr) return;
   slot->integer = value;
   if (log_ != nullptr) Note(*slot);
 }
 
+void InputMirror::Change(Slot& slot, std::int64_t value) {
+  agent_->Update(static_cast<sml::IntElement*>(slot.element), value);
+  ++changes_;
+  slot.integer = value;
+  if (log_ != nullptr) Note(slot);
+}
+
 void InputMirror::TellFloat(const Name& name, double value) {
   if (refused_ > 0) return;
-  Slot* slot = Find(name);
-  if (slot == nullptr) {
-    const std::string attribute = name.attribute();
-    slot = Insert(name, agent_->CreateFloatWME(open_.back().object, attribute.c_str(), value));
-    if (slot == nullptr) return;
-  } else if (slot->number == value) {
+  if (Slot* slot = Find(name); slot != nullptr) {
+    if (slot->number != value) Change(*slot, value);
     return;
-  } else {
-    agent_->Update(static_cast<sml::FloatElement*>(slot->element), value);
-    ++changes_;
   }
+  const std::string attribute = name.attribute();
+  Slot* slot = Insert(name, agent_->CreateFloatWME(open_.back().object, attribute.c_str(), value));
+  if (slot == nullptr) return;
   slot->number = value;
   if (log_ != nullptr) Note(*slot);
 }
 
+void InputMirror::Change(Slot& slot, double value) {
+  agent_->Update(static_cast<sml::FloatElement*>(slot.element), value);
+  ++changes_;
+  slot.number = value;
+  if (log_ != nullptr) Note(slot);
+}
+
 void InputMirror::TellText(const Name& name, std::string_view value) {
   if (refused_ > 0) return;
-  Slot* slot = Find(name);
-  if (slot == nullptr) {
-    const std::string attribute = name.attribute(), text(value);
-    slot = Insert(name, agent_->CreateStringWME(open_.back().object, attribute.c_str(), text.c_str()));
-    if (slot == nullptr) return;
-  } else if (slot->Holds(value)) {
+  if (Slot* slot = Find(name); slot != nullptr) {
+    Change(*slot, value);
     return;
-  } else {
-    agent_->Update(static_cast<sml::StringElement*>(slot->element), std::string(value).c_str());
-    ++changes_;
   }
+  const std::string attribute = name.attribute(), text(value);
+  Slot* slot = Insert(name, agent_->CreateStringWME(open_.back().object, attribute.c_str(), text.c_str()));
+  if (slot == nullptr) return;
   slot->Hold(value);
   if (log_ != nullptr) Note(*slot);
 }
 
-void InputMirror::Word(const vocabulary::PerceptRow& row, std::string_view value, std::uint32_t key) {
-  TellText({&row, {}, key, Kind::kText}, value);
+void InputMirror::Change(Slot& slot, std::string_view value) {
+  if (slot.Holds(value)) return;
+  agent_->Update(static_cast<sml::StringElement*>(slot.element), std::string(value).c_str());
+  ++changes_;
+  slot.Hold(value);
+  if (log_ != nullptr) Note(slot);
 }
 
 void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const vocabulary::ConstantValue& value) {
@@ -218,7 +220,14 @@ void InputMirror::OpenNamed(const Name& name) {
     ++refused_;
     return;
   }
-  open_.push_back({slot->below, 0, static_cast<sml::Identifier*>(slot->element), 0, slot->key, 0});
+  Enter(*slot);
+}
+
+void InputMirror::Enter(const Slot& slot) {
+  OpenObject& above = open_.back();
+  above.next = static_cast<std::size_t>(next_ - above.slots->data());
+  GoOn(*slot.below, 0);
+  open_.push_back({slot.below, 0, static_cast<sml::Identifier*>(slot.element), 0, slot.key, 0});
 }
 
 void InputMirror::Close() {
@@ -226,12 +235,13 @@ void InputMirror::Close() {
     --refused_;
     return;
   }
-  DropRest();
+  if (next_ != end_ || open_.back().dropped > 0) DropRest();
   if (named_ == open_.size()) {
     path_.resize(open_.back().path_length);
     --named_;
   }
   open_.pop_back();
+  GoOn(*open_.back().slots, open_.back().next);
 }
 
 void InputMirror::ShowList(const vocabulary::PerceptList& list) {

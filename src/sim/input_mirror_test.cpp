@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -116,6 +117,49 @@ TEST_F(InputMirrorTest, AValueMayChangeItsType) {
   EXPECT_EQ(Link(), "heat {of oven}");
   show({{"heat", 1, std::string("much")}, {"heat", 2, std::string("more")}});
   EXPECT_EQ(Link(), "heat much heat more");
+}
+
+TEST_F(InputMirrorTest, WhatItIsToldDirectlyIsWhatASinkIsTold) {
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  for (const double value :
+       {-1e9, -3.5, -0.05, -0.0, 0.049, 0.05, 0.5, 12.34, 179.5, 359.5, 1e7, 1e18, infinite, none}) {
+    const auto tell = [&](auto& sink) {
+      sink.Number(vocabulary::RowOf("time"), value);
+      sink.Open(vocabulary::RowOf("self"));
+      sink.Number(vocabulary::RowOf("self.heading"), value);
+      sink.Number(vocabulary::RowOf("self.health"), value);
+      sink.Close();
+      sink.Open(vocabulary::RowOf("agent"), 1);
+      sink.Number(vocabulary::RowOf("agent.range"), value);
+      sink.Number(vocabulary::RowOf("agent.bearing"), value);
+      sink.Number(vocabulary::RowOf("agent.last-seen"), value);
+      sink.Number(vocabulary::RowOf("agent.confidence"), value);
+      sink.Close();
+    };
+    mirror_.Show([&](vocabulary::PerceptSink& sink) { tell(sink); });
+    mirror_.Show([&](InputMirror& mirror) { tell(mirror); });
+    EXPECT_EQ(mirror_.changes(), 0u) << value;
+  }
+}
+
+TEST_F(InputMirrorTest, TextsOfAnyLengthAreToldApart) {
+  std::string name;
+  for (int length = 0; length < 20; ++length) {
+    for (int place = 0; place < length; ++place) {
+      std::string other = name;
+      other[static_cast<std::size_t>(place)] = 'x';
+      for (const std::string& told : {other, name}) {
+        mirror_.Show([&](InputMirror& mirror) {
+          mirror.Open(vocabulary::RowOf("agent"), 3);
+          mirror.Word(vocabulary::RowOf("agent.name"), told);
+          mirror.Number(vocabulary::RowOf("agent.range"), 1);
+          mirror.Close();
+        });
+      }
+      EXPECT_EQ(Link(), "agent {name " + name + " range 1}") << other;
+    }
+    name += static_cast<char>('a' + length);
+  }
 }
 
 }  // namespace

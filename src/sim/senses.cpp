@@ -37,14 +37,23 @@ double Seconds(const Actor& actor, std::uint64_t ticks) {
   return static_cast<double>(ticks) * static_cast<double>(actor.world().settings().step_s);
 }
 
-std::string NameOfAgent(const Actor& actor, world::EntityId id) {
+/// Valid until the agent gets another name; empty if there is no such agent.
+std::string_view NameOfAgent(const Actor& actor, world::EntityId id) {
   const world::Agent* agent = actor.world().FindAgent(id);
-  return agent == nullptr ? std::string() : agent->name();
+  return agent == nullptr ? std::string_view() : agent->name();
 }
 
-double BearingTo(const Actor& actor, Vec3 point) {
-  return static_cast<double>(BearingOf(actor.body().Position(), actor.body().Forward(), point));
-}
+/// Where an actor stands and which way it faces, worked out once for all that it looks at.
+struct Standpoint {
+  explicit Standpoint(const Actor& actor)
+      : position(actor.body().Position()), heading_deg(HeadingOf(actor.body().Forward())) {}
+  double BearingTo(Vec3 point) const {
+    return static_cast<double>(WrapDegrees(HeadingOf(point - position) - heading_deg));
+  }
+
+  Vec3 position;
+  float heading_deg;
+};
 
 std::string_view WeaponWord(const Actor& actor) {
   if (!actor.weapon()) return "none";
@@ -61,7 +70,8 @@ std::string_view WeaponWord(const Actor& actor) {
   return "none";
 }
 
-void SenseSelf(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void SenseSelf(const Actor& actor, Sink& sink) {
   const world::Agent& body = actor.body();
   sink.Open(RowOf("self"));
   sink.Word(RowOf("self.name"), body.name());
@@ -80,16 +90,17 @@ void SenseSelf(const Actor& actor, PerceptSink& sink) {
     sink.Number(RowOf("self.ammunition"), actor.weapon()->rounds());
     sink.Number(RowOf("self.reserve"), actor.weapon()->reserve());
   }
-  if (const std::string target = NameOfAgent(actor, actor.target()); !target.empty())
+  if (const std::string_view target = NameOfAgent(actor, actor.target()); !target.empty())
     sink.Word(RowOf("self.target"), target);
-  if (const std::string leader = NameOfAgent(actor, body.Leader()); !leader.empty())
+  if (const std::string_view leader = NameOfAgent(actor, body.Leader()); !leader.empty())
     sink.Word(RowOf("self.leader"), leader);
   std::uint32_t key = 0;
   for (const CarriedThing& thing : actor.carried()) sink.Word(RowOf("self.carries"), thing.name, ++key);
   sink.Close();
 }
 
-void SensePath(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void SensePath(const Actor& actor, Sink& sink) {
   sink.Open(RowOf("path"));
   sink.Word(RowOf("path.status"), actor.way().status);
   if (!actor.way().command.empty()) sink.Word(RowOf("path.command"), actor.way().command);
@@ -111,7 +122,8 @@ std::size_t FirstHeard(const Actor& actor) {
 }
 
 /// What an actor hears of the board's messages from that one on.
-void SenseMessages(const Actor& actor, std::size_t first, PerceptSink& sink) {
+template <typename Sink>
+void SenseMessages(const Actor& actor, std::size_t first, Sink& sink) {
   const auto& messages = actor.board().messages();
   for (std::size_t n = first; n < messages.size(); ++n) {
     const world::Message& message = messages[n];
@@ -125,7 +137,8 @@ void SenseMessages(const Actor& actor, std::size_t first, PerceptSink& sink) {
   }
 }
 
-void SenseHappenings(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void SenseHappenings(const Actor& actor, Sink& sink) {
   const std::uint64_t stay = static_cast<std::uint64_t>(kHappeningsStay_s / actor.world().settings().step_s);
   for (const Happening& happening : actor.happenings()) {
     if (happening.tick + stay < actor.world().tick()) continue;
@@ -139,11 +152,12 @@ void SenseHappenings(const Actor& actor, PerceptSink& sink) {
   }
 }
 
-void SenseOrder(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void SenseOrder(const Actor& actor, Sink& sink) {
   if (!actor.order()) return;
   const world::Message& message = *actor.order();
   sink.Open(RowOf("order"), message.number);
-  const std::string from = NameOfAgent(actor, message.from);
+  const std::string_view from = NameOfAgent(actor, message.from);
   sink.Word(RowOf("order.from"), from.empty() ? "user" : from);
   sink.Number(RowOf("order.time"), Seconds(actor, message.tick));
   for (const world::Message::Field& field : message.fields) sink.Other(field.name, field.value);
@@ -172,9 +186,11 @@ Nearest FindNearest(const Actor& actor) {
   return nearest;
 }
 
-void SenseAgents(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void SenseAgents(const Actor& actor, Sink& sink) {
   const Nearest nearest = FindNearest(actor);
   const Attention attention(actor);
+  const Standpoint here(actor);
   for (const auto& [id, contact] : actor.contacts()) {
     if (!attention.Reaches(id, contact)) continue;
     const world::Agent& other = *actor.world().FindAgent(id);
@@ -191,8 +207,8 @@ void SenseAgents(const Actor& actor, PerceptSink& sink) {
     sink.Word(RowOf("agent.known-by"), contact.visible                                      ? "sight"
                                        : now && contact.source == Contact::Source::kHearing ? "hearing"
                                                                                             : "memory");
-    sink.Number(RowOf("agent.range"), static_cast<double>(FlatDistance(actor.body().Position(), contact.position)));
-    sink.Number(RowOf("agent.bearing"), BearingTo(actor, contact.position));
+    sink.Number(RowOf("agent.range"), static_cast<double>(FlatDistance(here.position, contact.position)));
+    sink.Number(RowOf("agent.bearing"), here.BearingTo(contact.position));
     sink.Word(RowOf("agent.nearest"), YesNo(id == nearest.friendly || id == nearest.enemy));
     sink.Open(RowOf("agent.position"));
     sink.Number(RowOf("agent.position.x"), static_cast<double>(contact.position.x));
@@ -200,7 +216,7 @@ void SenseAgents(const Actor& actor, PerceptSink& sink) {
     sink.Close();
     sink.Number(RowOf("agent.speed"), static_cast<double>(world::Length(Flat(contact.velocity))));
     sink.Number(RowOf("agent.facing"),
-                std::abs(static_cast<double>(BearingOf(contact.position, contact.forward, actor.body().Position()))));
+                std::abs(static_cast<double>(BearingOf(contact.position, contact.forward, here.position))));
     sink.Word(RowOf("agent.alive"), YesNo(contact.alive));
     const double age_s = Seconds(actor, actor.world().tick() - contact.noticed_tick);
     const double base = contact.visible ? 1 : contact.source == Contact::Source::kHearing ? 0.6 : 0.9;
@@ -241,12 +257,14 @@ class FieldOfView {
   float cosine_, ahead_m_;
 };
 
-void SenseObjects(const Actor& actor, PerceptSink& sink) {
-  const Vec3 here = actor.body().Position();
+template <typename Sink>
+void SenseObjects(const Actor& actor, Sink& sink) {
+  if (actor.things().empty()) return;
+  const Standpoint here(actor);
   std::map<std::string_view, std::pair<float, world::EntityId>> nearest;  // Of those in view, by kind.
   for (const auto& [id, thing] : actor.things()) {
     if (!thing.visible) continue;
-    const float range_m = FlatDistance(here, thing.position);
+    const float range_m = FlatDistance(here.position, thing.position);
     const auto [best, is_first] = nearest.try_emplace(thing.kind, range_m, id);
     if (!is_first && range_m < best->second.first) best->second = {range_m, id};
   }
@@ -258,8 +276,8 @@ void SenseObjects(const Actor& actor, PerceptSink& sink) {
     sink.Word(RowOf("object.visible"), YesNo(thing.visible));
     sink.Number(RowOf("object.last-seen"), thing.visible ? 0 : Seconds(actor, actor.world().tick() - thing.seen_tick));
     sink.Word(RowOf("object.nearest"), YesNo(best != nearest.end() && best->second.second == id));
-    sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(here, thing.position)));
-    sink.Number(RowOf("object.bearing"), BearingTo(actor, thing.position));
+    sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(here.position, thing.position)));
+    sink.Number(RowOf("object.bearing"), here.BearingTo(thing.position));
     sink.Open(RowOf("object.position"));
     sink.Number(RowOf("object.position.x"), static_cast<double>(thing.position.x));
     sink.Number(RowOf("object.position.z"), static_cast<double>(thing.position.z));
@@ -283,9 +301,11 @@ std::string_view WordOf(world::ObjectKind kind) {
   }
 }
 
-void SensePlaces(const Actor& actor, PerceptSink& sink) {
-  const Vec3 here = actor.body().Position();
+template <typename Sink>
+void SensePlaces(const Actor& actor, Sink& sink) {
   const Places& places = actor.arena().places();
+  if (places.waypoints.empty() && places.regions.empty()) return;
+  const Standpoint here(actor);
   std::uint32_t index = 0;
   for (const Waypoint& waypoint : places.waypoints) {
     ++index;
@@ -293,9 +313,9 @@ void SensePlaces(const Actor& actor, PerceptSink& sink) {
     sink.Open(RowOf("waypoint"), index);
     sink.Word(RowOf("waypoint.name"), waypoint.name);
     sink.Number(RowOf("waypoint.index"), index);
-    const float range_m = FlatDistance(here, waypoint.position);
+    const float range_m = FlatDistance(here.position, waypoint.position);
     sink.Number(RowOf("waypoint.range"), static_cast<double>(range_m));
-    sink.Number(RowOf("waypoint.bearing"), BearingTo(actor, waypoint.position));
+    sink.Number(RowOf("waypoint.bearing"), here.BearingTo(waypoint.position));
     sink.Word(RowOf("waypoint.here"), YesNo(range_m <= kHere_m));
     sink.Close();
   }
@@ -305,9 +325,9 @@ void SensePlaces(const Actor& actor, PerceptSink& sink) {
     if (!actor.kind().senses.Has("regions")) break;
     sink.Open(RowOf("region"), index);
     sink.Word(RowOf("region.name"), region.name);
-    sink.Word(RowOf("region.inside"), YesNo(region.Contains(here)));
-    sink.Number(RowOf("region.range"), static_cast<double>(FlatDistance(here, region.center)));
-    sink.Number(RowOf("region.bearing"), BearingTo(actor, region.center));
+    sink.Word(RowOf("region.inside"), YesNo(region.Contains(here.position)));
+    sink.Number(RowOf("region.range"), static_cast<double>(FlatDistance(here.position, region.center)));
+    sink.Number(RowOf("region.bearing"), here.BearingTo(region.center));
     sink.Close();
   }
 }
@@ -325,15 +345,37 @@ Vec3 Noise(Actor& actor) {
   return {x * sigma_m, 0, z * sigma_m};
 }
 
-}  // namespace
-
-void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
+template <typename Sink>
+void TellOwnBody(const Actor& actor, Sink& sink) {
   const SenseSettings& senses = actor.kind().senses;
   if (senses.Has("time")) sink.Number(RowOf("time"), actor.world().time_s());
   if (senses.Has("self")) SenseSelf(actor, sink);
   if (senses.Has("path")) SensePath(actor, sink);
   if (senses.Has("events")) SenseHappenings(actor, sink);
   if (senses.Has("orders")) SenseOrder(actor, sink);
+}
+
+template <typename Sink>
+void TellSurroundings(const Actor& actor, Sink& sink) {
+  const SenseSettings& senses = actor.kind().senses;
+  if (senses.Has("agents")) SenseAgents(actor, sink);
+  if (senses.Has("objects")) SenseObjects(actor, sink);
+  SensePlaces(actor, sink);
+}
+
+}  // namespace
+
+void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
+  TellOwnBody(actor, sink);
+}
+void SenseOwnBody(const Actor& actor, InputMirror& mirror) {
+  TellOwnBody(actor, mirror);
+}
+void SenseSurroundings(const Actor& actor, PerceptSink& sink) {
+  TellSurroundings(actor, sink);
+}
+void SenseSurroundings(const Actor& actor, InputMirror& mirror) {
+  TellSurroundings(actor, mirror);
 }
 
 void SenseMessages(const Actor& actor, PerceptSink& sink) {
@@ -441,13 +483,6 @@ void NoticeThings(Actor& actor) {
     if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
     return view.Holds(thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first);
   });
-}
-
-void SenseSurroundings(const Actor& actor, PerceptSink& sink) {
-  const SenseSettings& senses = actor.kind().senses;
-  if (senses.Has("agents")) SenseAgents(actor, sink);
-  if (senses.Has("objects")) SenseObjects(actor, sink);
-  SensePlaces(actor, sink);
 }
 
 vocabulary::PerceptList AllPercepts(const Actor& actor) {

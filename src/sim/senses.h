@@ -9,6 +9,7 @@ namespace soarbox::sim {
 
 /// What an actor perceives of its own body, of what is done to it and of its order: read in each tick.
 void SenseOwnBody(const Actor& actor, vocabulary::PerceptSink& sink);
+void SenseOwnBody(const Actor& actor, InputMirror& mirror);
 /// What others say to it: messages that are new enough.
 void SenseMessages(const Actor& actor, vocabulary::PerceptSink& sink);
 /// Makes the mirror show the same; looks only at messages after number `last`, the last one of the previous call, and
@@ -20,6 +21,7 @@ void NoticeOthers(Actor& actor);
 void NoticeThings(Actor& actor);
 /// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
 void SenseSurroundings(const Actor& actor, vocabulary::PerceptSink& sink);
+void SenseSurroundings(const Actor& actor, InputMirror& mirror);
 /// All that it perceives, for people.
 vocabulary::PerceptList AllPercepts(const Actor& actor);
 /// Whether the surroundings are read in this tick. Actors take turns, so that no tick reads them all.

@@ -134,9 +134,9 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
 #ifdef SOARBOX_OWN_KERNEL
   const CallBatch batch(*agent_);
 #endif
-  own_body_.Show([&](vocabulary::PerceptSink& sink) { SenseOwnBody(body, sink); });
+  own_body_.Show([&](InputMirror& mirror) { SenseOwnBody(body, mirror); });
   HearMessages(body, heard_, messages_);
-  if (surroundings) surroundings_.Show([&](vocabulary::PerceptSink& sink) { SenseSurroundings(body, sink); });
+  if (surroundings) surroundings_.Show([&](InputMirror& mirror) { SenseSurroundings(body, mirror); });
   if (scene_ == nullptr) return;
   if (const std::string lines = scene_->Update(body, surroundings); !lines.empty()) agent_->SendSVSInput(lines);
 }

@@ -14,7 +14,7 @@
 namespace soarbox::vocabulary {
 
 /// What std::round gives, but for the sign of zero, without a call: every percept is rounded in each look around.
-inline double Rounded(double value) {
+[[gnu::always_inline]] inline double Rounded(double value) {
   constexpr double kNoFraction = 4503599627370496;  // From here on.
   if (!(std::abs(value) < kNoFraction)) return value;
   const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
@@ -22,8 +22,9 @@ inline double Rounded(double value) {
   return rest >= 0.5 ? whole + 1 : rest <= -0.5 ? whole - 1 : whole;
 }
 
-/// The value as rules see it: within the row's range, rounded to its step. Nothing if it is not finite.
-inline std::optional<double> AsPerceived(const PerceptRow& row, double value) {
+/// The value as rules see it: within the row's range, rounded to its step. Nothing if it is not finite. Where the row
+/// is one that the compiler knows, little is left of this.
+[[gnu::always_inline]] inline std::optional<double> AsPerceived(const PerceptRow& row, double value) {
   if (!std::isfinite(value)) return std::nullopt;
   if (row.min != row.max) value = value < row.min ? row.min : value > row.max ? row.max : value;
   // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.

@@ -46,9 +46,20 @@ void RunControl::InputPhase() {
   engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
   BeginPhase();
   if (engine_.modules.Wants(ModuleHook::kInput)) engine_.modules.Input();
-  engine_.input.Apply();
+  engine_.input.Apply(InputIsUnheard());
   engine_.elaboration.ApplyBufferedChanges();
   EndPhase(Phase::kPropose);
+}
+
+bool RunControl::InputIsUnheard() const {
+  if (engine_.observers.Wants(Event::kWme) || engine_.modules.Wants(ModuleHook::kFlush) ||
+      engine_.modules.Wants(ModuleHook::kAttributes)) {
+    return false;
+  }
+  for (GoalLevel level = 0; level <= engine_.goals.depth(); ++level) {
+    if (engine_.rete.matches().HasRetractions(level)) return false;
+  }
+  return true;
 }
 
 bool RunControl::ElaboratePhase(bool apply) {
@@ -237,11 +248,42 @@ RunResult RunControl::Finish(const Start& start) {
   return result;
 }
 
-void RunControl::RunOneDecision() {
+bool RunControl::RunOneDecision() {
+  const AgentCounters& counters = engine_.counters;
+  const std::uint64_t elaborations = counters.elaborations;
+  const bool whole = phase_ == Phase::kInput && !in_middle_;
+  std::uint64_t changes = 0;
   do {
     Advance();
-    if (CheckStop()) return;
+    if (CheckStop()) return false;
+    if (phase_ == Phase::kPropose && !in_middle_) changes = counters.wme_additions + counters.wme_removals;
   } while (phase_ != Phase::kInput || in_middle_);
+  return whole && IsIdle(changes, elaborations);
+}
+
+// Of a decision that began with the input phase and changed nothing after it, nothing is left that could make the next
+// one differ: slots and goals were looked at, and no choice was made.
+bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const {
+  const AgentCounters& counters = engine_.counters;
+  const auto wants = [&](auto... hooks) { return (engine_.modules.Wants(hooks) || ...); };
+  constexpr EventMask kEachDecision =
+      Mask(Event::kPhase) | Mask(Event::kElaboration) | Mask(Event::kDecision) | Mask(Event::kReason);
+  return counters.elaborations == elaborations_before &&
+         counters.wme_additions + counters.wme_removals == changes_before && !output_changed_ &&
+         (engine_.observers.mask() & kEachDecision) == 0 &&
+         !wants(ModuleHook::kInput, ModuleHook::kAfterDecision, ModuleHook::kOutput, ModuleHook::kOutputEnd) &&
+         !engine_.exploration.auto_reduce && engine_.settings.max_decision_time_us <= 0 &&
+         engine_.settings.max_elaborations > 0;
+}
+
+/// As if they were made: each ends all phases.
+void RunControl::CountIdle(std::uint64_t decisions) {
+  AgentCounters& counters = engine_.counters;
+  constexpr std::uint64_t kPhases = 5;
+  counters.decision_phases += decisions;
+  counters.decision_cycles += decisions;
+  counters.phases += kPhases * decisions;
+  counters.wm_size_sum += kPhases * decisions * engine_.memory.wme_count();
 }
 
 void RunControl::RunOneOutput() {
@@ -251,7 +293,7 @@ void RunControl::RunOneOutput() {
   }
 }
 
-RunResult RunControl::Step(RunUnit unit) {
+RunResult RunControl::Step(RunUnit unit, std::uint64_t most) {
   if (running_ || halted_) {
     RunResult refused;
     refused.reason = halted_ ? StopReason::kHalted : StopReason::kInterrupted;
@@ -272,7 +314,7 @@ RunResult RunControl::Step(RunUnit unit) {
       CheckStop();
       break;
     case RunUnit::kDecision:
-      RunOneDecision();
+      if (RunOneDecision() && most > 1) CountIdle(most - 1);
       break;
     case RunUnit::kOutput:
       RunOneOutput();

@@ -25,7 +25,7 @@ class RunControl {
   explicit RunControl(Engine& engine) : engine_(engine) {}
 
   RunResult Run(RunUnit unit, std::uint64_t count);
-  RunResult Step(RunUnit unit);
+  RunResult Step(RunUnit unit, std::uint64_t most = 1);
   RunResult RunToPhase(Phase phase);
 
   Phase phase() const { return phase_; }
@@ -70,6 +70,8 @@ class RunControl {
   /// One elaboration, or a whole phase that has none. Returns true if a phase ended.
   bool Advance();
   void InputPhase();
+  /// Nobody hears of single elements, and no match that waits for its retraction can still show any.
+  bool InputIsUnheard() const;
   void DecidePhase();
   void OutputPhase();
   bool ElaboratePhase(bool apply);
@@ -87,7 +89,10 @@ class RunControl {
   Start Begin();
   RunResult Finish(const Start& start);
   bool MustEnd() const { return halted_ || ended_; }
-  void RunOneDecision();
+  /// True if the next decision comes to the same unless something changes: to nothing.
+  bool RunOneDecision();
+  bool IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const;
+  void CountIdle(std::uint64_t decisions);
   void RunOneOutput();
 
   Engine& engine_;

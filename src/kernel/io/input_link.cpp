@@ -94,51 +94,43 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
   element.wme = WmeId::kNone;
   element.parent = parent;
   element.attribute = symbols_.String(attribute);
-  BufferAdd(place, value);
+  const InputObject* object = std::get_if<InputObject>(&value);
+  Buffer(Change::kAdd, place, object == nullptr ? Constant(value) : Symbol(),
+         object == nullptr ? InputObject::kNone : *object);
   return HandleOf(place);
 }
 
-void InputLink::BufferAdd(std::uint32_t place, const InputValue& value) {
-  Pending change;
-  change.change = Change::kAdd;
-  change.element = place;
-  if (const auto* number = std::get_if<double>(&value)) {
-    change.constant = symbols_.Float(*number);
-  } else if (const auto* text = std::get_if<std::string_view>(&value)) {
-    change.constant = symbols_.String(*text);
-  } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    change.constant = symbols_.Integer(*integer);
-  } else {
-    change.object = std::get<InputObject>(value);
-  }
-  ++elements_[place].buffered;
-  pending_.push_back(change);
+Symbol InputLink::Constant(const InputValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return symbols_.Float(*number);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return symbols_.Integer(*integer);
+  return symbols_.String(std::get<std::string_view>(value));
 }
 
-void InputLink::BufferRemove(std::uint32_t place) {
-  Pending change;
-  change.change = Change::kRemove;
-  change.element = place;
+void InputLink::Buffer(Change kind, std::uint32_t place, Symbol constant, InputObject object) {
   ++elements_[place].buffered;
-  pending_.push_back(change);
+  pending_.push_back({kind, place, constant, object});
 }
 
 void InputLink::Update(InputElement handle, const InputValue& value, std::int64_t tag) {
-  Element* element = Find(handle);
-  if (element == nullptr) return;
-  if (const InputObject* object = std::get_if<InputObject>(&value); object != nullptr && Find(*object) == nullptr)
-    return;
-  element->tag = tag;
+  const InputObject* object = std::get_if<InputObject>(&value);
+  if ((object != nullptr && Find(*object) == nullptr) || !Retag(handle, tag)) return;
+  if (object == nullptr) return BufferUpdate(handle, Constant(value));
   const std::uint32_t place = static_cast<std::uint32_t>(handle) & kPlaceMask;
-  BufferRemove(place);
-  BufferAdd(place, value);
+  Buffer(Change::kRemove, place);
+  Buffer(Change::kAdd, place, {}, *object);
+}
+
+bool InputLink::Retag(InputElement handle, std::int64_t tag) {
+  Element* element = Find(handle);
+  if (element != nullptr) element->tag = tag;
+  return element != nullptr;
 }
 
 void InputLink::Remove(InputElement handle) {
   Element* element = Find(handle);
   if (element == nullptr) return;
   Void(*element);
-  BufferRemove(static_cast<std::uint32_t>(handle) & kPlaceMask);
+  Buffer(Change::kRemove, static_cast<std::uint32_t>(handle) & kPlaceMask);
 }
 
 void InputLink::Void(Element& element) {
@@ -157,29 +149,53 @@ void InputLink::ReleaseIfDone(std::uint32_t place) {
 
 // The input phase -----------------------------------------------------------------------------------------------------
 
-void InputLink::Apply() {
+void InputLink::Apply(bool unheard) {
   if (tap_ != nullptr) [[unlikely]] {
     ApplyTapped();
     return;
   }
-  for (std::size_t n = 0; n < pending_.size(); ++n) ApplyChange(pending_[n]);
+  for (std::size_t n = 0; n < pending_.size(); ++n) {
+    const Pending change = pending_[n];
+    Element& element = elements_[change.element];
+    if (unheard && change.change == Change::kUpdate && element.wme != WmeId::kNone &&
+        changes_.Renew(element.wme, change.constant)) {
+      --element.buffered;
+    } else {
+      ApplyChange(change);
+    }
+  }
   pending_.clear();
 }
 
-void InputLink::ApplyChange(const Pending& buffered) {
-  const Pending change = buffered;
-  if (change.change == Change::kAdd) {
-    MakeElement(change);
-  } else if (const WmeId wme = elements_[change.element].wme; wme != WmeId::kNone) {
-    // (The element may have gone already, with the structure that it hung on.)
-    changes_.Lose(wme);
-  }
+void InputLink::LoseElement(std::uint32_t place) {
+  // (The element may have gone already, with the structure that it hung on.)
+  if (const WmeId wme = elements_[place].wme; wme != WmeId::kNone) changes_.Lose(wme);
+}
+
+void InputLink::ApplyChange(const Pending& change) {
+  if (change.change != Change::kAdd) LoseElement(change.element);
+  if (change.change != Change::kRemove) MakeElement(change);
   --elements_[change.element].buffered;
   ReleaseIfDone(change.element);
 }
 
 void InputLink::ApplyTapped() {
   tap_->OnInputPhase(*this);
+  for (std::size_t n = 0; n < pending_.size(); ++n) {
+    const Pending change = pending_[n];
+    if (change.change == Change::kUpdate) {
+      // One that goes and one that comes.
+      ++elements_[change.element].buffered;
+      ApplyTapped({Change::kRemove, change.element, {}, InputObject::kNone});
+      ApplyTapped({Change::kAdd, change.element, change.constant, InputObject::kNone});
+    } else {
+      ApplyTapped(change);
+    }
+  }
+  pending_.clear();
+}
+
+void InputLink::ApplyTapped(const Pending& change) {
   const auto describe = [this](WmeId wme, InputChange& told) {
     const kernel::Wme& content = memory_.wme(wme);
     told.timetag = content.timetag;
@@ -187,22 +203,18 @@ void InputLink::ApplyTapped() {
     told.attribute = content.attribute;
     told.value = content.value;
   };
-  for (std::size_t n = 0; n < pending_.size(); ++n) {
-    const Pending change = pending_[n];
-    InputChange told;
-    told.added = change.change == Change::kAdd;
-    const WmeId before = elements_[change.element].wme;
-    if (told.added) {
-      const Object* object = Find(change.object);
-      told.new_identifier = object != nullptr && !object->identifier;
-    } else if (before != WmeId::kNone) {
-      describe(before, told);
-    }
-    ApplyChange(change);
-    if (const WmeId made = elements_[change.element].wme; told.added && made != before) describe(made, told);
-    if (told.timetag != 0) tap_->OnInputChange(told);
+  InputChange told;
+  told.added = change.change == Change::kAdd;
+  const WmeId before = elements_[change.element].wme;
+  if (told.added) {
+    const Object* object = Find(change.object);
+    told.new_identifier = object != nullptr && !object->identifier;
+  } else if (before != WmeId::kNone) {
+    describe(before, told);
   }
-  pending_.clear();
+  ApplyChange(change);
+  if (const WmeId made = elements_[change.element].wme; told.added && made != before) describe(made, told);
+  if (told.timetag != 0) tap_->OnInputChange(told);
 }
 
 void InputLink::DropPending() {

@@ -48,6 +48,16 @@ class InputLink {
   InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value, std::int64_t tag = 0);
   /// Removes the element and adds one with the new value and tag. The same handle goes on.
   void Update(InputElement element, const InputValue& value, std::int64_t tag = 0);
+  /// The same for a constant, which costs less.
+  void Update(InputElement element, std::string_view value, std::int64_t tag = 0) {
+    if (Retag(element, tag)) BufferUpdate(element, symbols_.String(value));
+  }
+  void Update(InputElement element, std::int64_t value, std::int64_t tag = 0) {
+    if (Retag(element, tag)) BufferUpdate(element, symbols_.Integer(value));
+  }
+  void Update(InputElement element, double value, std::int64_t tag = 0) {
+    if (Retag(element, tag)) BufferUpdate(element, symbols_.Float(value));
+  }
   void Remove(InputElement element);
 
   /// The working memory element behind a handle; kNone before the input phase and after its removal.
@@ -71,10 +81,11 @@ class InputLink {
   /// Forgets the buffered changes. Handles of elements that they would have made are void.
   void DropPending();
 
-  /// For the engine: makes the buffered changes (input phase); forgets everything (init-soar) and begins anew with the
+  /// For the engine: makes the buffered changes (input phase; `unheard`: nobody hears of single elements, and no match
+  /// waits for its retraction); forgets everything (init-soar) and begins anew with the
   /// identifier of the input link; learns that working memory dropped an element or an identifier; calls `mark` for
   /// each symbol that is needed.
-  void Apply();
+  void Apply(bool unheard);
   void Reset(Symbol input_link);
   [[gnu::noinline]] void Forget(std::uint32_t element);
   void IdentifierGone(Symbol identifier);
@@ -92,7 +103,7 @@ class InputLink {
   }
 
  private:
-  enum class Change : std::uint8_t { kAdd, kRemove };
+  enum class Change : std::uint8_t { kAdd, kRemove, kUpdate };
   struct Element {
     WmeId wme = WmeId::kNone;
     bool live = false;           ///< The handle is valid.
@@ -105,7 +116,7 @@ class InputLink {
   struct Pending {
     Change change = Change::kAdd;
     std::uint32_t element = 0;
-    Symbol constant;  ///< kAdd with a constant value.
+    Symbol constant;  ///< kUpdate, and kAdd with a constant value.
     InputObject object = InputObject::kNone;
   };
   struct Object {
@@ -126,11 +137,18 @@ class InputLink {
   Object* Find(InputObject object);
   const Object* Find(InputObject object) const;
   InputObject MakeObject(Symbol identifier);
-  void BufferAdd(std::uint32_t place, const InputValue& value);
-  void BufferRemove(std::uint32_t place);
+  Symbol Constant(const InputValue& value);
+  /// False if the handle is void.
+  bool Retag(InputElement element, std::int64_t tag);
+  void BufferUpdate(InputElement element, Symbol value) {
+    Buffer(Change::kUpdate, static_cast<std::uint32_t>(element) & kPlaceMask, value);
+  }
+  void Buffer(Change kind, std::uint32_t place, Symbol constant = {}, InputObject object = InputObject::kNone);
+  void LoseElement(std::uint32_t place);
   void MakeElement(const Pending& change);
   void ApplyChange(const Pending& change);
   [[gnu::noinline]] void ApplyTapped();
+  void ApplyTapped(const Pending& change);
   void Void(Element& element);
   void ReleaseIfDone(std::uint32_t place);
 

@@ -61,6 +61,23 @@ class ElementLinks {
     arrival_of_leaving_ = links_[wme].serial;
     links_[wme].serial = last_serial_ = serial;
   }
+  /// An element of the match leaves and one takes its place: nothing else refers to it.
+  void Renew(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag) {
+    WmeLinks& link = links_[wme];
+    link.serial = last_serial_ = serial;
+    last_timetag_ = std::max(last_timetag_, timetag);
+    if (newest_ == wme) {
+      return;
+    }
+    if (link.next != kNil) {
+      links_[link.next].previous = link.previous;
+    }
+    links_[link.previous].next = link.next;
+    link.previous = kNil;
+    link.next = newest_;
+    links_[newest_].previous = wme;
+    newest_ = wme;
+  }
   /// The element has left.
   void Leave(WmeLinks& link) {
     if (link.next != kNil) {

@@ -70,6 +70,24 @@ void Rete::RemoveWme(WmeId wme, const GoalView& goals) {
   state_->RemoveWme(Index(wme));
 }
 
+bool IsUntested(const Rete& rete, WmeId wme, Symbol value) {
+  const ReteState& state = *rete.state_;
+  const WmeLinks& link = state.links[Index(wme)];
+  if (link.first_item != kNil || link.first_token != kNil) {
+    return false;
+  }
+  const Wme& element = state.wmes[Index(wme)];
+  const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), value.bits()};
+  bool is_tested = false;
+  state.network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t) { is_tested = true; });
+  return !is_tested;
+}
+
+void Renew(Rete& rete, WmeId wme) {
+  ReteState& state = *rete.state_;
+  state.links.Renew(Index(wme), state.tokens.TakeSerial(), state.wmes[Index(wme)].timetag);
+}
+
 void Rete::Clear() {
   state_->Clear();
 }

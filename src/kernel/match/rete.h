@@ -153,9 +153,17 @@ class Rete {
   std::string CheckInvariants() const;
 
  private:
+  friend bool IsUntested(const Rete& rete, WmeId wme, Symbol value);
+  friend void Renew(Rete& rete, WmeId wme);
+
   friend struct ReteState;
   MatchSet matches_;
   std::unique_ptr<struct ReteState> state_;
 };
+
+/// True for an element of the match that no rule tests, and that none would test with this value in place of its own.
+bool IsUntested(const Rete& rete, WmeId wme, Symbol value);
+/// Does for such an element, when its value has changed, what removing it and adding another one in its place would do.
+void Renew(Rete& rete, WmeId wme);
 
 }  // namespace soarbox::kernel

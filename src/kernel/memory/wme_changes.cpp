@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/memory/wme_changes.h"
 
+#include <utility>
+
 #include "kernel/base/known_symbols.h"
 
 namespace soarbox::kernel {
@@ -65,8 +67,21 @@ void WmeChanges::Remove(WmeId wme) {
   removed_.push_back(wme);
 }
 
+bool WmeChanges::Renew(WmeId wme, Symbol value) {
+  WmeRecord& record = memory_.mutable_record(wme);
+  if (!record.in_match || record.renewed || record.references != 0 || record.gds != 0 ||
+      memory_.wme(wme).value.IsIdentifier() || !IsUntested(rete_, wme, value)) {
+    return false;
+  }
+  memory_.Make(wme, value);
+  record.renewed = true;
+  ++renewed_;
+  added_.push_back(wme);
+  return true;
+}
+
 void WmeChanges::Flush() {
-  const bool tell = listener_.FlushBegins(added_.size(), removed_.size());
+  const bool tell = listener_.FlushBegins(added_.size(), removed_.size() + std::exchange(renewed_, 0));
   flushing_added_.swap(added_);
   flushing_removed_.swap(removed_);
   const GoalView goals = memory_.goal_view();
@@ -78,8 +93,13 @@ void WmeChanges::Flush() {
     // An element that came and went within the phase never enters the match.
     if (memory_.wme(wme).live) {
       WmeRecord& record = memory_.mutable_record(wme);
-      record.in_match = true;
       record.entered = ++last_entered_;
+      if (record.renewed) {
+        record.renewed = false;
+        kernel::Renew(rete_, wme);
+        continue;
+      }
+      record.in_match = true;
       rete_.AddWme(wme, goals);
       if (rete_.matches().HasInterrupting()) [[unlikely]]
         listener_.RuleInterrupts();
@@ -122,6 +142,7 @@ void WmeChanges::Clear() {
   added_.clear();
   removed_.clear();
   dead_.clear();
+  renewed_ = 0;
 }
 
 }  // namespace soarbox::kernel

@@ -32,6 +32,9 @@ class WmeChanges {
   /// The element of an acceptable preference.
   WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
   void Remove(WmeId wme);
+  /// Removes an input element and adds one with another constant in its place, for less if no rule tests it: then it
+  /// keeps its index, and this is true. Else nothing is done. Not while anybody hears of single elements.
+  bool Renew(WmeId wme, Symbol value);
   /// Removes an element because its support went: a goal whose dependency set holds it goes first. (What the
   /// architecture takes back, items and garbage, goes by Remove and costs no goal.)
   void Lose(WmeId wme);
@@ -62,6 +65,7 @@ class WmeChanges {
   ElementListener& listener_;
   bool tells_of_attributes_ = false;
   std::uint64_t last_entered_ = 0;
+  std::size_t renewed_ = 0;  ///< So many of added_ stand for one that leaves, too.
   std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
 };
 

@@ -124,6 +124,21 @@ void WorkingMemory::Unlink(WmeId wme) {
   --live_wmes_;
 }
 
+void WorkingMemory::Make(WmeId wme, Symbol value) {
+  Wme& content = wmes_[Index(wme)];
+  content.value = value;
+  content.timetag = next_timetag_++;
+  WmeRecord& record = records_[Index(wme)];
+  if (record.previous == WmeId::kNone) return;  // It is at the head of its list already.
+  records_[Index(record.previous)].next = record.next;
+  if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
+  WmeId& head = ListHead(record, content);
+  record.previous = WmeId::kNone;
+  record.next = head;
+  records_[Index(head)].previous = wme;
+  head = wme;
+}
+
 void WorkingMemory::Free(std::span<const WmeId> wmes) {
   for ([[maybe_unused]] const WmeId wme : wmes) {
     assert(!wmes_[Index(wme)].live && records_[Index(wme)].references == 0);

@@ -35,6 +35,7 @@ struct WmeRecord {
   WmeKind kind = WmeKind::kFree;
   bool in_match = false;         ///< The matcher knows it.
   bool removing = false;         ///< Waits in the removal buffer.
+  bool renewed = false;          ///< Waits in the buffers as one that left and one that came in its place.
   GoalLevel gds = 0;             ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
   std::uint32_t references = 0;  ///< Instantiations of substates that matched it.
   PreferenceId preference = PreferenceId::kNone;       ///< The preference that put it here, if any.
@@ -164,6 +165,9 @@ class WorkingMemory {
 
   /// Makes an element with the next time tag and puts it at the head of its list. The caller tells match and observers.
   WmeId Make(WmeKind kind, Symbol id, Symbol attribute, Symbol value, bool acceptable, SlotId slot = SlotId::kNone);
+  /// The same in the place of one that goes, that nothing refers to and that differs in its value only, a constant:
+  /// what Unlink and Make would do, but the index stays.
+  void Make(WmeId wme, Symbol value);
   /// Takes the element off its list; its contents stay readable until Free.
   void Unlink(WmeId wme);
   /// Gives indices back once nothing refers to them.

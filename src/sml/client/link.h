@@ -89,9 +89,17 @@ class AgentLink {
   /// names elements by their tags gives none.
   virtual InputHandle AddInput(const soarbox::server::InputWme& wme) = 0;
   virtual InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) = 0;
-  /// The same for a number, without all else about its element; false, and nothing is done, if the link has to know
+  /// The same for a constant, without all else about its element; false, and nothing is done, if the link has to know
   /// that.
-  virtual bool UpdateNumber(InputHandle element, long long tag, double value) {
+  virtual bool UpdateValue(InputHandle element, long long tag, double value) {
+    (void)element, (void)tag, (void)value;
+    return false;
+  }
+  virtual bool UpdateValue(InputHandle element, long long tag, long long value) {
+    (void)element, (void)tag, (void)value;
+    return false;
+  }
+  virtual bool UpdateValue(InputHandle element, long long tag, std::string_view value) {
     (void)element, (void)tag, (void)value;
     return false;
   }

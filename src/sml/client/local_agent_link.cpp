@@ -43,8 +43,20 @@ InputHandle LocalAgentLink::UpdateInput(InputHandle element, long long old_tag, 
   return static_cast<InputHandle>(updated);
 }
 
-bool LocalAgentLink::UpdateNumber(InputHandle element, long long tag, double value) {
-  if (element == kNoInputHandle || hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED)) return false;
+bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, double value) {
+  if (!TakesValueAlone(element)) return false;
+  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), value, tag);
+  return true;
+}
+
+bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, long long value) {
+  if (!TakesValueAlone(element)) return false;
+  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), std::int64_t{value}, tag);
+  return true;
+}
+
+bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, std::string_view value) {
+  if (!TakesValueAlone(element)) return false;
   hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), value, tag);
   return true;
 }

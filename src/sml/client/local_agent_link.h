@@ -28,7 +28,9 @@ class LocalAgentLink final : public AgentLink {
   std::string InputLinkName() override;
   InputHandle AddInput(const soarbox::server::InputWme& wme) override;
   InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) override;
-  bool UpdateNumber(InputHandle element, long long tag, double value) override;
+  bool UpdateValue(InputHandle element, long long tag, double value) override;
+  bool UpdateValue(InputHandle element, long long tag, long long value) override;
+  bool UpdateValue(InputHandle element, long long tag, std::string_view value) override;
   void RemoveInput(InputHandle element, long long tag) override;
   void FlushInput() override {
     if (!noted_.empty()) TellInput();
@@ -58,6 +60,10 @@ class LocalAgentLink final : public AgentLink {
                             soarbox::kernel::Symbol value);
   const OutputWme& Describe(const soarbox::kernel::OutputChange& change) {
     return Describe(static_cast<long long>(change.timetag), change.id, change.attribute, change.value);
+  }
+  /// Whether nothing but the new value has to be known of an element.
+  bool TakesValueAlone(InputHandle element) const {
+    return element != kNoInputHandle && !hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED);
   }
   void Note(const soarbox::server::InputWme& wme);
   void NoteRemoval(long long tag);

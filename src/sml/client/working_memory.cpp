@@ -321,30 +321,31 @@ void WorkingMemory::Update(StringElement* wme, char const* value) {
   if (!value) value = "nil";
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
-  const long long old_tag = wme->time_tag_;
-  wme->time_tag_ = --data_.kernel_data().next_tag;
-  SendUpdated(wme, old_tag);
+  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, wme->value_); });
 }
 
 void WorkingMemory::Update(IntElement* wme, long long value) {
   if (!CheckUpdate(wme)) return;
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
-  const long long old_tag = wme->time_tag_;
-  wme->time_tag_ = --data_.kernel_data().next_tag;
-  SendUpdated(wme, old_tag);
+  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, value); });
 }
 
 void WorkingMemory::Update(FloatElement* wme, double value) {
   if (!CheckUpdate(wme)) return;
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
-  const long long old_tag = wme->time_tag_;
+  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, value); });
+}
+
+/// Gives an element that has a new value a new tag. `send`: what percepts do most, a value straight to the kernel;
+/// false if the link has to know all of the element.
+template <typename Send>
+void WorkingMemory::SendValue(WMElement* wme, Send send) {
   KernelData& kernel = data_.kernel_data();
+  const long long old_tag = wme->time_tag_;
   wme->time_tag_ = --kernel.next_tag;
-  // What percepts do most: a number goes straight to the kernel.
-  if (CommitsAtOnce(kernel) && data_.link->UpdateNumber(wme->input_, wme->time_tag_, value)) return;
-  SendUpdated(wme, old_tag);
+  if (!CommitsAtOnce(kernel) || !send(*data_.link)) SendUpdated(wme, old_tag);
 }
 
 bool WorkingMemory::Destroy(WMElement* wme) {

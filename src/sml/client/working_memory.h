@@ -99,6 +99,8 @@ class WorkingMemory {
   IdentifierSymbol* SymbolFor(long long key);
   void SendNew(WMElement* wme);
   void SendUpdated(WMElement* wme, long long old_tag);
+  template <typename Send>
+  void SendValue(WMElement* wme, Send send);
   static soarbox::server::InputWme Describe(WMElement* wme);
   WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
   static bool HasOwn(const IdentifierSymbol& parent, const OutputWme& wme);

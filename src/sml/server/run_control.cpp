@@ -159,11 +159,13 @@ void RunControl::StepAlone(Runner& runner, const cli::RunRequest& request, RunUn
   while (runner.active) {
     if (hosted.doomed || hosted.ListensToSteps() || host_.ListensToRounds() || host_.PumpRequested()) return;
     const std::uint64_t cycles = counters.decision_cycles;
-    const kernel::RunResult result = agent.Step(step);
+    const std::uint64_t most = request.unit == RunUnit::kOutput ? OutputsLeft(runner) : 1;
+    const kernel::RunResult result = agent.Step(step, most);
     const bool cycle_ended = counters.decision_cycles != cycles;
     if (cycle_ended) AfterOutputPhase(runner);
     NoteEnd(runner, result);
     EndIfStopRequested(runner);
+    if (result.decisions > 1) runner.idle_outputs += static_cast<int>(result.decisions) - 1;
     hosted.FlushPrint();
     if (runner.active) CountStep(runner, request, cycle_ended ? 1 : 0, !agent.in_middle_of_phase());
     // What FireUpdates comes to.
@@ -172,6 +174,12 @@ void RunControl::StepAlone(Runner& runner, const cli::RunRequest& request, RunUn
   if (EndsAtStopPhase(request)) return;
   EndInterrupted(runner);
   Finish(runner, true);
+}
+
+/// Output phases without output until the agent is served.
+std::uint64_t RunControl::OutputsLeft(const Runner& runner) {
+  const int left = runner.hosted->agent().settings().max_nil_output_cycles - runner.idle_outputs;
+  return runner.output_changed ? 1 : static_cast<std::uint64_t>(std::max(1, left));
 }
 
 void RunControl::Round(const cli::RunRequest& request, RunUnit interleave) {

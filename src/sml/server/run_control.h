@@ -55,6 +55,7 @@ class RunControl {
   void Round(const cli::RunRequest& request, kernel::RunUnit interleave);
   /// The rounds of an agent that runs alone while nobody listens to rounds: only its steps are left of them.
   void StepAlone(Runner& runner, const cli::RunRequest& request, kernel::RunUnit interleave);
+  static std::uint64_t OutputsLeft(const Runner& runner);
   void EndIfStopRequested(Runner& runner);
   void MoveToStopPhase(Runner& runner);
   void StepBracketed(Runner& runner, kernel::RunUnit unit);
