@@ -147,6 +147,8 @@ struct OpenXml : sml::ClientXML {
   }
 }
 
+// Unions hold the library's own data.
+#pragma SWIG nowarn=312
 %include "sml_Names.h"
 %include "ElementXML.h"
 %include "sml_Events.h"

@@ -106,13 +106,13 @@ class PreferencePrinter {
     }
     // The last to enter the match comes first.
     std::sort(links.begin(), links.end(),
-              [&](WmeId a, WmeId b) { return memory.record(a).entered > memory.record(b).entered; });
+              [&](WmeId a, WmeId b) { return ArrivalOf(agent_.rete(), a) > ArrivalOf(agent_.rete(), b); });
     for (const WmeId link : links) {
       std::string text = WmeText(agent_, link);
       if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As the reference shows proposals.
       Print("Support for " + text + "\n");
       const kernel::WmeRecord& record = memory.record(link);
-      if (record.slot == SlotId::kNone || record.preference == PreferenceId::kNone) {
+      if (record.slot() == SlotId::kNone || record.preference == PreferenceId::kNone) {
         // Of the architecture's elements, only a tie's items pass for such.
         const std::string attribute = SymbolText(agent_, memory.wme(link).attribute);
         const bool is_item =
@@ -121,7 +121,7 @@ class PreferencePrinter {
         continue;
       }
       for (const Section& section : kSections) {
-        for (const PreferenceId id : agent_.PreferencesOf(record.slot, section.type)) {
+        for (const PreferenceId id : agent_.PreferencesOf(record.slot(), section.type)) {
           if (memory.preference(id).value != value) continue;
           const Agent::CandidateChance certain{id, value, 0, 1};
           PrintPreference(id, section.type == PreferenceType::kAcceptable ? &certain : nullptr);

@@ -105,7 +105,7 @@ void PrintGoalDependencySets(CommandCall& call) {
     const std::string owner = level <= agent.goals().depth()
                                   ? "  For Goal  " + SymbolText(agent, agent.goals().at(level).id) + "  "
                                   : std::string("  Old GDS value ");
-    elements.emplace_back(agent.memory().record(id).entered, owner + WmeText(agent, id) + "\n");
+    elements.emplace_back(ArrivalOf(agent.rete(), id), owner + WmeText(agent, id) + "\n");
   }
   // The last to enter the match comes first.
   std::sort(elements.rbegin(), elements.rend());

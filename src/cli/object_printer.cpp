@@ -187,7 +187,7 @@ std::vector<WmeId> SortedWmes(const Agent& agent, Symbol id) {
   std::vector<WmeId> wmes = agent.memory().WmesOf(id);
   // Of equal attributes, those of the architecture and input come first.
   std::stable_partition(wmes.begin(), wmes.end(),
-                        [&](WmeId wme) { return agent.memory().record(wme).slot == kernel::SlotId::kNone; });
+                        [&](WmeId wme) { return agent.memory().record(wme).slot() == kernel::SlotId::kNone; });
   std::vector<std::pair<std::string, WmeId>> named;
   named.reserve(wmes.size());
   for (const WmeId wme : wmes) named.emplace_back(SymbolText(agent, agent.memory().wme(wme).attribute), wme);

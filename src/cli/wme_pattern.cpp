@@ -121,7 +121,7 @@ std::vector<WmeId> FindWmes(const Agent& agent, const WmePattern& pattern, bool 
   std::sort(found.begin(), found.end(), [&](WmeId a, WmeId b) {
     const std::uint32_t object_a = by_object ? memory.wme(a).id.index() : 0;
     const std::uint32_t object_b = by_object ? memory.wme(b).id.index() : 0;
-    return std::pair(object_a, memory.record(a).entered) < std::pair(object_b, memory.record(b).entered);
+    return std::pair(object_a, ArrivalOf(agent.rete(), a)) < std::pair(object_b, ArrivalOf(agent.rete(), b));
   });
   return found;
 }

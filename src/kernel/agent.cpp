@@ -462,6 +462,9 @@ DecisionReport Agent::ExplainDecision(const Goal& goal) const {
 // Input and output ----------------------------------------------------------------------------------------------------
 
 InputLink& Agent::input() {
+  // Constants of input would be in the way of sharing.
+  if (engine_->rules_changed && !engine_->run.running()) [[unlikely]]
+    engine_->OfferRules();
   return engine_->input;
 }
 const InputLink& Agent::input() const {
@@ -503,11 +506,11 @@ Result<void> Agent::RemoveWme(WmeId wme) {
   }
   const WmeRecord& record = memory.record(wme);
   const bool removed = Guarded([&] {
-    if (record.kind == WmeKind::kSlot && memory.slot(record.slot).is_operator) {
-      engine_->preferences.RemoveSelected(record.slot);  // The states below stay.
+    if (record.kind == WmeKind::kSlot && memory.slot(record.slot()).is_operator) {
+      engine_->preferences.RemoveSelected(record.slot());  // The states below stay.
     } else if (record.preference != PreferenceId::kNone) {
       // A value that rules made goes with the preferences for it.
-      const SlotId slot = record.slot;
+      const SlotId slot = record.slot();
       const Symbol value = memory.wme(wme).value;
       PreferenceId next;
       for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = next) {

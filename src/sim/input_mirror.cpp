@@ -44,12 +44,13 @@ InputMirror::Slot* InputMirror::Insert(const Name& name, sml::WMElement* element
   slot.kind = name.kind;
   slot.element = element;
   if (name.kind == Kind::kObject) {
-    if (spare_.empty()) spare_.push_back(&slots_.emplace_back());
+    if (spare_.empty()) spare_.push_back(&slots_.emplace_front());
     slot.below = spare_.back();
     spare_.pop_back();
   }
   Slots& slots = *open_.back().slots;
   const std::ptrdiff_t place = next_ - slots.data();
+  if (slots.size() == slots.capacity()) slots.reserve(slots.size() + slots.size() / 4 + 2);  // There are many.
   slots.insert(slots.begin() + place, slot);
   GoOn(slots, static_cast<std::size_t>(place) + 1);
   return next_ - 1;

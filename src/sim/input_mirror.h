@@ -4,7 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstring>
-#include <deque>
+#include <forward_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -196,7 +196,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   std::string_view Path();
 
   sml::Agent* agent_;
-  std::deque<Slots> slots_;
+  std::forward_list<Slots> slots_;
   std::vector<Slots*> spare_;
   std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< What is directly on the input link.
   std::vector<OpenObject> open_;                            ///< From the input link to the object that is told now.

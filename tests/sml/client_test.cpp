@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -114,6 +115,58 @@ TEST(ClientInput, StructureIsSharedCreatedAndDestroyed) {
   EXPECT_FALSE(link->DestroyWME());
   agent->RunSelf(1);
   EXPECT_EQ(std::string(agent->ExecuteCommandLine("print --depth 2 i2")).find("F-18"), std::string::npos);
+}
+
+TEST(ClientInput, ChildrenAreWalkedBothWaysWhileOthersComeAndGo) {
+  Program program;
+  Identifier* thing = program.agent->GetInputLink()->CreateIdWME("thing");
+  EXPECT_TRUE(thing->GetChildrenBegin() == thing->GetChildrenEnd());
+  std::vector<IntElement*> parts;
+  for (int n = 0; n < 5; ++n) parts.push_back(thing->CreateIntWME("part", n));
+  const auto values = [&] {
+    std::vector<long long> found;
+    for (Identifier::ChildrenIter child = thing->GetChildrenBegin(); child != thing->GetChildrenEnd(); ++child) {
+      found.push_back((*child)->ConvertToIntElement()->GetValue());
+    }
+    return found;
+  };
+  for (const int gone : {0, 4, 2}) EXPECT_TRUE(parts[static_cast<std::size_t>(gone)]->DestroyWME());
+  EXPECT_EQ(values(), (std::vector<long long>{1, 3}));
+  for (int n = 5; n < 50; ++n) thing->CreateIntWME("part", n);  // Some of them stand where those were that went.
+  EXPECT_EQ(thing->GetNumberChildren(), 47);
+  EXPECT_EQ(values().front(), 1);
+  EXPECT_EQ(values().back(), 49);
+  Identifier::ChildrenIter last = thing->GetChildrenEnd();
+  EXPECT_EQ((*--last)->ConvertToIntElement()->GetValue(), 49);
+  EXPECT_EQ((*std::prev(last, 46))->ConvertToIntElement()->GetValue(), 1);
+  EXPECT_EQ(std::distance(thing->GetChildrenBegin(), thing->GetChildrenEnd()), 47);
+  EXPECT_EQ(thing->GetChild(46), *last);
+  EXPECT_EQ(thing->GetChild(47), nullptr);
+}
+
+TEST(ClientInput, TextsAndAttributesOfAnyLengthAndNumberStayAsTheyWereGiven) {
+  Program program;
+  Identifier* link = program.agent->GetInputLink();
+  // More attributes, and longer ones, than agents share.
+  std::vector<StringElement*> made;
+  for (std::size_t n = 0; n < 6000; ++n) {
+    made.push_back(link->CreateStringWME(("a" + std::to_string(n) + std::string(n % 90, '-')).c_str(),
+                                         std::string(n % 40, 'x').c_str()));
+  }
+  for (std::size_t n = 0; n < made.size(); ++n) {
+    ASSERT_EQ(made[n]->GetAttribute(), "a" + std::to_string(n) + std::string(n % 90, '-'));
+    ASSERT_EQ(made[n]->GetValue(), std::string(n % 40, 'x'));
+  }
+  StringElement* text = made.front();
+  for (const std::size_t size : {15u, 16u, 14u, 100u, 17u, 0u, 101u}) {
+    program.agent->Update(text, std::string(size, 'y').c_str());
+    EXPECT_EQ(text->GetValue(), std::string(size, 'y'));
+    program.agent->Update(text, text->GetValue());
+    EXPECT_STREQ(text->GetValueAsString(), text->GetValue());
+  }
+  for (StringElement* element : made) EXPECT_TRUE(element->DestroyWME());
+  EXPECT_EQ(link->GetNumberChildren(), 0);
+  EXPECT_STREQ(link->CreateStringWME("a0", "again")->GetAttribute(), "a0");
 }
 
 TEST(ClientInput, StaleHandlesAreErrorsAndNotCrashes) {

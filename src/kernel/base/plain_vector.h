@@ -26,7 +26,7 @@ struct HeapRoom {
 };
 
 /// A vector of plain records, for arrays that keep growing. It moves by reallocation, which copies nothing for large
-/// arrays and never holds two copies. Once large, it grows by an eighth, where std::vector would double.
+/// arrays and never holds two copies. From 8 KB on it grows by an eighth, where std::vector would double.
 /// `Room` is where the records are (HeapRoom, ForkableRoom).
 template <typename T, typename Room = HeapRoom>
 class PlainVector {
@@ -79,6 +79,10 @@ class PlainVector {
     size_ = size;
   }
   void clear() { size_ = 0; }
+  /// Makes room for so many.
+  void reserve(std::size_t capacity) {
+    if (capacity > capacity_) Reserve(capacity);
+  }
   const Room& room() const { return room_; }
   /// Gives back unused room. Never fails: at worst nothing changes.
   void shrink_to_fit() noexcept {
@@ -104,7 +108,7 @@ class PlainVector {
     room_.Swap(other.room_);
   }
   [[gnu::noinline, gnu::cold]] void Grow(std::size_t size) {
-    constexpr std::size_t kLarge = std::size_t{1} << 18;  // Bytes.
+    constexpr std::size_t kLarge = std::size_t{1} << 13;  // Bytes: of agents there are thousands.
     Reserve(std::max(size, capacity_ + capacity_ / (capacity_ * sizeof(T) < kLarge ? 4 : 8) + 16));
   }
   void Reserve(std::size_t capacity) {

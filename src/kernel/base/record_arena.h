@@ -56,7 +56,7 @@ class RecordArena {
 
  private:
   /// Room for a small agent at first, then as much again as there is, up to a limit that wastes little.
-  static constexpr std::size_t kFirst = 32, kLargest = 2048;
+  static constexpr std::size_t kFirst = 8, kLargest = 2048;
   struct Slab {
     std::unique_ptr<Record[]> records;
     std::size_t size;

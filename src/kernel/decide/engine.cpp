@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kernel/decide/invariants.h"
+#include "kernel/decide/rule_sharing.h"
 #include "kernel/imagery/imagery.h"
 
 namespace soarbox::kernel {
@@ -58,6 +59,11 @@ Engine::Engine(Agent& owner, std::string agent_name)
 Symbol Engine::NameOf(const Production& rule) {
   const SymbolTable::PinScope pin(symbols);
   return symbols.String(rule.name);
+}
+
+void Engine::OfferRules() {
+  rules_changed = false;
+  ShareRules(symbols, rete, rules, productions);
 }
 
 // Sweeping ------------------------------------------------------------------------------------------------------------
@@ -115,8 +121,8 @@ void Engine::Sweep() {
   symbols.Sweep();
   // Where little was found a memory is growing: the next look is worth its price only when it has grown a lot.
   const auto next = [](std::size_t before, std::size_t now) { return 2 * now > before ? 4 * now : 2 * now; };
-  sweep_identifiers_at = std::max<std::size_t>(1024, next(identifiers_before, memory.identifier_count()));
-  sweep_constants_at = std::max<std::size_t>(4096, next(constants_before, symbols.UnpinnedCount()));
+  sweep_identifiers_at = std::max(kLeastIdentifiersSwept, next(identifiers_before, memory.identifier_count()));
+  sweep_constants_at = std::max(kLeastConstantsSwept, next(constants_before, symbols.UnpinnedCount()));
 }
 
 // Beginning -----------------------------------------------------------------------------------------------------------

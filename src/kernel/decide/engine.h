@@ -109,14 +109,17 @@ struct Engine {
   bool agent_writes = true;
   std::string forced_operator;
 
-  // Sweeping of symbols and identifiers.
-  std::size_t sweep_identifiers_at = 1024;
-  std::size_t sweep_constants_at = 4096;
+  // Sweeping of symbols and identifiers. Below these numbers nobody looks.
+  static constexpr std::size_t kLeastIdentifiersSwept = 1024, kLeastConstantsSwept = 1024;
+  std::size_t sweep_identifiers_at = kLeastIdentifiersSwept;
+  std::size_t sweep_constants_at = kLeastConstantsSwept;
   std::vector<std::uint8_t> identifier_marks;
 
   /// Rules that leave the network when the elaboration is over, so that no firing loses its rule.
   std::vector<ProductionId> excisions;
 
+  /// Shares the rules with agents that have the same ones. Before the agent makes constants that no rule mentions.
+  [[gnu::noinline]] void OfferRules();
   /// The string that is a rule's name. It stays while the agent lives.
   Symbol NameOf(const Production& rule);
 

@@ -67,7 +67,7 @@ void GoalDependencySets::Collect(InstantiationId id) {
     if (local != PreferenceId::kNone) maker = local;
     if (memory.preference(maker).o_supported) continue;
     const Symbol value = memory.wme(trace.wme).value;
-    for (PreferenceId p = memory.slot(record.slot).acceptable; p != PreferenceId::kNone;
+    for (PreferenceId p = memory.slot(record.slot()).acceptable; p != PreferenceId::kNone;
          p = memory.preference(p).next_in_slot) {
       const Preference& supporter = memory.preference(p);
       if (supporter.value == value && supporter.level <= level) Queue(supporter.instantiation);

@@ -185,7 +185,7 @@ class HandleCheck {
       if (!wme.live && record.references == 0) continue;
       for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) RequireLive(symbol, "an element");
       if (!wme.live || record.preference == PreferenceId::kNone || !violation_.empty()) continue;
-      if (record.slot != SlotId::kNone && record.slot.record->changed) continue;  // Decided later.
+      if (record.slot() != SlotId::kNone && record.slot().record->changed) continue;  // Decided later.
       RequireLive(record.preference, "an element");
       const Preference& maker = memory_.preference(record.preference);
       Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,

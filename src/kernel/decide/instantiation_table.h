@@ -14,7 +14,7 @@ namespace soarbox::kernel {
 class InstantiationTable {
  public:
   /// With room for a small agent, so that its first decisions cost what the later ones do.
-  InstantiationTable() { traces_.reserve(128); }
+  InstantiationTable() { traces_.reserve(32); }
 
   InstantiationId Make();
   /// Numbers that no instantiation gets: Soar counts those that were begun and given up, too.

@@ -53,10 +53,13 @@ std::string RuleBody(int number) {
   }
 }
 
-std::size_t CostOfAgent(std::vector<std::unique_ptr<Agent>>& agents, int rules) {
+std::size_t CostOfAgent(std::vector<std::unique_ptr<Agent>>& agents, int rules, bool perceives = false) {
   const std::size_t before = HeapBytes();
   agents.push_back(std::make_unique<Agent>("agent" + std::to_string(agents.size())));
   for (int n = 0; n < rules; ++n) EXPECT_TRUE(agents.back()->LoadProduction(RuleBody(n)).loaded);
+  if (perceives) {
+    agents.back()->input().Add(InputObject::kInputLink, "seen-" + std::to_string(agents.size()), 0.5);
+  }
   agents.back()->Run(RunUnit::kDecision, 1);
   return HeapBytes() - before;
 }
@@ -77,6 +80,19 @@ TEST(RuleSharing, AFurtherAgentWithTheSameRulesCostsAFractionOfTheFirst) {
   RecordProperty("further", std::to_string(further));
   // The nodes' own state is most of it: 18 bytes each.
   EXPECT_LE(further * 10, first) << "first " << first << ", further " << further;
+}
+
+TEST(RuleSharing, AnAgentThatPerceivesBeforeItsFirstDecisionSharesToo) {
+  constexpr int kRules = 2000;
+  std::vector<std::unique_ptr<Agent>> agents;
+  agents.reserve(16);
+  CostOfAgent(agents, 0, true);
+  const std::size_t empty = CostOfAgent(agents, 0, true);
+  if (empty == 0) GTEST_SKIP() << "this build has another allocator";
+  const std::size_t first = CostOfAgent(agents, kRules, true) - empty;
+  const std::size_t further = CostOfAgent(agents, kRules, true) - empty;
+  EXPECT_LE(further * 5, first) << "first " << first << ", further " << further;
+  EXPECT_EQ(agents[2]->rete().NetworkDigest(), agents[3]->rete().NetworkDigest());
 }
 
 TEST(RuleSharing, ARuleOfItsOwnCostsAnAgentAFractionOfTheSharedOnes) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "kernel/decide/engine.h"
-#include "kernel/decide/rule_sharing.h"
 
 namespace soarbox::kernel {
 
@@ -226,10 +225,7 @@ bool RunControl::Stop() {
 // Running -------------------------------------------------------------------------------------------------------------
 
 RunControl::Start RunControl::Begin() {
-  if (engine_.rules_changed) {
-    engine_.rules_changed = false;
-    ShareRules(engine_.symbols, engine_.rete, engine_.rules, engine_.productions);
-  }
+  if (engine_.rules_changed) engine_.OfferRules();
   running_ = true;
   ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = by_phase_ = false;
   return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};

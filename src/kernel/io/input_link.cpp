@@ -86,7 +86,7 @@ InputElement InputLink::Add(InputObject parent, std::string_view attribute, cons
     free_elements_.pop_back();
   } else {
     place = static_cast<std::uint32_t>(elements_.size());
-    elements_.emplace_back().generation = first_generation_;
+    elements_.emplace_back().generation = first_generation_ & kGenerationMask;
   }
   Element& element = elements_[place];
   element.live = true;
@@ -136,7 +136,7 @@ void InputLink::Remove(InputElement handle) {
 void InputLink::Void(Element& element) {
   if (!element.live) return;
   element.live = false;
-  element.generation = (element.generation + 1) & kGenerationMask;
+  element.generation = (element.generation + 1u) & kGenerationMask;
 }
 
 /// Gives the place back once nothing is behind it any more.
@@ -242,7 +242,7 @@ void InputLink::MakeElement(const Pending& change) {
     value = object->identifier;
   }
   const WmeId wme = changes_.Add(WmeKind::kInput, parent->identifier, element.attribute, value);
-  memory_.mutable_record(wme).input_element = change.element;
+  memory_.mutable_record(wme).SetInputElement(change.element);
   element.wme = wme;
 }
 

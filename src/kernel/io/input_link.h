@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/plain_vector.h"
 #include "kernel/base/symbol.h"
 #include "kernel/base/symbol_table.h"
 #include "kernel/memory/wme_changes.h"
@@ -44,7 +45,7 @@ class InputLink {
   InputObject NewObject();
   /// A handle for an identifier that exists in working memory already (a command on the output link).
   InputObject ObjectFor(Symbol identifier);
-  /// `tag`: a number by which the client knows the element; the link only keeps it.
+  /// `tag`: a number by which the client knows the element, of no more than 53 bits; the link only keeps it.
   InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value, std::int64_t tag = 0);
   /// Removes the element and adds one with the new value and tag. The same handle goes on.
   void Update(InputElement element, const InputValue& value, std::int64_t tag = 0);
@@ -103,15 +104,19 @@ class InputLink {
   }
 
  private:
+  static constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kPlaceBits = 22, kGenerationBits = 32 - kPlaceBits;
+  static constexpr std::uint32_t kPlaceMask = (1u << kPlaceBits) - 1;
+  static constexpr std::uint32_t kGenerationMask = (1u << kGenerationBits) - 1;
   enum class Change : std::uint8_t { kAdd, kRemove, kUpdate };
   struct Element {
     WmeId wme = WmeId::kNone;
-    bool live = false;           ///< The handle is valid.
-    std::uint32_t buffered = 0;  ///< Changes of it that wait.
-    std::uint32_t generation = 0;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
-    std::int64_t tag = 0;
+    std::uint32_t buffered = 0;  ///< Changes of it that wait.
+    std::uint64_t live : 1 = 0;  ///< The handle is valid.
+    std::uint64_t generation : kGenerationBits = 0;
+    std::int64_t tag : 63 - kGenerationBits = 0;
   };
   struct Pending {
     Change change = Change::kAdd;
@@ -124,13 +129,9 @@ class InputLink {
     bool live = false;
     std::uint32_t generation = 0;
   };
-  static constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu;
-  static constexpr std::uint32_t kPlaceBits = 22;
-  static constexpr std::uint32_t kPlaceMask = (1u << kPlaceBits) - 1;
-  static constexpr std::uint32_t kGenerationMask = (1u << (32 - kPlaceBits)) - 1;
 
   InputElement HandleOf(std::uint32_t place) const {
-    return static_cast<InputElement>(place | elements_[place].generation << kPlaceBits);
+    return static_cast<InputElement>(place | static_cast<std::uint32_t>(elements_[place].generation) << kPlaceBits);
   }
   Element* Find(InputElement element);
   const Element* Find(InputElement element) const;
@@ -158,7 +159,7 @@ class InputLink {
   InputTap* tap_ = nullptr;
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;
-  std::vector<Element> elements_;
+  PlainVector<Element> elements_;
   std::uint32_t first_generation_ = 0;  ///< Of places made since the last init-soar, so that older handles are void.
   std::vector<std::uint32_t> free_elements_;
   std::vector<Pending> pending_;

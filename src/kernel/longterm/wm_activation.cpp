@@ -96,7 +96,7 @@ double WmActivation::Of(WmeId wme) const {
 bool WmActivation::IsForHistory(WmeId wme) const {
   const WmeRecord& record = uses_.memory.record(wme);
   return record.kind == WmeKind::kSlot && record.preference != PreferenceId::kNone &&
-         uses_.memory.preference(record.preference).o_supported && !uses_.memory.slot(record.slot).is_operator;
+         uses_.memory.preference(record.preference).o_supported && !uses_.memory.slot(record.slot()).is_operator;
 }
 
 double WmActivation::OfNew(WmeId wme) const {
@@ -115,7 +115,7 @@ void WmActivation::Flushed(std::span<const WmeId> added, std::span<const WmeId> 
   const WorkingMemory& memory = uses_.memory;
   for (const WmeId wme : added) {
     if (!memory.wme(wme).live || !IsForHistory(wme)) continue;
-    const Slot& slot = memory.slot(memory.record(wme).slot);
+    const Slot& slot = memory.slot(memory.record(wme).slot());
     std::uint64_t makers = 0;
     for (PreferenceId p : {slot.acceptable, slot.others}) {
       for (; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -185,7 +185,7 @@ void WmActivation::Use(WmeId wme) {
     UseWhatHolds(wme);
     return;
   }
-  if (!uses_.memory.slot(record.slot).is_operator) AddUse(wme);
+  if (!uses_.memory.slot(record.slot()).is_operator) AddUse(wme);
 }
 
 void WmActivation::AddUse(WmeId wme) {
@@ -232,7 +232,7 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
     }
     const Preference& maker = memory.preference(record.preference);
     if (maker.o_supported) {
-      if (!memory.slot(record.slot).is_operator) held(next);
+      if (!memory.slot(record.slot()).is_operator) held(next);
       continue;
     }
     const Instantiation& instantiation = uses_.instantiations[maker.instantiation];
@@ -287,7 +287,7 @@ std::uint64_t WmActivation::OpenGrounds(WmeId wme, PreferenceId preference) {
 
 std::uint64_t WmActivation::MeanStrength(WmeId wme) {
   const WorkingMemory& memory = uses_.memory;
-  const Slot& slot = memory.slot(memory.record(wme).slot);
+  const Slot& slot = memory.slot(memory.record(wme).slot());
   const Symbol value = memory.wme(wme).value;
   open_.clear();
   std::uint64_t count = 0;
@@ -379,7 +379,7 @@ bool WmActivation::Forget(WmeId wme) {
   ++forgotten_;
   if (settings_.fake_forgetting) return false;
   PreferenceId next;
-  for (PreferenceId p = memory.slot(memory.record(wme).slot).acceptable; p != PreferenceId::kNone; p = next) {
+  for (PreferenceId p = memory.slot(memory.record(wme).slot()).acceptable; p != PreferenceId::kNone; p = next) {
     next = memory.preference(p).next_in_slot;
     if (memory.preference(p).value == element.value && memory.preference(p).o_supported) uses_.preferences.Retract(p);
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "kernel/base/plain_vector.h"
 #include "kernel/match/network.h"
 
 namespace soarbox::kernel {
@@ -15,11 +15,11 @@ struct WmeLinks {
   std::uint32_t first_item = kNil;
   std::uint32_t first_token = kNil;
   std::uint32_t next = kNil, previous = kNil;  ///< All elements in the match, newest first.
-  std::uint64_t serial = 0;                    ///< Of its arrival, later of its departure.
-  bool in_match = false;
-  bool unsorted = false;  ///< The list of its tokens may be unsorted.
+  std::uint64_t serial : 62 = 0;               ///< Of its arrival, later of its departure.
+  bool in_match : 1 = false;
+  bool unsorted : 1 = false;  ///< The list of its tokens may be unsorted.
 };
-static_assert(sizeof(WmeLinks) == 32, "elements are addressed by a shift");
+static_assert(sizeof(WmeLinks) == 24, "an agent has thousands");
 
 /// The elements in the match, newest first, and which of them is leaving.
 ///
@@ -92,6 +92,7 @@ class ElementLinks {
   std::uint32_t leaving() const { return leaving_; }
   /// When the last element arrived or began to leave.
   std::uint64_t last_serial() const { return last_serial_; }
+  bool Holds(std::uint32_t wme) const { return wme < links_.size() && links_[wme].in_match; }
   /// When an element of the match arrived, even if it is leaving.
   std::uint64_t ArrivalOf(std::uint32_t wme) const {
     return wme == leaving_ ? arrival_of_leaving_ : links_[wme].serial;
@@ -99,14 +100,14 @@ class ElementLinks {
 
   /// Frees all memory.
   void Release() {
-    links_ = std::vector<WmeLinks>();
+    links_ = PlainVector<WmeLinks>();
     newest_ = kNil;
     count_ = 0;
   }
   std::size_t MemoryBytes() const { return links_.capacity() * sizeof(WmeLinks); }
 
  private:
-  std::vector<WmeLinks> links_;
+  PlainVector<WmeLinks> links_;
   std::uint32_t newest_ = kNil;
   std::uint32_t count_ = 0;
   std::uint32_t leaving_ = kNil;

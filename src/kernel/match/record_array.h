@@ -69,7 +69,7 @@ class RecordArray {
 
   [[gnu::noinline, gnu::cold]] void Grow() {
     const std::size_t count = capacity_ / sizeof(T);
-    const std::size_t wanted = (count < 64 ? 64 : count + count / 2) * sizeof(T);
+    const std::size_t wanted = (count < 16 ? 16 : count + count / 2) * sizeof(T);
     const std::size_t bytes = std::min<std::size_t>(wanted, limit_);
     char* moved = bytes <= capacity_ ? nullptr : static_cast<char*>(std::realloc(data_, bytes));
     if (moved == nullptr) {

@@ -88,6 +88,11 @@ void Renew(Rete& rete, WmeId wme) {
   state.links.Renew(Index(wme), state.tokens.TakeSerial(), state.wmes[Index(wme)].timetag);
 }
 
+std::uint64_t ArrivalOf(const Rete& rete, WmeId wme) {
+  const ElementLinks& links = rete.state_->links;
+  return links.Holds(Index(wme)) ? links.ArrivalOf(Index(wme)) : 0;
+}
+
 void Rete::Clear() {
   state_->Clear();
 }

@@ -157,6 +157,7 @@ class Rete {
   friend void Renew(Rete& rete, WmeId wme);
 
   friend struct ReteState;
+  friend std::uint64_t ArrivalOf(const Rete& rete, WmeId wme);
   MatchSet matches_;
   std::unique_ptr<struct ReteState> state_;
 };
@@ -165,5 +166,7 @@ class Rete {
 bool IsUntested(const Rete& rete, WmeId wme, Symbol value);
 /// Does for such an element, when its value has changed, what removing it and adding another one in its place would do.
 void Renew(Rete& rete, WmeId wme);
+/// When an element entered the match, as a running number; 0 for one that is not in it.
+std::uint64_t ArrivalOf(const Rete& rete, WmeId wme);
 
 }  // namespace soarbox::kernel

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/plain_vector.h"
 #include "kernel/base/symbol.h"
 #include "kernel/rules/rule_kinds.h"
 
@@ -38,6 +38,6 @@ inline std::uint32_t BitsOf(const Wme& wme, Field field) {
 
 /// The elements of one agent, by WmeId. Indices of removed elements are used again, but only after the phase in which
 /// they were removed.
-using WmeTable = std::vector<Wme>;
+using WmeTable = PlainVector<Wme>;
 
 }  // namespace soarbox::kernel

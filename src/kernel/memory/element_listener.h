@@ -22,7 +22,7 @@ class ElementListener {
   virtual void DependencyLost(WmeId wme) = 0;
   /// A member of such a set is removed for another reason; goals stay.
   virtual void DependencyForgotten(WmeId wme) = 0;
-  /// An element that the input link made is removed. `element`: WmeRecord::input_element.
+  /// An element that the input link made is removed. `element`: WmeRecord::input_element().
   virtual void InputElementRemoved(std::uint32_t element) = 0;
 
   // While changes go to the match.

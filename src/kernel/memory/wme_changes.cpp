@@ -59,8 +59,8 @@ void WmeChanges::Remove(WmeId wme) {
   if (content.value.IsIdentifier() && content.value != content.id) {
     links_.ElementRemoved(content.value, record.kind == WmeKind::kArchitecture);
   }
-  if (record.kind == WmeKind::kInput && record.input_element != 0xFFFFFFFFu) {
-    listener_.InputElementRemoved(record.input_element);
+  if (record.input_element() != WmeRecord::kNoInput) {
+    listener_.InputElementRemoved(record.input_element());
   }
   if (record.kind != WmeKind::kInput) output_.NoteChange(content.id);
   memory_.Unlink(wme);
@@ -93,7 +93,6 @@ void WmeChanges::Flush() {
     // An element that came and went within the phase never enters the match.
     if (memory_.wme(wme).live) {
       WmeRecord& record = memory_.mutable_record(wme);
-      record.entered = ++last_entered_;
       if (record.renewed) {
         record.renewed = false;
         kernel::Renew(rete_, wme);

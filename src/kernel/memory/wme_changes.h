@@ -64,7 +64,6 @@ class WmeChanges {
   OutputMarks& output_;
   ElementListener& listener_;
   bool tells_of_attributes_ = false;
-  std::uint64_t last_entered_ = 0;
   std::size_t renewed_ = 0;  ///< So many of added_ stand for one that leaves, too.
   std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
 };

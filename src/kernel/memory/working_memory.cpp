@@ -82,7 +82,7 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
 
   WmeRecord& record = records_[Index(wme)];
   record.kind = kind;
-  record.slot = slot;
+  record.SetSlot(slot);
   WmeId& head = ListHead(record, content);
   record.next = head;
   if (head != WmeId::kNone) records_[Index(head)].previous = wme;
@@ -95,9 +95,9 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
 WmeId& WorkingMemory::ListHead(const WmeRecord& record, const Wme& content) {
   switch (record.kind) {
     case WmeKind::kSlot:
-      return record.slot.record->wmes;
+      return record.slot().record->wmes;
     case WmeKind::kAcceptable:
-      return record.slot.record->acceptable_wmes;
+      return record.slot().record->acceptable_wmes;
     case WmeKind::kArchitecture:
       return identifiers_[content.id.index()].architecture_wmes;
     case WmeKind::kInput:
@@ -115,8 +115,8 @@ void WorkingMemory::Unlink(WmeId wme) {
     ListHead(record, wmes_[Index(wme)]) = record.next;
   }
   if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
-  if (record.kind == WmeKind::kSlot && record.slot.record->is_large) [[unlikely]] {
-    LargeOf(*record.slot.record).SetWme(wmes_[Index(wme)].value, WmeId::kNone);
+  if (record.kind == WmeKind::kSlot && record.slot().record->is_large) [[unlikely]] {
+    LargeOf(*record.slot().record).SetWme(wmes_[Index(wme)].value, WmeId::kNone);
   }
   record.next = record.previous = WmeId::kNone;
   record.kind = WmeKind::kFree;
@@ -148,9 +148,18 @@ void WorkingMemory::Free(std::span<const WmeId> wmes) {
 
 // Identifiers ---------------------------------------------------------------------------------------------------------
 
+/// By a quarter each time: there are many agents with a few identifiers.
+void WorkingMemory::MakeRoomForIdentifiers(std::size_t count) {
+  const std::size_t room = count + count / 4 + 8;
+  identifiers_.reserve(room);
+  goal_levels_.reserve(room);
+  long_term_.reserve(room);
+}
+
 Symbol WorkingMemory::NewIdentifier(char letter, GoalLevel level) {
   const Symbol id = symbols_.NewIdentifier(letter);
   if (id.index() >= identifier_limit_) {
+    if (id.index() >= identifiers_.capacity()) MakeRoomForIdentifiers(id.index() + std::size_t{1});
     identifier_limit_ = id.index() + 1;
     identifiers_.resize(id.index() + 1);
     goal_levels_.resize(id.index() + 1, 0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/plain_vector.h"
 #include "kernel/base/record_arena.h"
 #include "kernel/base/symbol.h"
 #include "kernel/base/symbol_table.h"
@@ -31,20 +32,45 @@ enum class WmeKind : std::uint8_t {
 constexpr GoalLevel kGoalOfGdsGone = 0xFFFF;
 
 /// What stands beside a Wme: everything that the match does not read.
-struct WmeRecord {
+class WmeRecord {
+ public:
+  static constexpr std::uint32_t kNoInput = 0xFFFFFFFFu;
+
   WmeKind kind = WmeKind::kFree;
-  bool in_match = false;         ///< The matcher knows it.
-  bool removing = false;         ///< Waits in the removal buffer.
-  bool renewed = false;          ///< Waits in the buffers as one that left and one that came in its place.
+  bool in_match : 1 = false;  ///< The matcher knows it.
+  bool removing : 1 = false;  ///< Waits in the removal buffer.
+  bool renewed : 1 = false;   ///< Waits in the buffers as one that left and one that came in its place.
+
+ private:
+  bool is_input_ : 1 = false;  ///< It has an input element in the place of a slot.
+
+ public:
   GoalLevel gds = 0;             ///< Level of the goal whose dependency set holds it, kGoalOfGdsGone, or 0.
   std::uint32_t references = 0;  ///< Instantiations of substates that matched it.
-  PreferenceId preference = PreferenceId::kNone;       ///< The preference that put it here, if any.
-  SlotId slot = SlotId::kNone;                         ///< kSlot, kAcceptable.
-  LinkId link = LinkId::kNone;                         ///< kArchitecture, kInput with an identifier as value.
-  std::uint32_t input_element = 0xFFFFFFFFu;           ///< kInput: the input link's element, if it made this one.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< The list of the slot or of the identifier.
-  std::uint64_t entered = 0;                           ///< When it entered the match: a running number.
+  PreferenceId preference = PreferenceId::kNone;       ///< The preference that put it here, if any.
+  LinkId link = LinkId::kNone;                         ///< An identifier as value, if no preference holds it.
+
+  /// kSlot, kAcceptable.
+  SlotId slot() const { return is_input_ ? SlotId::kNone : slot_; }
+  void SetSlot(SlotId slot) {
+    is_input_ = false;
+    slot_ = slot;
+  }
+  /// kInput: the input link's element, kNoInput if it did not make this one.
+  std::uint32_t input_element() const { return is_input_ ? input_element_ : kNoInput; }
+  void SetInputElement(std::uint32_t element) {
+    is_input_ = true;
+    input_element_ = element;
+  }
+
+ private:
+  union {
+    SlotId slot_ = SlotId::kNone;
+    std::uint32_t input_element_;
+  };
 };
+static_assert(sizeof(WmeRecord) == 40, "an agent has thousands");
 
 /// The preferences and elements of one (identifier, attribute).
 struct Slot {
@@ -224,6 +250,7 @@ class WorkingMemory {
   static constexpr std::uint32_t kManyPreferences = 256;
 #endif
 
+  void MakeRoomForIdentifiers(std::size_t count);
   void IndexSlots(Symbol id);
   [[gnu::noinline]] LargeSlot& LargeOf(Slot& slot);
   LargeSlot Describe(const Slot& slot) const;
@@ -233,7 +260,7 @@ class WorkingMemory {
 
   SymbolTable& symbols_;
   WmeTable wmes_;
-  std::vector<WmeRecord> records_;
+  PlainVector<WmeRecord> records_;
   std::vector<WmeId> free_wmes_;
   RecordArena<Slot, &Slot::next> slots_;
   RecordArena<Preference, &Preference::next_of_goal> preferences_;

@@ -2,65 +2,114 @@
 #include <strings.h>
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 
 #include "sml/client/agent_data.h"
 #include "sml/client/sml_ClientIdentifier.h"
 
 namespace sml {
 
-namespace {
-
-/// What a dead object has for children.
-std::list<WMElement*> no_children;
-
-}  // namespace
-
 // The children of a symbol
 // ----------------------------------------------------------------------------------------------
 
 IdentifierSymbol::~IdentifierSymbol() = default;
 
-std::string const& IdentifierSymbol::Name() {
-  if (name_.empty() && key_ != 0) AssignIdentifierName(name_, key_);
-  return name_;
+char const* IdentifierSymbol::Name() {
+  if (name_.empty() && key_ != 0) {
+    std::string name;
+    AssignIdentifierName(name, key_);
+    name_.Assign(name.data(), name.size());
+  }
+  return name_.c_str();
+}
+
+Agent* IdentifierSymbol::GetAgent() const {
+  return &memory_->agent();
+}
+
+void IdentifierSymbol::SetIdentifierSymbol(char const* pID) {
+  if (!pID) pID = "";
+  name_.Assign(pID, std::strlen(pID));
 }
 
 void IdentifierSymbol::UsedBy(Identifier* pIdentifier) {
-  users_.push_back(pIdentifier);
+  if (!first_user_) {
+    first_user_ = pIdentifier;
+    return;
+  }
+  if (!further_users_) further_users_ = std::make_unique<std::vector<Identifier*>>();
+  further_users_->push_back(pIdentifier);
 }
 
 void IdentifierSymbol::NoLongerUsedBy(Identifier* pIdentifier) {
-  std::erase(users_, pIdentifier);
+  if (further_users_) std::erase(*further_users_, pIdentifier);
+  if (first_user_ != pIdentifier) return;
+  first_user_ = nullptr;
+  if (!further_users_ || further_users_->empty()) return;
+  first_user_ = further_users_->front();
+  further_users_->erase(further_users_->begin());
+}
+
+int IdentifierSymbol::GetNumberUsing() {
+  return (first_user_ ? 1 : 0) + (further_users_ ? static_cast<int>(further_users_->size()) : 0);
+}
+
+void IdentifierSymbol::ForgetUsers() {
+  first_user_ = nullptr;
+  if (further_users_) further_users_->clear();
+}
+
+/// Puts an element that has no parent at the end of the children.
+void IdentifierSymbol::Append(WMElement* child) {
+  child->parent_ = this;
+  child->next_ = nullptr;
+  child->previous_ = last_child_;
+  (last_child_ ? last_child_->next_ : first_child_) = child;
+  last_child_ = child;
+  ++child_count_;
+}
+
+void IdentifierSymbol::TakeOut(WMElement* child) {
+  (child->previous_ ? child->previous_->next_ : first_child_) = child->next_;
+  (child->next_ ? child->next_->previous_ : last_child_) = child->previous_;
+  child->parent_ = nullptr;
+  child->agent_ = GetAgent();
+  --child_count_;
+}
+
+ChildIterator& ChildIterator::operator--() {
+  at_ = at_ ? at_->previous_ : parent_->last_child_;
+  return *this;
 }
 
 void IdentifierSymbol::AddChild(WMElement* pWME) {
-  if (!pWME || pWME->parent_ == this) return;
+  if (!pWME || !pWME->live_ || pWME->parent_ == this || pWME->GetAgent() != GetAgent()) return;
   if (pWME->parent_) pWME->parent_->RemoveChild(pWME);
-  children_.push_back(pWME);
+  Append(pWME);
   has_own_ = true;
-  pWME->parent_ = this;
-  pWME->place_ = std::prev(children_.end());
   children_modified_ = true;
 }
 
 void IdentifierSymbol::RemoveChild(WMElement* pWME) {
   if (!pWME || pWME->parent_ != this) return;
-  children_.erase(pWME->place_);
-  pWME->parent_ = nullptr;
+  TakeOut(pWME);
   children_modified_ = true;
 }
 
 WMElement* IdentifierSymbol::GetChildByTimeTag(long long timeTag) {
-  for (WMElement* child : children_) {
+  for (WMElement* child : *this) {
     if (child->GetTimeTag() == timeTag) return child;
   }
   return nullptr;
 }
 
 void IdentifierSymbol::TransferChildren(IdentifierSymbol* pFrom) {
-  if (!pFrom || pFrom == this) return;
-  for (WMElement* child : pFrom->children_) child->parent_ = this;
-  children_.splice(children_.end(), pFrom->children_);
+  if (!pFrom || pFrom == this || pFrom->memory_ != memory_) return;
+  while (WMElement* child = pFrom->first_child_) {
+    pFrom->TakeOut(child);
+    Append(child);
+  }
   has_own_ = true;
   children_modified_ = true;
 }
@@ -70,7 +119,7 @@ void IdentifierSymbol::DeleteAllChildren() {
 }
 
 void IdentifierSymbol::DebugString(std::string& result) {
-  for (WMElement* child : children_) child->DebugString(result);
+  for (WMElement* child : *this) child->DebugString(result);
 }
 
 // The element
@@ -79,27 +128,27 @@ void IdentifierSymbol::DebugString(std::string& result) {
 Identifier::~Identifier() = default;
 
 Identifier::ChildrenIter Identifier::GetChildrenBegin() {
-  return symbol_ ? symbol_->children_.begin() : no_children.begin();
+  return symbol_ ? symbol_->begin() : ChildrenIter();
 }
 
 Identifier::ChildrenIter Identifier::GetChildrenEnd() {
-  return symbol_ ? symbol_->children_.end() : no_children.end();
+  return symbol_ ? symbol_->end() : ChildrenIter();
 }
 
 int Identifier::GetNumberChildren() const {
-  return symbol_ ? static_cast<int>(symbol_->children_.size()) : 0;
+  return symbol_ ? static_cast<int>(symbol_->child_count_) : 0;
 }
 
 WMElement* Identifier::GetChild(int index) {
   if (!symbol_ || index < 0 || index >= GetNumberChildren()) return nullptr;
-  return *std::next(symbol_->children_.begin(), index);
+  return *std::next(symbol_->begin(), index);
 }
 
 WMElement* Identifier::FindFromTimeTag(long long timeTag) const {
   if (!symbol_) return nullptr;
   std::vector<IdentifierSymbol*> seen{symbol_};
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (WMElement* child : seen[i]->children_) {
+    for (WMElement* child : *seen[i]) {
       if (child->GetTimeTag() == timeTag) return child;
       Identifier* identifier = child->ConvertToIdentifier();
       if (!identifier || !identifier->symbol_) continue;
@@ -111,7 +160,7 @@ WMElement* Identifier::FindFromTimeTag(long long timeTag) const {
 
 WMElement* Identifier::FindByAttribute(char const* pAttribute, int index) const {
   if (!symbol_ || !pAttribute) return nullptr;
-  for (WMElement* child : symbol_->children_) {
+  for (WMElement* child : *symbol_) {
     if (strcasecmp(child->GetAttribute(), pAttribute) == 0 && index-- == 0) return child;
   }
   return nullptr;
@@ -160,11 +209,11 @@ Identifier* Identifier::CreateSharedIdWME(char const* pAttribute, Identifier* pS
 }
 
 char const* Identifier::GetValueAsString() const {
-  return symbol_ ? symbol_->Name().c_str() : "";
+  return symbol_ ? symbol_->Name() : "";
 }
 
 char const* Identifier::GetValueAsString(std::string& buf) const {
-  buf = symbol_ ? symbol_->Name() : std::string();
+  buf = symbol_ ? symbol_->Name() : "";
   return buf.c_str();
 }
 

@@ -38,13 +38,20 @@ void AssignIdentifierName(std::string& out, long long key) {
   out.assign(begin, static_cast<std::size_t>(end - begin));
 }
 
-WMElement::~WMElement() = default;
+WMElement::~WMElement() {
+  if (owns_attribute_) delete[] attribute_;
+}
 StringElement::~StringElement() = default;
 IntElement::~IntElement() = default;
 FloatElement::~FloatElement() = default;
 
+Agent* WMElement::GetAgent() {
+  return parent_ ? parent_->GetAgent() : agent_;
+}
+
 bool WMElement::IsJustAdded() {
-  if (agent_ && output_) AgentData::Of(*agent_).memory.DropOldChanges();
+  Agent* const agent = output_ ? GetAgent() : nullptr;
+  if (agent) AgentData::Of(*agent).memory.DropOldChanges();
   return just_added_;
 }
 
@@ -53,7 +60,8 @@ char const* WMElement::GetIdentifierName() const {
 }
 
 bool WMElement::DestroyWME() {
-  return agent_ && agent_->DestroyWME(this);
+  Agent* const agent = GetAgent();
+  return agent && agent->DestroyWME(this);
 }
 
 void WMElement::DebugString(std::string& result) {
@@ -70,7 +78,7 @@ char const* StringElement::GetValueAsString() const {
   return value_.c_str();
 }
 char const* StringElement::GetValueAsString(std::string& buf) const {
-  buf = value_;
+  buf = value_.c_str();
   return buf.c_str();
 }
 

@@ -127,10 +127,10 @@ class LocalInspection final : public MindInspection {
           record.kind == WmeKind::kInput ? mind::MakerFact::Kind::kInput : mind::MakerFact::Kind::kArchitecture;
       return makers;
     }
-    if (record.slot == SlotId::kNone) return makers;
+    if (record.slot() == SlotId::kNone) return makers;
     const Symbol value = agent_.memory().wme(wme).value;
     for (const PreferenceType type : {PreferenceType::kAcceptable, PreferenceType::kRequire})
-      for (const PreferenceId id : agent_.PreferencesOf(record.slot, type))
+      for (const PreferenceId id : agent_.PreferencesOf(record.slot(), type))
         if (agent_.memory().preference(id).value == value) makers.push_back(MakerOf(agent_.memory().preference(id)));
     return makers;
   }

@@ -8,14 +8,15 @@
 namespace sml {
 
 /// Objects of one type, used again and again. One that is given back stays untouched (a dead object) until a number of
-/// others have been given back after it, so that a stale pointer to it is found out.
+/// others have been given back after it, so that a stale pointer to it is found out. Those that were given back are
+/// linked by their member `next_`, which is theirs while they are in use.
 template <typename T>
 class ObjectPool {
  public:
   T* Take() {
     if (returned_count_ > kQuarantine) {
-      T* oldest = returned_[first_returned_];
-      first_returned_ = (first_returned_ + 1) & (returned_.size() - 1);
+      T* const oldest = first_returned_;
+      first_returned_ = static_cast<T*>(oldest->next_);
       --returned_count_;
       return oldest;
     }
@@ -26,27 +27,22 @@ class ObjectPool {
     return &blocks_.back()[--fresh_];
   }
   void GiveBack(T* object) {
-    if (returned_count_ == returned_.size()) Grow();
-    returned_[(first_returned_ + returned_count_) & (returned_.size() - 1)] = object;
-    ++returned_count_;
+    if (returned_count_++ == 0) {
+      first_returned_ = object;
+    } else {
+      last_returned_->next_ = object;
+    }
+    last_returned_ = object;
   }
 
  private:
   static constexpr std::size_t kQuarantine = 32;
   static constexpr std::size_t kBlock = 8;
 
-  void Grow() {
-    std::vector<T*> wider(returned_.empty() ? 2 * kQuarantine : 2 * returned_.size());
-    for (std::size_t i = 0; i < returned_count_; ++i)
-      wider[i] = returned_[(first_returned_ + i) & (returned_.size() - 1)];
-    returned_.swap(wider);
-    first_returned_ = 0;
-  }
-
   std::vector<std::unique_ptr<T[]>> blocks_;
-  std::size_t fresh_ = 0;     ///< Objects of the last block that were never taken.
-  std::vector<T*> returned_;  ///< A ring, as long as a power of two.
-  std::size_t first_returned_ = 0, returned_count_ = 0;
+  std::size_t fresh_ = 0;  ///< Objects of the last block that were never taken.
+  T *first_returned_ = nullptr, *last_returned_ = nullptr;
+  std::size_t returned_count_ = 0;
 };
 
 }  // namespace sml

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include "sml_ClientIntElement.h"
 #include "sml_ClientStringElement.h"
 #include "sml_ClientWMElement.h"
+#include "soarbox_ChildIterator.h"
 
 namespace sml {
 
@@ -23,8 +24,8 @@ class EXPORT IdentifierSymbol {
   IdentifierSymbol& operator=(IdentifierSymbol const&) = delete;
   ~IdentifierSymbol();
 
-  char const* GetIdentifierSymbol() { return Name().c_str(); }
-  void SetIdentifierSymbol(char const* pID) { name_ = pID ? pID : ""; }
+  char const* GetIdentifierSymbol() { return Name(); }
+  void SetIdentifierSymbol(char const* pID);
 
   /// True if children came or went since the list of output changes was last cleared.
   bool AreChildrenModified() { return children_modified_; }
@@ -32,9 +33,9 @@ class EXPORT IdentifierSymbol {
 
   void UsedBy(Identifier* pIdentifier);
   void NoLongerUsedBy(Identifier* pIdentifier);
-  bool IsFirstUser(Identifier* pIdentifier) { return !users_.empty() && users_.front() == pIdentifier; }
-  Identifier* GetFirstUser() { return users_.empty() ? nullptr : users_.front(); }
-  int GetNumberUsing() { return static_cast<int>(users_.size()); }
+  bool IsFirstUser(Identifier* pIdentifier) { return first_user_ && first_user_ == pIdentifier; }
+  Identifier* GetFirstUser() { return first_user_; }
+  int GetNumberUsing();
 
   void AddChild(WMElement* pWME);
   void RemoveChild(WMElement* pWME);
@@ -55,28 +56,43 @@ class EXPORT IdentifierSymbol {
 
  private:
   friend class Identifier;
+  friend class WMElement;
   friend class WorkingMemory;
   friend class ObjectPool<IdentifierSymbol>;
+  friend class ChildIterator;
   IdentifierSymbol() = default;
-  std::string const& Name();
+  char const* Name();
+  Agent* GetAgent() const;
+  ChildIterator begin() {
+    return {this, first_child_};
+  }
+  ChildIterator end() {
+    return {this, nullptr};
+  }
+  void Append(WMElement* child);
+  void TakeOut(WMElement* child);
+  void ForgetUsers();
 
   WorkingMemory* memory_ = nullptr;
-  std::string name_;  ///< Empty until somebody asks, if the kernel made it.
+  ElementText name_;  ///< Empty until somebody asks, if the kernel made it.
   unsigned long long life_ = 0;
   long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients gave.
   bool has_own_ = false;  ///< May have children that the agent did not make.
-  std::vector<Identifier*> users_;
-  std::list<WMElement*> children_;
   bool children_modified_ = false;
-  unsigned int hint_ = 0;  ///< The kernel's handle, if it is in this process.
+  unsigned int child_count_ = 0;
+  WMElement *first_child_ = nullptr, *last_child_ = nullptr;
+  Identifier* first_user_ = nullptr;
+  IdentifierSymbol* next_ = nullptr;                         ///< See ObjectPool.
+  std::unique_ptr<std::vector<Identifier*>> further_users_;  ///< Null as long as there was never more than one.
+  unsigned int hint_ = 0;                                    ///< The kernel's handle, if it is in this process.
 };
 
 /// An element whose value is an identifier: a node of the input or output structure. A command on the output link is
 /// one of these.
 class EXPORT Identifier : public WMElement {
  public:
-  typedef std::list<WMElement*>::iterator ChildrenIter;
-  typedef std::list<WMElement*>::const_iterator ChildrenConstIter;
+  typedef ChildIterator ChildrenIter;
+  typedef ChildIterator ChildrenConstIter;
 
   ~Identifier() override;
 

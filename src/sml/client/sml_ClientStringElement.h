@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sml_ClientWMElement.h"
+#include "soarbox_ElementText.h"
 
 namespace sml {
 
@@ -25,7 +26,7 @@ class EXPORT StringElement : public WMElement {
   friend class ObjectPool<StringElement>;
   StringElement() : WMElement(Kind::kString) {}
 
-  std::string value_;
+  ElementText value_;
 };
 
 }  // namespace sml

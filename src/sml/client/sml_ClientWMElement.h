@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <list>
+#include <list>  // Soar's header includes it, too.
 #include <string>
 
 #include "Export.h"
@@ -35,7 +35,7 @@ class EXPORT WMElement {
   /// Its name ("I2").
   char const* GetIdentifierName() const;
 
-  char const* GetAttribute() const { return attribute_.c_str(); }
+  char const* GetAttribute() const { return attribute_; }
 
   /// "string", "int", "double" or "id".
   virtual char const* GetValueType() const = 0;
@@ -53,7 +53,7 @@ class EXPORT WMElement {
   virtual FloatElement* ConvertToFloatElement() { return nullptr; }
   virtual StringElement* ConvertToStringElement() { return nullptr; }
 
-  Agent* GetAgent() { return agent_; }
+  Agent* GetAgent();
 
   /// As Agent::DestroyWME(this).
   bool DestroyWME();
@@ -74,23 +74,31 @@ class EXPORT WMElement {
 
  protected:
   enum class Kind : unsigned char { kString, kInt, kFloat, kIdentifier };
-  explicit WMElement(Kind kind) : kind_(kind) {}
+  explicit WMElement(Kind kind)
+      : kind_(kind), just_added_(false), live_(false), output_(false), owns_attribute_(false) {}
 
  private:
   friend class WorkingMemory;
   friend class IdentifierSymbol;
+  friend class ChildIterator;
+  template <typename T>
+  friend class ObjectPool;
 
-  Agent* agent_ = nullptr;
   IdentifierSymbol* parent_ = nullptr;
-  std::string attribute_;
+  char const* attribute_ = "";
+  WMElement* next_ = nullptr;  ///< Of the parent's children; of a dead object: see ObjectPool.
+  union {
+    WMElement* previous_ = nullptr;  ///< If it has a parent.
+    Agent* agent_;                   ///< If it has none.
+  };
   long long time_tag_ = 0;
   unsigned long long life_ = 0;
   unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
   Kind kind_;
-  bool just_added_ = false;
-  bool live_ = false;                        ///< False for dead objects.
-  bool output_ = false;                      ///< Made by the agent.
-  std::list<WMElement*>::iterator place_{};  ///< In the parent's list of children.
+  bool just_added_ : 1;
+  bool live_ : 1;            ///< False for dead objects.
+  bool output_ : 1;          ///< Made by the agent.
+  bool owns_attribute_ : 1;  ///< Else it is one that all agents share.
 };
 
 }  // namespace sml

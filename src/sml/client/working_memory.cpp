@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstring>
 
 #include "sml/client/agent_data.h"
+#include "sml/client/shared_text.h"
 
 namespace sml {
 
@@ -22,6 +24,10 @@ bool CommitsAtOnce(const KernelData& data) {
 
 WorkingMemory::~WorkingMemory() = default;
 
+Agent& WorkingMemory::agent() const {
+  return data_.agent;
+}
+
 /// Leaves room for the numbers of 2^40 elements.
 unsigned long long WorkingMemory::NewLife() {
   static std::atomic<unsigned long long> memories{0};
@@ -29,7 +35,7 @@ unsigned long long WorkingMemory::NewLife() {
 }
 
 bool WorkingMemory::Owns(const WMElement* wme) const {
-  return wme && wme->live_ && wme->agent_ == &data_.agent;
+  return wme && wme->live_ && (wme->parent_ ? wme->parent_->memory_ == this : wme->agent_ == &data_.agent);
 }
 
 IdentifierSymbol* WorkingMemory::FindSymbol(long long key) {
@@ -41,9 +47,9 @@ IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name, long long key)
   IdentifierSymbol* symbol = symbols_.Take();
   symbol->memory_ = this;
   symbol->life_ = ++last_life_;
-  symbol->name_ = name;
+  symbol->name_.Assign(name.data(), name.size());
   symbol->key_ = key;
-  symbol->users_.clear();
+  symbol->ForgetUsers();
   symbol->children_modified_ = false;
   symbol->has_own_ = false;
   symbol->hint_ = 0;
@@ -57,11 +63,25 @@ IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   return symbol;
 }
 
+/// Names an element: with the text that all agents share if there is one.
+void WorkingMemory::SetAttribute(WMElement* wme, std::string_view attribute) {
+  if (wme->owns_attribute_) delete[] wme->attribute_;
+  wme->owns_attribute_ = false;
+  wme->attribute_ = SharedText(attribute);
+  if (wme->attribute_) return;
+  wme->attribute_ = "";
+  char* const own = new char[attribute.size() + 1];
+  attribute.copy(own, attribute.size());
+  own[attribute.size()] = 0;
+  wme->attribute_ = own;
+  wme->owns_attribute_ = true;
+}
+
 void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag,
                            bool output) {
+  wme->parent_ = nullptr;
   wme->agent_ = &data_.agent;
-  wme->parent_ = parent;
-  wme->attribute_ = attribute;
+  SetAttribute(wme, attribute);
   wme->time_tag_ = tag;
   wme->life_ = ++last_life_;
   wme->just_added_ = output;
@@ -70,19 +90,11 @@ void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string
   wme->output_ = output;
   if (!parent) return;
   if (!output) parent->has_own_ = true;
-  if (spare_nodes_.empty()) {
-    parent->children_.push_back(wme);
-  } else {
-    spare_nodes_.front() = wme;
-    parent->children_.splice(parent->children_.end(), spare_nodes_, spare_nodes_.begin());
-  }
-  wme->place_ = std::prev(parent->children_.end());
+  parent->Append(wme);
 }
 
 void WorkingMemory::Detach(WMElement* wme) {
-  if (!wme->parent_) return;
-  spare_nodes_.splice(spare_nodes_.end(), wme->parent_->children_, wme->place_);
-  wme->parent_ = nullptr;
+  if (wme->parent_) wme->parent_->TakeOut(wme);
 }
 
 void WorkingMemory::RetireElement(WMElement* wme) {
@@ -108,17 +120,14 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
   IdentifierSymbol* symbol = identifier->symbol_;
   if (!symbol) return;
   identifier->symbol_ = nullptr;
-  if (symbol->users_.size() > 1) {
-    std::erase(symbol->users_, identifier);
+  if (symbol->GetNumberUsing() > 1) {
+    symbol->NoLongerUsedBy(identifier);
     return;
   }
-  symbol->users_.clear();
-  if (!symbol->children_.empty()) {
-    for (WMElement* child : symbol->children_) {
-      child->parent_ = nullptr;
-      below.push_back(child);
-    }
-    spare_nodes_.splice(spare_nodes_.end(), symbol->children_);
+  symbol->ForgetUsers();
+  while (WMElement* child = symbol->first_child_) {
+    symbol->TakeOut(child);
+    below.push_back(child);
   }
   if (symbol->key_ != 0) symbols_by_key_.Take(symbol->key_);
   symbol->life_ = 0;
@@ -150,7 +159,7 @@ void WorkingMemory::Release(WMElement* wme) {
 }
 
 void WorkingMemory::ReleaseBelow(IdentifierSymbol* symbol) {
-  while (!symbol->children_.empty()) Release(symbol->children_.front());
+  while (symbol->first_child_) Release(symbol->first_child_);
 }
 
 /// Takes a waiting addition back.
@@ -173,7 +182,7 @@ Identifier* WorkingMemory::InputLink() {
   const long long key = IdentifierKey(name);
   IdentifierSymbol* symbol = key ? SymbolFor(key) : NewSymbol(name, 0);
   input_link_->symbol_ = symbol;
-  symbol->users_.push_back(input_link_);
+  symbol->UsedBy(input_link_);
   Attach(input_link_, nullptr, "input-link", --data_.kernel_data().next_tag, false);
   return input_link_;
 }
@@ -197,7 +206,7 @@ StringElement* WorkingMemory::CreateString(Identifier* parent, char const* attri
     value = "nil";
   }
   StringElement* wme = strings_.Take();
-  wme->value_ = value;
+  wme->value_.Assign(value, std::strlen(value));
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
   return wme;
@@ -232,7 +241,7 @@ Identifier* WorkingMemory::CreateId(Identifier* parent, char const* attribute) {
   if (!CheckParent(parent, attribute)) return nullptr;
   Identifier* wme = identifiers_.Take();
   wme->symbol_ = NewSymbol(NewName(attribute), 0);
-  wme->symbol_->users_.push_back(wme);
+  wme->symbol_->UsedBy(wme);
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
   return wme;
@@ -245,12 +254,11 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
     return nullptr;
   }
   // As in Soar, other elements may have the same attribute and value; each is removed by itself.
-  const bool is_there = shared->attribute_ == attribute &&
-                        std::ranges::find(parent->symbol_->children_, shared) != parent->symbol_->children_.end();
+  const bool is_there = shared->parent_ == parent->symbol_ && std::strcmp(shared->attribute_, attribute) == 0;
   if (is_there) return nullptr;
   Identifier* wme = identifiers_.Take();
   wme->symbol_ = shared->symbol_;
-  wme->symbol_->users_.push_back(wme);
+  wme->symbol_->UsedBy(wme);
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
   return wme;
@@ -266,7 +274,7 @@ InputWme WorkingMemory::Describe(WMElement* wme) {
   described.attribute = wme->attribute_;
   switch (wme->kind_) {
     case WMElement::Kind::kString:
-      described.text = static_cast<StringElement*>(wme)->value_;
+      described.text = static_cast<StringElement*>(wme)->value_.c_str();
       break;
     case WMElement::Kind::kInt:
       described.type = InputWme::Type::kInt;
@@ -319,9 +327,11 @@ bool WorkingMemory::CheckUpdate(WMElement* wme) {
 void WorkingMemory::Update(StringElement* wme, char const* value) {
   if (!CheckUpdate(wme)) return;
   if (!value) value = "nil";
-  if (!data_.blink && wme->value_ == value) return;
-  wme->value_ = value;
-  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, wme->value_); });
+  if (!data_.blink && std::strcmp(wme->value_.c_str(), value) == 0) return;
+  wme->value_.Assign(value, std::strlen(value));
+  SendValue(wme, [&](AgentLink& link) {
+    return link.UpdateValue(wme->input_, wme->time_tag_, std::string_view(wme->value_.c_str()));
+  });
 }
 
 void WorkingMemory::Update(IntElement* wme, long long value) {
@@ -399,12 +409,16 @@ void WorkingMemory::Refresh() {
   if (!name.empty() && name != input_link_->symbol_->Name()) {
     IdentifierSymbol* symbol = input_link_->symbol_;
     symbols_by_key_.Take(symbol->key_);
-    symbol->name_ = name;
+    symbol->name_.Assign(name.data(), name.size());
     symbol->key_ = IdentifierKey(name);
     symbols_by_key_.Set(symbol->key_, symbol);
   }
   std::vector<IdentifierSymbol*> seen{input_link_->symbol_};
-  std::vector<WMElement*> open(input_link_->symbol_->children_.rbegin(), input_link_->symbol_->children_.rend());
+  std::vector<WMElement*> open;
+  const auto open_children = [&open](IdentifierSymbol* symbol) {  // The first one last.
+    for (WMElement* child = symbol->last_child_; child; child = child->previous_) open.push_back(child);
+  };
+  open_children(input_link_->symbol_);
   while (!open.empty()) {
     WMElement* wme = open.back();
     open.pop_back();
@@ -412,7 +426,7 @@ void WorkingMemory::Refresh() {
     Identifier* identifier = wme->ConvertToIdentifier();
     if (!identifier || std::find(seen.begin(), seen.end(), identifier->symbol_) != seen.end()) continue;
     seen.push_back(identifier->symbol_);
-    open.insert(open.end(), identifier->symbol_->children_.rbegin(), identifier->symbol_->children_.rend());
+    open_children(identifier->symbol_);
   }
   link->FlushInput();
 }

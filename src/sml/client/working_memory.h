@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,7 +28,6 @@ class WorkingMemory {
     removed_.reserve(kUsualChanges);
     releasing_.reserve(kUsualChanges);
     work_.reserve(kUsualChanges);
-    spare_nodes_.resize(kUsualChanges);
   }
   ~WorkingMemory();
 
@@ -88,8 +86,10 @@ class WorkingMemory {
   static constexpr std::size_t kUsualChanges = 16;
   enum class Tracking { kAutoOff, kUserOff, kOn };
 
+  Agent& agent() const;
   bool CheckParent(Identifier* parent, char const*& attribute);
   bool CheckUpdate(WMElement* wme);
+  static void SetAttribute(WMElement* wme, std::string_view attribute);
   void Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag, bool output);
   void Detach(WMElement* wme);
   void Release(WMElement* wme);
@@ -103,7 +103,7 @@ class WorkingMemory {
   void SendValue(WMElement* wme, Send send);
   static soarbox::server::InputWme Describe(WMElement* wme);
   WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
-  static bool HasOwn(const IdentifierSymbol& parent, const OutputWme& wme);
+  static bool HasOwn(IdentifierSymbol& parent, const OutputWme& wme);
   bool AttachOrphans();
   bool Cancel(long long tag);
   void ReleaseBelow(IdentifierSymbol* symbol);
@@ -135,7 +135,6 @@ class WorkingMemory {
   ObjectPool<FloatElement> floats_;
   ObjectPool<Identifier> identifiers_;
   ObjectPool<IdentifierSymbol> symbols_;
-  std::list<WMElement*> spare_nodes_;  ///< Nodes for lists of children.
   soarbox::server::TagMap<WMElement*> output_by_tag_;
   soarbox::server::TagMap<IdentifierSymbol*> symbols_by_key_;
 };

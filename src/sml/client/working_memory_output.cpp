@@ -52,7 +52,7 @@ int WorkingMemory::CountCommands() {
   DropOldChanges();
   if (!output_link_) return 0;
   int count = 0;
-  for (const WMElement* child : output_link_->symbol_->children_) {
+  for (const WMElement* child : *output_link_->symbol_) {
     if (child->just_added_ && child->kind_ == WMElement::Kind::kIdentifier) ++count;
   }
   return count;
@@ -61,7 +61,7 @@ int WorkingMemory::CountCommands() {
 Identifier* WorkingMemory::Command(int index) {
   DropOldChanges();
   if (!output_link_ || index < 0) return nullptr;
-  for (WMElement* child : output_link_->symbol_->children_) {
+  for (WMElement* child : *output_link_->symbol_) {
     if (!child->just_added_ || child->kind_ != WMElement::Kind::kIdentifier) continue;
     if (index-- == 0) return static_cast<Identifier*>(child);
   }
@@ -91,7 +91,7 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
       if (wme.value_id == 0) break;
       Identifier* made = identifiers_.Take();
       made->symbol_ = SymbolFor(wme.value_id);
-      made->symbol_->users_.push_back(made);
+      made->symbol_->UsedBy(made);
       made->symbol_->hint_ = wme.value_hint;
       Attach(made, parent, wme.attribute, wme.tag, true);
       return made;
@@ -100,22 +100,22 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
       break;
   }
   StringElement* made = strings_.Take();
-  made->value_ = wme.text;
+  made->value_.Assign(wme.text.data(), wme.text.size());
   Attach(made, parent, wme.attribute, wme.tag, true);
   return made;
 }
 
 /// Whether the element is one that this client added to the output itself, such as ^status complete.
-bool WorkingMemory::HasOwn(const IdentifierSymbol& parent, const OutputWme& wme) {
-  return std::any_of(parent.children_.begin(), parent.children_.end(), [&](WMElement* child) {
-    if (child->output_ || child->attribute_ != wme.attribute) return false;
+bool WorkingMemory::HasOwn(IdentifierSymbol& parent, const OutputWme& wme) {
+  return std::any_of(parent.begin(), parent.end(), [&](WMElement* child) {
+    if (child->output_ || wme.attribute != child->attribute_) return false;
     switch (wme.type) {
       case InputWme::Type::kInt:
         return child->ConvertToIntElement() && child->ConvertToIntElement()->value_ == wme.integer;
       case InputWme::Type::kDouble:
         return child->ConvertToFloatElement() && child->ConvertToFloatElement()->value_ == wme.real;
       case InputWme::Type::kString:
-        return child->ConvertToStringElement() && child->ConvertToStringElement()->value_ == wme.text;
+        return child->ConvertToStringElement() && wme.text == child->ConvertToStringElement()->GetValue();
       case InputWme::Type::kId:
         return child->IsIdentifier();
     }

@@ -41,17 +41,21 @@ class AgentInput {
   void Tidy();
 
  private:
+  std::size_t NamedObjects() const { return objects_.size() + odd_objects_.size(); }
   kernel::InputObject Resolve(const InputWme& wme);
   kernel::InputObject Resolve(std::string_view name);
+  const kernel::InputObject* FindNamed(std::string_view name) const;
   kernel::InputValue Value(const InputWme& wme);
 
   kernel::Agent& agent_;
   TagMap<kernel::InputElement> elements_;
-  std::map<std::string, kernel::InputObject, std::less<>> objects_;
-  std::string last_name_;  ///< In objects_, and what stands there: an object's elements come one after the other.
+  TagMap<kernel::InputObject> objects_;                                  ///< By client name, as one number.
+  std::map<std::string, kernel::InputObject, std::less<>> odd_objects_;  ///< Those whose names are no such number.
+  std::string
+      last_name_;  ///< One of these names, and what stands there: an object's elements come one after the other.
   kernel::InputObject last_object_ = kernel::InputObject::kNone;
   std::size_t tidy_elements_at_ = 256;
-  std::size_t tidy_objects_at_ = 256;
+  std::size_t tidy_objects_at_ = 64;
 };
 
 }  // namespace soarbox::server

@@ -14,6 +14,10 @@ namespace soarbox::server {
 template <typename Value>
 class TagMap {
  public:
+  const Value* Find(std::int64_t tag) const {
+    const std::size_t at = Locate(tag);
+    return at == kNowhere ? nullptr : &slots_[at].second;
+  }
   Value* Find(std::int64_t tag) {
     const std::size_t at = Locate(tag);
     return at == kNowhere ? nullptr : &slots_[at].second;
@@ -32,28 +36,20 @@ class TagMap {
   }
   /// Takes the tag out and gives its value.
   std::optional<Value> Take(std::int64_t tag) {
-    std::size_t hole = Locate(tag);
+    const std::size_t hole = Locate(tag);
     if (hole == kNowhere) return std::nullopt;
     const Value value = slots_[hole].second;
-    --size_;
-    // Moves later entries of the run back, so that no lookup meets a hole before its entry.
-    for (std::size_t i = Next(hole); slots_[i].first != 0; i = Next(i)) {
-      const std::size_t home = Home(slots_[i].first);
-      const bool stays = hole <= i ? (hole < home && home <= i) : (hole < home || home <= i);
-      if (stays) continue;
-      slots_[hole] = slots_[i];
-      hole = i;
-    }
-    slots_[hole] = Slot{};
+    Close(hole);
     return value;
   }
   template <typename Drop>
   void RemoveIf(Drop drop) {
-    spare_.swap(slots_);
-    slots_.assign(spare_.size(), Slot{});
-    size_ = 0;
-    for (const Slot& slot : spare_) {
-      if (slot.first != 0 && !drop(slot.first, slot.second)) Insert(slot.first, slot.second);
+    for (std::size_t i = 0; i < slots_.size();) {
+      if (slots_[i].first != 0 && drop(slots_[i].first, slots_[i].second)) {
+        Close(i);  // Another entry may have come here.
+      } else {
+        ++i;
+      }
     }
   }
   template <typename Visit>
@@ -87,6 +83,18 @@ class TagMap {
     return (static_cast<std::uint64_t>(tag) * 0x9E3779B97F4A7C15ull >> 32) & (slots_.size() - 1);
   }
   std::size_t Next(std::size_t i) const { return (i + 1) & (slots_.size() - 1); }
+  /// Takes an entry away and moves later ones of the run back, so that no lookup meets a hole before its entry.
+  void Close(std::size_t hole) {
+    --size_;
+    for (std::size_t i = Next(hole); slots_[i].first != 0; i = Next(i)) {
+      const std::size_t home = Home(slots_[i].first);
+      const bool stays = hole <= i ? (hole < home && home <= i) : (hole < home || home <= i);
+      if (stays) continue;
+      slots_[hole] = slots_[i];
+      hole = i;
+    }
+    slots_[hole] = Slot{};
+  }
   void Insert(std::int64_t tag, const Value& value) {
     std::size_t i = Home(tag);
     while (slots_[i].first != 0) i = Next(i);
@@ -103,7 +111,6 @@ class TagMap {
   }
 
   std::vector<Slot> slots_;
-  std::vector<Slot> spare_;  ///< Of RemoveIf, which is called again and again.
   std::size_t size_ = 0;
 };
 
