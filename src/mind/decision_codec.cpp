@@ -53,7 +53,7 @@ bool IsModest(const Decision& decision) {
 }  // namespace
 
 template <typename Text>
-void Pack(const DecisionOf<Text>& decision, std::string& bytes) {
+PackedOperators Pack(const DecisionOf<Text>& decision, std::string& bytes) {
   constexpr std::size_t kNumber = FieldWriter::kMostOfNumber;
   std::size_t most = 8 * kNumber + (decision.by.size() + 3 * decision.left.size()) * kNumber;
   for (const auto& op : decision.operators) most += 2 * kNumber + op.id.size() + op.name.size();
@@ -71,10 +71,13 @@ void Pack(const DecisionOf<Text>& decision, std::string& bytes) {
   put(decision.policy);
   out.Byte(static_cast<std::uint8_t>((decision.is_forced ? 1 : 0) | (decision.has_changed ? 2 : 0)));
   out.Number(decision.operators.size());
+  PackedOperators operators;
+  operators.begin = static_cast<std::size_t>(out.at() - bytes.data());
   for (const auto& op : decision.operators) {
     put(std::string_view(op.id));
     put(std::string_view(op.name));
   }
+  operators.end = static_cast<std::size_t>(out.at() - bytes.data());
   put_place(decision.selected);
   out.Number(decision.preferences.size());
   for (const auto& preference : decision.preferences) {
@@ -101,10 +104,11 @@ void Pack(const DecisionOf<Text>& decision, std::string& bytes) {
     put(chance.probability);
   }
   bytes.resize(static_cast<std::size_t>(out.at() - bytes.data()));
+  return operators;
 }
 
-template void Pack(const Decision& decision, std::string& bytes);
-template void Pack(const DecisionView& decision, std::string& bytes);
+template PackedOperators Pack(const Decision& decision, std::string& bytes);
+template PackedOperators Pack(const DecisionView& decision, std::string& bytes);
 
 std::optional<Decision> Unpack(std::string_view bytes) {
   if (bytes.size() > kMostBytes) return std::nullopt;

@@ -123,6 +123,7 @@ bool EventLog::IsSound() const {
 }
 
 void EventLog::DropDetails() {
+  if (!std::exchange(may_have_details_, false)) return;
   std::uint8_t kind = 0;
   std::string_view fields;
   std::size_t kept = 0;

@@ -23,25 +23,36 @@ class EventLog {
  public:
   EventLog() = default;
   /// From the bytes of another log or of a file; takes anything (see IsSound).
-  explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()) {}
-  EventLog(const EventLog& other) : EventLog(other.bytes()) {}
+  explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()), may_have_details_(!bytes.empty()) {}
+  EventLog(const EventLog& other)
+      : bytes_(other.bytes()), used_(other.used_), may_have_details_(other.may_have_details_) {}
   EventLog& operator=(const EventLog& other) {
-    bytes_.assign(other.bytes_, 0, other.used_);
+    if (bytes_.size() < other.used_) bytes_.resize(other.bytes_.size());  // It may soon be longer.
+    // (Also of itself.)
+    if (other.used_ > 0) std::memmove(bytes_.data(), other.bytes_.data(), other.used_);
     used_ = other.used_;
+    may_have_details_ = other.may_have_details_;
     return *this;
   }
-  EventLog(EventLog&& other) noexcept : bytes_(std::move(other.bytes_)), used_(std::exchange(other.used_, 0)) {
+  EventLog(EventLog&& other) noexcept
+      : bytes_(std::move(other.bytes_)),
+        used_(std::exchange(other.used_, 0)),
+        may_have_details_(other.may_have_details_) {
     other.bytes_.clear();
   }
   EventLog& operator=(EventLog&& other) noexcept {
     bytes_.swap(other.bytes_);
     std::swap(used_, other.used_);
+    std::swap(may_have_details_, other.may_have_details_);
     return *this;
   }
   ~EventLog() = default;
 
   /// Keeps the memory.
-  void Clear() { used_ = 0; }
+  void Clear() {
+    used_ = 0;
+    may_have_details_ = false;
+  }
   bool empty() const { return used_ == 0; }
   std::string_view bytes() const { return std::string_view(bytes_).substr(0, used_); }
   friend bool operator==(const EventLog& a, const EventLog& b) { return a.bytes() == b.bytes(); }
@@ -93,6 +104,7 @@ class EventLog {
 
   std::string bytes_;  ///< The first used_ of them.
   std::size_t used_ = 0;
+  bool may_have_details_ = false;  ///< Firings or elements.
 };
 
 /// How many bytes fields take at most.
@@ -120,6 +132,7 @@ struct EventLog::Sizer {
 
 template <typename Kind>
 void EventLog::Add(const Kind& event) {
+  if constexpr (std::is_same_v<Kind, RuleFired> || std::is_same_v<Kind, ElementChanged>) may_have_details_ = true;
   constexpr std::size_t kHead = 3, kMostHead = 11;  // Kind, and a size that takes two bytes nearly always.
   Sizer most;
   Kind::Fields(event, most);

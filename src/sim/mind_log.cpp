@@ -8,7 +8,6 @@
 
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
-#include "mind/decision_codec.h"
 #include "soarbox_Observation.h"
 #endif
 
@@ -18,8 +17,14 @@ namespace {
 /// What all kernels have.
 struct TickOfMind {
   mind::EventLog events;
-  std::vector<std::pair<std::uint64_t, std::string>> rules;  ///< By time tag, who made what is on the output link.
-  std::vector<mind::Parameter> parameters;                   ///< Scratch.
+  /// Who made what is on the output link: the rule's name ends there in `names` and begins where the one before ends.
+  struct Maker {
+    std::uint64_t timetag = 0;
+    std::size_t name_end = 0;
+  };
+  std::vector<Maker> makers;
+  std::string names;
+  mind::CommandSaid said;  ///< Scratch.
 };
 
 void AddParameters(const vocabulary::PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
@@ -51,38 +56,32 @@ struct MindLog::Listener final : MindObserver {
     waits_in.clear();
     if (level < 1 || level > 1000) return;
     const auto above = static_cast<std::size_t>(level - 1);
+    if (above + 1 == depth && operators[above] == operator_name) return;  // As before.
     // Names keep their memory from decision to decision.
     if (operators.size() < above + 1) operators.resize(above + 1);
     for (std::size_t i = depth; i < above; ++i) operators[i].clear();
-    operators[above] = operator_name;
+    if (operators[above] != operator_name) operators[above] = operator_name;
     depth = operator_name.empty() ? above : above + 1;
   }
 
-  void OnOperator(int level, std::string_view, std::string_view id, std::string_view name) override {
+  void OnOperator(int level, std::string_view id, std::string_view name) override {
     Settle(level, name.empty() ? id : name);
-    tick.events.Add(mind::OperatorSelected{level, id, name, decided});
-    decided.clear();
+    tick.events.Add(mind::OperatorSelected{level, id, name, std::exchange(decided, {})});
   }
   void OnState(int level, std::string_view state, mind::StateReason reason, bool on_operator) override {
     // A program that waits says so in each cycle; once is enough, however long it waits.
-    if (waits_in == state) {
-      decided.clear();
-      return;
-    }
+    const std::string_view said = std::exchange(decided, {});
+    if (waits_in == state) return;
     Settle(level, {});
     waits_in = state;
-    tick.events.Add(mind::StateMade{level, state, reason, on_operator, decided});
-    decided.clear();
+    tick.events.Add(mind::StateMade{level, state, reason, on_operator, said});
   }
   void OnStateGone(int level, std::string_view state) override {
     Settle(level, {});
     tick.events.Add(mind::StateGone{level, state});
   }
   void OnHalt() override { tick.events.Add(mind::Halted{}); }
-  void OnDecided(const mind::DecisionView& decision) override {
-    decided.clear();
-    mind::Pack(decision, decided);
-  }
+  void OnDecided(std::string_view decision) override { decided = decision; }
   void OnRecall(int level, bool is_episode, std::uint64_t number, std::string_view question, std::string_view answer,
                 std::string_view reason) override {
     tick.events.Add(mind::Recalled{level, is_episode, number, question, answer, reason});
@@ -91,8 +90,10 @@ struct MindLog::Listener final : MindObserver {
   void OnValue(std::string_view rule, double value) override { tick.events.Add(mind::ValueUpdated{rule, value}); }
   void OnReward(double reward) override { tick.events.Add(mind::RewardReceived{reward}); }
   void OnEpisodeEnd() override { tick.events.Add(mind::EpisodeEnded{}); }
-  void OnCommand(std::uint64_t timetag, std::string_view, std::string_view rule) override {
-    if (!rule.empty()) tick.rules.emplace_back(timetag, rule);
+  void OnCommand(std::uint64_t timetag, std::string_view rule) override {
+    if (rule.empty()) return;
+    tick.names += rule;
+    tick.makers.push_back({timetag, tick.names.size()});
   }
   void OnFiring(std::string_view rule, int, bool retracts) override {
     tick.events.Add(mind::RuleFired{rule, retracts});
@@ -102,12 +103,13 @@ struct MindLog::Listener final : MindObserver {
   TickOfMind tick;
   std::vector<std::string> operators;  ///< By level of the goal stack, the first `depth` of them.
   std::size_t depth = 0;
-  std::string waits_in;  ///< The state that was told last, if nothing was since.
-  std::string decided;   ///< What was said of the decision that comes next, packed.
+  std::string waits_in;      ///< The state that was told last, if nothing was since.
+  std::string_view decided;  ///< What was said of the decision that comes next, packed; the observation's.
   std::unique_ptr<Observation> observation;
 };
 
 void MindLog::Listen(sml::Agent& agent, MindDetail detail) {
+  listener_->decided = {};
   listener_->observation.reset();
   listener_->waits_in.clear();
   if (detail == MindDetail::kNone) return;
@@ -134,7 +136,8 @@ MindLog& MindLog::operator=(MindLog&&) noexcept = default;
 
 void MindLog::Clear() {
   listener_->tick.events.Clear();
-  listener_->tick.rules.clear();
+  listener_->tick.makers.clear();
+  listener_->tick.names.clear();
 }
 
 mind::EventLog& MindLog::events() {
@@ -147,13 +150,18 @@ const mind::EventLog& MindLog::events() const {
 
 void MindLog::NoteCommand(std::uint64_t timetag, std::string_view name, const vocabulary::PerceptList& parameters) {
   TickOfMind& tick = listener_->tick;
-  mind::CommandSaid said{timetag, name, {}, std::move(tick.parameters)};
+  mind::CommandSaid& said = tick.said;
+  said.timetag = timetag;
+  said.name = name;
+  said.rule = {};
   said.parameters.clear();
   AddParameters(parameters, 0, said.parameters);
-  for (const auto& [tag, rule] : tick.rules)
-    if (tag == timetag) said.rule = rule;
+  std::size_t begin = 0;
+  for (const TickOfMind::Maker& maker : tick.makers) {
+    if (maker.timetag == timetag) said.rule = std::string_view(tick.names).substr(begin, maker.name_end - begin);
+    begin = maker.name_end;
+  }
   tick.events.Add(said);
-  tick.parameters = std::move(said.parameters);
 }
 
 std::string MindLog::Operators() const {

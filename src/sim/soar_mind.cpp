@@ -77,7 +77,7 @@ struct SoarMind::Writing
   void OnEndlessFiring(std::string_view rule) override {
     if (failures.size() < kMostFailures) failures.push_back({std::string(rule), {}});
   }
-  void OnOperator(int, std::string_view, std::string_view, std::string_view) override {}
+  void OnOperator(int, std::string_view, std::string_view) override {}
   void OnState(int, std::string_view, mind::StateReason, bool) override {}
   void OnStateGone(int, std::string_view) override {}
   void OnHalt() override {}

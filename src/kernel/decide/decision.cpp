@@ -74,6 +74,16 @@ PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced,
   const Slot& slot = memory.slot(goal.operator_slot);
   if (PreferenceSemantics::Outcome outcome; !forced && trace == nullptr && EvaluateFew(slot, outcome)) return outcome;
   slot_preferences_.clear();
+  const bool is_alone = slot.acceptable != PreferenceId::kNone && slot.others == PreferenceId::kNone &&
+                        memory.preference(slot.acceptable).next_in_slot == PreferenceId::kNone;
+  if (is_alone && !forced && trace != nullptr) {
+    // One preference: what it proposes wins, and nothing is dropped.
+    const Symbol value = memory.preference(slot.acceptable).value;
+    slot_preferences_.push_back({PreferenceType::kAcceptable, value, {}, 0, slot.acceptable});
+    trace->Clear();
+    few_[0] = Candidate{value, slot.acceptable};
+    return {ImpasseType::kNone, {few_.data(), 1}};
+  }
   for (const PreferenceId first : {slot.acceptable, slot.others}) {
     for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
       const Preference& preference = memory.preference(p);

@@ -12,7 +12,7 @@
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/local_agent_link.h"
-#include "sml/server/decision_facts.h"
+#include "sml/server/decision_packer.h"
 #include "sml/server/printed_names.h"
 #include "soarbox_Observation.h"
 
@@ -69,23 +69,21 @@ class LocalObservation final : public Observation, kernel::Observer {
  private:
   void OnDecided(const kernel::Agent& agent, const kernel::DecisionReport& report) override {
     decided_for_ = report.goal;
-    listener_.OnDecided(decisions_.Read(agent, report));
+    listener_.OnDecided(decisions_.Pack(agent, report));
   }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
     if (agent.reinforcement().learning) NoteEpisode(agent, goal);
-    const server::IdentifierText state(agent, goal.goal);
     // Its texts were made a moment ago if this state has just been decided.
     const bool is_known = std::exchange(decided_for_, {}) == goal.goal;
     if (goal.op) {
-      const auto* known = is_known ? decisions_.Find(goal.op) : nullptr;
-      if (known != nullptr) {
-        listener_.OnOperator(static_cast<int>(goal.level), state.view(), known->id, known->name);
-        return;
+      if (is_known) {
+        const server::DecisionPacker::Operator known = decisions_.Find(goal.op);
+        if (!known.id.empty()) return listener_.OnOperator(static_cast<int>(goal.level), known.id, known.name);
       }
       const server::IdentifierText op(agent, goal.op);
-      listener_.OnOperator(static_cast<int>(goal.level), state.view(), op.view(),
-                           names_.NameOfOperator(agent, goal.op));
+      listener_.OnOperator(static_cast<int>(goal.level), op.view(), names_.NameOfOperator(agent, goal.op));
     } else {
+      const server::IdentifierText state(agent, goal.goal);
       listener_.OnState(static_cast<int>(goal.level), state.view(), ReasonOf(goal.impasse), goal.on_operator);
     }
   }
@@ -148,8 +146,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     const kernel::Symbol link = agent.output().identifier();
     for (const kernel::OutputChange& change : agent.output().changes()) {
       if (!change.added || change.id != link) continue;
-      listener_.OnCommand(change.timetag, names_.Of(agent, change.attribute),
-                          RuleOfOutput(agent, change.attribute, change.timetag));
+      listener_.OnCommand(change.timetag, RuleOfOutput(agent, change.attribute, change.timetag));
     }
   }
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo& info) override {
@@ -210,7 +207,7 @@ class LocalObservation final : public Observation, kernel::Observer {
   double total_reward_ = 0;
   bool told_of_elaborations_ = false;
   server::PrintedNames names_;
-  server::DecisionReader decisions_;
+  server::DecisionPacker decisions_;
   kernel::Symbol decided_for_;  ///< The state that decisions_ speaks of, until its operator is noted.
 };
 

@@ -30,15 +30,15 @@ class MindObserver {
   virtual ~MindObserver() = default;
 
   /// An operator was selected. `name` is its ^name, or empty.
-  virtual void OnOperator(int level, std::string_view state, std::string_view id, std::string_view name) = 0;
+  virtual void OnOperator(int level, std::string_view id, std::string_view name) = 0;
   /// An impasse made a state. Also told after init-soar for the top state.
   virtual void OnState(int level, std::string_view state, mind::StateReason reason, bool on_operator) = 0;
   /// A state went, with all below it, because its impasse was resolved or its reasons have gone.
   virtual void OnStateGone(int level, std::string_view state) = 0;
   virtual void OnHalt() = 0;
-  /// Before OnOperator and OnState, if preferences spoke: what the decision procedure said of them. Valid during the
-  /// call only.
-  virtual void OnDecided(const mind::DecisionView& decision) { (void)decision; }
+  /// Before OnOperator and OnState, if preferences spoke: what the decision procedure said of them, packed
+  /// (mind/decision.h). Valid until this is told again.
+  virtual void OnDecided(std::string_view decision) { (void)decision; }
   /// Long-term memory answered a command of rules. `number`: of the object, or of the episode; 0: nothing came.
   /// `question`: "^kind ammo"; `answer`: of an object some of what is known of it; `reason`: why that came, or nothing.
   virtual void OnRecall(int level, bool is_episode, std::uint64_t number, std::string_view question,
@@ -63,9 +63,8 @@ class MindObserver {
   /// which no learning rule speaks while temporal-extension is off.
   virtual void OnEpisodeEnd() {}
   /// Something new stands directly on the output link: the rule that made it.
-  virtual void OnCommand(std::uint64_t timetag, std::string_view attribute, std::string_view rule) {
+  virtual void OnCommand(std::uint64_t timetag, std::string_view rule) {
     (void)timetag;
-    (void)attribute;
     (void)rule;
   }
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "cli/object_printer.h"
 #include "kernel/agent.h"
+#include "kernel/base/known_symbols.h"
 
 namespace soarbox::server {
 
@@ -38,29 +40,27 @@ class PrintedNames {
   /// Valid until the next call.
   std::string_view Of(const kernel::Agent& agent, kernel::Symbol symbol) {
     if (!symbol.IsString()) return other_ = cli::SymbolText(agent, symbol);
-    const std::string_view text = agent.symbols().Text(symbol);
-    Entry& entry = entries_[text.empty() ? 0 : static_cast<unsigned char>(text.back()) % entries_.size()];
-    if (entry.printed.empty() || entry.text != text) entry = {std::string(text), cli::SymbolText(agent, symbol)};
+    Entry& entry = entries_[symbol.index() % entries_.size()];
+    // The symbol may have been swept, and its place taken by another, which was made later.
+    const std::uint32_t stamp = agent.symbols().Stamp(symbol);
+    if (entry.symbol != symbol || entry.stamp != stamp) entry = {symbol, stamp, cli::SymbolText(agent, symbol)};
     return entry.printed;
   }
   /// The operator's ^name; empty if it has none. Valid until the next name is asked for.
   std::string_view NameOfOperator(const kernel::Agent& agent, kernel::Symbol op) {
     if (!op.IsIdentifier()) return {};
-    // The symbol may have been swept, and its place taken by another.
-    const kernel::SymbolTable& symbols = agent.symbols();
-    if (!name_ || !symbols.IsLive(name_) || symbols.Text(name_) != "name") name_ = symbols.FindString("name");
-    if (!name_) return {};
-    const kernel::Symbol value = agent.memory().ValueOf(op, name_);
+    const kernel::Symbol value = agent.memory().ValueOf(op, kernel::words::kName);
     return value ? Of(agent, value) : std::string_view();
   }
 
  private:
   struct Entry {
-    std::string text, printed;
+    kernel::Symbol symbol;
+    std::uint32_t stamp = 0;
+    std::string printed;
   };
   std::array<Entry, 8> entries_;
   std::string other_;
-  kernel::Symbol name_;  ///< "name".
 };
 
 }  // namespace soarbox::server
