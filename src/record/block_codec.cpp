@@ -8,17 +8,16 @@
 
 namespace soarbox::record {
 
-bool BlockBuilder::Add(const TickRecord& tick) {
-  if (frame_.ticks == 0) {
-    frame_.first_tick = tick.tick;
-    before_ = {};
-  }
+bool BlockBuilder::Add(TickRecord& tick) {
+  static const TickRecord kNothing;
+  if (frame_.ticks == 0) frame_.first_tick = tick.tick;
   ByteWriter out(payload_);
-  WriteTick(out, before_, tick);
-  before_ = tick.scene;
+  WriteTick(out, frame_.ticks == 0 ? kNothing : before_, tick);
+  for (const MindRecord& mind : tick.minds) made_of_ += mind.events.bytes().size();
+  std::swap(before_, tick);
   // A block that grows large (long debug drawings) ends early.
-  constexpr std::size_t kLargeBlock = 16u << 20;
-  return ++frame_.ticks >= ticks_per_block_ || payload_.size() >= kLargeBlock;
+  constexpr std::size_t kLargeBlock = 16u << 20, kMuchMadeOf = 32u << 20;
+  return ++frame_.ticks >= ticks_per_block_ || payload_.size() >= kLargeBlock || made_of_ >= kMuchMadeOf;
 }
 
 EncodedBlock BlockBuilder::Take() {
@@ -26,6 +25,7 @@ EncodedBlock BlockBuilder::Take() {
   block.frame = std::exchange(frame_, {});
   block.bytes = EncodeBlock(block.frame, payload_);
   payload_.clear();
+  made_of_ = 0;
   return block;
 }
 

@@ -21,8 +21,9 @@ class BlockBuilder {
  public:
   explicit BlockBuilder(std::uint32_t ticks_per_block) : ticks_per_block_(ticks_per_block) {}
 
-  /// Adds the next tick; true if the block is now full and must be taken.
-  bool Add(const TickRecord& tick);
+  /// Adds the next tick; true if the block is now full and must be taken. `tick` is then an earlier one, whose memory
+  /// may serve again.
+  bool Add(TickRecord& tick);
   bool empty() const { return frame_.ticks == 0; }
   /// Returns the current block; the next tick begins another.
   EncodedBlock Take();
@@ -31,7 +32,8 @@ class BlockBuilder {
   std::uint32_t ticks_per_block_;
   BlockFrame frame_;
   std::string payload_;
-  world::SceneSnapshot before_;  ///< The last scene in payload_.
+  std::uint64_t made_of_ = 0;  ///< Bytes of minds' events that a reader makes of payload_.
+  TickRecord before_;          ///< The last tick in payload_.
 };
 
 /// Reads the ticks of one block, cheaply forwards; backwards it starts the block again.

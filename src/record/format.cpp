@@ -3,6 +3,8 @@
 
 #include <zstd.h>
 
+#include <bit>
+#include <cstring>
 #include <memory>
 
 #include "bytes/byte_stream.h"
@@ -28,8 +30,13 @@ std::uint64_t CheckOf(const BlockFrame& frame) {
 std::uint64_t CheckOfPayload(std::string_view compressed) {
   world::StateHash hash;
   hash.Add(static_cast<std::uint64_t>(compressed.size()));
+  for (; compressed.size() >= 8; compressed.remove_prefix(8)) {
+    std::uint64_t value;
+    std::memcpy(&value, compressed.data(), sizeof value);
+    if constexpr (std::endian::native == std::endian::big) value = __builtin_bswap64(value);
+    hash.Add(value);
+  }
   ByteReader in(compressed);
-  while (in.left() >= 8) hash.Add(in.Fixed64());
   std::uint64_t rest = 0;
   while (!in.AtEnd()) rest = rest << 8 | in.Byte();
   hash.Add(rest);
@@ -39,11 +46,11 @@ std::uint64_t CheckOfPayload(std::string_view compressed) {
 std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
-  std::string compressed(ZSTD_compressBound(payload.size()), '\0');
-  const std::size_t size =
-      ZSTD_compress2(context.get(), compressed.data(), compressed.size(), payload.data(), payload.size());
+  const std::size_t bound = ZSTD_compressBound(payload.size());
+  const auto buffer = std::make_unique_for_overwrite<char[]>(bound);
+  const std::size_t size = ZSTD_compress2(context.get(), buffer.get(), bound, payload.data(), payload.size());
   // Into a buffer of this size nothing but a lack of memory can fail; an empty block is then refused by every reader.
-  compressed.resize(ZSTD_isError(size) != 0 ? 0 : size);
+  const std::string_view compressed(buffer.get(), ZSTD_isError(size) != 0 ? 0 : size);
   frame.compressed_bytes = static_cast<std::uint32_t>(compressed.size());
   frame.plain_bytes = static_cast<std::uint32_t>(payload.size());
   frame.payload_check = CheckOfPayload(compressed);

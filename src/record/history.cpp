@@ -39,7 +39,8 @@ void History::Keep(std::shared_ptr<const EncodedBlock> block) {
 void History::Add(const TickRecord& record) {
   if (!record.inputs.empty()) inputs_.push_back({record.tick, record.inputs});
   newest_.push_back(record);
-  if (!builder_.Add(record)) return;
+  TickRecord copy = record;
+  if (!builder_.Add(copy)) return;
   Keep(std::make_shared<const EncodedBlock>(builder_.Take()));
   newest_.clear();
 }

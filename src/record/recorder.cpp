@@ -124,7 +124,7 @@ void Recorder::Write() {
     for (TickRecord& tick : taken) {
       // A window notes more of the agent that is selected than its recording is to hold.
       KeepLevel(tick, level_);
-      const Result<void> added = writer_->Add(tick);
+      const Result<void> added = writer_->AddAndSwap(tick);
       if (added) continue;
       const std::lock_guard lock(mutex_);
       failure_ = added.error();

@@ -11,9 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "mind/decision_codec.h"
 #include "record/reader.h"
 #include "record/test_ticks.h"
 #include "record/writer.h"
+#include "world/animation/pose.h"
+#include "world/animation/rig.h"
 
 namespace soarbox::record {
 namespace {
@@ -244,6 +247,80 @@ TEST_F(RecordingTest, CirclesOfVersion5StandAmongTheLines) {
   const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
   ASSERT_TRUE(newer) << Format(newer.error());
   for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+}
+
+/// Made by the release that wrote format 7: eight soldiers, ten ticks.
+TEST_F(RecordingTest, BonesAndMindsOfVersion7StandWhole) {
+  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "whole.soarrec";
+  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
+  ASSERT_TRUE(older) << Format(older.error());
+  std::vector<TickRecord> ticks;
+  std::size_t operators = 0;
+  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
+    const Result<const TickRecord*> record = (*older)->At(tick);
+    ASSERT_TRUE(record) << Format(record.error());
+    ticks.push_back(**record);
+    for (const MindRecord& mind : ticks.back().minds) {
+      mind.events.ForEachOf<mind::OperatorSelected>([&](const mind::OperatorSelected& selected) {
+        EXPECT_TRUE(mind::Unpack(selected.decision));
+        ++operators;
+      });
+    }
+  }
+  ASSERT_EQ(ticks.size(), 10u);
+  EXPECT_GE(operators, 8u);
+  std::size_t bodies = 0;
+  for (const world::DrawableSnapshot& drawable : ticks.back().scene.drawables) {
+    if (drawable.bones.empty()) continue;
+    ++bodies;
+    EXPECT_EQ(drawable.bones.pose(), nullptr);
+    EXPECT_GT(drawable.bones.size(), 0u);
+  }
+  EXPECT_GE(bodies, 8u);
+
+  Write(file(), ticks);
+  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
+  ASSERT_TRUE(newer) << Format(newer.error());
+  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+}
+
+TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {
+  std::mt19937 random(6);
+  std::vector<TickRecord> ticks = SomeTicks(200);
+  const auto number = [&] { return static_cast<float>(random() % 1000) / 999; };
+  const world::Rig& rig = world::SoldierRig();
+  world::Pose pose;
+  for (TickRecord& tick : ticks) {
+    if (random() % 10 == 0 || pose.rig == nullptr) {
+      pose.rig = random() % 4 == 0 ? &world::RifleRig() : &rig;
+      pose.parts.resize(random() % 5);
+      for (world::Pose::Part& part : pose.parts)
+        part = {static_cast<std::uint32_t>(random() % pose.rig->clips.size()), number(), number() + 0.01f};
+      pose.played = pose.parts.empty() ? 0 : random() % (pose.parts.size() + 1);
+    }
+    if (random() % 3 == 0) pose.legs = number();
+    for (world::Pose::Part& part : pose.parts)
+      if (random() % 2 == 0) part.time_s += 1 / 30.0f;
+    world::DrawableSnapshot& drawable = tick.scene.drawables.Edit(tick.scene.drawables.Find(0));
+    drawable.bones = world::BodyBones(pose);
+    if (random() % 12 == 0) drawable.bones = drawable.bones.value();  // As an older recording has them.
+    if (random() % 12 == 0) drawable.bones = {};
+  }
+  Write(file(), ticks, {.ticks_per_block = 30});
+  const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
+  ASSERT_TRUE(opened) << Format(opened.error());
+  int followed = 0;
+  for (const TickRecord& tick : ticks) {
+    const Result<const TickRecord*> read = (*opened)->At(tick.tick);
+    ASSERT_TRUE(read) << Format(read.error());
+    EXPECT_EQ(Bytes(**read), Bytes(tick));
+    const world::BodyBones& was = tick.scene.drawables.front().bones;
+    const world::BodyBones& is = (*read)->scene.drawables.front().bones;
+    EXPECT_EQ(is.pose() == nullptr, was.pose() == nullptr);
+    EXPECT_EQ(is.value(), was.value()) << tick.tick;
+    followed += is.pose() != nullptr;
+  }
+  EXPECT_GT(followed, 100);
 }
 
 TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {

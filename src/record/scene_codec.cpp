@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "record/bones_codec.h"
 #include "record/scene_fields.h"
 
 namespace soarbox::record {
@@ -119,56 +120,21 @@ void Get(ByteReader& in, T& value) {
   std::apply([&](auto... members) { (Get(in, value.*members), ...); }, FieldsOf(value));
 }
 
-// Bones, most of what soldiers take in a recording, change all at once and a little only: what is kept is their bits
-// exclusive-or those of before, the highest bytes of all numbers first, so that much of it is zero.
-constexpr std::size_t kNumbersPerBone = 7;
-using Bones = std::vector<world::BonePose>;
-
-void AppendBits(const Bones& bones, std::vector<std::uint32_t>& bits) {
-  for (const world::BonePose& bone : bones) {
-    const Vec3& p = bone.position;
-    const Quat& q = bone.orientation;
-    for (const float number : {p.x, p.y, p.z, q.w, q.x, q.y, q.z}) bits.push_back(std::bit_cast<std::uint32_t>(number));
-  }
-}
-
-void Put(ByteWriter& out, const Bones& before, const Bones& now) {
-  std::vector<std::uint32_t> bits, earlier;
-  bits.reserve(now.size() * kNumbersPerBone);
-  AppendBits(now, bits);
-  AppendBits(before, earlier);
-  earlier.resize(bits.size());
-  out.Number(now.size());
-  for (int shift = 24; shift >= 0; shift -= 8)
-    for (std::size_t i = 0; i < bits.size(); ++i) out.Byte(static_cast<std::uint8_t>((bits[i] ^ earlier[i]) >> shift));
-}
-
-void Get(ByteReader& in, Shared<Bones>& shared) {
-  std::vector<std::uint32_t> bits;
-  const std::size_t count = in.Count(4 * kNumbersPerBone);
-  AppendBits(shared, bits);
-  bits.resize(count * kNumbersPerBone);
-  for (int shift = 24; shift >= 0; shift -= 8)
-    for (std::uint32_t& number : bits) number ^= static_cast<std::uint32_t>(in.Byte()) << shift;
-  Bones bones(count);
-  std::size_t at = 0;
-  for (world::BonePose& bone : bones) {
-    Vec3& p = bone.position;
-    Quat& q = bone.orientation;
-    for (float* number : {&p.x, &p.y, &p.z, &q.w, &q.x, &q.y, &q.z}) *number = std::bit_cast<float>(bits[at++]);
-  }
-  shared = std::move(bones);
-}
-
 template <typename T>
 bool Same(const T& a, const T& b);
 
 /// Bit for bit, so that -0 and NaN replay as they were.
+std::uint32_t BitsOf(float number) {
+  return std::bit_cast<std::uint32_t>(number);
+}
 bool Same(float a, float b) {
-  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+  return BitsOf(a) == BitsOf(b);
 }
 bool Same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool Same(const world::BodyBones& a, const world::BodyBones& b) {
+  return AreSameBones(a, b);
 }
 template <typename T>
 bool Same(const Shared<T>& a, const Shared<T>& b) {
@@ -178,9 +144,11 @@ template <typename T>
 bool Same(const T& a, const T& b) {
   if constexpr (HasFields<T>) {
     return std::apply([&](auto... members) { return (Same(a.*members, b.*members) && ...); }, FieldsOf(a));
-  } else if constexpr (std::is_same_v<T, Vec3> || std::is_same_v<T, Quat> || std::is_same_v<T, Color>) {
+  } else if constexpr (std::is_same_v<T, Vec3>) {
+    return ((BitsOf(a.x) ^ BitsOf(b.x)) | (BitsOf(a.y) ^ BitsOf(b.y)) | (BitsOf(a.z) ^ BitsOf(b.z))) == 0;
+  } else if constexpr (std::is_same_v<T, Quat> || std::is_same_v<T, Color>) {
     return std::memcmp(&a, &b, sizeof(T)) == 0;
-  } else if constexpr (std::is_array_v<T> || std::is_same_v<T, std::vector<world::BonePose>>) {
+  } else if constexpr (std::is_array_v<T>) {
     return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b),
                       [](const auto& x, const auto& y) { return Same(x, y); });
   } else {
@@ -188,13 +156,14 @@ bool Same(const T& a, const T& b) {
   }
 }
 
-/// One bit per member that differs.
+/// One bit per member that differs. `same_texts`: those of its members that are texts are known to be the same.
 template <HasFields T>
-std::uint64_t Differences(const T& before, const T& now) {
+std::uint64_t Differences(const T& before, const T& now, bool same_texts = false) {
   std::uint64_t mask = 0;
   std::uint64_t bit = 1;
   const auto compare = [&](auto member) {
-    if (!Same(before.*member, now.*member)) mask |= bit;
+    constexpr bool kIsText = std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, std::string>;
+    if (!(kIsText && same_texts) && !Same(before.*member, now.*member)) mask |= bit;
     bit <<= 1;
   };
   std::apply([&](auto... members) { (compare(members), ...); }, FieldsOf(now));
@@ -206,8 +175,8 @@ void PutMembers(ByteWriter& out, std::uint64_t mask, const T& before, const T& n
   out.Number(mask);
   const auto put = [&](auto member) {
     if ((mask & 1) != 0) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, Shared<Bones>>) {
-        Put(out, (before.*member).value(), (now.*member).value());
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, world::BodyBones>) {
+        PutBones(out, before.*member, now.*member);
       } else {
         Put(out, now.*member);
       }
@@ -218,10 +187,16 @@ void PutMembers(ByteWriter& out, std::uint64_t mask, const T& before, const T& n
 }
 
 template <HasFields T>
-void GetMembers(ByteReader& in, T& value) {
+void GetMembers(ByteReader& in, T& value, std::uint16_t version) {
   std::uint64_t mask = in.Number();
   const auto get = [&](auto member) {
-    if ((mask & 1) != 0) Get(in, value.*member);
+    if ((mask & 1) != 0) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value.*member)>, world::BodyBones>) {
+        GetBones(in, value.*member, version);
+      } else {
+        Get(in, value.*member);
+      }
+    }
     mask >>= 1;
   };
   std::apply([&](auto... members) { (get(members), ...); }, FieldsOf(value));
@@ -245,8 +220,8 @@ class StepWriter {
     PutMembers(out_, Differences(kNothing, value), kNothing, value);
   }
   /// The same entry, changed or not.
-  void Next(const T& earlier, const T& value) {
-    const std::uint64_t mask = Differences(earlier, value);
+  void Next(const T& earlier, const T& value, bool same_texts = false) {
+    const std::uint64_t mask = Differences(earlier, value, same_texts);
     if (mask == 0) return Same(1);
     Put(Step::kChanged);
     PutMembers(out_, mask, earlier, value);
@@ -263,15 +238,17 @@ class StepWriter {
   std::size_t unchanged_ = 0;
 };
 
-template <HasFields T>
-void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+/// `same_texts(earlier, value)`: whether it is known that the texts of an entry are those of before.
+template <HasFields T, typename SameTexts>
+void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now, SameTexts&& same_texts) {
   StepWriter<T> steps(out);
   std::size_t old = 0;
   for (const T& value : now) {
     // Ids ascend in both lists; what is in front of this id has gone.
     for (; old < before.size() && before[old].id < value.id; ++old) steps.Gone();
     if (old < before.size() && before[old].id == value.id) {
-      steps.Next(before[old++], value);
+      steps.Next(before[old], value, same_texts(before[old], value));
+      ++old;
     } else {
       steps.New(value);
     }
@@ -281,7 +258,12 @@ void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<
 }
 
 template <HasFields T>
-void ReadList(ByteReader& in, std::vector<T>& list) {
+void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+  WriteList(out, before, now, [](const T&, const T&) { return false; });
+}
+
+template <HasFields T>
+void ReadList(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
   std::vector<T> before = std::exchange(list, {});
   list.reserve(before.size());
   std::size_t old = 0;
@@ -297,7 +279,7 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
         return;
       case Step::kChanged:
         list.push_back(std::move(before[old++]));
-        GetMembers(in, list.back());
+        GetMembers(in, list.back(), version);
         break;
       case Step::kGone:
         ++old;
@@ -306,7 +288,7 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
         in.Charge(sizeof(T));
         list.emplace_back();
         Get(in, list.back().id);
-        GetMembers(in, list.back());
+        GetMembers(in, list.back(), version);
         break;
       default:
         return in.Fail();
@@ -343,7 +325,7 @@ void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>
 
 /// In place, so that blocks that stay as they are stay shared.
 template <HasFields T>
-void ReadList(ByteReader& in, SharedList<T>& list) {
+void ReadList(ByteReader& in, SharedList<T>& list, std::uint16_t version) {
   typename SharedList<T>::Place at;
   while (!in.failed()) {
     for (std::uint64_t unchanged = in.Number(); unchanged > 0;) {
@@ -360,7 +342,7 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
         if (!list.IsEnd(at)) in.Fail();
         return;
       case Step::kChanged:
-        GetMembers(in, list.Edit(at));
+        GetMembers(in, list.Edit(at), version);
         at = list.After(at);
         break;
       case Step::kGone:
@@ -369,7 +351,7 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
       case Step::kNew: {
         T made;
         Get(in, made.id);
-        GetMembers(in, made);
+        GetMembers(in, made, version);
         in.Charge(sizeof(T));
         at = list.After(list.Insert(at, std::move(made)));
         break;
@@ -380,17 +362,28 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
   }
 }
 
-/// Lists of things without ids, which last for one tick.
+/// Lists of things without ids, which last for one tick: each differs from the one at its place in the tick before.
 template <HasFields T>
-void WritePlain(ByteWriter& out, const std::vector<T>& now) {
+void WritePlain(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+  static const T kNothing;
   out.Number(now.size());
-  for (const T& value : now) Put(out, value);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const T& earlier = i < before.size() ? before[i] : kNothing;
+    PutMembers(out, Differences(earlier, now[i]), earlier, now[i]);
+  }
 }
 
 template <HasFields T>
-void ReadPlain(ByteReader& in, std::vector<T>& list) {
-  list.resize(in.Count(sizeof(T)));
-  for (T& value : list) Get(in, value);
+void ReadPlain(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
+  constexpr std::uint16_t kLastWhole = 7;
+  list.resize(version > kLastWhole ? in.CountOf(sizeof(T)) : in.Count(sizeof(T)));
+  for (T& value : list) {
+    if (version > kLastWhole) {
+      GetMembers(in, value, version);
+    } else {
+      Get(in, value);
+    }
+  }
 }
 
 }  // namespace
@@ -399,26 +392,32 @@ void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world
   PutMembers(out, Differences(before, now), before, now);
   WriteList(out, before.drawables, now.drawables);
   WriteList(out, before.lights, now.lights);
-  WriteList(out, before.agents, now.agents);
+  const bool is_one_world = before.kept.world != 0 && before.kept.world == now.kept.world;
+  WriteList(out, before.agents, now.agents, [&](const world::AgentSnapshot& a, const world::AgentSnapshot& b) {
+    return is_one_world && a.texts == b.texts;
+  });
   WriteList(out, before.ui, now.ui);
   WriteList(out, before.particles, now.particles);
-  WritePlain(out, now.lines);
-  WritePlain(out, now.triangles);
-  WritePlain(out, now.circles);
+  WritePlain(out, before.lines, now.lines);
+  WritePlain(out, before.triangles, now.triangles);
+  WritePlain(out, before.circles, now.circles);
 }
 
 void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t version) {
-  GetMembers(in, scene);
-  ReadList(in, scene.drawables);
-  ReadList(in, scene.lights);
-  ReadList(in, scene.agents);
-  ReadList(in, scene.ui);
-  ReadList(in, scene.particles);
-  ReadPlain(in, scene.lines);
-  ReadPlain(in, scene.triangles);
+  GetMembers(in, scene, version);
+  ReadList(in, scene.drawables, version);
+  ReadList(in, scene.lights, version);
+  ReadList(in, scene.agents, version);
+  ReadList(in, scene.ui, version);
+  ReadList(in, scene.particles, version);
+  ReadPlain(in, scene.lines, version);
+  ReadPlain(in, scene.triangles, version);
   constexpr std::uint16_t kLastWithoutCircles = 5;  // They stood among the lines.
-  scene.circles.clear();
-  if (version > kLastWithoutCircles) ReadPlain(in, scene.circles);
+  if (version > kLastWithoutCircles) {
+    ReadPlain(in, scene.circles, version);
+  } else {
+    scene.circles.clear();
+  }
 }
 
 }  // namespace soarbox::record

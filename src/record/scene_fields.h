@@ -9,10 +9,6 @@ namespace soarbox::record {
 
 /// The members of the parts of a scene, in the order in which a recording stores them, without the id that names the
 /// part. To record a new member of a snapshot, add it at the end of its list here and raise the format's version.
-constexpr auto FieldsOf(const world::BonePose&) {
-  using T = world::BonePose;
-  return std::tuple(&T::position, &T::orientation);
-}
 constexpr auto FieldsOf(const world::DrawableSnapshot&) {
   using T = world::DrawableSnapshot;
   return std::tuple(&T::owner_id, &T::belongs_to_agent, &T::shape, &T::mesh, &T::material, &T::size,

@@ -2,7 +2,9 @@
 #include "record/tick_codec.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "record/event_delta.h"
 #include "record/legacy_minds.h"
 #include "record/scene_codec.h"
 
@@ -68,13 +70,50 @@ void ReadEvent(ByteReader& in, sim::RunEvent& event) {
   for (float* value : {&event.perceived, &event.position.x, &event.position.y, &event.position.z}) *value = in.Float();
 }
 
-void WriteMind(ByteWriter& out, const MindRecord& mind) {
-  out.Text(mind.agent);
-  out.Byte(mind.from_words ? 1 : 0);
-  out.Text(mind.events.bytes());
+/// Minds as their differences from the tick before, in which they mostly stand in the same order: a number of twice how
+/// many of its minds are passed over plus 1, or 0 and the agent's name for one that it does not have, plus 1 if the
+/// mind is from words; then its events.
+void WriteMinds(ByteWriter& out, const std::vector<MindRecord>& before, const std::vector<MindRecord>& now) {
+  constexpr std::size_t kMostPassed = 200;
+  out.Number(now.size());
+  std::size_t next = 0;
+  for (const MindRecord& mind : now) {
+    const std::size_t end = std::min(before.size(), next + kMostPassed);
+    std::size_t at = next;
+    while (at < end && before[at].agent != mind.agent) ++at;
+    const bool was_there = at < end;
+    out.Number((was_there ? 2 * (at - next + 1) : 0) + (mind.from_words ? 1 : 0));
+    if (!was_there) out.Text(mind.agent);
+    WriteEventDelta(out, was_there ? before[at].events.bytes() : std::string_view(), mind.events.bytes());
+    if (was_there) next = at + 1;
+  }
 }
 
-void ReadMind(ByteReader& in, MindRecord& mind) {
+void ReadMinds(ByteReader& in, std::vector<MindRecord>& minds) {
+  const std::vector<MindRecord> before = std::exchange(minds, {});
+  minds.resize(in.CountOf(sizeof(MindRecord), 2));
+  std::size_t next = 0;
+  for (MindRecord& mind : minds) {
+    const std::uint64_t head = in.Number();
+    mind.from_words = (head & 1) != 0;
+    std::string_view events_before;
+    if (const std::uint64_t passed = head >> 1; passed == 0) {
+      mind.agent = in.Text();
+    } else {
+      if (passed > before.size() - next) return in.Fail();
+      next += static_cast<std::size_t>(passed);
+      mind.agent = before[next - 1].agent;
+      in.Charge(mind.agent.size());
+      events_before = before[next - 1].events.bytes();
+    }
+    mind.events = mind::EventLog(ReadEventDelta(in, events_before));
+    if (in.failed()) return;
+    if (!mind.events.IsSound()) return in.Fail();
+  }
+}
+
+/// Formats 5 to 7 hold all events.
+void ReadWholeMind(ByteReader& in, MindRecord& mind) {
   mind.agent = in.Text();
   mind.from_words = in.Byte() != 0;
   const std::string_view events = in.Text();
@@ -103,15 +142,14 @@ const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
   return at == record.minds.end() ? nullptr : &*at;
 }
 
-void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now) {
+void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now) {
   out.Number(now.tick);
   out.Fixed64(now.state_hash);
   WriteTexts(out, now.inputs);
-  WriteScene(out, before, now.scene);
+  WriteScene(out, before.scene, now.scene);
   out.Number(now.events.size());
   for (const sim::RunEvent& event : now.events) WriteEvent(out, event);
-  out.Number(now.minds.size());
-  for (const MindRecord& mind : now.minds) WriteMind(out, mind);
+  WriteMinds(out, before.minds, now.minds);
 }
 
 void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
@@ -123,9 +161,10 @@ void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
   // An event takes 15 bytes at least, a mind 3.
   record.events.assign(in.CountOf(sizeof(sim::RunEvent), 15), {});
   for (sim::RunEvent& event : record.events) ReadEvent(in, event);
+  constexpr std::uint16_t kLastInWords = 4, kLastWhole = 7;
+  if (version > kLastWhole) return ReadMinds(in, record.minds);
   record.minds.assign(in.CountOf(sizeof(MindRecord), 3), {});
-  constexpr std::uint16_t kLastInWords = 4;
-  for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadMind(in, mind);
+  for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadWholeMind(in, mind);
 }
 
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {

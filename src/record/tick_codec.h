@@ -11,8 +11,8 @@
 
 namespace soarbox::record {
 
-/// Writes a tick as its difference from the one before; with an empty scene before it, it is complete in itself.
-void WriteTick(ByteWriter& out, const world::SceneSnapshot& before, const TickRecord& now);
+/// Writes a tick as its difference from the one before; with an empty one before it, it is complete in itself.
+void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now);
 
 /// Turns the record of one tick into that of the next; `version` is that of its block. If the bytes make no sense, `in`
 /// has failed.

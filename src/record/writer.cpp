@@ -51,6 +51,11 @@ Result<void> Writer::Write(const std::string& bytes) {
 }
 
 Result<void> Writer::Add(const TickRecord& tick) {
+  TickRecord copy = tick;
+  return AddAndSwap(copy);
+}
+
+Result<void> Writer::AddAndSwap(TickRecord& tick) {
   if (failure_) return *failure_;
   if (!tick.inputs.empty()) {
     ByteWriter inputs(new_inputs_);

@@ -38,6 +38,8 @@ class Writer {
   /// Adds the next tick. Fails when the disk is full or the like. The recording then ends with the last complete block
   /// and accepts nothing more; each further call returns the same error.
   Result<void> Add(const TickRecord& tick);
+  /// The same; `tick` is then an earlier one, whose memory may serve again.
+  Result<void> AddAndSwap(TickRecord& tick);
   /// For a recording that does not start at tick 0: the inputs before its first tick. Call before the first Add.
   Result<void> AddEarlierInputs(const std::vector<TickInputs>& earlier);
   /// Writes the ticks of the unfinished block.

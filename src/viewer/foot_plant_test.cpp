@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "world/animation/animator.h"
+#include "world/animation/body_bones.h"
 #include "world/animation/soldier_skeleton.h"
 
 namespace soarbox::viewer {
@@ -33,7 +34,7 @@ class Walk {
     const Vec3 ahead{std::sin(heading_), 0, std::cos(heading_)}, left{ahead.z, 0, -ahead.x};
     place_ += (ahead * forward_mps + left * left_mps) * kTick_s;
     animator_.Walk({.forward_mps = forward_mps, .left_mps = left_mps, .heading_rad = heading_}, kTick_s);
-    std::vector<BonePose> bones = animator_.Bones();
+    std::vector<BonePose> bones = world::BodyBones(animator_.NowPose());
     const SkinPlace place{{place_, world::Turn({0, 1, 0}, heading_)}};
     if (holds_) feet_.Follow(place, kTick_s, bones);
     int point = 0;
@@ -162,7 +163,7 @@ TEST(FootPlant, HoldsNothingOfWhoWasPutElsewhere) {
   world::Animator animator(world::SoldierRig());
   animator.SetLocomotion(true, kReady);
   animator.Walk({}, kTick_s);
-  const std::vector<BonePose> wanted = animator.Bones();
+  const std::vector<BonePose> wanted = world::BodyBones(animator.NowPose());
   std::vector<BonePose> bones = wanted;
   feet.Follow(here, kTick_s, bones);
   bones = wanted;

@@ -404,7 +404,7 @@ TEST_F(PictureTest, ThingsThatAreAlikeAreFewDrawCallsHoweverManyTheyAre) {
   std::vector<world::BonePose> bones;
   const world::Skeleton& skeleton = world::SoldierRig().skeleton;
   for (int i = 0; i < skeleton.count(); ++i) bones.push_back(skeleton.BindInModel(i));
-  const world::Shared<std::vector<world::BonePose>> standing = bones;
+  const world::BodyBones standing = bones;
   const auto soldier = [&](world::DrawableSnapshot& drawable) {
     drawable.mesh = "models/soarbox/soldier.mesh";
     drawable.position.y = 0;

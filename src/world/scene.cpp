@@ -9,6 +9,21 @@
 #include "world/scene_picture.h"
 
 namespace soarbox::world {
+namespace {
+
+/// Puts a transform within another one. Most move nothing, and many turn nothing.
+void Hang(WorldTransform& below, const Vec3& position, const Quat& orientation, const Vec3& scale) {
+  if (below.position == Vec3{}) {
+    below.position = position;
+  } else {
+    below.position = position + Rotate(orientation, {below.position.x * scale.x, below.position.y * scale.y,
+                                                     below.position.z * scale.z});
+  }
+  below.orientation = below.orientation == Quat{} ? orientation : orientation * below.orientation;
+  below.scale = {below.scale.x * scale.x, below.scale.y * scale.y, below.scale.z * scale.z};
+}
+
+}  // namespace
 
 Scene::Scene(MediaCatalog& catalog) : catalog_(catalog), picture_(std::make_unique<Picture>()) {
   Node root;
@@ -145,25 +160,18 @@ WorldTransform Scene::Transform(NodeId node) const {
 
 WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
   WorldTransform result;
-  for (const Node* at = &node; at; at = at->above) {
-    // The root seldom turns or moves anything.
-    if (!at->above && at->position == Vec3{} && at->orientation == Quat{} && at->scale == Vec3{1, 1, 1}) break;
+  // The root never moves.
+  for (const Node* at = &node; at->above; at = at->above) {
     const bool is_body = by_body && at->HasBody();
-    WorldTransform local{is_body ? at->body_position : at->position, is_body ? at->body_orientation : at->orientation,
-                         at->scale};
-    if (at->bone >= 0 && at->above && at->above->animator) {
-      const BonePose hung = at->above->animator->Bones()[static_cast<std::size_t>(at->bone)] *
-                            BonePose{local.position, local.orientation};
-      local.position = hung.position;
-      local.orientation = hung.orientation;
+    const Vec3& position = is_body ? at->body_position : at->position;
+    const Quat& orientation = is_body ? at->body_orientation : at->orientation;
+    if (at->bone >= 0 && at->above->animator) {
+      const BonePose hung =
+          at->above->animator->NowPose().WorkOut(static_cast<std::size_t>(at->bone)) * BonePose{position, orientation};
+      Hang(result, hung.position, hung.orientation, at->scale);
+    } else {
+      Hang(result, position, orientation, at->scale);
     }
-    if (at == &node) {
-      result = local;
-      continue;
-    }
-    result.position = result.position == Vec3{} ? local.position : local.Apply(result.position);
-    result.orientation = result.orientation == Quat{} ? local.orientation : local.orientation * result.orientation;
-    result.scale = {result.scale.x * local.scale.x, result.scale.y * local.scale.y, result.scale.z * local.scale.z};
   }
   return result;
 }

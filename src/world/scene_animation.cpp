@@ -90,7 +90,7 @@ std::optional<BonePose> Scene::BoneInWorld(NodeId node, std::string_view bone) c
     const int index = found->animator->rig().skeleton.Find(bone);
     if (index >= 0) {
       const WorldTransform transform = TransformOf(*found);
-      const BonePose& pose = found->animator->Bones()[static_cast<std::size_t>(index)];
+      const BonePose pose = found->animator->NowPose().WorkOut(static_cast<std::size_t>(index));
       return BonePose{transform.Apply(pose.position), transform.orientation * pose.orientation};
     }
     AddCarried(*found, waiting);

@@ -50,6 +50,7 @@ void Scene::Changed(Node& node) {
 }
 
 void Scene::Moved(Node& node) {
+  node.was_moved = true;
   if (node.waits_at != Node::kNotWaiting) return;
   node.waits_at = picture_->waiting.size();
   picture_->waiting.push_back(&node);
@@ -91,21 +92,25 @@ void Scene::Redraw(Node& node) const {
     case NodeContent::kNone:
       break;
     case NodeContent::kDrawable: {
-      // Nodes mostly come in the order of their drawables.
-      SharedList<DrawableSnapshot>::Place& place = picture.last_drawn;
-      if (!picture.drawables.IsEnd(place) && place.index < picture.drawables.BlockSize(place.block) &&
-          picture.drawables.At(place).id < Number(node.id))
-        place = picture.drawables.After(place);
-      if (picture.drawables.IsEnd(place) || place.index >= picture.drawables.BlockSize(place.block) ||
-          picture.drawables.At(place).id != Number(node.id))
-        place = picture.drawables.Find(Number(node.id), place);
-      const bool is_new = picture.drawables.IsEnd(place) || picture.drawables.At(place).id != Number(node.id);
+      const std::uint32_t id = Number(node.id);
+      SharedList<DrawableSnapshot>::Place& place = node.drawn_at;
+      place = picture.drawables.Find(id, place);
+      const bool is_new = picture.drawables.IsEnd(place) || picture.drawables.At(place).id != id;
       if (is_new) {
         DrawableSnapshot drawable;
-        drawable.id = Number(node.id);
+        drawable.id = id;
         place = picture.drawables.Insert(place, std::move(drawable));
       }
-      const WorldTransform transform = TransformOf(node, true);
+      if (std::exchange(node.was_moved, false)) {
+        node.is_in_place =
+            node.bone < 0 && node.position == Vec3{} && node.orientation == Quat{} && node.scale == Vec3{1, 1, 1};
+        node.has_offset = node.offset != Vec3{} || node.offset_turn != Quat{};
+      }
+      // What most bodies look like hangs on them just so.
+      const Node* const body = node.above;
+      const bool is_body = node.is_in_place && body->HasBody() && body->bone < 0 && !body->above->above;
+      const WorldTransform transform =
+          is_body ? WorldTransform{body->body_position, body->body_orientation, body->scale} : TransformOf(node, true);
       DrawableSnapshot& drawable = picture.drawables.Edit(place);
       if (std::exchange(node.has_new_look, false)) {
         drawable.owner_id = Number(node.owner);
@@ -117,12 +122,11 @@ void Scene::Redraw(Node& node) const {
         drawable.texture_repeats = node.drawable.texture_repeats;
         drawable.visible = node.visible;
       }
-      drawable.position = node.offset == Vec3{} ? transform.position : transform.Apply(node.offset);
-      drawable.orientation =
-          node.offset_turn == Quat{} ? transform.orientation : transform.orientation * node.offset_turn;
+      drawable.position = node.has_offset ? transform.Apply(node.offset) : transform.position;
+      drawable.orientation = node.has_offset ? transform.orientation * node.offset_turn : transform.orientation;
       drawable.scale = transform.scale;
       if (node.animator) {
-        if (is_new || node.drawn_pose != node.animator->changes()) drawable.bones = node.animator->Bones();
+        if (is_new || node.drawn_pose != node.animator->changes()) drawable.bones = BodyBones(node.animator->NowPose());
         drawable.shows_skeleton = node.animator->shows_skeleton();
         node.drawn_pose = node.animator->changes();
       }
@@ -153,11 +157,10 @@ void Scene::Refresh() const {
     if (!picture.drawables.IsEnd(place) && picture.drawables.At(place).id == Number(id)) picture.drawables.Erase(place);
   }
   picture.gone.clear();
-  picture.last_drawn = {};
   // No deeper than kDeepest.
   const auto redraw_all = [&](const auto& self, Node& node) -> void {
     if (std::exchange(node.drawn_in, picture.refreshings) == picture.refreshings) return;
-    Redraw(node);
+    if (node.content != NodeContent::kNone) Redraw(node);
     for (Node* child : node.children) self(self, *child);
   };
   for (Node* node : picture.waiting) {

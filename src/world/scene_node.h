@@ -45,11 +45,15 @@ struct Scene::Node {
 
   // Of the picture that is kept (scene_fill.cpp).
   static constexpr std::size_t kNotWaiting = ~std::size_t{0};
-  bool has_new_look = true;              ///< More than its place has changed since it was drawn.
-  std::size_t waits_at = kNotWaiting;    ///< In the list of those that have changed since.
-  std::uint64_t drawn_in = 0;            ///< The last refresh that saw it.
-  std::uint64_t drawn_pose = 0;          ///< The animator's pose that is in the picture.
-  std::vector<LineSnapshot> ring_lines;  ///< kRing.
+  bool was_moved = true;               ///< Its own transform may have changed since it was drawn.
+  bool is_in_place = false;            ///< It hangs above it without a transform of its own, when it was drawn.
+  bool has_offset = false;             ///< Its drawable has an offset or a turn, when it was drawn.
+  bool has_new_look = true;            ///< More than its place has changed since it was drawn.
+  std::size_t waits_at = kNotWaiting;  ///< In the list of those that have changed since.
+  std::uint64_t drawn_in = 0;          ///< The last refresh that saw it.
+  std::uint64_t drawn_pose = 0;        ///< The animator's pose that is in the picture.
+  SharedList<DrawableSnapshot>::Place drawn_at;  ///< Where it was in the picture; others may have come or gone since.
+  std::vector<LineSnapshot> ring_lines;          ///< kRing.
 
   bool HasBody() const { return belongs_to_entity && owner != EntityId::kSandbox; }
 };

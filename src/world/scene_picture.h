@@ -26,7 +26,6 @@ struct Scene::Picture {
   bool few_changed = false;
   std::uint64_t few_version = 0;  ///< Of lights, particles, ambient light and sky.
   std::uint64_t refreshings = 0;
-  SharedList<DrawableSnapshot>::Place last_drawn;
 };
 
 }  // namespace soarbox::world

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "world/animation/bone_pose.h"
+#include "world/animation/body_bones.h"
 #include "world/math.h"
 #include "world/shared.h"
 #include "world/shared_list.h"
@@ -46,8 +46,8 @@ struct DrawableSnapshot {
   Quat orientation;
   Vec3 scale{1, 1, 1};
   bool visible = true;
-  Shared<std::vector<BonePose>> bones;  ///< Of meshes with a skeleton: where its bones are in the mesh, by index.
-  bool shows_skeleton = false;          ///< Draw its bones on top.
+  BodyBones bones;              ///< Of meshes with a skeleton.
+  bool shows_skeleton = false;  ///< Draw its bones on top.
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };

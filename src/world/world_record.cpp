@@ -82,10 +82,11 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
       seen.team = agent.Team();
       seen.last_command = agent.LastCommand();
     }
-    seen.position = agent.Position();
-    seen.velocity = agent.Velocity();
-    seen.forward = agent.Forward();
-    seen.radius_m = agent.Radius();
+    const AgentMotion& motion = impl_->agents.motion(i);
+    seen.position = motion.position;
+    seen.velocity = motion.velocity;
+    seen.forward = motion.forward;
+    seen.radius_m = motion.radius;
     seen.height_m = agent.Height();
     seen.health = agent.Health();
     seen.alive = agent.Health() > 0;

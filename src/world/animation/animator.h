@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "world/animation/locomotion.h"
+#include "world/animation/pose.h"
 #include "world/animation/rig.h"
 
 namespace soarbox::world {
@@ -22,8 +23,7 @@ struct AnimationState {
 /// Plays the movements of one body: mixes what is enabled by weight, and says where the bones are.
 ///
 /// Weights of all enabled movements are divided by their sum if that is above 1; below 1 the rest goes to the walk
-/// (Locomotion) if that is switched on, else to the bind pose. Poses are worked out when somebody asks for them, and
-/// kept until something changes. A body belongs to one world and its thread.
+/// (Locomotion) if that is switched on, else to the bind pose. A body belongs to one world and its thread.
 class Animator {
  public:
   explicit Animator(const Rig& rig);
@@ -50,19 +50,15 @@ class Animator {
   /// Once per tick.
   void Walk(const BodyMotion& motion, float seconds);
 
-  /// Where the bones are in the model, by index.
-  const std::vector<BonePose>& Bones() const;
+  /// What it does now; where its bones are follows from that.
+  Pose NowPose() const;
   /// Grows whenever the pose, or what is shown of it, may have changed; never 0.
   std::uint64_t changes() const { return changes_; }
 
   void AddTo(StateHash& hash) const;
 
  private:
-  void Evaluate() const;
-  void Changed() {
-    is_current_ = false;
-    ++changes_;
-  }
+  void Changed() { ++changes_; }
 
   const Rig* rig_;
   std::vector<AnimationState> states_;
@@ -70,8 +66,6 @@ class Animator {
   bool has_locomotion_ = false;
   bool shows_skeleton_ = false;
   std::uint64_t changes_ = 1;
-  mutable bool is_current_ = false;
-  mutable std::vector<BonePose> bones_;
 };
 
 }  // namespace soarbox::world

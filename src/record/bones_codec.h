@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "bytes/byte_stream.h"
+#include "world/animation/body_bones.h"
+
+namespace soarbox::record {
+
+/// Writes the bones of a body as what its movements are, if that is known, else as where each bone is; in both cases as
+/// the difference from the tick before.
+void PutBones(ByteWriter& out, const world::BodyBones& before, const world::BodyBones& now);
+
+/// Turns the bones of the tick before into those of the next; `version` is the format's.
+void GetBones(ByteReader& in, world::BodyBones& bones, std::uint16_t version);
+
+/// Bit for bit, so that -0 and NaN replay as they were.
+bool AreSameBones(const world::BodyBones& a, const world::BodyBones& b);
+
+}  // namespace soarbox::record

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "record/event_delta.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace soarbox::record {
+namespace {
+
+// A log is a list of steps: 0 the end, 1 a new event (a text), 2 all else is like all else of the log before, and it
+// ends there; from 3 on an event like one of the log before, of which step - 3 events are passed over first. What is
+// like something else is its size, 0 if it is that of the other, and in turns how many of its bytes are those of the
+// other at the same place and how many are new, until the size is reached.
+constexpr std::uint64_t kEnd = 0, kNew = 1, kRest = 2, kLike = 3;
+
+/// Takes the first event off a log: its kind, its size and its fields. What is no event is one to its end.
+std::string_view TakeEvent(std::string_view& log) {
+  std::size_t at = 1;
+  std::uint64_t size = 0;
+  for (int shift = 0; at < log.size() && shift < 63; shift += 7) {
+    const auto byte = static_cast<std::uint8_t>(log[at++]);
+    size |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+    if ((byte & 0x80) == 0) break;
+  }
+  const std::size_t whole = size <= log.size() - at ? at + static_cast<std::size_t>(size) : log.size();
+  const std::string_view event = log.substr(0, whole);
+  log.remove_prefix(event.size());
+  return event;
+}
+
+/// How many bytes are the same from a place on.
+std::size_t SameBytes(std::string_view a, std::string_view b, std::size_t from) {
+  const std::size_t end = std::min(a.size(), b.size());
+  std::size_t at = from;
+  while (end >= 8 && at <= end - 8) {
+    std::uint64_t x, y;
+    std::memcpy(&x, a.data() + at, sizeof x);
+    std::memcpy(&y, b.data() + at, sizeof y);
+    if (x != y) break;
+    at += 8;
+  }
+  while (at < end && a[at] == b[at]) ++at;
+  return at > from ? at - from : 0;
+}
+
+/// Whether it pays to write an event as the difference from another.
+bool AreLike(std::string_view before, std::string_view now) {
+  if (before.front() != now.front()) return false;
+  constexpr char kLastPercept = 1;
+  constexpr std::size_t kHead = 3, kNames = 12;
+  if (now.front() > kLastPercept || before.size() < kHead || now.size() < kHead) return true;
+  // Percepts begin with their paths and names: that of another thing has little in common with it.
+  return before.substr(kHead, kNames) == now.substr(kHead, kNames);
+}
+
+void WriteDifference(ByteWriter& out, std::string_view before, std::string_view now) {
+  constexpr std::size_t kWorth = 3;  // Fewer bytes that are the same are written anew.
+  out.Number(before.size() == now.size() ? 0 : now.size());
+  for (std::size_t at = 0; at < now.size();) {
+    const std::size_t same = SameBytes(before, now, at);
+    out.Number(same);
+    at += same;
+    if (at == now.size()) return;
+    std::size_t end = at + 1;
+    while (end < now.size() && SameBytes(before, now, end) < std::min(kWorth, now.size() - end)) ++end;
+    out.Text(now.substr(at, end - at));
+    at = end;
+  }
+}
+
+/// Appends an event to a log.
+void ReadDifference(ByteReader& in, std::string_view before, std::string& log) {
+  const std::uint64_t given = in.Number();
+  const std::uint64_t size = given == 0 ? before.size() : given;
+  in.Charge(size);
+  for (std::uint64_t at = 0; at < size && !in.failed();) {
+    const std::uint64_t same = in.Number();
+    if (same > size - at || (same > 0 && (at >= before.size() || same > before.size() - at))) return in.Fail();
+    if (same > 0) log.append(before.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(same)));
+    at += same;
+    if (at == size) return;
+    const std::string_view fresh = in.Text();
+    if (fresh.empty() || fresh.size() > size - at) return in.Fail();
+    log.append(fresh);
+    at += fresh.size();
+  }
+}
+
+}  // namespace
+
+void WriteEventDelta(ByteWriter& out, std::string_view before, std::string_view now) {
+  constexpr int kMostPassed = 24;
+  if (!now.empty() && before.size() == now.size()) {
+    // Nearly always nothing but numbers differ.
+    out.Number(kRest);
+    return WriteDifference(out, before, now);
+  }
+  while (!now.empty()) {
+    const std::string_view event = TakeEvent(now);
+    std::string_view ahead = before;
+    int passed = 0;
+    std::string_view other;
+    for (; !ahead.empty() && passed < kMostPassed; ++passed) {
+      other = TakeEvent(ahead);
+      if (AreLike(other, event)) break;
+      other = {};
+    }
+    if (other.empty()) {
+      out.Number(kNew);
+      out.Text(event);
+      continue;
+    }
+    before = ahead;
+    out.Number(kLike + static_cast<std::uint64_t>(passed));
+    WriteDifference(out, other, event);
+  }
+  out.Number(kEnd);
+}
+
+std::string ReadEventDelta(ByteReader& in, std::string_view before) {
+  std::string log;
+  while (!in.failed()) {
+    std::uint64_t step = in.Number();
+    if (in.failed() || step == kEnd) break;
+    if (step == kNew) {
+      const std::string_view event = in.Text();
+      in.Charge(event.size());
+      log.append(event);
+      continue;
+    }
+    if (step == kRest) {
+      ReadDifference(in, before, log);
+      break;
+    }
+    std::string_view other;
+    for (step -= kLike; !before.empty(); --step) {
+      other = TakeEvent(before);
+      if (step == 0) break;
+      other = {};
+    }
+    if (other.empty()) {
+      in.Fail();
+    } else {
+      ReadDifference(in, other, log);
+    }
+  }
+  return log;
+}
+
+}  // namespace soarbox::record
