@@ -228,7 +228,7 @@ void InputMirror::Enter(const Slot& slot) {
   OpenObject& above = open_.back();
   above.next = static_cast<std::size_t>(next_ - above.slots->data());
   GoOn(*slot.below, 0);
-  open_.push_back({slot.below, 0, static_cast<sml::Identifier*>(slot.element), 0, slot.key, 0});
+  open_.push_back({.slots = slot.below, .object = static_cast<sml::Identifier*>(slot.element), .key = slot.key});
 }
 
 void InputMirror::Close() {

@@ -119,6 +119,25 @@ TEST_F(InputMirrorTest, AValueMayChangeItsType) {
   EXPECT_EQ(Link(), "heat much heat more");
 }
 
+TEST_F(InputMirrorTest, TheLogTellsOneAgentFromTheNext) {
+  mind::EventLog log;
+  mirror_.SetLog(&log);
+  mirror_.Show([](vocabulary::PerceptSink& sink) {
+    TellAgent(sink, 3, "red", 2);
+    TellAgent(sink, 4, "blue", 9);
+  });
+  mirror_.Show([](vocabulary::PerceptSink& sink) { TellAgent(sink, 4, "blue", 8); });
+  std::string text;
+  log.ForEachOf<mind::PerceptChanged>([&](const mind::PerceptChanged& percept) {
+    text += std::string(percept.path) + std::string(percept.attribute) + ' ';
+  });
+  log.ForEachOf<mind::PerceptGone>([&](const mind::PerceptGone& percept) {
+    text += "-" + std::string(percept.path) + std::string(percept.attribute) + '#' + std::to_string(percept.key);
+  });
+  EXPECT_EQ(text, "agent#3.name agent#3.range agent#4.name agent#4.range agent#4.range -agent#3");
+  mirror_.SetLog(nullptr);
+}
+
 TEST_F(InputMirrorTest, WhatItIsToldDirectlyIsWhatASinkIsTold) {
   const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   for (const double value :
