@@ -167,6 +167,7 @@ void TellNoMemory() {
 
 int CommandLine(int argc, char** argv, const Window* window) {
   SetProgramWindow(window);
+  if (window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
   // A file that may not grow any further is told of where it is written; the signal would end the program before.
   std::signal(SIGXFSZ, SIG_IGN);

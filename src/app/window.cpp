@@ -11,6 +11,9 @@
 namespace soarbox::app {
 namespace {
 
+/// The variable in which soarbox tells soarbox-window which build it is.
+constexpr char kWindowOf[] = "SOARBOX_WINDOW_OF";
+
 const Window*& TheWindow() {
   static const Window* window = nullptr;
   return window;
@@ -44,7 +47,14 @@ void GoOnInWindow(char** argv) {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return;
+  // Both programs are one build, though the linker gives each an id of its own.
+  setenv(kWindowOf, record::BuildId().c_str(), 1);
   execv((self.parent_path() / "soarbox-window").c_str(), argv);
+  unsetenv(kWindowOf);
+}
+
+void BeThatBuild() {
+  if (const char* id = std::getenv(kWindowOf)) record::SetBuildId(id);
 }
 
 WindowSize WindowSizeOf(const RunOptions& options) {

@@ -57,6 +57,8 @@ bool HasDisplay();
 /// Goes on as the program soarbox-window in the same folder, with the same arguments. Returns where this program has a
 /// window itself, there is no display, or no such program can be started.
 void GoOnInWindow(char** argv);
+/// For soarbox-window: where soarbox went on as this program, recordings of either are of one build.
+void BeThatBuild();
 
 /// Width and height of a window in px.
 struct WindowSize {

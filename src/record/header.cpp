@@ -8,6 +8,7 @@
 #include <array>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
@@ -48,6 +49,11 @@ std::string LinkersId() {
         return 1;  // The first object is the program itself.
       },
       &id);
+  return id;
+}
+
+std::string& TheBuildId() {
+  static std::string id = std::string(SOARBOX_VERSION) + " " + LinkersId();
   return id;
 }
 
@@ -156,8 +162,11 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
 }
 
 std::string BuildId() {
-  static const std::string id = std::string(SOARBOX_VERSION) + " " + LinkersId();
-  return id;
+  return TheBuildId();
+}
+
+void SetBuildId(std::string id) {
+  TheBuildId() = std::move(id);
 }
 
 std::string_view NameOf(Level level) {

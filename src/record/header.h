@@ -49,6 +49,8 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version = kVer
 
 /// Identifies this program: its version and the linker's hash of it. Two builds with one id behave alike.
 std::string BuildId();
+/// Makes it that of another program that was built with this one. Before anything asks for it.
+void SetBuildId(std::string id);
 
 /// "world", "decisions", "all".
 std::string_view NameOf(Level level);
