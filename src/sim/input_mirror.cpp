@@ -2,7 +2,6 @@
 #include "sim/input_mirror.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "sml_Client.h"
 #include "tell/mind_words.h"
@@ -15,12 +14,12 @@ InputMirror::InputMirror(sml::Agent& agent) : agent_(&agent) {}
 
 bool InputMirror::Slot::Holds(std::string_view value) const {
   if (size == kLong) return static_cast<sml::StringElement*>(element)->GetValue() == value;
-  return size == value.size() && std::memcmp(text, value.data(), size) == 0;
+  return std::string_view(text, size) == value;
 }
 
 void InputMirror::Slot::Hold(std::string_view value) {
   size = value.size() <= kShort ? static_cast<std::uint8_t>(value.size()) : kLong;
-  if (size != kLong) std::memcpy(text, value.data(), size);
+  if (size != kLong) value.copy(text, size);
 }
 
 /// What stood there the last time under that name; it is the next one nearly always. Null if there was nothing.

@@ -13,6 +13,7 @@ namespace sml {
 // A text of its own ---------------------------------------------------------------------------------------------------
 
 void ElementText::Assign(char const* text, std::size_t size) {
+  if (size == 0) text = "";  // Texts that are empty may be nowhere.
   if (!IsLong() && size <= kMark) {
     std::memmove(bytes_, text, size);
     if (size < kMark) bytes_[size] = 0;
@@ -74,10 +75,7 @@ std::size_t Locate(std::string_view text, std::uint32_t hash) {
   for (std::size_t slot = hash & (kSharedSlots - 1);; slot = (slot + 1) & (kSharedSlots - 1)) {
     SharedEntry* const entry = shared_slots[slot].load(std::memory_order_acquire);
     if (!entry) return slot;
-    if (entry->hash == hash && entry->size == text.size() &&
-        std::memcmp(entry->text(), text.data(), text.size()) == 0) {
-      return slot;
-    }
+    if (entry->hash == hash && std::string_view(entry->text(), entry->size) == text) return slot;
   }
 }
 
@@ -90,7 +88,7 @@ char const* AddShared(std::string_view text, std::uint32_t hash) {
   auto* const entry = static_cast<SharedEntry*>(::operator new(sizeof(SharedEntry) + text.size() + 1));
   entry->hash = hash;
   entry->size = static_cast<std::uint32_t>(text.size());
-  std::memcpy(entry->text(), text.data(), text.size());
+  text.copy(entry->text(), text.size());
   entry->text()[text.size()] = 0;
   shared_slots[slot].store(entry, std::memory_order_release);
   shared_count.fetch_add(1, std::memory_order_relaxed);

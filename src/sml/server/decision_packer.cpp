@@ -94,7 +94,7 @@ std::string_view DecisionPacker::PackAs(const kernel::Agent& agent, const Shape&
     return bytes_.data() + used;
   };
   const auto put = [&](std::string_view bytes) {
-    std::memcpy(reserve(bytes.size()), bytes.data(), bytes.size());
+    bytes.copy(reserve(bytes.size()), bytes.size());
     used += bytes.size();
   };
   put(shape.head);
