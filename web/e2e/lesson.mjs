@@ -25,11 +25,15 @@ test("lesson 1, from the first click to the next lesson", async () => {
 
   // A slip, mended by one click.
   await typeRules(page, file("porter.soar").replace("^io.input-link.agent", "^io.input-link.agnet"));
-  await page.waitForSelector(".panel.edit .problem");
-  await page.waitForSelector(".cm-lintRange");
+  // What the list and the marks say must be about this text: those of the text before stay until the answer is there.
+  await page.locator(".panel.edit .problem", { hasText: "agnet" }).first().waitFor();
+  await page.locator(".cm-lintRange", { hasText: "agnet" }).first().waitFor();
   await page.keyboard.press("Escape");
-  await page.keyboard.press("F8");
-  await page.locator(".cm-diagnosticAction", { hasText: "Change to agent" }).first().click();
+  const remedy = page.locator(".cm-diagnosticAction", { hasText: "Change to agent" }).first();
+  await until(async () => {
+    await page.keyboard.press("F8");
+    return (await remedy.isVisible()) && remedy.click({ timeout: 1000 }).then(() => true, () => false);
+  }, "F8 shows the slip, and a click mends it");
   await until(async () => /input-link\.agent/.test((await page.locator(".cm-content").innerText()).replace(/\s/g, "")), "the remedy is in the text");
 
   // A wrong answer: hints, and a grade that says why.
