@@ -77,12 +77,6 @@ bool Object::SetGravity(Vec3 gravity) {
   return true;
 }
 
-bool Object::SetDamping(float linear, float angular) {
-  if (!IsFinite(linear) || !IsFinite(angular)) return false;
-  physics_.SetDamping(body_, linear, angular);
-  return true;
-}
-
 bool Object::ApplyForce(Vec3 force_n) {
   if (!IsFinite(force_n)) return false;
   physics_.ApplyForce(body_, LimitForce(force_n));

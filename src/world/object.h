@@ -49,8 +49,6 @@ class Object {
   bool SetMass(float mass_kg);
   /// m/s^2; replaces the world's gravity for this object.
   bool SetGravity(Vec3 gravity);
-  /// Fractions 0..1 of velocity lost per second.
-  bool SetDamping(float linear, float angular);
 
   /// Newtons at the centre of mass, for the next step only; forces add up.
   bool ApplyForce(Vec3 force_n);

@@ -408,12 +408,6 @@ void PhysicsWorld::SetGravity(BodyId id, Vec3 gravity) {
   impl_->Wake(body);
 }
 
-void PhysicsWorld::SetDamping(BodyId id, float linear, float angular) {
-  Body& body = Get(id);
-  body.rigid->setDamping(std::clamp(linear, 0.0f, 1.0f), std::clamp(angular, 0.0f, 1.0f));
-  impl_->Wake(body);
-}
-
 void PhysicsWorld::ApplyForce(BodyId id, Vec3 force_n) {
   Body& body = Get(id);
   body.rigid->applyCentralForce(ToBullet(force_n));

@@ -76,7 +76,6 @@ class PhysicsWorld {
   void SetAngularVelocity(BodyId body, Vec3 velocity);
   void SetMass(BodyId body, float mass_kg);
   void SetGravity(BodyId body, Vec3 gravity);
-  void SetDamping(BodyId body, float linear, float angular);
   /// For one step.
   void ApplyForce(BodyId body, Vec3 force_n);
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);

@@ -179,9 +179,6 @@ WorldTransform Scene::TransformOf(const Node& node, bool by_body) {
 Vec3 Scene::WorldPosition(NodeId node) const {
   return Transform(node).position;
 }
-Quat Scene::WorldOrientation(NodeId node) const {
-  return Transform(node).orientation;
-}
 
 float Scene::Radius(NodeId node) const {
   constexpr float kFar = std::numeric_limits<float>::max();

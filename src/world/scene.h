@@ -73,7 +73,6 @@ class Scene {
   bool SetScale(NodeId node, Vec3 scale);
   // In world space.
   Vec3 WorldPosition(NodeId node) const;
-  Quat WorldOrientation(NodeId node) const;
   /// Half the diagonal of the world-space bounding box of the node and all below it; 0 if there is nothing to see.
   float Radius(NodeId node) const;
 

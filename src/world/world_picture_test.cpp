@@ -239,7 +239,6 @@ TEST(WorldPicture, EveryPropertyOfABodyIsInTheHash) {
       [&] {
         box.SetGravity({0, -1, 0});
       },
-      [&] { box.SetDamping(0.5f, 0); },
       [&] { world.random().Next(); },
       [&] { world.CreatePhysicsSphere(1); },
   };

@@ -46,12 +46,7 @@ class ElementLinks {
     link.serial = last_serial_ = serial;
     link.in_match = true;
     link.unsorted = false;
-    link.previous = kNil;
-    link.next = newest_;
-    if (newest_ != kNil) {
-      links_[newest_].previous = wme;
-    }
-    newest_ = wme;
+    PutFirst(wme);
     ++count_;
     last_timetag_ = std::max(last_timetag_, timetag);
   }
@@ -66,24 +61,14 @@ class ElementLinks {
     WmeLinks& link = links_[wme];
     link.serial = last_serial_ = serial;
     last_timetag_ = std::max(last_timetag_, timetag);
-    if (newest_ == wme) {
-      return;
+    if (newest_ != wme) {
+      TakeOut(link);
+      PutFirst(wme);
     }
-    if (link.next != kNil) {
-      links_[link.next].previous = link.previous;
-    }
-    links_[link.previous].next = link.next;
-    link.previous = kNil;
-    link.next = newest_;
-    links_[newest_].previous = wme;
-    newest_ = wme;
   }
   /// The element has left.
   void Leave(WmeLinks& link) {
-    if (link.next != kNil) {
-      links_[link.next].previous = link.previous;
-    }
-    (link.previous != kNil ? links_[link.previous].next : newest_) = link.next;
+    TakeOut(link);
     link.in_match = false;
     --count_;
     leaving_ = kNil;
@@ -107,6 +92,23 @@ class ElementLinks {
   std::size_t MemoryBytes() const { return links_.capacity() * sizeof(WmeLinks); }
 
  private:
+  /// The list of all elements, the newest first.
+  void PutFirst(std::uint32_t wme) {
+    WmeLinks& link = links_[wme];
+    link.previous = kNil;
+    link.next = newest_;
+    if (newest_ != kNil) {
+      links_[newest_].previous = wme;
+    }
+    newest_ = wme;
+  }
+  void TakeOut(const WmeLinks& link) {
+    if (link.next != kNil) {
+      links_[link.next].previous = link.previous;
+    }
+    (link.previous != kNil ? links_[link.previous].next : newest_) = link.next;
+  }
+
   PlainVector<WmeLinks> links_;
   std::uint32_t newest_ = kNil;
   std::uint32_t count_ = 0;

@@ -83,10 +83,7 @@ WmeId WorkingMemory::Make(WmeKind kind, Symbol id, Symbol attribute, Symbol valu
   WmeRecord& record = records_[Index(wme)];
   record.kind = kind;
   record.SetSlot(slot);
-  WmeId& head = ListHead(record, content);
-  record.next = head;
-  if (head != WmeId::kNone) records_[Index(head)].previous = wme;
-  head = wme;
+  PutFirst(wme, record);
   if (kind == WmeKind::kSlot && slot.record->is_large) [[unlikely]]
     LargeOf(*slot.record).SetWme(value, wme);
   return wme;
@@ -107,18 +104,29 @@ WmeId& WorkingMemory::ListHead(const WmeRecord& record, const Wme& content) {
   return identifiers_[content.id.index()].input_wmes;
 }
 
-void WorkingMemory::Unlink(WmeId wme) {
-  WmeRecord& record = records_[Index(wme)];
+inline void WorkingMemory::PutFirst(WmeId wme, WmeRecord& record) {
+  WmeId& head = ListHead(record, wmes_[Index(wme)]);
+  record.next = head;
+  if (head != WmeId::kNone) records_[Index(head)].previous = wme;
+  head = wme;
+}
+
+inline void WorkingMemory::TakeOut(WmeId wme, WmeRecord& record) {
   if (record.previous != WmeId::kNone) {
     records_[Index(record.previous)].next = record.next;
   } else {
     ListHead(record, wmes_[Index(wme)]) = record.next;
   }
   if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
+  record.next = record.previous = WmeId::kNone;
+}
+
+void WorkingMemory::Unlink(WmeId wme) {
+  WmeRecord& record = records_[Index(wme)];
+  TakeOut(wme, record);
   if (record.kind == WmeKind::kSlot && record.slot().record->is_large) [[unlikely]] {
     LargeOf(*record.slot().record).SetWme(wmes_[Index(wme)].value, WmeId::kNone);
   }
-  record.next = record.previous = WmeId::kNone;
   record.kind = WmeKind::kFree;
   wmes_[Index(wme)].live = false;
   --live_wmes_;
@@ -130,13 +138,8 @@ void WorkingMemory::Make(WmeId wme, Symbol value) {
   content.timetag = next_timetag_++;
   WmeRecord& record = records_[Index(wme)];
   if (record.previous == WmeId::kNone) return;  // It is at the head of its list already.
-  records_[Index(record.previous)].next = record.next;
-  if (record.next != WmeId::kNone) records_[Index(record.next)].previous = record.previous;
-  WmeId& head = ListHead(record, content);
-  record.previous = WmeId::kNone;
-  record.next = head;
-  records_[Index(head)].previous = wme;
-  head = wme;
+  TakeOut(wme, record);
+  PutFirst(wme, record);
 }
 
 void WorkingMemory::Free(std::span<const WmeId> wmes) {

@@ -257,6 +257,8 @@ class WorkingMemory {
   SlotId FindSlot(const IdentifierRecord& owner, Symbol id, Symbol attribute) const;
 
   WmeId& ListHead(const WmeRecord& record, const Wme& content);
+  void PutFirst(WmeId wme, WmeRecord& record);
+  void TakeOut(WmeId wme, WmeRecord& record);
 
   SymbolTable& symbols_;
   WmeTable wmes_;
