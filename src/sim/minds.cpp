@@ -329,8 +329,7 @@ void Minds::Notice() {
       if (ThreadOf(i, threads) != thread || !actors[i]->IsAlive()) continue;
       HearOrders(*actors[i]);
       if (!IsSenseTick(*actors[i])) continue;
-      NoticeOthers(*actors[i]);
-      NoticeThings(*actors[i]);
+      sim::Notice(*actors[i]);
     }
   };
   if (actors.size() < kWorthThreads) return notice(0, 1);

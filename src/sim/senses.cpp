@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -363,6 +364,101 @@ void TellSurroundings(const Actor& actor, Sink& sink) {
   SensePlaces(actor, sink);
 }
 
+/// What may hide others or things from it; nothing where it looks at so few that casting rays is cheaper.
+std::optional<world::BodiesAround> LookAround(const Actor& actor, std::size_t others) {
+  const SenseSettings& senses = actor.kind().senses;
+  const std::size_t things = actor.world().ObjectIds().size();
+  const std::size_t lines = others + (senses.Has("objects") ? things : 0);
+  constexpr std::size_t kMany = 8, kBodiesOfLine = 8;
+  constexpr float kClose_m = 15;
+  if (lines <= kMany) return std::nullopt;
+  if (senses.sight_m > kClose_m && actor.world().AgentIds().size() + things > kBodiesOfLine * lines)
+    return std::nullopt;
+  return world::AroundEyes(actor.body(), senses.sight_m, senses.view_deg);
+}
+
+void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const FieldOfView& view,
+                  const world::BodiesAround* around) {
+  const SenseSettings& senses = actor.kind().senses;
+  const world::World& world = actor.world();
+  const Vec3 here = actor.body().Position();
+  Contacts& contacts = actor.contacts();
+  // Whom it may notice now or has noticed before, in ascending id: nobody else changes what it knows.
+  std::size_t known = 0;
+  for (auto next = near.begin(); next != near.end() || known < contacts.size();) {
+    const bool is_near = next != near.end() && (known == contacts.size() || *next <= contacts.At(known).first);
+    const world::EntityId id = is_near ? *next++ : contacts.At(known).first;
+    const bool is_known = known < contacts.size() && contacts.At(known).first == id;
+    if (id == actor.id()) {
+      known += is_known ? 1 : 0;
+      continue;
+    }
+    const world::Agent& other = *world.FindAgent(id);
+    const Vec3 place = other.Position();
+    const bool seen = view.Holds(place) && SeesAgent(actor.body(), other, around);
+    // Who runs is heard at the full range, who walks at a part of it.
+    const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
+    const bool heard = !seen && other.Health() > 0 && FlatDistance(here, place) <= senses.hearing_m * loudness;
+    if (!is_known && !seen && !heard) continue;
+    Contact& contact = (is_known ? contacts.At(known) : contacts.Insert(known, id)).second;
+    contact.visible = seen;
+    contact.agent = id;
+    if (!seen && !heard) {
+      if (contact.noticed_tick + 1 < world.tick() && contact.source == Contact::Source::kSight)
+        contact.source = Contact::Source::kMemory;
+      if (Seconds(actor, world.tick() - contact.noticed_tick) > static_cast<double>(senses.memory_s)) {
+        contacts.Erase(known);
+      } else {
+        ++known;
+      }
+      continue;
+    }
+    ++known;
+    contact.source = seen ? Contact::Source::kSight : Contact::Source::kHearing;
+    contact.noticed_tick = world.tick();
+    contact.position = place + Noise(actor);
+    contact.velocity = other.Velocity();
+    contact.forward = other.Forward();
+    contact.alive = other.Health() > 0;
+  }
+}
+
+void NoticeThings(Actor& actor, const FieldOfView& view, const world::BodiesAround* around) {
+  if (!actor.kind().senses.Has("objects")) return;
+  const world::World& world = actor.world();
+  auto& things = actor.things();
+  for (auto& [id, thing] : things) thing.visible = false;
+  for (const world::EntityId id : world.ObjectIds()) {
+    const world::Object& object = *world.FindObject(id);
+    if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
+      continue;
+    const Vec3 center = object.Position();
+    if (!view.Holds(center) || !HasLineOfSight(world, actor.body(), center, id, around)) continue;
+    SeenThing& thing = things[id];
+    if (thing.name.empty()) {
+      thing.name = actor.arena().NameOfObject(id);
+      thing.kind = actor.arena().places().items.contains(id) ? "item" : WordOf(object.kind());
+    }
+    thing.position = center;
+    if (actor.kind().senses.scene) {
+      thing.orientation = object.Orientation();
+      std::tie(thing.low, thing.high) = object.LocalBox();
+    }
+    thing.radius_m = object.Radius();
+    thing.moves = object.Mass() > 0;
+    thing.visible = true;
+    thing.seen_tick = world.tick();
+  }
+  // It forgets what it has not seen for long, and what is no longer where it was: it looks at the empty place.
+  const auto memory_s = static_cast<double>(actor.kind().senses.memory_s);
+  std::erase_if(things, [&](const auto& known) {
+    const SeenThing& thing = known.second;
+    if (thing.visible) return false;
+    if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
+    return view.Holds(thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first, around);
+  });
+}
+
 }  // namespace
 
 void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
@@ -394,95 +490,14 @@ void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard) {
   last = actor.board().posted();
 }
 
-void NoticeOthers(Actor& actor) {
+void Notice(Actor& actor) {
   const SenseSettings& senses = actor.kind().senses;
-  const world::World& world = actor.world();
-  const Vec3 here = actor.body().Position();
-  Contacts& contacts = actor.contacts();
   constexpr float kSlack_m = 0.01f;
   const auto near = AgentsNear(actor.body(), std::max({senses.sight_m, senses.hearing_m, 0.0f}) + kSlack_m);
-  // Where many stand close together, all lines of sight are tested against what is there.
-  constexpr std::size_t kMany = 8;
-  constexpr float kClose_m = 15;
-  std::optional<world::BodiesAround> around;
-  if (near.size() + contacts.size() > kMany && senses.sight_m <= kClose_m)
-    around = world::AroundEyes(actor.body(), senses.sight_m, senses.view_deg);
   const FieldOfView view(actor);
-  // Whom it may notice now or has noticed before, in ascending id: nobody else changes what it knows.
-  std::size_t known = 0;
-  for (auto next = near.begin(); next != near.end() || known < contacts.size();) {
-    const bool is_near = next != near.end() && (known == contacts.size() || *next <= contacts.At(known).first);
-    const world::EntityId id = is_near ? *next++ : contacts.At(known).first;
-    const bool is_known = known < contacts.size() && contacts.At(known).first == id;
-    if (id == actor.id()) {
-      known += is_known ? 1 : 0;
-      continue;
-    }
-    const world::Agent& other = *world.FindAgent(id);
-    const Vec3 place = other.Position();
-    const bool seen = view.Holds(place) && SeesAgent(actor.body(), other, around ? &*around : nullptr);
-    // Who runs is heard at the full range, who walks at a part of it.
-    const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
-    const bool heard = !seen && other.Health() > 0 && FlatDistance(here, place) <= senses.hearing_m * loudness;
-    if (!is_known && !seen && !heard) continue;
-    Contact& contact = (is_known ? contacts.At(known) : contacts.Insert(known, id)).second;
-    contact.visible = seen;
-    contact.agent = id;
-    if (!seen && !heard) {
-      if (contact.noticed_tick + 1 < world.tick() && contact.source == Contact::Source::kSight)
-        contact.source = Contact::Source::kMemory;
-      if (Seconds(actor, world.tick() - contact.noticed_tick) > static_cast<double>(senses.memory_s)) {
-        contacts.Erase(known);
-      } else {
-        ++known;
-      }
-      continue;
-    }
-    ++known;
-    contact.source = seen ? Contact::Source::kSight : Contact::Source::kHearing;
-    contact.noticed_tick = world.tick();
-    contact.position = place + Noise(actor);
-    contact.velocity = other.Velocity();
-    contact.forward = other.Forward();
-    contact.alive = other.Health() > 0;
-  }
-}
-
-void NoticeThings(Actor& actor) {
-  if (!actor.kind().senses.Has("objects")) return;
-  const world::World& world = actor.world();
-  auto& things = actor.things();
-  for (auto& [id, thing] : things) thing.visible = false;
-  const FieldOfView view(actor);
-  for (const world::EntityId id : world.ObjectIds()) {
-    const world::Object& object = *world.FindObject(id);
-    if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
-      continue;
-    const Vec3 center = object.Position();
-    if (!view.Holds(center) || !HasLineOfSight(world, actor.body(), center, id)) continue;
-    SeenThing& thing = things[id];
-    if (thing.name.empty()) {
-      thing.name = actor.arena().NameOfObject(id);
-      thing.kind = actor.arena().places().items.contains(id) ? "item" : WordOf(object.kind());
-    }
-    thing.position = center;
-    if (actor.kind().senses.scene) {
-      thing.orientation = object.Orientation();
-      std::tie(thing.low, thing.high) = object.LocalBox();
-    }
-    thing.radius_m = object.Radius();
-    thing.moves = object.Mass() > 0;
-    thing.visible = true;
-    thing.seen_tick = world.tick();
-  }
-  // It forgets what it has not seen for long, and what is no longer where it was: it looks at the empty place.
-  const auto memory_s = static_cast<double>(actor.kind().senses.memory_s);
-  std::erase_if(things, [&](const auto& known) {
-    const SeenThing& thing = known.second;
-    if (thing.visible) return false;
-    if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
-    return view.Holds(thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first);
-  });
+  const auto around = LookAround(actor, near.size() + actor.contacts().size());
+  NoticeOthers(actor, near, view, around ? &*around : nullptr);
+  NoticeThings(actor, view, around ? &*around : nullptr);
 }
 
 vocabulary::PerceptList AllPercepts(const Actor& actor) {

@@ -15,10 +15,8 @@ void SenseMessages(const Actor& actor, vocabulary::PerceptSink& sink);
 /// Makes the mirror show the same; looks only at messages after number `last`, the last one of the previous call, and
 /// leaves the others as they are until they are too old.
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
-/// Looks and listens: brings the actor's contacts up to date. Draws noise from the agent's own stream, in agent order.
-void NoticeOthers(Actor& actor);
-/// The same for things.
-void NoticeThings(Actor& actor);
+/// Looks and listens: brings the actor's contacts and things up to date. Draws noise from the agent's own stream.
+void Notice(Actor& actor);
 /// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
 void SenseSurroundings(const Actor& actor, vocabulary::PerceptSink& sink);
 void SenseSurroundings(const Actor& actor, InputMirror& mirror);

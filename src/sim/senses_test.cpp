@@ -43,7 +43,7 @@ class SensesTest : public testing::Test {
   vocabulary::PerceptList Seen() {
     world_.BeginTick();
     world_.PrepareForReaders();
-    NoticeOthers(*watcher_);
+    Notice(*watcher_);
     vocabulary::PerceptList seen;
     for (const vocabulary::Percept& percept : AllPercepts(*watcher_))
       if (percept.attribute == "agent") seen.push_back(percept);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "world/collision.h"
 #include "world/math.h"
 
 namespace soarbox::world {
@@ -25,6 +27,9 @@ class BodiesAround {
   BodiesAround(BodiesAround&&) noexcept;
   BodiesAround& operator=(BodiesAround&&) noexcept;
   ~BodiesAround();
+
+  /// World::RayCast from the view's place to one within the view.
+  std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
 
  private:
   friend class PhysicsWorld;

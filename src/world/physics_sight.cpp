@@ -111,6 +111,13 @@ NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
   VisitTouching(bodies, low, high, [&](const BoxedBody& each) {
     const btScalar x = each.x - view.place.x, z = each.z - view.place.z, radius = each.radius + slack_m_;
     if (edges.AreBeside(x, z, radius)) return;
+    if (each.body->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE) {
+      const auto& plane = static_cast<const btStaticPlaneShape&>(*each.body->getCollisionShape());
+      const btVector3 normal = each.body->getWorldTransform().getBasis() * plane.getPlaneNormal();
+      planes_.push_back(
+          {each, normal, normal.dot(each.body->getWorldTransform().getOrigin()) + plane.getPlaneConstant()});
+      return;
+    }
     const std::size_t lane = bodies_.size() % kLanes;
     bodies_.push_back(each);
     if (lane == 0) circles_.emplace_back();
@@ -119,17 +126,34 @@ NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
     four.z[lane] = z;
     four.radius[lane] = radius;
   });
+  constexpr std::size_t kMany = 64;
+  if (bodies_.size() < kMany) return;
+  directions_.emplace(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Circles& four = circles_[i / kLanes];
+    directions_->Add(i, four.x[i % kLanes], four.z[i % kLanes], four.radius[i % kLanes]);
+  }
 }
 
 /// A line of sight to two places above each other, seen from above.
 struct NearBodies::Line {
   Line(const btVector3& from, const btVector3& to, const btVector3& other)
-      : x(to.x() - from.x()),
+      : start(from),
+        x(to.x() - from.x()),
         z(to.z() - from.z()),
         length(std::sqrt(x * x + z * z)),
         eyes(from.y()),
         rise{to.y() - from.y(), other.y() - from.y()} {}
 
+  /// Whether one of the two may cross it.
+  bool MayCross(const Plane& plane, btScalar slack_m) const {
+    const btScalar above = plane.normal.dot(start) - plane.constant;
+    const btScalar level = above + plane.normal.x() * x + plane.normal.z() * z;
+    const btScalar one = level + plane.normal.y() * rise[0], other = level + plane.normal.y() * rise[1];
+    return std::min({above, one, other}) < slack_m && std::max({above, one, other}) > -slack_m;
+  }
+
+  btVector3 start;
   btScalar x, z, length, eyes;
   btScalar rise[2];
 };
@@ -138,7 +162,19 @@ struct NearBodies::Line {
 /// times the line's length, until it answers false; returns whether it never did.
 template <class Visit>
 bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
+  for (const Plane& plane : planes_)
+    if (line.MayCross(plane, slack_m_) && !visit(plane.body, 0, 0)) return false;
   const btScalar length_2 = line.length * line.length;
+  if (directions_) {
+    return directions_->VisitAlong(line.x, line.z, [&](std::size_t i) {
+      const Circles& four = circles_[i / kLanes];
+      const std::size_t lane = i % kLanes;
+      const btScalar along = four.x[lane] * line.x + four.z[lane] * line.z;
+      const btScalar beside = four.x[lane] * line.z - four.z[lane] * line.x, radius = four.radius[lane] * line.length;
+      const bool near = std::abs(beside) <= radius && along >= -radius && along <= radius + length_2;
+      return !near || visit(bodies_[i], along, beside);
+    });
+  }
   for (std::size_t n = 0; n < circles_.size(); ++n) {
     const Circles& four = circles_[n];
     const Four along = four.x * line.x + four.z * line.z, beside = four.x * line.z - four.z * line.x;
@@ -174,6 +210,17 @@ bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to
   return VisitBodies(bodies, from, to, share, [&](const btCollisionObject& body) {
     return &body == viewer || &body == target || !IsEnteredBefore(body, from, to, share);
   });
+}
+
+FirstHit NearBodies::FindFirst(const btVector3& from, const btVector3& to) const {
+  FirstHit first;
+  btScalar share = 1;
+  const Probe probe(from, to);
+  VisitNear(Line(from, to, to), [&](const BoxedBody& each, btScalar, btScalar) {
+    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
+    return true;
+  });
+  return first;
 }
 
 bool NearBodies::IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "world/bodies_around.h"
+#include "world/physics_directions.h"
 #include "world/physics_probe.h"
 #include "world/physics_trees.h"
 
@@ -18,8 +20,8 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
 bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target);
 
-/// The bodies around somebody who looks, for many segments from there. It passes over four bodies at a time if the
-/// segment, seen from above, does not come near them.
+/// The bodies around somebody who looks, for many segments from there. It tests those which the segment, seen from
+/// above, comes near: of a few it passes over four at a time, of many it looks at those in the segment's direction.
 class NearBodies {
  public:
   NearBodies(const AllBodies& bodies, const View& view);
@@ -27,6 +29,8 @@ class NearBodies {
   /// Whether the segment to one of two places above each other, within the view, is clear (IsClear).
   bool IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,
                        const btCollisionObject* viewer, const btCollisionObject* target) const;
+  /// FindFirstHit of a segment from there to a place within the view.
+  FirstHit FindFirst(const btVector3& from, const btVector3& to) const;
 
  private:
   static constexpr std::size_t kLanes = 4;
@@ -34,6 +38,13 @@ class NearBodies {
   /// Circles around four bodies, seen from above, about the place.
   struct Circles {
     Four x{}, z{}, radius{};
+  };
+
+  /// A plane is on all lines seen from above, but few cross it.
+  struct Plane {
+    BoxedBody body;
+    btVector3 normal;
+    btScalar constant;
   };
 
   struct Line;
@@ -46,6 +57,8 @@ class NearBodies {
   btScalar slack_m_;  ///< More than what rounding can take away.
   std::vector<BoxedBody> bodies_;
   std::vector<Circles> circles_;
+  std::vector<Plane> planes_;
+  std::optional<Directions> directions_;  ///< Of the circles, if there are many.
 };
 
 }  // namespace soarbox::world

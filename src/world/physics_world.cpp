@@ -545,6 +545,13 @@ BodiesAround::BodiesAround(BodiesAround&&) noexcept = default;
 BodiesAround& BodiesAround::operator=(BodiesAround&&) noexcept = default;
 BodiesAround::~BodiesAround() = default;
 
+std::optional<RayHit> BodiesAround::RayCast(Vec3 from, Vec3 to) const {
+  if (!IsFinite(from) || !IsFinite(to)) return std::nullopt;
+  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
+  if (begin == end) return std::nullopt;
+  return HitOf(bodies_->near.FindFirst(ToBullet(begin), ToBullet(end)), begin, end);
+}
+
 bool PhysicsWorld::IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target,
                                    const BodiesAround* around) const {
   const btVector3 begin = ToBullet(from), end = ToBullet(to), other_end = ToBullet(other);

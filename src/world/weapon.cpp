@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "world/agent.h"
+#include "world/bodies_around.h"
 #include "world/random.h"
 #include "world/state_hash.h"
 #include "world/world.h"
@@ -34,10 +35,10 @@ Vec3 EyesOf(const Agent& agent) {
   return eyes;
 }
 
-bool HasLineOfSight(const World& world, const Agent& from, Vec3 to, EntityId target) {
+bool HasLineOfSight(const World& world, const Agent& from, Vec3 to, EntityId target, const BodiesAround* around) {
   const Vec3 eyes = EyesOf(from);
   if (LengthSquared(to - eyes) < 1e-6f) return true;
-  const std::optional<RayHit> hit = world.RayCast(eyes, to);
+  const std::optional<RayHit> hit = around != nullptr ? around->RayCast(eyes, to) : world.RayCast(eyes, to);
   return !hit || hit->entity == target || hit->entity == from.id();
 }
 

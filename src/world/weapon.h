@@ -10,6 +10,7 @@
 namespace soarbox::world {
 
 class Agent;
+class BodiesAround;
 class StateHash;
 class World;
 
@@ -68,7 +69,9 @@ class Weapon {
 
 /// Where an agent looks from: a little below the top of its capsule.
 Vec3 EyesOf(const Agent& agent);
-/// Whether nothing but the target itself is between an agent's eyes and a point.
-bool HasLineOfSight(const World& world, const Agent& from, Vec3 to, EntityId target);
+/// Whether nothing but the target itself is between an agent's eyes and a point. `around`: AroundEyes of the agent, if
+/// the point is in that view.
+bool HasLineOfSight(const World& world, const Agent& from, Vec3 to, EntityId target,
+                    const BodiesAround* around = nullptr);
 
 }  // namespace soarbox::world

@@ -10,6 +10,7 @@
 #include "world/random.h"
 #include "world/rotation.h"
 #include "world/sight.h"
+#include "world/weapon.h"
 #include "world/world.h"
 
 // What is cheap in crowds gives the same answers as rays through the broad phase's trees, to the last bit.
@@ -143,7 +144,8 @@ TEST(WorldWays, AWayIsOpenIfItsThreeRaysHitNothingOrTheWalkersOwnFirst) {
 }
 
 TEST(WorldWays, AgentsSeeTheSameAmongTheBodiesAroundThem) {
-  int seen = 0, hidden = 0;
+  // More than sixty bodies are looked for by direction: most views to all sides, and none of the narrow ones.
+  int seen = 0, hidden = 0, hits = 0;
   for (const bool is_prepared : {false, true}) {
     for (const Vec3 middle : kMiddles) {
       for (const float angle_deg : {60.0f, 200.0f, 360.0f}) {
@@ -173,13 +175,22 @@ TEST(WorldWays, AgentsSeeTheSameAmongTheBodiesAroundThem) {
         for_all([&](const Agent& viewer, const Agent& target, const BodiesAround& around) {
           EXPECT_EQ(SeesAgent(viewer, target, &around), wanted[at]) << at;
           EXPECT_EQ(SeesAgent(viewer, target), wanted[at]) << at;
+          const auto hit = world.RayCast(EyesOf(viewer), target.Position());
+          const auto same = around.RayCast(EyesOf(viewer), target.Position());
+          ASSERT_EQ(same.has_value(), hit.has_value()) << at;
           ++at;
+          if (!hit) return;
+          ++hits;
+          EXPECT_EQ(same->entity, hit->entity);
+          EXPECT_EQ(same->point, hit->point);
+          EXPECT_EQ(same->normal, hit->normal);
         });
       }
     }
   }
   EXPECT_GT(seen, 2000);
   EXPECT_GT(hidden, 2000);
+  EXPECT_GT(hits, 4000);
 }
 
 TEST(WorldWays, WhatMovesAfterRaysWerePreparedIsFoundWhereItIs) {
