@@ -1,6 +1,6 @@
 # What `cmake --install` puts into a prefix. Each component becomes a Debian package (packaging/debian, packaging/make_debs):
 #
-# command        the command with its scenarios, lessons, media, the page for browsers, manual pages and completion
+# command        the command and the server, with its scenarios, lessons, media, the page for browsers, manual pages and completion
 # window         the program with the window, which needs Ogre and SDL
 # library        the client library; development: its headers, a CMake package (find_package(Soarbox), target
 #                Soarbox::sml) and a pkg-config file (soarbox-sml)
@@ -8,7 +8,7 @@
 # python, java   the library for other languages (bindings)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS soarbox RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+install(TARGETS soarbox soarbox_server RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 if(TARGET soarbox_window)
   install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT window)
 endif()

@@ -18,6 +18,8 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/next_run.h"
+#include "app/other_program.h"
+#include "app/refuse.h"
 #include "app/run_session.h"
 #include "app/usage_errors.h"
 #include "app/usage_text.h"
@@ -66,7 +68,20 @@ int FollowedByOthers(int code, const RunOptions& first) {
   return code;
 }
 
-int Main(int argc, char** argv) {
+/// Shows pages in browsers; where this program has no server, as the one that has.
+int WithServer(const PageServer* server, char** argv, const CommandOptions& options, bool is_replay) {
+  if (server == nullptr) {
+    GoOnAs("soarbox-serve", argv);
+    return Refuse("this build has no server for browsers",
+                  "./dev serve builds it, which puts soarbox-serve beside this program");
+  }
+  if (options.run.browser)
+    return server->Show({options.run.scenario, {}, options.run.seed, options.run.page, options.run.dis});
+  if (is_replay) return server->Show({{}, options.recording.file, {}, options.recording.page, {}});
+  return server->Serve(options.serve);
+}
+
+int Main(int argc, char** argv, const PageServer* server) {
   CLI::App program("Soarbox: a 3D sandbox in which people learn and develop Soar agents", "soarbox");
   program.set_version_flag("--version", SOARBOX_VERSION);
   program.require_subcommand(1);
@@ -101,20 +116,19 @@ int Main(int argc, char** argv) {
     }
     return kUsage;
   }
-  if (program.got_subcommand("run") && options.run.browser)
-    return ShowInBrowser({options.run.scenario, {}, options.run.seed, options.run.page, options.run.dis});
-  if (program.got_subcommand("replay") && options.recording.browser)
-    return ShowInBrowser({{}, options.recording.file, {}, options.recording.page, {}});
+  const bool is_replay = program.got_subcommand("replay");
+  if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
+    return WithServer(server, argv, options, is_replay);
   // Before anything is done that would be done twice.
   if ((program.got_subcommand("run") && !options.run.headless) ||
       (program.got_subcommand("learn") && !options.learn.headless) ||
-      (program.got_subcommand("replay") && !options.recording.headless && !options.recording.json)) {
+      (is_replay && !options.recording.headless && !options.recording.json)) {
     GoOnInWindow(argv);
   }
   if (program.got_subcommand("run")) return FollowedByOthers(Run(options.run), options.run);
   if (program.got_subcommand("inspect")) return Inspect(options.inspect);
   if (program.got_subcommand("soar")) return RunSoarShell(options.soar);
-  if (program.got_subcommand("replay")) {
+  if (is_replay) {
     static_cast<WindowWishes&>(options.run) = options.recording;
     return FollowedByOthers(Replay(options.recording), options.run);
   }
@@ -134,7 +148,6 @@ int Main(int argc, char** argv) {
   if (program.got_subcommand("lsp")) return ServeLanguage();
   if (program.got_subcommand("dap")) return ServeDebugger();
   if (program.got_subcommand("mcp")) return ServeAssistant(options.assistant_folder);
-  if (program.got_subcommand("serve")) return ServePages(options.serve);
   if (program.got_subcommand("engine")) return Engine(options.engine);
   if (program.got_subcommand("help")) return Help(program, options.help, SOARBOX_VERSION);
   if (program.got_subcommand("new")) return NewScenario(options.made);
@@ -165,14 +178,14 @@ void TellNoMemory() {
 
 }  // namespace
 
-int CommandLine(int argc, char** argv, const Window* window) {
+int CommandLine(int argc, char** argv, const Window* window, const PageServer* server) {
   SetProgramWindow(window);
   if (window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
   // A file that may not grow any further is told of where it is written; the signal would end the program before.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const int code = Main(argc, argv);
+    const int code = Main(argc, argv, server);
     std::cout.flush();
     if (std::cout) return code;
     if (WasInterrupted()) return 128 + SIGPIPE;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include "app/page_server.h"
 #include "app/window.h"
 
 namespace soarbox::app {
 
-/// The soarbox command: does what its arguments ask for. `window` shows runs and recordings; null: this
-/// program has none. Returns an ExitCode.
-int CommandLine(int argc, char** argv, const Window* window);
+/// The soarbox command: does what its arguments ask for. `window` shows runs and recordings, `server` serves pages;
+/// null: this program has none. Returns an ExitCode.
+int CommandLine(int argc, char** argv, const Window* window, const PageServer* server);
 
 }  // namespace soarbox::app

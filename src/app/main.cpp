@@ -2,5 +2,5 @@
 #include "app/command_line.h"
 
 int main(int argc, char** argv) {
-  return soarbox::app::CommandLine(argc, argv, nullptr);
+  return soarbox::app::CommandLine(argc, argv, nullptr, nullptr);
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/window.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
+
+#include "app/other_program.h"
 
 namespace soarbox::app {
 namespace {
@@ -44,12 +42,9 @@ bool HasDisplay() {
 
 void GoOnInWindow(char** argv) {
   if (ProgramWindow() != nullptr || !HasDisplay()) return;
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return;
   // Both programs are one build, though the linker gives each an id of its own.
   setenv(kWindowOf, record::BuildId().c_str(), 1);
-  execv((self.parent_path() / "soarbox-window").c_str(), argv);
+  GoOnAs("soarbox-window", argv);
   unsetenv(kWindowOf);
 }
 

@@ -106,3 +106,12 @@ class Usage(ScenarioCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("this build has no window: the world runs headless", done.stderr)
         self.assertIn("soarbox-window beside this program", done.stderr)
+
+    def test_says_where_the_server_comes_from_where_it_is_not_beside_it(self):
+        alone = pathlib.Path(self.folder) / "soarbox"
+        shutil.copy(COMMAND, alone)
+        for words in (["serve"], ["run", "soar_seek", "--browser"]):
+            done = subprocess.run([alone, *words], capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual((done.returncode, done.stdout), (3, ""), done.stderr)
+            self.assertIn("this build has no server for browsers", done.stderr)
+            self.assertIn("soarbox-serve beside this program", done.stderr)

@@ -26,5 +26,5 @@ class ViewerWindow final : public app::Window {
 
 int main(int argc, char** argv) {
   const ViewerWindow window;
-  return app::CommandLine(argc, argv, &window);
+  return app::CommandLine(argc, argv, &window, nullptr);
 }

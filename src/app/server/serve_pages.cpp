@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "app/serve_command.h"
+#include "app/server/serve_pages.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -145,11 +145,12 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   return settings;
 }
 
-Result<std::string> ThisProgram() {
+/// The program that runs engines: soarbox, which lies beside this one.
+Result<std::string> EngineProgram() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
   if (error) return NewProblem("the program does not find itself: " + error.message());
-  return program.string();
+  return (self.parent_path() / "soarbox").string();
 }
 
 /// Opens a link in the user's browser, if there is a program that does it.
@@ -185,7 +186,7 @@ int ServePages(const ServeOptions& options) {
   if (options.open && !IsThisMachine(settings->address))
     std::cerr << "soarbox: warning: ANYBODY WHO REACHES " << settings->address
               << " CAN RUN WORLDS ON THIS MACHINE (--open)\n";
-  const Result<std::string> program = ThisProgram();
+  const Result<std::string> program = EngineProgram();
   if (!program) return Refuse(program.error());
   auto catalog = std::make_unique<const ShippedCatalog>(*data);
   if (!options.scenario.empty()) {
@@ -212,7 +213,7 @@ int ServePages(const ServeOptions& options) {
 int ShowInBrowser(const BrowserOptions& shown) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
-  const Result<std::string> program = ThisProgram();
+  const Result<std::string> program = EngineProgram();
   if (!program) return Refuse(program.error());
   ServeOptions options;
   options.listen = "127.0.0.1:0";

@@ -24,10 +24,7 @@ struct ServeOptions {
   std::filesystem::path page;  ///< Empty: the one that comes with the program.
 };
 
-/// Serves until Ctrl-C. Returns an ExitCode.
-int ServePages(const ServeOptions& options);
-
-/// Shows one run or one recording of the user's own in the browser of this machine, until its page is closed.
+/// What to show in the browser of this machine: one run or one recording of the user's own.
 struct BrowserOptions {
   std::string run;                  ///< As for `soarbox run`.
   std::filesystem::path recording;  ///< Or a recording.
@@ -35,6 +32,20 @@ struct BrowserOptions {
   std::filesystem::path page;  ///< As for `soarbox serve`.
   std::string dis;             ///< As for `soarbox run`.
 };
-int ShowInBrowser(const BrowserOptions& options);
+
+/// Serves pages to browsers. Like the window (window.h) it belongs to a program of its own, soarbox-serve, as which
+/// soarbox goes on where pages are wanted: it takes long to compile, and whoever opens a window does not need it.
+class PageServer {
+ public:
+  PageServer() = default;
+  PageServer(const PageServer&) = delete;
+  PageServer& operator=(const PageServer&) = delete;
+  virtual ~PageServer() = default;
+
+  /// Serves until Ctrl-C. Returns an ExitCode.
+  virtual int Serve(const ServeOptions& options) const = 0;
+  /// Shows this until its page is closed. Returns an ExitCode.
+  virtual int Show(const BrowserOptions& options) const = 0;
+};
 
 }  // namespace soarbox::app
