@@ -34,5 +34,26 @@ inline float WrapDegrees(float degrees) {
 inline float BearingOf(world::Vec3 from, world::Vec3 forward, world::Vec3 to) {
   return WrapDegrees(HeadingOf(to - from) - HeadingOf(forward));
 }
+/// A number that rounds to the same whole degree as BearingOf, for a sixth of its price: exact where it is close to a
+/// half.
+inline float BearingToRound(world::Vec3 from, world::Vec3 forward, world::Vec3 to) {
+  const world::Vec3 way = to - from;
+  const float along = way.x * forward.x + way.z * forward.z, across = way.x * forward.z - way.z * forward.x;
+  const float more = std::max(std::abs(along), std::abs(across)), less = std::min(std::abs(along), std::abs(across));
+  constexpr float kLeast = 1e-6f;
+  if (more > kLeast) {
+    // The arc tangent up to 1, in degrees: a polynomial through six of its points, off by less than 0.0002.
+    const float ratio = less / more, t = ratio * ratio;
+    const float arc =
+        ratio *
+        (57.2954836f + t * (-19.0770372f + t * (11.1925352f + t * (-6.9011956f + t * (3.2423673f + t * -0.7523155f)))));
+    const float from_along = std::abs(across) > std::abs(along) ? 90 - arc : arc;
+    const float degrees = along < 0 ? 180 - from_along : from_along;
+    constexpr float kUnsure_deg = 0.01f;
+    const float past_half = degrees - static_cast<float>(static_cast<int>(degrees)) - 0.5f;
+    if (std::abs(past_half) > kUnsure_deg && degrees < 179) return std::copysign(degrees, across);
+  }
+  return BearingOf(from, forward, to);
+}
 
 }  // namespace soarbox::sim

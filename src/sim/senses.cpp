@@ -44,16 +44,13 @@ std::string_view NameOfAgent(const Actor& actor, world::EntityId id) {
   return agent == nullptr ? std::string_view() : agent->name();
 }
 
-/// Where an actor stands and which way it faces, worked out once for all that it looks at.
+/// Where an actor stands and which way it faces, read once for all that it looks at.
 struct Standpoint {
-  explicit Standpoint(const Actor& actor)
-      : position(actor.body().Position()), heading_deg(HeadingOf(actor.body().Forward())) {}
-  double BearingTo(Vec3 point) const {
-    return static_cast<double>(WrapDegrees(HeadingOf(point - position) - heading_deg));
-  }
+  explicit Standpoint(const Actor& actor) : position(actor.body().Position()), forward(actor.body().Forward()) {}
+  /// To whole degrees, as all bearings are perceived.
+  double BearingTo(Vec3 point) const { return static_cast<double>(BearingToRound(position, forward, point)); }
 
-  Vec3 position;
-  float heading_deg;
+  Vec3 position, forward;
 };
 
 std::string_view WeaponWord(const Actor& actor) {
@@ -217,7 +214,7 @@ void SenseAgents(const Actor& actor, Sink& sink) {
     sink.Close();
     sink.Number(RowOf("agent.speed"), static_cast<double>(world::Length(Flat(contact.velocity))));
     sink.Number(RowOf("agent.facing"),
-                std::abs(static_cast<double>(BearingOf(contact.position, contact.forward, here.position))));
+                std::abs(static_cast<double>(BearingToRound(contact.position, contact.forward, here.position))));
     sink.Word(RowOf("agent.alive"), YesNo(contact.alive));
     const double age_s = Seconds(actor, actor.world().tick() - contact.noticed_tick);
     const double base = contact.visible ? 1 : contact.source == Contact::Source::kHearing ? 0.6 : 0.9;

@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "sim/arena.h"
+#include "sim/directions.h"
 #include "sim/scene_sense.h"
 #include "sim/soar_mind.h"
 #include "sml_Client.h"
+#include "vocabulary/vocabulary_percepts.h"
+#include "world/random.h"
 
 namespace soarbox::sim {
 namespace {
@@ -161,6 +165,25 @@ TEST_F(SensesTest, MessagesAreHeardOnceAndForgottenAfterThreeSeconds) {
   EXPECT_EQ(changes(), 1u);
   EXPECT_EQ(changes(), 0u);
   kernel->Shutdown();
+}
+
+TEST(Directions, ABearingToRoundIsTheBearingInWholeDegrees) {
+  world::RandomStream random(5, 1);
+  const auto any = [&] { return random.Unit() * 2 - 1; };
+  for (int i = 0; i < 200'000; ++i) {
+    const float reach_m = i % 3 == 0 ? 0.01f : i % 3 == 1 ? 30.0f : 90'000.0f;
+    const world::Vec3 from{any() * reach_m, 1, any() * reach_m};
+    world::Vec3 forward = i % 5 == 0 ? world::Vec3{any(), any(), any()} : AlongHeading(any() * 180);
+    if (i % 1000 == 0) forward = {0, i % 2000 == 0 ? 1.0f : 0.0f, 0};
+    // Close to a half of a degree, to the front, the back and the sides, too.
+    const float off_deg = std::round(any() * 180) + (i % 2 == 0 ? 0.5f + any() * 0.02f : any() * 0.02f);
+    world::Vec3 to = from + AlongHeading(HeadingOf(forward) + off_deg) * (random.Unit() * reach_m);
+    if (i % 700 == 0) to = from;
+    const auto perceived = [](float bearing_deg) {
+      return *vocabulary::AsPerceived(vocabulary::RowOf("agent.bearing"), static_cast<double>(bearing_deg));
+    };
+    ASSERT_EQ(perceived(BearingToRound(from, forward, to)), perceived(BearingOf(from, forward, to))) << i;
+  }
 }
 
 }  // namespace

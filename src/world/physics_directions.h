@@ -16,9 +16,11 @@ namespace soarbox::world {
 /// hundreds of bodies looks at the few of its own direction.
 class Directions {
  public:
-  /// For so many circles, whose numbers are below this.
-  explicit Directions(std::size_t count)
-      : words_((count + kBits - 1) / kBits), marks_((kDirections + 1) * words_, std::uint64_t{0}) {}
+  /// Makes room for so many circles, whose numbers are below this.
+  void Reset(std::size_t count) {
+    words_ = (count + kBits - 1) / kBits;
+    marks_.assign((kDirections + 1) * words_, 0);
+  }
 
   /// A circle about that place, from the viewer.
   void Add(std::size_t number, btScalar x, btScalar z, btScalar radius) {
@@ -48,7 +50,7 @@ class Directions {
   }
 
  private:
-  static constexpr std::size_t kBits = 64, kDirections = 128;
+  static constexpr std::size_t kBits = 64, kDirections = 64;
   static constexpr btScalar kFull = 4, kOfTurn = kDirections / kFull;
 
   /// Grows with the angle, from 0 to 4.
@@ -61,7 +63,7 @@ class Directions {
     marks_[direction * words_ + number / kBits] |= 1ull << (number % kBits);
   }
 
-  std::size_t words_;                 ///< Of each direction.
+  std::size_t words_ = 0;             ///< Of each direction.
   std::vector<std::uint64_t> marks_;  ///< By direction; those around the viewer lie in all of them and come last.
 };
 

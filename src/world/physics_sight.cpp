@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <numbers>
 
 #include "world/limits.h"
@@ -75,12 +73,16 @@ btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, 
 /// How far the target reaches from above or below that place, to any side.
 btScalar ReachOf(const btCollisionObject* target, const btVector3& place) {
   if (target == nullptr) return 0;
-  btVector3 middle;
+  const btCollisionShape& shape = *target->getCollisionShape();
+  btVector3 middle = target->getWorldTransform().getOrigin();
   btScalar radius = 0;
-  target->getCollisionShape()->getBoundingSphere(middle, radius);
-  if (target->getCollisionShape()->getShapeType() == CAPSULE_SHAPE_PROXYTYPE && Stands(*target))
-    radius = static_cast<const btCapsuleShape*>(target->getCollisionShape())->getRadius();
-  const btVector3 off = target->getWorldTransform() * middle - place;
+  if (shape.getShapeType() == CAPSULE_SHAPE_PROXYTYPE && Stands(*target)) {
+    radius = static_cast<const btCapsuleShape&>(shape).getRadius();
+  } else {
+    shape.getBoundingSphere(middle, radius);
+    middle = target->getWorldTransform() * middle;
+  }
+  const btVector3 off = middle - place;
   return radius + std::sqrt(off.x() * off.x() + off.z() * off.z());
 }
 
@@ -99,7 +101,6 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
 NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
   constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);
-  circles_.reserve(kUsual / kLanes);
   constexpr float kBeyond_m = 0.1f, kHigh_m = 1e6f;
   const Vec3 reach{view.range_m + kBeyond_m, kHigh_m, view.range_m + kBeyond_m};
   const btVector3 low = ToBullet(LimitPosition(view.place - reach)), high = ToBullet(LimitPosition(view.place + reach));
@@ -118,21 +119,13 @@ NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
           {each, normal, normal.dot(each.body->getWorldTransform().getOrigin()) + plane.getPlaneConstant()});
       return;
     }
-    const std::size_t lane = bodies_.size() % kLanes;
     bodies_.push_back(each);
-    if (lane == 0) circles_.emplace_back();
-    Circles& four = circles_.back();
-    four.x[lane] = x;
-    four.z[lane] = z;
-    four.radius[lane] = radius;
+    bodies_.back().x = x;
+    bodies_.back().z = z;
   });
-  constexpr std::size_t kMany = 64;
-  if (bodies_.size() < kMany) return;
-  directions_.emplace(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Circles& four = circles_[i / kLanes];
-    directions_->Add(i, four.x[i % kLanes], four.z[i % kLanes], four.radius[i % kLanes]);
-  }
+  directions_.Reset(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    directions_.Add(i, bodies_[i].x, bodies_[i].z, bodies_[i].radius + slack_m_);
 }
 
 /// A line of sight to two places above each other, seen from above.
@@ -165,29 +158,13 @@ bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
   for (const Plane& plane : planes_)
     if (line.MayCross(plane, slack_m_) && !visit(plane.body, 0, 0)) return false;
   const btScalar length_2 = line.length * line.length;
-  if (directions_) {
-    return directions_->VisitAlong(line.x, line.z, [&](std::size_t i) {
-      const Circles& four = circles_[i / kLanes];
-      const std::size_t lane = i % kLanes;
-      const btScalar along = four.x[lane] * line.x + four.z[lane] * line.z;
-      const btScalar beside = four.x[lane] * line.z - four.z[lane] * line.x, radius = four.radius[lane] * line.length;
-      const bool near = std::abs(beside) <= radius && along >= -radius && along <= radius + length_2;
-      return !near || visit(bodies_[i], along, beside);
-    });
-  }
-  for (std::size_t n = 0; n < circles_.size(); ++n) {
-    const Circles& four = circles_[n];
-    const Four along = four.x * line.x + four.z * line.z, beside = four.x * line.z - four.z * line.x;
-    const Four radius = four.radius * line.length;
-    const auto near = (beside <= radius) & (beside >= -radius) & (along >= -radius) & (along <= radius + length_2);
-    std::uint64_t halves[2];
-    static_assert(sizeof(halves) == sizeof(near));
-    std::memcpy(halves, &near, sizeof(halves));
-    if ((halves[0] | halves[1]) == 0) continue;
-    for (std::size_t lane = 0; lane < kLanes && n * kLanes + lane < bodies_.size(); ++lane)
-      if (near[lane] != 0 && !visit(bodies_[n * kLanes + lane], along[lane], beside[lane])) return false;
-  }
-  return true;
+  return directions_.VisitAlong(line.x, line.z, [&](std::size_t i) {
+    const BoxedBody& each = bodies_[i];
+    const btScalar along = each.x * line.x + each.z * line.z, beside = each.x * line.z - each.z * line.x;
+    const btScalar radius = (each.radius + slack_m_) * line.length;
+    const bool near = std::abs(beside) <= radius && along >= -radius && along <= radius + length_2;
+    return !near || visit(each, along, beside);
+  });
 }
 
 /// Whether it certainly hides all that is farther away than `before`, a share of the line: the line passes through it

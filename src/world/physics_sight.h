@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "world/bodies_around.h"
@@ -20,8 +18,8 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
 bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target);
 
-/// The bodies around somebody who looks, for many segments from there. It tests those which the segment, seen from
-/// above, comes near: of a few it passes over four at a time, of many it looks at those in the segment's direction.
+/// The bodies around somebody who looks, for many segments from there: each looks at those of its own direction that it
+/// comes near, seen from above.
 class NearBodies {
  public:
   NearBodies(const AllBodies& bodies, const View& view);
@@ -33,13 +31,6 @@ class NearBodies {
   FirstHit FindFirst(const btVector3& from, const btVector3& to) const;
 
  private:
-  static constexpr std::size_t kLanes = 4;
-  using Four [[gnu::vector_size(16)]] = btScalar;
-  /// Circles around four bodies, seen from above, about the place.
-  struct Circles {
-    Four x{}, z{}, radius{};
-  };
-
   /// A plane is on all lines seen from above, but few cross it.
   struct Plane {
     BoxedBody body;
@@ -54,11 +45,10 @@ class NearBodies {
   bool HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before, btScalar along,
                        btScalar beside) const;
 
-  btScalar slack_m_;  ///< More than what rounding can take away.
-  std::vector<BoxedBody> bodies_;
-  std::vector<Circles> circles_;
+  btScalar slack_m_;               ///< More than what rounding can take away.
+  std::vector<BoxedBody> bodies_;  ///< Their circles are about the viewer.
   std::vector<Plane> planes_;
-  std::optional<Directions> directions_;  ///< Of the circles, if there are many.
+  Directions directions_;  ///< Of the bodies.
 };
 
 }  // namespace soarbox::world

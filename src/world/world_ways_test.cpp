@@ -144,7 +144,6 @@ TEST(WorldWays, AWayIsOpenIfItsThreeRaysHitNothingOrTheWalkersOwnFirst) {
 }
 
 TEST(WorldWays, AgentsSeeTheSameAmongTheBodiesAroundThem) {
-  // More than sixty bodies are looked for by direction: most views to all sides, and none of the narrow ones.
   int seen = 0, hidden = 0, hits = 0;
   for (const bool is_prepared : {false, true}) {
     for (const Vec3 middle : kMiddles) {
