@@ -103,11 +103,9 @@ void SensePath(const Actor& actor, Sink& sink) {
   sink.Word(RowOf("path.status"), actor.way().status);
   if (!actor.way().command.empty()) sink.Word(RowOf("path.command"), actor.way().command);
   if (actor.way().remaining_m) sink.Number(RowOf("path.remaining"), static_cast<double>(*actor.way().remaining_m));
-  constexpr float kAhead_m = 3;
-  Vec3 eye = actor.body().Position();
-  eye.y += 0.4f - actor.body().Height() / 2;
-  const Vec3 ahead = eye + actor.body().Forward() * (kAhead_m + actor.body().Radius());
-  sink.Word(RowOf("path.free-ahead"), YesNo(!actor.world().RayCast(eye, ahead)));
+  constexpr float kAhead_m = 3, kHeight_m = 0.4f;
+  const bool is_free = IsFreeAhead(actor.body(), kAhead_m + actor.body().Radius(), kHeight_m);
+  sink.Word(RowOf("path.free-ahead"), YesNo(is_free));
   sink.Close();
 }
 

@@ -98,6 +98,23 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
   return first;
 }
 
+bool EntersNothing(const AllBodies& bodies, const btVector3& from, const btVector3& to) {
+  const btVector3 along = to - from;
+  // Most bodies about a short segment are beside it, seen from above.
+  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
+  const btScalar length = std::sqrt(along.x() * along.x() + along.z() * along.z());
+  const btScalar slack_m = kSlack_m + kSlack * (std::abs(from.x()) + std::abs(from.z()) + length);
+  const Probe probe(from, to);
+  const auto misses = [&](const BoxedBody& each) {
+    const btScalar beside = (each.x - from.x()) * along.z() - (each.z - from.z()) * along.x();
+    return std::abs(beside) > (each.radius + slack_m) * length || !probe.Meets(each.box, 1) ||
+           !EntryOf(*each.body, from, to);
+  };
+  if (bodies.field.is_known() && along.length2() < BodyField::kLongest_m * BodyField::kLongest_m)
+    return bodies.field.VisitAlong(from, to, misses);
+  return FindFirstHit(bodies, from, to).body == nullptr;
+}
+
 NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
   constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);

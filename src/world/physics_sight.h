@@ -14,6 +14,9 @@ namespace soarbox::world {
 /// The first body that the segment enters; of several at one point, the one with the smallest owner.
 FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVector3& to);
 
+/// Whether the segment enters no body: FindFirstHit finds none.
+bool EntersNothing(const AllBodies& bodies, const btVector3& from, const btVector3& to);
+
 /// Whether nothing but these two is on the segment in front of the target. The target may be null.
 bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target);

@@ -37,7 +37,7 @@ bool LevelWays::Segment::Enters(const BoxedBody& each) const {
 }
 
 LevelWays::LevelWays(const Walker& walker, float reach_m) : walker_(walker), reach_m_(reach_m) {
-  constexpr std::size_t kUsual = 32;
+  constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);
   circles_.reserve(kUsual / kLanes);
   constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;

@@ -531,6 +531,10 @@ std::optional<RayHit> PhysicsWorld::RayCast(Vec3 from, Vec3 to) const {
   return HitOf(FindFirstHit(impl_->all, ToBullet(from), ToBullet(to)), from, to);
 }
 
+bool MeetsNothing(const PhysicsWorld& physics, Vec3 from, Vec3 to) {
+  return from == to || EntersNothing(physics.impl_->all, ToBullet(from), ToBullet(to));
+}
+
 void PhysicsWorld::PrepareRays() {
   if (!impl_->field.is_known()) impl_->field.Build(impl_->broadphase);
 }

@@ -125,11 +125,15 @@ class PhysicsWorld {
  private:
   friend class BodiesAround;
   friend class WaysAround;
+  friend bool MeetsNothing(const PhysicsWorld& physics, Vec3 from, Vec3 to);
   struct Body;
   struct Impl;
   Body& Get(BodyId body) const;
 
   std::unique_ptr<Impl> impl_;
 };
+
+/// Whether RayCast hits nothing: cheaper than to find what it hits.
+bool MeetsNothing(const PhysicsWorld& physics, Vec3 from, Vec3 to);
 
 }  // namespace soarbox::world

@@ -21,6 +21,14 @@ BodiesAround AroundEyes(const Agent& from, float range_m, float angle_deg) {
   return BodiesAround(AgentStore::Of(from).physics(), {EyesOf(from), range_m, from.Forward(), angle_deg});
 }
 
+bool IsFreeAhead(const Agent& from, float ahead_m, float height_m) {
+  Vec3 place = from.Position();
+  place.y += height_m - from.Height() / 2;
+  const Vec3 end = place + from.Forward() * ahead_m;
+  if (!IsFinite(place) || !IsFinite(end)) return true;
+  return MeetsNothing(AgentStore::Of(from).physics(), LimitPosition(place), LimitPosition(end));
+}
+
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m) {
   const AgentStore& store = AgentStore::Of(agent);
   std::vector<std::uint32_t> indices;

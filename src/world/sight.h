@@ -16,6 +16,10 @@ bool SeesAgent(const Agent& from, const Agent& target, const BodiesAround* aroun
 /// looks at many nearby.
 BodiesAround AroundEyes(const Agent& from, float range_m, float angle_deg);
 
+/// Whether nothing is straight ahead of an agent, so far from its place and so much above its feet: World::RayCast hits
+/// nothing.
+bool IsFreeAhead(const Agent& from, float ahead_m, float height_m);
+
 /// All agents within this distance, and perhaps some beyond, in ascending id. Several threads may ask at a time if
 /// World::PrepareForReaders was called since an agent last moved.
 std::vector<EntityId> AgentsNear(const Agent& agent, float range_m);

@@ -192,6 +192,31 @@ TEST(WorldWays, AgentsSeeTheSameAmongTheBodiesAroundThem) {
   EXPECT_GT(hits, 4000);
 }
 
+TEST(WorldWays, ItIsFreeAheadWhereARayHitsNothing) {
+  int free = 0, closed = 0;
+  for (const bool is_prepared : {false, true}) {
+    for (const Vec3 middle : kMiddles) {
+      Crowd crowd(11, middle, 7);
+      World& world = crowd.world();
+      if (is_prepared) world.PrepareForReaders(true);
+      for (const EntityId id : world.AgentIds()) {
+        Agent& agent = *world.FindAgent(id);
+        for (int i = 0; i < 40; ++i) {
+          agent.SetForward({crowd.About(1), i % 4 == 0 ? crowd.About(1) : 0, i % 5 == 0 ? 0 : crowd.About(1)});
+          const float ahead_m = crowd.random().Unit() * 4, height_m = crowd.random().Unit() * 2;
+          Vec3 from = agent.Position();
+          from.y += height_m - agent.Height() / 2;
+          const bool wanted = !world.RayCast(from, from + agent.Forward() * ahead_m);
+          ASSERT_EQ(IsFreeAhead(agent, ahead_m, height_m), wanted) << is_prepared << " " << i;
+          ++(wanted ? free : closed);
+        }
+      }
+    }
+  }
+  EXPECT_GT(free, 2000);
+  EXPECT_GT(closed, 2000);
+}
+
 TEST(WorldWays, WhatMovesAfterRaysWerePreparedIsFoundWhereItIs) {
   Crowd crowd(9, {}, 7);
   World& world = crowd.world();
