@@ -9,16 +9,9 @@ namespace soarbox::server {
 /// Whoever finds it taken sleeps until it is free; no order is promised among those who wait.
 class CallMutex {
  public:
-  void lock() {
-    const void* self = Self();
-    if (owner_.load(std::memory_order_relaxed) == self) {
-      ++depth_;
-      return;
-    }
-    int expected = kFree;
-    if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed)) Wait();
-    owner_.store(self, std::memory_order_relaxed);
-    depth_ = 1;
+  [[gnu::always_inline]] void lock() {
+    if (owner_.load(std::memory_order_relaxed) != Self()) return Take();
+    ++depth_;
   }
   bool try_lock() {
     const void* self = Self();
@@ -31,10 +24,8 @@ class CallMutex {
     ++depth_;
     return true;
   }
-  void unlock() {
-    if (--depth_ > 0) return;
-    owner_.store(nullptr, std::memory_order_relaxed);
-    if (state_.exchange(kFree, std::memory_order_release) == kWanted) state_.notify_one();
+  [[gnu::always_inline]] void unlock() {
+    if (--depth_ == 0) Release();
   }
 
  private:
@@ -44,6 +35,16 @@ class CallMutex {
   static const void* Self() {
     static thread_local const char mark = 0;
     return &mark;
+  }
+  [[gnu::noinline]] void Take() {
+    int expected = kFree;
+    if (!state_.compare_exchange_strong(expected, kHeld, std::memory_order_acquire, std::memory_order_relaxed)) Wait();
+    owner_.store(Self(), std::memory_order_relaxed);
+    depth_ = 1;
+  }
+  [[gnu::noinline]] void Release() {
+    owner_.store(nullptr, std::memory_order_relaxed);
+    if (state_.exchange(kFree, std::memory_order_release) == kWanted) state_.notify_one();
   }
   /// The holder wakes one who sleeps only if it reads kWanted, so whoever has slept leaves that mark behind.
   [[gnu::noinline]] void Wait() {
