@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstring>
@@ -52,14 +53,14 @@ class InputMirror final : public vocabulary::PerceptSink {
   // (What is told for each of those in view, each time, is compared where it is told.)
   /// As PerceptSink::Number.
   [[gnu::always_inline]] void Number(const vocabulary::PerceptRow& row, double value) {
-    const std::optional<double> perceived = vocabulary::AsPerceived(row, value);
-    if (!perceived) return;
+    if (!std::isfinite(value)) return;
+    const double perceived = vocabulary::AsPerceived(row, value);
     if (row.type != vocabulary::ValueType::kInteger) {
-      Float(row, *perceived);
+      Float(row, perceived);
     } else if (row.steps_per_unit == 1 && row.min != row.max) {
-      Integer(row, static_cast<std::int64_t>(*perceived));  // It is whole, and small enough.
+      Integer(row, static_cast<std::int64_t>(perceived));  // It is whole, and small enough.
     } else {
-      Integer(row, static_cast<std::int64_t>(std::llround(*perceived)));
+      Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
     }
   }
   [[gnu::always_inline]] void Word(const vocabulary::PerceptRow& row, std::string_view value,

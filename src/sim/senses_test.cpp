@@ -180,7 +180,7 @@ TEST(Directions, ABearingToRoundIsTheBearingInWholeDegrees) {
     world::Vec3 to = from + AlongHeading(HeadingOf(forward) + off_deg) * (random.Unit() * reach_m);
     if (i % 700 == 0) to = from;
     const auto perceived = [](float bearing_deg) {
-      return *vocabulary::AsPerceived(vocabulary::RowOf("agent.bearing"), static_cast<double>(bearing_deg));
+      return vocabulary::AsPerceived(vocabulary::RowOf("agent.bearing"), static_cast<double>(bearing_deg));
     };
     ASSERT_EQ(perceived(BearingToRound(from, forward, to)), perceived(BearingOf(from, forward, to))) << i;
   }

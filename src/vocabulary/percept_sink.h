@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,10 +21,9 @@ namespace soarbox::vocabulary {
   return rest >= 0.5 ? whole + 1 : rest <= -0.5 ? whole - 1 : whole;
 }
 
-/// The value as rules see it: within the row's range, rounded to its step. Nothing if it is not finite. Where the row
-/// is one that the compiler knows, little is left of this.
-[[gnu::always_inline]] inline std::optional<double> AsPerceived(const PerceptRow& row, double value) {
-  if (!std::isfinite(value)) return std::nullopt;
+/// A finite value as rules see it: within the row's range, rounded to its step. Where the row is one that the compiler
+/// knows, little is left of this.
+[[gnu::always_inline]] inline double AsPerceived(const PerceptRow& row, double value) {
   if (row.min != row.max) value = value < row.min ? row.min : value > row.max ? row.max : value;
   // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
   if (row.steps_per_unit > 0) {
@@ -48,12 +46,12 @@ class PerceptSink {
 
   /// A number with its row's type, range and step. What is not finite is left out.
   void Number(const PerceptRow& row, double value) {
-    const std::optional<double> perceived = AsPerceived(row, value);
-    if (!perceived) return;
+    if (!std::isfinite(value)) return;
+    const double perceived = AsPerceived(row, value);
     if (row.type == ValueType::kInteger) {
-      Integer(row, static_cast<std::int64_t>(std::llround(*perceived)));
+      Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
     } else {
-      Float(row, *perceived);
+      Float(row, perceived);
     }
   }
   virtual void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) = 0;

@@ -128,7 +128,8 @@ NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
       kSlack_m + kSlack * (std::abs(view.place.x) + std::abs(view.place.y) + std::abs(view.place.z) + 4 * view.range_m);
   VisitTouching(bodies, low, high, [&](const BoxedBody& each) {
     const btScalar x = each.x - view.place.x, z = each.z - view.place.z, radius = each.radius + slack_m_;
-    if (edges.AreBeside(x, z, radius)) return;
+    const btScalar reach = view.range_m + kBeyond_m + radius;
+    if (x * x + z * z > reach * reach || edges.AreBeside(x, z, radius)) return;
     if (each.body->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE) {
       const auto& plane = static_cast<const btStaticPlaneShape&>(*each.body->getCollisionShape());
       const btVector3 normal = each.body->getWorldTransform().getBasis() * plane.getPlaneNormal();

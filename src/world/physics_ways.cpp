@@ -82,6 +82,8 @@ void LevelWays::Consider(const BoxedBody& each) {
     return;
   }
   const Circle circle = CircleOf(each);
+  const btScalar farthest = reach_m_ + circle.outer;
+  if (circle.x * circle.x + circle.z * circle.z > farthest * farthest) return;
   const std::size_t lane = bodies_.size() % kLanes;
   bodies_.push_back(each);
   if (lane == 0) circles_.emplace_back();

@@ -17,7 +17,7 @@ namespace soarbox::world {
 /// answer is that of rays.
 class LevelWays {
  public:
-  /// `reach_m`: how far from the walker's place its ways and their sides may extend, along each axis.
+  /// `reach_m`: how far from the walker's place its ways and their sides may extend.
   LevelWays(const Walker& walker, float reach_m);
 
   /// The box outside of which no body matters.

@@ -21,7 +21,7 @@ struct Walker {
 /// The ways that are open for a walker among the bodies around it. Valid until something moves, comes or goes.
 class WaysAround {
  public:
-  /// `reach_m`: of the ways and what is beside them, along each axis.
+  /// `reach_m`: of the longest way, its width included.
   WaysAround(const PhysicsWorld& physics, const Walker& walker, float reach_m);
   WaysAround(WaysAround&&) noexcept;
   WaysAround& operator=(WaysAround&&) noexcept;
@@ -29,7 +29,7 @@ class WaysAround {
 
   /// Whether World::RayCast would hit nothing, or one of the walker's two bodies first, from its place and from half
   /// its width to the left and right of it, each time so far in that direction: a level unit vector, or zero. The
-  /// length: within the reach that was asked for.
+  /// length: with the width within the reach that was asked for.
   bool IsOpen(Vec3 direction, float length_m) const;
 
  private:
