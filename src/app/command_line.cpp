@@ -19,6 +19,7 @@
 #include "app/exit_codes.h"
 #include "app/next_run.h"
 #include "app/other_program.h"
+#include "app/page_server.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "app/usage_errors.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include "app/page_server.h"
-#include "app/window.h"
-
 namespace soarbox::app {
+
+class PageServer;
+class Window;
 
 /// The soarbox command: does what its arguments ask for. `window` shows runs and recordings, `server` serves pages;
 /// null: this program has none. Returns an ExitCode.

@@ -86,7 +86,7 @@ int Check(const CheckOptions& options) {
 namespace {
 
 /// The scenario, run from its beginning to the moment that is asked about.
-Result<std::unique_ptr<sim::Simulation>> RunScenario(const WhyOptions& options, const sim::DataFolders& data) {
+Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
@@ -133,7 +133,7 @@ int Why(const WhyOptions& options) {
   if (!data) return Refuse(data.error());
   CatchInterrupts();
   const Result<std::unique_ptr<sim::Simulation>> simulation =
-      record::IsRecording(options.scenario) ? RunRecording(options, *data) : RunScenario(options, *data);
+      record::IsRecording(options.scenario) ? RunRecording(options, *data) : RunToMoment(options, *data);
   if (!simulation) return Refuse(simulation.error());
   sim::Simulation& world = **simulation;
 

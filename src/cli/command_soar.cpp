@@ -23,10 +23,10 @@ namespace {
 using kernel::AgentSettings;
 using kernel::Phase;
 
-constexpr std::string_view kInvalidSubcommand =
+constexpr std::string_view kInvalidSoarSubcommand =
     "Invalid soar sub-command.  Use 'soar ?' to see a list of valid sub-commands and settings.";
 constexpr std::string_view kInvalidCommand = "Invalid command.  Use 'soar ?' to see a list of valid settings.";
-constexpr std::string_view kInvalidArgument = "Invalid argument. Use 'soar ?' to see a list of valid settings.";
+constexpr std::string_view kInvalidSoarArgument = "Invalid argument. Use 'soar ?' to see a list of valid settings.";
 
 constexpr OptionSpec kStopOptions[] = {{'s', "self", OptionArgument::kNone, "stop this agent only"}};
 constexpr OptionSpec kSwitchOptions[] = {
@@ -76,10 +76,10 @@ std::string Value(CommandCall& call, std::string_view name) {
   return store.Get("soar", name);
 }
 
-struct Row {
+struct SettingRow {
   std::string_view name, help;
 };
-constexpr Row kRows[] = {
+constexpr SettingRow kRows[] = {
     {"keep-all-top-oprefs", "Keep all preferences for o-supported WMEs on top state"},
     {"max-elaborations", "Maximum elaboration in a decision cycle"},
     {"max-goal-depth", "Halt if goal stack reaches this depth"},
@@ -101,7 +101,7 @@ bool SoarHelp(CommandCall& call) {
   row("soar stop [--self]", "Stop Soar execution");
   row("soar version", "Print version number of Soar");
   text += "----------------- Settings --------------------\n";
-  for (const Row& setting : kRows) {
+  for (const SettingRow& setting : kRows) {
     const std::string value = Value(call, setting.name);
     row(fmt::format("{:<{}}{}", setting.name, 47 - value.size(), value), setting.help);
   }
@@ -163,8 +163,8 @@ bool SoarOverview(CommandCall& call) {
   return true;
 }
 
-bool Init(CommandCall& call) {
-  if (call.words.size() > 1) return call.Fail(kInvalidArgument);
+bool InitAgent(CommandCall& call) {
+  if (call.words.size() > 1) return call.Fail(kInvalidSoarArgument);
   if (call.interpreter.host().IsRunning(call.session)) {
     return call.Fail("The agent cannot be initialised while it runs.");
   }
@@ -182,7 +182,7 @@ bool Init(CommandCall& call) {
 bool Stop(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kStopOptions, parsed)) return false;
-  if (!parsed.arguments.empty()) return call.Fail(kInvalidArgument);
+  if (!parsed.arguments.empty()) return call.Fail(kInvalidSoarArgument);
   call.interpreter.host().Stop(call.session, parsed.Has('s'));
   return true;
 }
@@ -209,11 +209,11 @@ bool ReadSwitch(CommandCall& call, std::optional<bool>& on) {
   else if (word == "off")
     on = false;
   else
-    return call.Fail(kInvalidArgument);
+    return call.Fail(kInvalidSoarArgument);
   return true;
 }
 
-bool Show(CommandCall& call, std::string_view name) {
+bool ShowSetting(CommandCall& call, std::string_view name) {
   call.Out(fmt::format("{} is {}\n", name, Value(call, name)));
   return true;
 }
@@ -221,7 +221,7 @@ bool Show(CommandCall& call, std::string_view name) {
 bool KeepAllTopOprefs(CommandCall& call) {
   std::optional<bool> on;
   if (!ReadSwitch(call, on)) return false;
-  if (!on) return Show(call, "keep-all-top-oprefs");
+  if (!on) return ShowSetting(call, "keep-all-top-oprefs");
   call.agent().mutable_settings().keep_all_top_o_preferences = *on;
   call.Out(*on ? "Soar will now always retain top level preferences for items that are already o-supported.\n"
                : "Soar will now not retain top level preferences for items that are already o-supported.\n");
@@ -231,7 +231,7 @@ bool KeepAllTopOprefs(CommandCall& call) {
 bool WaitSnc(CommandCall& call) {
   std::optional<bool> on;
   if (!ReadSwitch(call, on)) return false;
-  if (!on) return Show(call, "wait-snc");
+  if (!on) return ShowSetting(call, "wait-snc");
   call.agent().mutable_settings().wait_snc = *on;
   call.Out(*on ? "Soar will now wait instead of impassing when a state doesn't change.\n"
                : "Soar will now impasse when a state doesn't change.\n");
@@ -241,7 +241,7 @@ bool WaitSnc(CommandCall& call) {
 bool Timers(CommandCall& call) {
   std::optional<bool> on;
   if (!ReadSwitch(call, on)) return false;
-  if (!on) return Show(call, "timers");
+  if (!on) return ShowSetting(call, "timers");
   call.session.settings().Set("soar", "timers", std::string(OnOff(*on)));
   call.session.times().Switch(*on);
   call.Out(*on ? "Timers are now enabled.\n" : "Timers are now disabled.\n");
@@ -256,7 +256,7 @@ bool Tcl(CommandCall& call) {
     call.Out("Tcl mode is already off.\n");
     return true;
   }
-  return Show(call, "tcl");
+  return ShowSetting(call, "tcl");
 }
 
 /// How far a stranger's files may raise what ends a decision: a world takes its steps whatever they say, and none of it
@@ -270,9 +270,9 @@ constexpr std::pair<std::string_view, std::int64_t> kMostOfStrangers[] = {{"max-
 /// A setting with a number: shows it, or gives the new value to `set`, which refuses what does not fit.
 bool Number(CommandCall& call, std::string_view name, std::int64_t minimum,
             const std::function<std::string(std::int64_t)>& set) {
-  if (call.words.size() < 2) return Show(call, name);
+  if (call.words.size() < 2) return ShowSetting(call, name);
   const std::int64_t value = LooseInteger(call.words[1].text);
-  if (value < minimum || value > 2147483647) return call.Fail(kInvalidArgument);
+  if (value < minimum || value > 2147483647) return call.Fail(kInvalidSoarArgument);
   if (call.interpreter.fence() != nullptr) {
     for (const auto& [setting, most] : kMostOfStrangers)
       if (setting == name && value > most)
@@ -371,7 +371,7 @@ bool StopPhase(CommandCall& call) {
     call.Out(fmt::format("Stop before {}", PhaseName(settings.stop_phase)));
   } else {
     Phase phase;
-    if (!ReadPhase(word, phase)) return call.Fail(kInvalidArgument);
+    if (!ReadPhase(word, phase)) return call.Fail(kInvalidSoarArgument);
     settings.stop_phase = phase;
     const std::string_view name = phase == Phase::kDecide ? "decide" : PhaseName(phase);
     call.Out(fmt::format("Soar will now stop before the {} phase.\n", name));
@@ -381,7 +381,7 @@ bool StopPhase(CommandCall& call) {
 }
 
 constexpr SubcommandInfo kSoarSubcommandList[] = {
-    {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, Init},
+    {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, InitAgent},
     {"stop", "[--self]", "stops running agents", kStopOptions, Stop},
     {"version", "", "the version of Soar whose behaviour this is, and of Soarbox", {}, Version},
     {"keep-all-top-oprefs", "[on | off]", "keep every preference for o-supported elements of the top state",
@@ -420,7 +420,7 @@ bool CommandSoar(CommandCall& call) {
   if (plain < 2 || plain > 3) return SoarOverview(call);
   std::string error;
   const CommandInfo* command = FindCommand("soar", error);
-  return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSubcommand : kInvalidCommand,
+  return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSoarSubcommand : kInvalidCommand,
                        "Use 'soar ?' and 'help soar' to learn more about the soar command.");
 }
 

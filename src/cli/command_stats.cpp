@@ -34,7 +34,7 @@ double Ratio(std::uint64_t a, std::uint64_t b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
 }
 
-std::string RulesText(const kernel::Agent& agent) {
+std::string RuleCountsText(const kernel::Agent& agent) {
   const std::uint32_t user = agent.CountProductions(ProductionType::kUser);
   const std::uint32_t defaults = agent.CountProductions(ProductionType::kDefault);
   const std::uint32_t chunks = agent.CountProductions(ProductionType::kChunk);
@@ -86,7 +86,7 @@ void System(CommandCall& call) {
     call.Hint("only whole runs are timed", "'soar timers on' times phases and decision cycles too");
   }
   std::string text = fmt::format("Soar {} (Soarbox {})\n\n", kSoarVersion, kSoarboxVersion);
-  text += RulesText(agent);
+  text += RuleCountsText(agent);
   text += TimesText(times);
   const double spent = times.kernel_seconds();
   text += fmt::format("{} decisions ({:.3f} msec/decision)\n", counters.decision_phases,
@@ -105,7 +105,7 @@ void System(CommandCall& call) {
   call.Out(text);
 }
 
-void Memory(CommandCall& call) {
+void TellMemory(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   call.Out(
       fmt::format("{:8} bytes total memory allocated\n{:8} bytes of this agent alone\n"
@@ -143,7 +143,7 @@ void Maximums(CommandCall& call) {
   row("Firing count", counters.max_firings, counters.max_firings_cycle);
 }
 
-void AddStructured(CommandCall& call) {
+void AddCounts(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   const AgentCounters& counters = agent.counters();
   const auto integer = [&](const char* name, std::uint64_t value) {
@@ -202,7 +202,7 @@ bool CommandStats(CommandCall& call) {
   if (!call.Parse(kStatsOptions, parsed)) return false;
   if (!parsed.arguments.empty()) return call.Fail("Syntax: stats [options]");
   call.session.times().Refresh();
-  AddStructured(call);
+  AddCounts(call);
   if (parsed.options.empty()) System(call);
   for (const ParsedOption& option : parsed.options) {
     switch (option.letter) {
@@ -210,7 +210,7 @@ bool CommandStats(CommandCall& call) {
         System(call);
         break;
       case 'm':
-        Memory(call);
+        TellMemory(call);
         break;
       case 'r':
         Rete(call);

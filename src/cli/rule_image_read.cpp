@@ -33,7 +33,7 @@ using kernel::ValueDraft;
 namespace {
 
 /// Deeper than the reader of rules goes.
-constexpr int kMaxDepth = 200;
+constexpr int kMaxNesting = 200;
 /// The match counts conditions in 16 bits.
 constexpr std::size_t kMaxConditions = 60000;
 
@@ -219,7 +219,7 @@ class Reader {
   }
 
   void Conditions(kernel::DraftList<ConditionDraft>& conditions, int depth) {
-    if (depth > kMaxDepth) {
+    if (depth > kMaxNesting) {
       Fail("negations are nested too deeply");
       return;
     }
@@ -367,7 +367,7 @@ class Reader {
 
   ValueDraft ValueOf(RuleDraft& rule, int depth, bool as_action) {
     ValueDraft value;
-    if (depth > kMaxDepth) {
+    if (depth > kMaxNesting) {
       Fail("functions are nested too deeply");
       return value;
     }
@@ -427,7 +427,7 @@ class Reader {
   std::unordered_set<std::uint32_t> known_;               ///< Variables that stand for identifiers made so far.
 };
 
-Diagnostic Problem(const std::string& file, std::string message, std::string hint) {
+Diagnostic ImageProblem(const std::string& file, std::string message, std::string hint) {
   return ProblemIn(file, std::move(message), std::move(hint));
 }
 
@@ -445,36 +445,37 @@ constexpr const char* kWriteAgain = "write it again with 'save rete-network --sa
 std::optional<Diagnostic> CheckHeader(std::string_view bytes, const std::string& file) {
   // Images of other Soars name themselves in their first line.
   if (bytes.substr(0, 32).find("CompactReteNet") != std::string_view::npos) {
-    return Problem(
+    return ImageProblem(
         file, "this is an image that another Soar wrote: it holds that program's own match network",
         "source the rules that it was made from; with them, 'save rete-network' writes an image for Soarbox");
   }
-  if (bytes.empty()) return Problem(file, "the file is empty", kWriteAgain);
+  if (bytes.empty()) return ImageProblem(file, "the file is empty", kWriteAgain);
   const std::string_view start = bytes.substr(0, kMagic.size());
   if (start != kMagic) {
     if (start.substr(0, 13) == kMagic.substr(0, 13)) {
-      return Problem(file, "the line ends of this image were changed at byte 13: it was copied as if it were text",
-                     "copy it as a binary file");
+      return ImageProblem(file, "the line ends of this image were changed at byte 13: it was copied as if it were text",
+                          "copy it as a binary file");
     }
-    return Problem(file, "this is no image of rules: it does not begin with the mark of one",
-                   "use 'source' for files with rules and commands");
+    return ImageProblem(file, "this is no image of rules: it does not begin with the mark of one",
+                        "use 'source' for files with rules and commands");
   }
   if (bytes.size() < kHeaderSize) {
-    return Problem(file, fmt::format("the image ends within its header, at byte {}", bytes.size()), kWriteAgain);
+    return ImageProblem(file, fmt::format("the image ends within its header, at byte {}", bytes.size()), kWriteAgain);
   }
   if (const std::uint64_t version = Fixed(bytes, 16, 4); version != kVersion) {
-    return Problem(file, fmt::format("the image has format {}, this program reads format {}", version, kVersion),
-                   kWriteAgain);
+    return ImageProblem(file, fmt::format("the image has format {}, this program reads format {}", version, kVersion),
+                        kWriteAgain);
   }
   const std::string_view payload = bytes.substr(kHeaderSize);
   if (const std::uint64_t length = Fixed(bytes, 20, 8); length != payload.size()) {
-    return Problem(file,
-                   fmt::format("the image should have {} bytes after its header but has {}: it was cut or added to",
-                               length, payload.size()),
-                   kWriteAgain);
+    return ImageProblem(
+        file,
+        fmt::format("the image should have {} bytes after its header but has {}: it was cut or added to", length,
+                    payload.size()),
+        kWriteAgain);
   }
   if (Fixed(bytes, 28, 8) != Checksum(payload)) {
-    return Problem(file, "the checksum does not fit: the image was changed after it was written", kWriteAgain);
+    return ImageProblem(file, "the checksum does not fit: the image was changed after it was written", kWriteAgain);
   }
   return std::nullopt;
 }
@@ -491,7 +492,8 @@ Result<std::vector<kernel::ProductionPtr>> ReadRuleImage(std::string_view bytes,
     Reader trial(payload, scratch, false);
     trial.Rules();
     if (trial.failed()) {
-      return Problem(name, fmt::format("byte {}: {}", kHeaderSize + trial.error_place(), trial.error()), kWriteAgain);
+      return ImageProblem(name, fmt::format("byte {}: {}", kHeaderSize + trial.error_place(), trial.error()),
+                          kWriteAgain);
     }
   }
   Reader reader(payload, symbols, true);

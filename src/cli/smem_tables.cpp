@@ -82,7 +82,7 @@ constexpr HelpLine kHelp[] = {
     {"For a detailed explanation of these settings:             help smem", {}},
 };
 
-const kernel::SemanticMemory* MemoryOf(Session& session) {
+const kernel::SemanticMemory* SessionMemory(Session& session) {
   return kernel::SemanticMemory::Find(session.agent().long_term());
 }
 
@@ -104,7 +104,7 @@ std::string SmemHelpTable(const SettingStore& settings) {
 
 std::string SmemSummary(Session& session) {
   const SettingStore& store = session.settings();
-  const kernel::SemanticMemory* const memory = MemoryOf(session);
+  const kernel::SemanticMemory* const memory = SessionMemory(session);
   Summary summary(52);
   const auto row = [&](std::string_view name, std::string_view value, std::string_view after) {
     summary.Text(fmt::format("{:<{}}{}   {}\n", name, 52 - value.size(), value, after));
@@ -123,7 +123,7 @@ std::string SmemSummary(Session& session) {
 }
 
 std::string SmemStatistic(Session& session, const std::string& name) {
-  const kernel::SemanticMemory* const memory = MemoryOf(session);
+  const kernel::SemanticMemory* const memory = SessionMemory(session);
   const auto figure = [&](auto get) { return memory == nullptr ? std::string("0") : std::to_string(get(*memory)); };
   using Memory = kernel::SemanticMemory;
   if (name == "nodes") return figure([](const Memory& m) { return m.knowledge().object_count(); });

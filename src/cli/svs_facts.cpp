@@ -91,7 +91,7 @@ class JsonWriter {
   bool first_ = true;
 };
 
-std::string TextOf(const Content& content) {
+std::string FactText(const Content& content) {
   const auto vector = [](const Vec3& at) {
     return "(" + NumberText(at.x) + ", " + NumberText(at.y) + ", " + NumberText(at.z) + ")";
   };
@@ -218,7 +218,7 @@ class ExtractWriter {
 
   /// The value and what it was made from.
   void WriteValue(const ImageryValue& value, const Filter& filter, int depth) {
-    out_.Text("value", TextOf(value.content));
+    out_.Text("value", FactText(value.content));
     if (depth >= kDeepest) return;
     out_.Name("from");
     out_.Begin('[');
@@ -247,7 +247,7 @@ class ExtractWriter {
     std::size_t count = 0;
     for (const ImageryValue& value : filter.output()) {
       if (++count > kMostNamed) return text + ", ...";
-      text += (text.empty() ? "" : ", ") + TextOf(value.content);
+      text += (text.empty() ? "" : ", ") + FactText(value.content);
     }
     return text;
   }

@@ -188,7 +188,7 @@ void TellApart(explain::Inspector& mind, OperatorsView& view) {
   }
 }
 
-OperatorRow& RowOf(OperatorsView& view, const std::string& id, const std::string& name) {
+OperatorRow& FindOrAddRow(OperatorsView& view, const std::string& id, const std::string& name) {
   const auto at = std::ranges::find_if(view.rows, [&](const OperatorRow& row) { return row.id == id; });
   if (at != view.rows.end()) return *at;
   OperatorRow& row = view.rows.emplace_back();
@@ -226,12 +226,12 @@ OperatorsView View(const explain::OperatorFacts& facts) {
   // A no-change below is no matter of preferences.
   if (facts.impasse != "none" && facts.impasse != "no-change") view.impasse = facts.impasse;
   for (const PreferenceFact& preference : facts.preferences) {
-    OperatorRow& row = RowOf(view, preference.value, preference.name);
+    OperatorRow& row = FindOrAddRow(view, preference.value, preference.name);
     row.proposed = row.proposed || preference.type == "acceptable" || preference.type == "require";
     row.preferences.push_back(preference);
   }
   for (const explain::CandidateFact& candidate : facts.candidates) {
-    OperatorRow& row = RowOf(view, candidate.id, candidate.name);
+    OperatorRow& row = FindOrAddRow(view, candidate.id, candidate.name);
     const bool has_value =
         std::ranges::any_of(row.preferences, [](const PreferenceFact& p) { return p.type == "numeric"; });
     if (has_value) row.value = candidate.value;

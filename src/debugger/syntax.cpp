@@ -6,7 +6,7 @@
 namespace soarbox::debugger {
 namespace {
 
-bool IsBlank(char c) {
+bool IsBlankLetter(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -36,7 +36,7 @@ class Tokenizer {
   std::vector<Token> Read() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (IsBlank(c)) {
+      if (IsBlankLetter(c)) {
         ++at_;
       } else if (c == '#') {
         Add(TokenKind::kComment, LineEnd());
@@ -111,7 +111,7 @@ class Tokenizer {
         i = close == text_.size() ? close : close + 1;
       } else if (const std::size_t variable = VariableEnd(i); variable != i) {
         i = variable;
-      } else if (IsBlank(text_[i]) || IsSign(text_[i])) {
+      } else if (IsBlankLetter(text_[i]) || IsSign(text_[i])) {
         break;
       } else {
         ++i;
@@ -138,7 +138,8 @@ class Tokenizer {
 
   void ReadWord() {
     std::size_t end = at_ + 1;
-    while (end < text_.size() && !IsBlank(text_[end]) && !IsSign(text_[end]) && text_[end] != '"' && text_[end] != '^')
+    while (end < text_.size() && !IsBlankLetter(text_[end]) && !IsSign(text_[end]) && text_[end] != '"' &&
+           text_[end] != '^')
       ++end;
     const std::string_view word = text_.substr(at_, end - at_);
     TokenKind kind = TokenKind::kConstant;
@@ -158,7 +159,7 @@ class Tokenizer {
 
   bool BeginsLine() const {
     for (std::size_t i = at_; i > 0 && text_[i - 1] != '\n'; --i)
-      if (!IsBlank(text_[i - 1]) && text_[i - 1] != ';') return false;
+      if (!IsBlankLetter(text_[i - 1]) && text_[i - 1] != ';') return false;
     return true;
   }
 

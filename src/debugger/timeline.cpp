@@ -33,7 +33,7 @@ MarkKind KindOf(const sim::RunEvent& event) {
   }
 }
 
-std::string TextOf(const sim::RunEvent& event) {
+std::string MarkText(const sim::RunEvent& event) {
   std::string text = event.news;
   for (const std::string* more : {&event.text, &event.parameters, &event.diagnostic.message})
     if (!more->empty()) text += (text.empty() ? "" : " ") + *more;
@@ -165,7 +165,7 @@ void Timeline::Add(const record::TickRecord& tick) {
   for (const sim::RunEvent& event : tick.events) {
     const MarkKind kind = KindOf(event);
     if ((kind == MarkKind::kCommand || kind == MarkKind::kOutcome) && has_mind(event.agent)) continue;
-    Track(event.agent).marks.push_back({tick.tick, kind, TextOf(event)});
+    Track(event.agent).marks.push_back({tick.tick, kind, MarkText(event)});
   }
   const std::size_t most =
       std::clamp<std::size_t>(kMostOfAll / std::max<std::size_t>(1, tracks_.size()), 1, kMostPerTrack);

@@ -16,7 +16,7 @@
 namespace soarbox::debugger {
 namespace {
 
-constexpr int kDepth = 4;  ///< How many rules an answer goes back.
+constexpr int kRulesBack = 4;  ///< How many rules an answer goes back.
 constexpr std::size_t kMostBelow = 12;
 
 /// What matters of a rule's elements: neither the ways to the links nor those that only lead on to another one.
@@ -122,7 +122,7 @@ std::string CommandText(const CommandRow& command) {
 WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag) {
   const std::optional<explain::ElementFact> element = mind.Element(timetag);
   if (!element) return {"there is no element " + std::to_string(timetag) + " now", "reason", "", {}};
-  WhyNode node = Tracer(mind).Element(*element, kDepth);
+  WhyNode node = Tracer(mind).Element(*element, kRulesBack);
   if (!mind.TellsAll()) node.below.push_back({"which rule made it: " + std::string(Absence(mind)), "reason", "", {}});
   return node;
 }
@@ -147,7 +147,7 @@ std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view com
     if (row.name != command && row.id != command) continue;
     WhyNode node{CommandText(row), "command", row.name, {}};
     if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
-      node.below = Tracer(mind).Element(*element, kDepth).below;
+      node.below = Tracer(mind).Element(*element, kRulesBack).below;
       if (!mind.TellsAll())
         node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), "reason", "", {}});
     }

@@ -14,7 +14,7 @@ namespace {
 using Parameter = SceneKinds::Parameter;
 using Kind = SceneKinds::Kind;
 
-std::vector<std::string_view> NamesOf(const std::vector<Kind>& kinds) {
+std::vector<std::string_view> KindNames(const std::vector<Kind>& kinds) {
   std::vector<std::string_view> names;
   for (const Kind& kind : kinds) names.emplace_back(kind.name);
   return names;
@@ -68,7 +68,7 @@ class SceneChecker {
         continue;
       const Kind* const kind = Find(kinds_.commands, action.attribute);
       if (kind == nullptr) {
-        const std::vector<std::string_view> names = NamesOf(kinds_.commands);
+        const std::vector<std::string_view> names = KindNames(kinds_.commands);
         const std::string_view near = Suggest(action.attribute, names);
         Tell(rule, action.attribute, true,
              "rule " + rule.name + " gives ^" + action.attribute +
@@ -137,9 +137,9 @@ class SceneChecker {
     if (name.empty()) return;
     const Kind* const kind = Find(kinds_.filters, name);
     if (kind == nullptr) {
-      const std::string_view near = Suggest(name, NamesOf(kinds_.filters));
+      const std::string_view near = Suggest(name, KindNames(kinds_.filters));
       Tell(rule, name, false, "rule " + rule.name + " asks for the filter " + name + ", which does not exist",
-           near.empty() ? "the filters are" + ListOf(NamesOf(kinds_.filters), "")
+           near.empty() ? "the filters are" + ListOf(KindNames(kinds_.filters), "")
                         : "did you mean " + std::string(near) + "?");
       return;
     }

@@ -10,12 +10,12 @@
 namespace soarbox::explain {
 namespace {
 
-using Words = std::vector<std::string_view>;
+using NameList = std::vector<std::string_view>;
 
 /// What a memory is asked by, and what it answers with (docs/memory.md).
 struct Memory {
   std::string_view link, name;
-  Words commands, answers;
+  NameList commands, answers;
 };
 const std::vector<Memory>& Memories() {
   static const std::vector<Memory> kMemories = {
@@ -39,7 +39,7 @@ const Memory* MemoryOn(const std::vector<std::string>& path, std::string_view li
   return memory == Memories().end() ? nullptr : &*memory;
 }
 
-std::string HintOf(const std::string& word, const Words& words, std::string_view otherwise) {
+std::string HintOf(const std::string& word, const NameList& words, std::string_view otherwise) {
   if (const std::string_view near = Suggest(word, words); !near.empty())
     return "did you mean ^" + std::string(near) + "?";
   std::string hint(otherwise);
@@ -128,7 +128,7 @@ bool GivesReward(const RuleText& rule) {
 }
 
 /// "<o> = 0.500000": the number as one writes it, "0.5", or nothing.
-std::string NumberOf(const RuleAttribute& action) {
+std::string NumericValue(const RuleAttribute& action) {
   const std::size_t sign = action.value.rfind("= ");
   if (action.attribute != "operator" || sign == std::string::npos) return {};
   std::string word = FirstWord(action.value.substr(sign + 2));
@@ -143,15 +143,15 @@ void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& 
   if (std::ranges::none_of(rules, GivesReward)) return;
   for (const RuleText& rule : rules) {
     const auto numeric =
-        std::ranges::find_if(rule.actions, [](const auto& action) { return !NumberOf(action).empty(); });
+        std::ranges::find_if(rule.actions, [](const auto& action) { return !NumericValue(action).empty(); });
     if (numeric == rule.actions.end() || rule.actions.size() == 1) continue;
     slips.push_back(
-        {rule.name, NumberOf(*numeric), false,
-         "rule " + rule.name + " gives an operator the number " + NumberOf(*numeric) +
+        {rule.name, NumericValue(*numeric), false,
+         "rule " + rule.name + " gives an operator the number " + NumericValue(*numeric) +
              " and has other actions, so that reward does not change the number",
          "give it in a rule of its own, which tests the proposal, (<s> ^operator <o> +), and has one action: (<s> "
          "^operator <o> = " +
-             NumberOf(*numeric) + ")",
+             NumericValue(*numeric) + ")",
          true});
   }
 }

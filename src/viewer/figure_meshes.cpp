@@ -322,7 +322,7 @@ MeshData Sack(Vec3 size) {
 }
 
 /// A boulder that fills the box: a rough ball with faces.
-MeshData Rock(Vec3 size) {
+MeshData RoundRock(Vec3 size) {
   constexpr int kAround = 22, kUp = 13;
   const auto seed = static_cast<std::uint32_t>(std::abs(size.x * 37 + size.y * 91 + size.z * 53));
   std::array<std::pair<Vec3, float>, 14> cuts;
@@ -385,7 +385,7 @@ struct Figure {
 };
 
 constexpr Figure kFigures[] = {
-    {"Soarbox/Rock", Rock},
+    {"Soarbox/Rock", RoundRock},
     {"Soarbox/Medkit", Medkit},
     {"Soarbox/Ammunition", Ammunition},
     {"Soarbox/Sack", Sack},

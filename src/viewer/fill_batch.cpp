@@ -9,7 +9,7 @@ struct FillCorner {
   std::uint8_t colour[4];
 };
 
-std::uint8_t Byte(float value) {
+std::uint8_t ChannelByte(float value) {
   return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f);
 }
 
@@ -52,7 +52,7 @@ void FillBatch::Update(const std::vector<world::TriangleSnapshot>& triangles) {
   for (const auto& triangle : triangles) {
     const world::Color c = triangle.color;
     for (const world::Vec3 p : {triangle.a, triangle.b, triangle.c}) {
-      *out++ = {{p.x, p.y, p.z}, {Byte(c.r), Byte(c.g), Byte(c.b), Byte(c.a)}};
+      *out++ = {{p.x, p.y, p.z}, {ChannelByte(c.r), ChannelByte(c.g), ChannelByte(c.b), ChannelByte(c.a)}};
     }
   }
   buffer->unlock();

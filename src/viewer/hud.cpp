@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "viewer/draw_colors.h"
 #include "viewer/palette.h"
 
 namespace soarbox::viewer {
@@ -14,10 +15,6 @@ constexpr float kBarHeight = kStatusBar_px, kCardMargin = 16;
 constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kBarText = IM_COL32(236, 241, 246, 255),
                 kBarQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
                 kHold = IM_COL32(247, 190, 82, 255);
-
-ImU32 Packed(world::Color c, float alpha = 1) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * alpha});
-}
 
 /// Writes one word after the other along the bar.
 class BarWriter {
@@ -57,7 +54,7 @@ void Row(const char* label, const std::string& value) {
 }
 
 /// From red through amber to green.
-world::Color HealthColor(float share) {
+world::Color HealthBarColor(float share) {
   return share < 0.5f ? world::Color{0.90f, 0.22f + 1.0f * share, 0.18f, 1}
                       : world::Color{0.90f - 1.2f * (share - 0.5f), 0.72f, 0.22f, 1};
 }
@@ -187,7 +184,7 @@ ScreenBox DrawAgentCard(const PanelHost& host, const world::AgentSnapshot& agent
     ImGui::TextDisabled("health");
     ImGui::TableNextColumn();
     const float share = std::clamp(agent.health / 100.0f, 0.0f, 1.0f);
-    const world::Color color = HealthColor(share);
+    const world::Color color = HealthBarColor(share);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImVec4(color.r, color.g, color.b, 1));
     ImGui::ProgressBar(share, {120, 14}, Text("%.0f", static_cast<double>(agent.health)).c_str());
     ImGui::PopStyleColor();

@@ -32,7 +32,7 @@ world::Color HealthColor(float share) {
                       : world::Color{0.92f - 1.6f * (share - 0.5f), 0.70f, 0.08f + 0.8f * (share - 0.5f), 1};
 }
 
-world::Color ColorOf(const world::AgentSnapshot& agent) {
+world::Color SwatchColor(const world::AgentSnapshot& agent) {
   return agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
 }
 
@@ -338,7 +338,7 @@ class Painter {
     const ScreenBox& box = item.place.box;
     const float alpha = item.alpha;
     out_.AddRectFilled(Low(box), High(box), Faded(kPaper, alpha), 4);
-    out_.AddRectFilled(Low(box), {box.left + metrics_.swatch, box.bottom}, Packed(ColorOf(agent), alpha), 4,
+    out_.AddRectFilled(Low(box), {box.left + metrics_.swatch, box.bottom}, Packed(SwatchColor(agent), alpha), 4,
                        ImDrawFlags_RoundCornersLeft);
     if (item.stands_out) out_.AddRect(Low(box), High(box), Faded(IM_COL32(255, 219, 90, 255), alpha), 4, 0, 1.6f);
     const float left = box.left + metrics_.swatch + metrics_.pad;
@@ -362,7 +362,7 @@ class Painter {
     const ScreenBox& box = item.place.box;
     const ImVec2 middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
     out_.AddCircleFilled(middle, box.width() / 2, Faded(kPaper, item.alpha), 12);
-    out_.AddCircleFilled(middle, box.width() / 2 - 1.5f, Packed(ColorOf(*item.agent), item.alpha), 12);
+    out_.AddCircleFilled(middle, box.width() / 2 - 1.5f, Packed(SwatchColor(*item.agent), item.alpha), 12);
   }
 
   void Crowd(const Item& item) {
@@ -454,7 +454,7 @@ std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSn
     float width = 2.5f * metrics.pad;
     for (const std::size_t member : crowd.members) {
       auto& team = item.teams[agents[member].first->team];
-      team.first = ColorOf(*agents[member].first);
+      team.first = SwatchColor(*agents[member].first);
       ++team.second;
     }
     for (const auto& [name, team] : item.teams)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kSkyTexture = "Soarbox/SkyPicture";
 
-Ogre::Vector4 Four(world::Color c) {
+Ogre::Vector4 ColorVector(world::Color c) {
   return {c.r, c.g, c.b, c.a};
 }
 
@@ -125,11 +125,11 @@ Materials::Found Materials::Make(const std::string& name, const Look& look, Plac
   const std::string fragment = ground ? "ground.frag" : "surface.frag";
   shaders_.Use(pass, Shaders::Placed("surface.vert", placing),
                further_lights_ ? Shaders::WithLights(fragment) : fragment, kSurfaceSamplers);
-  pass.getVertexProgramParameters()->setNamedConstant("paint_trim", Four(look.trim));
+  pass.getVertexProgramParameters()->setNamedConstant("paint_trim", ColorVector(look.trim));
   found.trim = look.trim;
   const auto params = pass.getFragmentProgramParameters();
-  params->setNamedConstant("base_colour", Four(look.base));
-  params->setNamedConstant("trim_colour", Four(look.trim));
+  params->setNamedConstant("base_colour", ColorVector(look.base));
+  params->setNamedConstant("trim_colour", ColorVector(look.trim));
   params->setNamedConstant("finish", Ogre::Vector4(look.gloss, look.glow, look.repeats, 0));
   found.is_opaque = look.base.a >= 1;
   if (!found.is_opaque) {
@@ -260,7 +260,7 @@ const Ogre::MaterialPtr& Materials::Ghost(world::Color color, Placing placing) {
   Ogre::Pass& pass = NewPass(std::string("Soarbox/Look/") + name, found->second.material);
   if (placing == Placing::kBones) AddBones(pass);
   shaders_.Use(pass, Shaders::Placed("surface.vert", placing), "ghost.frag", {"bones"});
-  pass.getFragmentProgramParameters()->setNamedConstant("base_colour", Four(color));
+  pass.getFragmentProgramParameters()->setNamedConstant("base_colour", ColorVector(color));
   pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);
   pass.setDepthWriteEnabled(false);
   return found->second.material;

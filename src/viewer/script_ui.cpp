@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "viewer/draw_colors.h"
 #include "viewer/markup.h"
 #include "viewer/palette.h"
 
@@ -15,10 +16,6 @@ using world::UiSnapshot;
 constexpr float kMetresPerPixel = 0.005f;
 /// ImGui counts the corners of a frame's letters in 16 bits; what exceeds this is left out.
 constexpr std::size_t kMostCorners = 60000;
-
-ImU32 Packed(Color c) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
-}
 
 Color Middle(Color a, Color b) {
   return {(a.r + b.r) / 2, (a.g + b.g) / 2, (a.b + b.b) / 2, (a.a + b.a) / 2};

@@ -44,7 +44,7 @@ std::string TextOf(const Json& json, const char* field) {
 }
 
 /// A finite number; else 0.
-float NumberOf(const Json& json, const char* field) {
+float FieldNumber(const Json& json, const char* field) {
   const auto found = json.find(field);
   if (found == json.end() || !found->is_number()) return 0;
   const auto number = found->get<double>();
@@ -59,14 +59,14 @@ bool FlagOf(const Json& json, const char* field) {
 /// A key, a button, the pointer or the wheel, as the world's scripts hear of them.
 std::optional<sim::InputValue> InputOf(const Json& json) {
   const std::string kind = TextOf(json, "kind"), name = TextOf(json, "name").substr(0, 40);
-  const float x = NumberOf(json, "x"), y = NumberOf(json, "y");
+  const float x = FieldNumber(json, "x"), y = FieldNumber(json, "y");
   if (kind == "key") return sim::KeyInput{name, FlagOf(json, "pressed")};
   if (kind == "button") return sim::ButtonInput{name, FlagOf(json, "pressed"), x, y};
-  if (kind == "pointer") return sim::PointerInput{x, y, NumberOf(json, "dx"), NumberOf(json, "dy")};
-  if (kind == "wheel") return sim::WheelInput{NumberOf(json, "notches"), x, y};
+  if (kind == "pointer") return sim::PointerInput{x, y, FieldNumber(json, "dx"), FieldNumber(json, "dy")};
+  if (kind == "wheel") return sim::WheelInput{FieldNumber(json, "notches"), x, y};
   if (kind == "screen") {
     const auto pixels = [&](const char* field) {
-      return std::clamp(static_cast<int>(NumberOf(json, field)), 160, 7680);
+      return std::clamp(static_cast<int>(FieldNumber(json, field)), 160, 7680);
     };
     return sim::ScreenInput{pixels("width"), pixels("height")};
   }
@@ -94,7 +94,7 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   const std::string request = TextOf(json, "request");
   if (request == "presence") {
     // The server's own: how many look, and at what those look who only watch.
-    pages_ = std::max(0, static_cast<int>(NumberOf(json, "pages")));
+    pages_ = std::max(0, static_cast<int>(FieldNumber(json, "pages")));
     watched_ = {};
     for (const Json& word : json.value("watched", Json::array()))
       if (const auto panel = word.is_string() ? workbench::FindPanel(word.get<std::string>()) : std::nullopt)

@@ -12,7 +12,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-bool IsGoalTest(const Test& test) {
+bool PrintsAsGoal(const Test& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
 
@@ -134,7 +134,7 @@ class ObjectPrinter {
   void AppendId(const Condition& condition) {
     std::vector<const Test*> rest;
     for (const Test& part : condition.id.parts()) {
-      if (!IsGoalTest(part)) {
+      if (!PrintsAsGoal(part)) {
         rest.push_back(&part);
       } else {
         out_ += part.kind == TestKind::kState ? "state " : "impasse ";

@@ -40,7 +40,7 @@ struct TooSmall {
 };
 TooSmall too_small;
 
-std::string NameOf(const ImGuiWindow& window) {
+std::string WindowName(const ImGuiWindow& window) {
   // "Panels at the right/mind_1A2B/tree_3C4D": the numbers say nothing.
   std::string name;
   std::string_view rest = window.Name;
@@ -98,7 +98,8 @@ void AuditPutTexts(const ImGuiWindow& window, std::vector<std::string>& found) {
     const bool is_edge_y = above ? clip.Min.y <= inner.Min.y + kSlack_px : clip.Max.y >= inner.Max.y - kSlack_px;
     const bool is_cut_x = (left || right) && !(is_edge_x && Scrolls(&window, 0));
     const bool is_cut_y = (above || below) && !(is_edge_y && Scrolls(&window, 1));
-    if (is_cut_x || is_cut_y) found.push_back(NameOf(window) + ": the text '" + text.text + "', drawn by hand, is cut");
+    if (is_cut_x || is_cut_y)
+      found.push_back(WindowName(window) + ": the text '" + text.text + "', drawn by hand, is cut");
   }
 }
 
@@ -115,7 +116,7 @@ void AuditOverlaps(std::vector<std::pair<const ImGuiWindow*, ShownText>>& texts,
       const float across = std::min(text.seen.z, other.seen.z) - std::max(text.seen.x, other.seen.x);
       const float down = std::min(text.seen.w, other.seen.w) - std::max(text.seen.y, other.seen.y);
       if (across > kAcross_px && down > kDown_px)
-        found.push_back(NameOf(*window) + ": the texts '" + text.text + "' and '" + other.text +
+        found.push_back(WindowName(*window) + ": the texts '" + text.text + "' and '" + other.text +
                         "' lie over each other");
     }
   }
@@ -134,7 +135,7 @@ std::vector<ShownText> AuditTexts(const ImGuiWindow& window, const ImFontAtlas& 
     if (!text.is_cut || MayBeCut({text.at.front(), text.top, text.at.back(), text.bottom})) continue;
     // Which way it is cut shows in whether it can be scrolled that way.
     if ((text.is_cut_x && !Scrolls(&window, 0)) || (text.is_cut_y && !Scrolls(&window, 1)))
-      found.push_back(NameOf(window) + ": the text '" + text.text + "' is cut");
+      found.push_back(WindowName(window) + ": the text '" + text.text + "' is cut");
   }
   return texts;
 }
@@ -151,12 +152,12 @@ void AuditContent(const ImGuiWindow& window, std::vector<std::string>& found) {
   const ImVec2 room{window.InnerRect.GetWidth() - 2 * window.WindowPadding.x + kSlack_px,
                     window.InnerRect.GetHeight() - 2 * window.WindowPadding.y + kSlack_px};
   if (window.ContentSize.x > room.x + window.WindowPadding.x && !Scrolls(&window, 0)) {
-    found.push_back(NameOf(window) + ": what stands in it is " +
+    found.push_back(WindowName(window) + ": what stands in it is " +
                     std::to_string(static_cast<int>(window.ContentSize.x)) + " px wide, and it has room for " +
                     std::to_string(static_cast<int>(room.x)));
   }
   if (window.ContentSize.y > room.y + window.WindowPadding.y && !Scrolls(&window, 1)) {
-    found.push_back(NameOf(window) + ": what stands in it is " +
+    found.push_back(WindowName(window) + ": what stands in it is " +
                     std::to_string(static_cast<int>(window.ContentSize.y)) + " px high, and it has room for " +
                     std::to_string(static_cast<int>(room.y)));
   }
@@ -172,7 +173,7 @@ void AuditTables(std::vector<std::string>& found) {
       const ImGuiTableColumn& column = table->Columns[i];
       const float reached = std::max(column.ContentMaxXFrozen, column.ContentMaxXUnfrozen);
       if (!column.IsVisibleX || reached <= column.WorkMaxX + kSlack_px) continue;
-      found.push_back(NameOf(*table->OuterWindow) + ": cells of column " + std::to_string(i + 1) + " are cut");
+      found.push_back(WindowName(*table->OuterWindow) + ": cells of column " + std::to_string(i + 1) + " are cut");
     }
   }
 }
@@ -183,13 +184,13 @@ void AuditPlaces(const std::vector<const ImGuiWindow*>& fixed, std::vector<std::
     const ImRect a = fixed[i]->Rect();
     if (a.Min.x < -kSlack_px || a.Min.y < -kSlack_px || a.Max.x > display.x + kSlack_px ||
         a.Max.y > display.y + kSlack_px)
-      found.push_back(NameOf(*fixed[i]) + ": leaves the window");
+      found.push_back(WindowName(*fixed[i]) + ": leaves the window");
     for (std::size_t k = 0; k < i; ++k) {
       const ImRect b = fixed[k]->Rect();
       const float across = std::min(a.Max.x, b.Max.x) - std::max(a.Min.x, b.Min.x);
       const float down = std::min(a.Max.y, b.Max.y) - std::max(a.Min.y, b.Min.y);
       if (across > kSlack_px && down > kSlack_px)
-        found.push_back(NameOf(*fixed[i]) + ": lies over " + NameOf(*fixed[k]));
+        found.push_back(WindowName(*fixed[i]) + ": lies over " + WindowName(*fixed[k]));
     }
   }
 }

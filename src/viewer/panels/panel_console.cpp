@@ -10,7 +10,7 @@
 namespace soarbox::viewer {
 namespace {
 
-ImVec4 ColorOf(debugger::ConsoleLine::Kind kind) {
+ImVec4 LineColor(debugger::ConsoleLine::Kind kind) {
   using Kind = debugger::ConsoleLine::Kind;
   switch (kind) {
     case Kind::kInput:
@@ -82,9 +82,9 @@ class ConsolePanel final : public Panel {
         const debugger::ConsoleLine& line = (*lines)[static_cast<std::size_t>(i)];
         const IdScope id(i);
         if (line.kind == debugger::ConsoleLine::Kind::kInput) {
-          ColoredText(ColorOf(line.kind), "> " + line.text);
+          ColoredText(LineColor(line.kind), "> " + line.text);
         } else {
-          TextWithPlace(frame, "place", line.text, ColorOf(line.kind));
+          TextWithPlace(frame, "place", line.text, LineColor(line.kind));
         }
       };
       ForRowsInSight(lines != nullptr ? lines->size() : 0, draw, ImGui::GetTextLineHeightWithSpacing());

@@ -17,7 +17,7 @@ using debugger::TimelineMark;
 using debugger::TimelineSpan;
 using debugger::TimelineTrack;
 
-ImVec4 ColorOf(MarkKind kind) {
+ImVec4 MarkColor(MarkKind kind) {
   switch (kind) {
     case MarkKind::kCommand:
       return theme::kNumber;
@@ -38,7 +38,7 @@ ImVec4 ColorOf(MarkKind kind) {
 }
 
 /// The same operator has the same colour everywhere.
-ImVec4 ColorOf(const TimelineSpan& span) {
+ImVec4 MarkColor(const TimelineSpan& span) {
   if (span.is_state) return theme::kWarn;
   std::uint32_t hash = 2166136261u;
   for (const char c : span.text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -47,7 +47,7 @@ ImVec4 ColorOf(const TimelineSpan& span) {
 
 /// Kinds are told apart by shape, too.
 void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
-  const ImU32 color = theme::Packed(ColorOf(kind));
+  const ImU32 color = theme::Packed(MarkColor(kind));
   const auto [x, y] = at;
   switch (kind) {
     case MarkKind::kCommand:
@@ -268,7 +268,7 @@ class TimelinePanel final : public Panel {
       const float end = std::max(
           x + frame.Px(2), X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1));
       const float y = at.y + height * static_cast<float>(line_of(span));
-      const ImVec4 color = ColorOf(span);
+      const ImVec4 color = MarkColor(span);
       const std::string& text = span.text.empty() ? span.id : span.text;
       if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
       const ImU32 fill = theme::Packed(color, span.is_state ? 0.25f : 0.42f);

@@ -11,7 +11,7 @@ namespace {
 using debugger::TraceKind;
 using debugger::TraceLine;
 
-ImVec4 ColorOf(TraceKind kind) {
+ImVec4 TraceColor(TraceKind kind) {
   switch (kind) {
     case TraceKind::kError:
       return theme::kBad;
@@ -147,9 +147,9 @@ class TracePanel final : public Panel {
     ImGui::SameLine();
     const std::string text = std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text;
     if (line.kind == TraceKind::kError) {
-      TextWithPlace(frame, "place", text, ColorOf(line.kind));
+      TextWithPlace(frame, "place", text, TraceColor(line.kind));
     } else {
-      ColoredText(ColorOf(line.kind), text);
+      ColoredText(TraceColor(line.kind), text);
       if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) frame.Ask(workbench::SeekRequest{line.tick});
     }
   }

@@ -67,7 +67,7 @@ class LetterFinder {
 };
 
 /// Puts letters together to runs.
-class Collector {
+class TextCollector {
  public:
   void Add(const Letter& letter, const ImVec4& clip) {
     constexpr float kMostSpaces = 2.6f;
@@ -138,7 +138,7 @@ class Collector {
 
 std::vector<ShownText> CaptureText(const ImDrawData& drawn, const ImFontAtlas& fonts) {
   const LetterFinder finder(fonts);
-  Collector collector;
+  TextCollector collector;
   for (int n = 0; n < drawn.CmdListsCount; ++n) {
     const ImDrawList& list = *drawn.CmdLists[n];
     for (const ImDrawCmd& command : list.CmdBuffer) {

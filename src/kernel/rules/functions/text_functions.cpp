@@ -18,7 +18,7 @@ void Glue(ShortText& text, const SymbolTable& symbols, Arguments arguments) {
   }
 }
 
-std::string Glued(FunctionContext& context, Arguments arguments) {
+std::string JoinedText(FunctionContext& context, Arguments arguments) {
   ShortText text;
   Glue(text, context.symbols(), arguments);
   return text.str();
@@ -51,7 +51,7 @@ Symbol ToText(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol MakeConstant(FunctionContext& context, Arguments arguments) {
-  const std::string stem = arguments.empty() ? "constant" : Glued(context, arguments);
+  const std::string stem = arguments.empty() ? "constant" : JoinedText(context, arguments);
   SymbolTable& symbols = context.symbols();
   std::string text;
   do {
@@ -62,7 +62,7 @@ Symbol MakeConstant(FunctionContext& context, Arguments arguments) {
 
 Symbol Capitalize(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsString()) {
-    context.PrintError("\nError: non-symbol (" + Glued(context, arguments) +
+    context.PrintError("\nError: non-symbol (" + JoinedText(context, arguments) +
                        ") passed to capitalize-symbol function.\n");
     return {};
   }
@@ -80,7 +80,7 @@ Symbol Capitalize(FunctionContext& context, Arguments arguments) {
 
 Symbol Trim(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsString()) {
-    context.PrintError("\nError: non-symbol (" + Glued(context, arguments) + ") passed to 'trim' function.\n");
+    context.PrintError("\nError: non-symbol (" + JoinedText(context, arguments) + ") passed to 'trim' function.\n");
     return {};
   }
   SymbolTable& symbols = context.symbols();
