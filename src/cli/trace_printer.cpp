@@ -81,8 +81,10 @@ void TracePrinter::Update() {
   want(firings, Event::kFiring);
   want(trace.On(TraceFlag::kWmes), Event::kWme);
   want(trace.On(TraceFlag::kPreferences) || (firings && trace.wme_detail() != WmeDetail::kNone), Event::kPreference);
-  want(trace.On(TraceFlag::kDecisions) || trace.On(TraceFlag::kConsistency) || trace.On(TraceFlag::kGds),
-       Event::kDecision);
+  const bool decisions =
+      trace.On(TraceFlag::kDecisions) || trace.On(TraceFlag::kConsistency) || trace.On(TraceFlag::kGds);
+  want(decisions, Event::kDecision);
+  want(decisions, Event::kDecisionTrace);
   want(trace.On(TraceFlag::kGds) || trace.On(TraceFlag::kGdsWmes), Event::kGds);
   want(trace.On(TraceFlag::kAssertions), Event::kAssertion);
   want(trace.learning() > 0, Event::kLearning);

@@ -28,7 +28,7 @@ enum class Event : std::uint32_t {
   kFiring = 1u << 2,          ///< Rules that fire, are inhibited and retract.
   kWme = 1u << 3,             ///< Elements added to and removed from working memory.
   kPreference = 1u << 4,      ///< Preferences that enter and leave their slots.
-  kDecision = 1u << 5,        ///< Operators selected, states made and removed.
+  kDecision = 1u << 5,        ///< Operators selected, impasses, states removed; once while the agent rests.
   kPrint = 1u << 6,           ///< Text that rules write and warnings of the architecture.
   kProduction = 1u << 7,      ///< Rules added and excised.
   kRun = 1u << 8,             ///< Halt, interrupts, init-soar.
@@ -42,6 +42,7 @@ enum class Event : std::uint32_t {
   kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
   kNotLearned = 1u << 17,     ///< Why results get no rule.
   kActivation = 1u << 18,     ///< Elements whose activation is followed.
+  kDecisionTrace = 1u << 19,  ///< Operators removed. With kDecision: each decision, also of an agent that rests.
 };
 
 using EventMask = std::uint32_t;
@@ -194,7 +195,6 @@ class Observer {
   /// The decision's line in the trace: an operator was selected in `info.goal` (info.op), or a state was made (info.op
   /// is none). Also once after init-soar for the top state, and each idle cycle with wait-snc on.
   virtual void OnDecision(const Agent&, const GoalInfo&, std::uint64_t decision) { (void)decision; }
-  virtual void OnStateCreated(const Agent&, const GoalInfo&) {}
   virtual void OnStateRemoved(const Agent&, const GoalInfo&, GoalRemoval) {}
   virtual void OnOperatorRemoved(const Agent&, const GoalInfo&, OperatorRemoval, const WmeInfo&) {}
   /// "Removing substates of S1 because the operator last selected in S1 is not consistent with ..."

@@ -225,11 +225,11 @@ bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operat
 
 void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable) {
   const Goal& goal = engine_.goals.at(level);
-  if (engine_.observers.Wants(Event::kDecision)) {
+  if (engine_.observers.Wants(Event::kDecisionTrace)) {
     const GoalInfo info = engine_.descriptions.Describe(goal);
     WmeInfo wme;
     if (acceptable != WmeId::kNone) wme = engine_.descriptions.Describe(acceptable);
-    engine_.observers.Notify(Event::kDecision,
+    engine_.observers.Notify(Event::kDecisionTrace,
                              [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
   }
   const SlotId slot = goal.operator_slot;

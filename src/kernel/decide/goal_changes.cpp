@@ -109,10 +109,6 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   AddArchitecture(goal.id, words::kQuiescence, words::kT);
   if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
   if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateComplete(engine_.goals.bottom().level);
-  if (engine_.observers.Wants(Event::kDecision)) {
-    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
-    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateCreated(engine_.agent, info); });
-  }
 }
 
 /// Items go before non-numeric ones, each group newest first.

@@ -262,8 +262,7 @@ bool RunControl::RunOneDecision() {
 bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const {
   const AgentCounters& counters = engine_.counters;
   const auto wants = [&](auto... hooks) { return (engine_.modules.Wants(hooks) || ...); };
-  constexpr EventMask kEachDecision =
-      Mask(Event::kPhase) | Mask(Event::kElaboration) | Mask(Event::kDecision) | Mask(Event::kReason);
+  constexpr EventMask kEachDecision = Event::kPhase | Event::kElaboration | Event::kDecisionTrace;
   return counters.elaborations == elaborations_before &&
          counters.wme_additions + counters.wme_removals == changes_before && !output_changed_ &&
          (engine_.observers.mask() & kEachDecision) == 0 &&

@@ -141,8 +141,10 @@ TEST(InputLink, DecisionsOfAnAgentAtRestAreCountedWithoutBeingMade) {
     ASSERT_EQ(made.State(), skipped.State()) << tick;
   }
   EXPECT_GT(count, 100u);
-  // Somebody who hears of each decision hears of all.
-  skipped.agent.AddObserver(skipped.witness, Mask(Event::kDecision));
+  // Somebody who hears of decisions hears of the first at rest; somebody who wants each makes them be made.
+  skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kReason);
+  EXPECT_EQ(skipped.agent.Step(RunUnit::kDecision, 5).decisions, 5u);
+  skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kDecisionTrace);
   EXPECT_EQ(skipped.agent.Step(RunUnit::kDecision, 5).decisions, 1u);
 }
 
