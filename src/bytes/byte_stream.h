@@ -19,8 +19,12 @@ class ByteWriter {
 
   void Byte(std::uint8_t value) { out_.push_back(static_cast<char>(value)); }
   void Number(std::uint64_t value) {
-    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
-    Byte(static_cast<std::uint8_t>(value));
+    if (value < 0x80) return Byte(static_cast<std::uint8_t>(value));
+    char groups[10];
+    std::size_t count = 0;
+    for (; value >= 0x80; value >>= 7) groups[count++] = static_cast<char>(value | 0x80);
+    groups[count++] = static_cast<char>(value);
+    Append({groups, count});
   }
   void Fixed32(std::uint32_t value) { Fixed(value, 4); }
   void Fixed64(std::uint64_t value) { Fixed(value, 8); }
@@ -36,8 +40,10 @@ class ByteWriter {
   }
   void Text(std::string_view text) {
     Number(text.size());
-    out_.append(text);
+    Append(text);
   }
+  /// Bytes as they are.
+  void Append(std::string_view bytes) { out_.append(bytes); }
 
  private:
   static void Place(char* at, std::uint64_t value, int bytes) {

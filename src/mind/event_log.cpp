@@ -91,48 +91,43 @@ constexpr auto kReaders = Readers(std::make_index_sequence<kKinds>());
 
 }  // namespace
 
-bool EventLog::Step(std::size_t& at, std::uint8_t& kind, std::string_view& fields) const {
-  FieldReader in(bytes().substr(at));
-  kind = in.Byte();
-  const std::uint64_t size = in.Number();
-  if (in.failed() || size > in.left()) return false;
-  at = used_ - in.left();
-  fields = bytes().substr(at, static_cast<std::size_t>(size));
-  at += static_cast<std::size_t>(size);
+bool TakeFrame(std::string_view& log, EventFrame& frame) {
+  ByteReader in(log);
+  frame.kind = in.Byte();
+  frame.fields = in.Text();
+  if (in.failed()) return false;
+  frame.whole = log.substr(0, log.size() - in.left());
+  log.remove_prefix(frame.whole.size());
   return true;
 }
 
 bool EventLog::Next(std::size_t& at, Event& event) const {
-  std::uint8_t kind = 0;
-  std::string_view fields;
-  while (at < used_ && Step(at, kind, fields)) {
-    if (kind < kKinds && kReaders[kind](fields, event)) return true;
+  std::string_view left = bytes().substr(std::min(at, used_));
+  for (EventFrame frame; TakeFrame(left, frame);) {
+    at = used_ - left.size();
+    if (frame.kind < kKinds && kReaders[frame.kind](frame.fields, event)) return true;
   }
   return false;
 }
 
 bool EventLog::IsSound() const {
-  std::uint8_t kind = 0;
-  std::string_view fields;
   Event event;
-  for (std::size_t at = 0; at < used_;) {
-    if (!Step(at, kind, fields)) return false;
-    if (kind < kKinds && !kReaders[kind](fields, event)) return false;
+  for (std::string_view left = bytes(); !left.empty();) {
+    EventFrame frame;
+    if (!TakeFrame(left, frame)) return false;
+    if (frame.kind < kKinds && !kReaders[frame.kind](frame.fields, event)) return false;
   }
   return true;
 }
 
 void EventLog::DropDetails() {
   if (!std::exchange(may_have_details_, false)) return;
-  std::uint8_t kind = 0;
-  std::string_view fields;
   std::size_t kept = 0;
-  for (std::size_t at = 0; at < used_;) {
-    const std::size_t begin = at;
-    if (!Step(at, kind, fields)) break;
-    if (kind == NumberOf<RuleFired>() || kind == NumberOf<ElementChanged>()) continue;
-    if (kept != begin) std::memmove(bytes_.data() + kept, bytes_.data() + begin, at - begin);
-    kept += at - begin;
+  std::string_view left = bytes();
+  for (EventFrame frame; TakeFrame(left, frame);) {
+    if (frame.kind == NumberOf<RuleFired>() || frame.kind == NumberOf<ElementChanged>()) continue;
+    std::memmove(bytes_.data() + kept, frame.whole.data(), frame.whole.size());
+    kept += frame.whole.size();
   }
   used_ = kept;
 }

@@ -15,6 +15,16 @@
 
 namespace soarbox::mind {
 
+/// One event as bytes.
+struct EventFrame {
+  std::uint8_t kind = 0;
+  std::string_view fields;
+  std::string_view whole;  ///< With kind and size.
+};
+
+/// Takes the first event off the bytes of a log; false if they begin with none.
+bool TakeFrame(std::string_view& log, EventFrame& frame);
+
 /// What one mind did, in order, as bytes: quick to add to while the mind runs, quick to copy, and as files hold them.
 ///
 /// An event is its kind (a byte), the number of bytes that follow (a number in seven-bit groups, lowest first, at least
@@ -100,7 +110,6 @@ class EventLog {
   }
 
   struct Sizer;
-  bool Step(std::size_t& at, std::uint8_t& kind, std::string_view& fields) const;
 
   std::string bytes_;  ///< The first used_ of them.
   std::size_t used_ = 0;

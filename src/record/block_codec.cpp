@@ -23,7 +23,7 @@ bool BlockBuilder::Add(TickRecord& tick) {
 EncodedBlock BlockBuilder::Take() {
   EncodedBlock block;
   block.frame = std::exchange(frame_, {});
-  block.bytes = EncodeBlock(block.frame, payload_);
+  block.bytes = encoder_.Encode(block.frame, payload_);
   payload_.clear();
   made_of_ = 0;
   return block;

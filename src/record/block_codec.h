@@ -30,6 +30,7 @@ class BlockBuilder {
 
  private:
   std::uint32_t ticks_per_block_;
+  BlockEncoder encoder_;
   BlockFrame frame_;
   std::string payload_;
   std::uint64_t made_of_ = 0;  ///< Bytes of minds' events that a reader makes of payload_.

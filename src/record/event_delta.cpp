@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
+
+#include "mind/event_log.h"
 
 namespace soarbox::record {
 namespace {
@@ -16,23 +19,14 @@ namespace {
 // other at the same place and how many are new, until the size is reached.
 constexpr std::uint64_t kEnd = 0, kNew = 1, kRest = 2, kLike = 3;
 
-/// Takes the first event off a log: its kind, its size and its fields. What is no event is one to its end.
+/// Takes the first event off a log. What is no event is one to its end.
 std::string_view TakeEvent(std::string_view& log) {
-  std::size_t at = 1;
-  std::uint64_t size = 0;
-  for (int shift = 0; at < log.size() && shift < 63; shift += 7) {
-    const auto byte = static_cast<std::uint8_t>(log[at++]);
-    size |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
-    if ((byte & 0x80) == 0) break;
-  }
-  const std::size_t whole = size <= log.size() - at ? at + static_cast<std::size_t>(size) : log.size();
-  const std::string_view event = log.substr(0, whole);
-  log.remove_prefix(event.size());
-  return event;
+  mind::EventFrame frame;
+  return mind::TakeFrame(log, frame) ? frame.whole : std::exchange(log, {});
 }
 
-/// How many bytes are the same from a place on.
-std::size_t SameBytes(std::string_view a, std::string_view b, std::size_t from) {
+/// How many bytes of two texts are equal from a place on.
+std::size_t EqualRun(std::string_view a, std::string_view b, std::size_t from) {
   const std::size_t end = std::min(a.size(), b.size());
   std::size_t at = from;
   while (end >= 8 && at <= end - 8) {
@@ -60,12 +54,14 @@ void WriteDifference(ByteWriter& out, std::string_view before, std::string_view 
   constexpr std::size_t kWorth = 3;  // Fewer bytes that are the same are written anew.
   out.Number(before.size() == now.size() ? 0 : now.size());
   for (std::size_t at = 0; at < now.size();) {
-    const std::size_t same = SameBytes(before, now, at);
+    const std::size_t same = EqualRun(before, now, at);
     out.Number(same);
     at += same;
     if (at == now.size()) return;
-    std::size_t end = at + 1;
-    while (end < now.size() && SameBytes(before, now, end) < std::min(kWorth, now.size() - end)) ++end;
+    std::size_t end = at + 1, equal = 0;
+    for (; end < now.size() && equal < kWorth; ++end)
+      equal = end < before.size() && before[end] == now[end] ? equal + 1 : 0;
+    end -= equal;
     out.Text(now.substr(at, end - at));
     at = end;
   }

@@ -43,12 +43,21 @@ std::uint64_t CheckOfPayload(std::string_view compressed) {
   return hash.value();
 }
 
+BlockEncoder::BlockEncoder() : context_(ZSTD_createCCtx()) {}
+
+void BlockEncoder::Free::operator()(ZSTD_CCtx_s* context) const {
+  ZSTD_freeCCtx(context);
+}
+
 std::string EncodeBlock(BlockFrame frame, std::string_view payload) {
-  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  return BlockEncoder().Encode(frame, payload);
+}
+
+std::string BlockEncoder::Encode(BlockFrame frame, std::string_view payload) {
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, kCompressionLevel);
   const std::size_t bound = ZSTD_compressBound(payload.size());
   const auto buffer = std::make_unique_for_overwrite<char[]>(bound);
-  const std::size_t size = ZSTD_compress2(context.get(), buffer.get(), bound, payload.data(), payload.size());
+  const std::size_t size = ZSTD_compress2(context_.get(), buffer.get(), bound, payload.data(), payload.size());
   // Into a buffer of this size nothing but a lack of memory can fail; an empty block is then refused by every reader.
   const std::string_view compressed(buffer.get(), ZSTD_isError(size) != 0 ? 0 : size);
   frame.compressed_bytes = static_cast<std::uint32_t>(compressed.size());

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -282,6 +283,70 @@ TEST_F(RecordingTest, BonesAndMindsOfVersion7StandWhole) {
   const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
   ASSERT_TRUE(newer) << Format(newer.error());
   for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+}
+
+/// Made by the release that wrote format 8: eight soldiers, their set-up and ten ticks.
+TEST_F(RecordingTest, PlacesOfVersion8StandInFull) {
+  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "unmoved.soarrec";
+  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
+  ASSERT_TRUE(older) << Format(older.error());
+  std::vector<TickRecord> ticks;
+  std::size_t minds = 0;
+  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
+    const Result<const TickRecord*> record = (*older)->At(tick);
+    ASSERT_TRUE(record) << Format(record.error());
+    ticks.push_back(**record);
+    minds += ticks.back().minds.size();
+    for (const world::AgentSnapshot& agent : ticks.back().scene.agents) {
+      EXPECT_EQ(agent.position.y, 0.85f);
+      EXPECT_NEAR(Length(agent.forward), 1, 1e-5);
+    }
+  }
+  ASSERT_EQ(ticks.size(), 11u);
+  EXPECT_EQ(minds, 80u);
+  EXPECT_EQ(ticks.back().scene.agents.size(), 8u);
+  EXPECT_NE(ticks.back().scene.agents.front().position, ticks.front().scene.agents.front().position);
+
+  Write(file(), ticks);
+  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
+  ASSERT_TRUE(newer) << Format(newer.error());
+  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+  EXPECT_LT(10 * fs::file_size(file()), 9 * fs::file_size(kept));
+}
+
+/// Agents of all kinds: with bodies that stand where they do or elsewhere, in any order, that come, go and turn.
+TEST_F(RecordingTest, AgentsAreKeptWhereTheyStandWhateverTheirBodiesDo) {
+  std::mt19937 random(9);
+  std::vector<TickRecord> ticks = SomeTicks(200);
+  const auto number = [&] { return static_cast<float>(random() % 4000) / 7 - 300; };
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    world::SceneSnapshot& scene = ticks[i].scene;
+    scene.drawables = {};
+    scene.agents.clear();
+    for (std::uint32_t id = 1; id < 12; ++id) {
+      if (random() % 8 == 0) continue;
+      world::AgentSnapshot& agent = scene.agents.emplace_back();
+      agent.id = id;
+      agent.position = {number(), random() % 3 == 0 ? number() : 0.8f, number()};
+      world::DrawableSnapshot body;
+      body.id = id;
+      body.owner_id = random() % 4 == 0 ? 12 - id : id;
+      body.belongs_to_agent = random() % 6 != 0;
+      body.position = random() % 4 == 0 ? world::Vec3{number(), 0, number()} : agent.position;
+      body.orientation = {number() / 300, 0, number() / 300, 0};
+      if (random() % 20 == 0) body.orientation.w = std::numeric_limits<float>::quiet_NaN();
+      agent.forward = Rotate(body.orientation, {0, 0, random() % 4 == 0 ? -1.0f : 1.0f});
+      scene.drawables.push_back(body);
+    }
+  }
+  Write(file(), ticks, {.ticks_per_block = 30});
+  const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
+  ASSERT_TRUE(opened) << Format(opened.error());
+  for (const TickRecord& tick : ticks) {
+    const Result<const TickRecord*> read = (*opened)->At(tick.tick);
+    ASSERT_TRUE(read) << Format(read.error());
+    EXPECT_EQ(Bytes(**read), Bytes(tick));
+  }
 }
 
 TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {

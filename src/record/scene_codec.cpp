@@ -9,6 +9,7 @@
 
 #include "record/bones_codec.h"
 #include "record/scene_fields.h"
+#include "world/rotation.h"
 
 namespace soarbox::record {
 namespace {
@@ -18,6 +19,9 @@ using world::Quat;
 using world::Shared;
 using world::SharedList;
 using world::Vec3;
+
+/// Later formats hold places and turns as differences, and agents as where what belongs to them stands.
+constexpr std::uint16_t kLastInFull = 8;
 
 template <typename T>
 concept HasFields = requires(const T& value) {
@@ -156,27 +160,85 @@ bool Same(const T& a, const T& b) {
   }
 }
 
-/// One bit per member that differs. `same_texts`: those of its members that are texts are known to be the same.
-template <HasFields T>
-std::uint64_t Differences(const T& before, const T& now, bool same_texts = false) {
+/// Places and turns move a little only: of each part, the highest bytes mostly are those of before. One byte says with
+/// two bits per part, lowest first, how much follows: 0 nothing, it is the same, 1 its two lowest bytes, 2 three, 3
+/// all.
+template <typename T>
+constexpr bool kIsMoved = std::is_same_v<T, Vec3> || std::is_same_v<T, Quat>;
+
+auto PartsOf(Vec3& value) {
+  return std::array{&value.x, &value.y, &value.z};
+}
+auto PartsOf(Quat& value) {
+  return std::array{&value.w, &value.x, &value.y, &value.z};
+}
+
+template <typename T>
+void PutMoved(ByteWriter& out, T before, T now) {
+  const auto earlier = PartsOf(before), parts = PartsOf(now);
+  char bytes[1 + sizeof(T)];
+  std::size_t size = 1;
+  unsigned kinds = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::uint32_t bits = BitsOf(*parts[i]), differs = bits ^ BitsOf(*earlier[i]);
+    if (differs == 0) continue;
+    const unsigned kind = differs >> 24 != 0 ? 3 : differs >> 16 != 0 ? 2 : 1;
+    kinds |= kind << (2 * i);
+    for (unsigned at = 0; at <= kind; ++at) bytes[size++] = static_cast<char>(bits >> (8 * at));
+  }
+  bytes[0] = static_cast<char>(kinds);
+  out.Append({bytes, size});
+}
+
+template <typename T>
+void GetMoved(ByteReader& in, T& value) {
+  unsigned kinds = in.Byte();
+  for (float* part : PartsOf(value)) {
+    const unsigned kind = kinds & 3;
+    kinds >>= 2;
+    if (kind == 0) continue;
+    std::uint32_t bits = kind == 3 ? 0 : BitsOf(*part) >> (8 * (kind + 1)) << (8 * (kind + 1));
+    for (unsigned at = 0; at <= kind; ++at) bits |= static_cast<std::uint32_t>(in.Byte()) << (8 * at);
+    *part = std::bit_cast<float>(bits);
+  }
+  if (kinds != 0) in.Fail();
+}
+
+/// What is expected of an entry: that it is as before.
+template <typename T>
+struct Expected {
+  const T& before;
+  template <typename Member>
+  const Member& operator->*(Member T::*member) const {
+    return before.*member;
+  }
+};
+
+/// One bit per member that differs from what is expected. `same_texts`: those of its members that are texts are known
+/// to be the same.
+template <HasFields T, typename E>
+std::uint64_t Differences(const E& expected, const T& now, bool same_texts = false) {
   std::uint64_t mask = 0;
   std::uint64_t bit = 1;
   const auto compare = [&](auto member) {
     constexpr bool kIsText = std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, std::string>;
-    if (!(kIsText && same_texts) && !Same(before.*member, now.*member)) mask |= bit;
+    if (!(kIsText && same_texts) && !Same(expected->*member, now.*member)) mask |= bit;
     bit <<= 1;
   };
   std::apply([&](auto... members) { (compare(members), ...); }, FieldsOf(now));
   return mask;
 }
 
-template <HasFields T>
-void PutMembers(ByteWriter& out, std::uint64_t mask, const T& before, const T& now) {
+template <HasFields T, typename E>
+void PutMembers(ByteWriter& out, std::uint64_t mask, const E& expected, const T& now) {
   out.Number(mask);
   const auto put = [&](auto member) {
     if ((mask & 1) != 0) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, world::BodyBones>) {
-        PutBones(out, before.*member, now.*member);
+      using Member = std::remove_cvref_t<decltype(now.*member)>;
+      if constexpr (std::is_same_v<Member, world::BodyBones>) {
+        PutBones(out, expected->*member, now.*member);
+      } else if constexpr (kIsMoved<Member>) {
+        PutMoved(out, expected->*member, now.*member);
       } else {
         Put(out, now.*member);
       }
@@ -191,8 +253,11 @@ void GetMembers(ByteReader& in, T& value, std::uint16_t version) {
   std::uint64_t mask = in.Number();
   const auto get = [&](auto member) {
     if ((mask & 1) != 0) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value.*member)>, world::BodyBones>) {
+      using Member = std::remove_cvref_t<decltype(value.*member)>;
+      if constexpr (std::is_same_v<Member, world::BodyBones>) {
         GetBones(in, value.*member, version);
+      } else if constexpr (kIsMoved<Member>) {
+        version > kLastInFull ? GetMoved(in, value.*member) : Get(in, value.*member);
       } else {
         Get(in, value.*member);
       }
@@ -215,16 +280,18 @@ class StepWriter {
   void Gone() { Put(Step::kGone); }
   void New(const T& value) {
     static const T kNothing{};
+    const Expected<T> expected{kNothing};
     Put(Step::kNew);
     out_.Number(value.id);
-    PutMembers(out_, Differences(kNothing, value), kNothing, value);
+    PutMembers(out_, Differences(expected, value), expected, value);
   }
-  /// The same entry, changed or not.
-  void Next(const T& earlier, const T& value, bool same_texts = false) {
-    const std::uint64_t mask = Differences(earlier, value, same_texts);
+  /// The same entry, as expected or not.
+  template <typename E>
+  void Next(const E& expected, const T& value, bool same_texts = false) {
+    const std::uint64_t mask = Differences(expected, value, same_texts);
     if (mask == 0) return Same(1);
     Put(Step::kChanged);
-    PutMembers(out_, mask, earlier, value);
+    PutMembers(out_, mask, expected, value);
   }
   void End() { Put(Step::kEnd); }
 
@@ -238,16 +305,58 @@ class StepWriter {
   std::size_t unchanged_ = 0;
 };
 
-/// `same_texts(earlier, value)`: whether it is known that the texts of an entry are those of before.
-template <HasFields T, typename SameTexts>
-void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now, SameTexts&& same_texts) {
+/// What is expected of agents, whose ids ascend: that they stand where the first drawable that belongs to them stands
+/// now, no higher or lower than before, and look where it does; else that they are as before.
+class Followed {
+ public:
+  Followed(const world::SceneSnapshot& scene) {
+    for (const world::DrawableSnapshot& drawable : scene.drawables)
+      if (drawable.belongs_to_agent) bodies_.push_back(&drawable);
+    if (!std::ranges::is_sorted(bodies_, {}, kOwner)) std::ranges::stable_sort(bodies_, {}, kOwner);
+  }
+  void Follow(std::uint32_t agent, Vec3& position, Vec3& forward) {
+    while (next_ < bodies_.size() && bodies_[next_]->owner_id < agent) ++next_;
+    if (next_ == bodies_.size() || bodies_[next_]->owner_id != agent) return;
+    const world::DrawableSnapshot& body = *bodies_[next_];
+    position = {body.position.x, position.y, body.position.z};
+    // (What is no turn has no such bits on all machines.)
+    if (const Vec3 ahead = Rotate(body.orientation, {0, 0, 1}); world::IsFinite(ahead)) forward = ahead;
+  }
+
+ private:
+  static constexpr auto kOwner = &world::DrawableSnapshot::owner_id;
+
+  std::vector<const world::DrawableSnapshot*> bodies_;
+  std::size_t next_ = 0;
+};
+
+template <>
+struct Expected<world::AgentSnapshot> {
+  const world::AgentSnapshot& before;
+  Vec3 position = before.position, forward = before.forward;
+
+  template <typename Member>
+  const Member& operator->*(Member world::AgentSnapshot::*member) const {
+    if constexpr (std::is_same_v<Member, Vec3>) {
+      if (member == &world::AgentSnapshot::position) return position;
+      if (member == &world::AgentSnapshot::forward) return forward;
+    }
+    return before.*member;
+  }
+};
+
+/// `expect(earlier)`: what is expected of an entry; `same_texts(earlier, value)`: whether it is known that its texts
+/// are those of before.
+template <HasFields T, typename Expect, typename SameTexts>
+void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now, Expect&& expect,
+               SameTexts&& same_texts) {
   StepWriter<T> steps(out);
   std::size_t old = 0;
   for (const T& value : now) {
     // Ids ascend in both lists; what is in front of this id has gone.
     for (; old < before.size() && before[old].id < value.id; ++old) steps.Gone();
     if (old < before.size() && before[old].id == value.id) {
-      steps.Next(before[old], value, same_texts(before[old], value));
+      steps.Next(expect(before[old]), value, same_texts(before[old], value));
       ++old;
     } else {
       steps.New(value);
@@ -259,7 +368,9 @@ void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<
 
 template <HasFields T>
 void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
-  WriteList(out, before, now, [](const T&, const T&) { return false; });
+  WriteList(
+      out, before, now, [](const T& earlier) { return Expected<T>{earlier}; },
+      [](const T&, const T&) { return false; });
 }
 
 template <HasFields T>
@@ -312,7 +423,7 @@ void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>
     const T& value = now.At(at);
     for (; !before.IsEnd(old) && before.At(old).id < value.id; old = before.After(old)) steps.Gone();
     if (!before.IsEnd(old) && before.At(old).id == value.id) {
-      steps.Next(before.At(old), value);
+      steps.Next(Expected<T>{before.At(old)}, value);
       old = before.After(old);
     } else {
       steps.New(value);
@@ -368,8 +479,8 @@ void WritePlain(ByteWriter& out, const std::vector<T>& before, const std::vector
   static const T kNothing;
   out.Number(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const T& earlier = i < before.size() ? before[i] : kNothing;
-    PutMembers(out, Differences(earlier, now[i]), earlier, now[i]);
+    const Expected<T> expected{i < before.size() ? before[i] : kNothing};
+    PutMembers(out, Differences(expected, now[i]), expected, now[i]);
   }
 }
 
@@ -389,11 +500,18 @@ void ReadPlain(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
 }  // namespace
 
 void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now) {
-  PutMembers(out, Differences(before, now), before, now);
+  const Expected<world::SceneSnapshot> expected{before};
+  PutMembers(out, Differences(expected, now), expected, now);
   WriteList(out, before.drawables, now.drawables);
   WriteList(out, before.lights, now.lights);
   const bool is_one_world = before.kept.world != 0 && before.kept.world == now.kept.world;
-  WriteList(out, before.agents, now.agents, [&](const world::AgentSnapshot& a, const world::AgentSnapshot& b) {
+  Followed followed(now);
+  const auto expect = [&](const world::AgentSnapshot& earlier) {
+    Expected<world::AgentSnapshot> agent{earlier};
+    followed.Follow(earlier.id, agent.position, agent.forward);
+    return agent;
+  };
+  WriteList(out, before.agents, now.agents, expect, [&](const world::AgentSnapshot& a, const world::AgentSnapshot& b) {
     return is_one_world && a.texts == b.texts;
   });
   WriteList(out, before.ui, now.ui);
@@ -407,6 +525,10 @@ void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t versio
   GetMembers(in, scene, version);
   ReadList(in, scene.drawables, version);
   ReadList(in, scene.lights, version);
+  if (version > kLastInFull) {
+    Followed followed(scene);
+    for (world::AgentSnapshot& agent : scene.agents) followed.Follow(agent.id, agent.position, agent.forward);
+  }
   ReadList(in, scene.agents, version);
   ReadList(in, scene.ui, version);
   ReadList(in, scene.particles, version);

@@ -124,9 +124,7 @@ class InputMirror final : public vocabulary::PerceptSink {
     std::uint8_t size = 0;  ///< Of a text, or kLong.
 
     /// False for a text that is too long for this, too.
-    bool HoldsShort(std::string_view value) const {
-      return size == value.size() && SameBytes(text, value.data(), size);
-    }
+    bool HoldsShort(std::string_view value) const { return size == value.size() && AreEqual(text, value.data(), size); }
     bool Holds(std::string_view value) const;
     void Hold(std::string_view value);
   };
@@ -141,7 +139,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   };
 
   /// Whether up to sixteen bytes are the same: texts are short and mostly equal, so without a call.
-  [[gnu::always_inline]] static bool SameBytes(const char* a, const char* b, std::size_t size) {
+  [[gnu::always_inline]] static bool AreEqual(const char* a, const char* b, std::size_t size) {
     const auto same = [&](std::size_t at, auto word) {
       auto other = word;
       std::memcpy(&word, a + at, sizeof(word));

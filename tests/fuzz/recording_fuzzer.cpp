@@ -60,6 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     case 2:
       ReadTicks(bytes, kVersion);
+      ReadTicks(bytes, 8);  // The last in which places stood in full.
       ReadTicks(bytes, 7);  // The last in which minds and bones stood whole.
       ReadTicks(bytes, 4);  // The last that held words.
       break;

@@ -81,8 +81,7 @@ void XmlTracer::Refresh() {
   }
   if (on(TraceFlag::kWmes)) mask = mask | Event::kWme;
   if (on(TraceFlag::kPreferences)) mask = mask | Event::kPreference;
-  if (on(TraceFlag::kDecisions) || on(TraceFlag::kConsistency))
-    mask = mask | Event::kDecision | Event::kDecisionTrace;
+  if (on(TraceFlag::kDecisions) || on(TraceFlag::kConsistency)) mask = mask | Event::kDecision | Event::kDecisionTrace;
   if (on(TraceFlag::kIndifferent)) mask = mask | Event::kExploration;
   if (on(TraceFlag::kRl)) mask = mask | Event::kReinforcement;
   hosted_.agent().AddObserver(*this, mask);
