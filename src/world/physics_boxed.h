@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "world/physics_bullet.h"
 
@@ -25,6 +26,29 @@ struct BoxedBody {
 /// Whether it leans by no more than rounding.
 inline bool Stands(const btCollisionObject& body) {
   return body.getWorldTransform().getBasis()[1][1] == 1;
+}
+
+/// More than what rounding can take away of distances about a place: nearer to its limit than this, nothing is certain.
+/// `reach_m`: how far what is looked at lies away at most.
+inline btScalar SlackAbout(const btVector3& place, btScalar reach_m) {
+  constexpr btScalar kLeast_m = 0.005f, kShare = 4e-6f;
+  return kLeast_m + kShare * (std::abs(place.x()) + std::abs(place.y()) + std::abs(place.z()) + 4 * reach_m);
+}
+
+/// A static plane as it lies in the world.
+struct WorldPlane {
+  btVector3 normal;
+  btScalar constant;
+  /// Metres; negative on its other side.
+  btScalar HeightOf(const btVector3& place) const { return normal.dot(place) - constant; }
+};
+
+/// Nothing if the body is no plane.
+inline std::optional<WorldPlane> PlaneOf(const btCollisionObject& body) {
+  if (body.getCollisionShape()->getShapeType() != STATIC_PLANE_PROXYTYPE) return std::nullopt;
+  const auto& plane = static_cast<const btStaticPlaneShape&>(*body.getCollisionShape());
+  const btVector3 normal = body.getWorldTransform().getBasis() * plane.getPlaneNormal();
+  return WorldPlane{normal, normal.dot(body.getWorldTransform().getOrigin()) + plane.getPlaneConstant()};
 }
 
 inline BoxedBody SeenFromAbove(const btCollisionObject& body, const btDbvtVolume& box) {

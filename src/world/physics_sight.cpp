@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "world/limits.h"
 
@@ -16,7 +17,7 @@ template <class Visit>
 bool VisitBodies(const AllBodies& bodies, const btVector3& from, const btVector3& to, btScalar& share,
                  const Visit& visit) {
   const Probe probe(from, to);
-  if (bodies.field.is_known() && (to - from).length2() < BodyField::kLongest_m * BodyField::kLongest_m) {
+  if (bodies.AreInField(from, to)) {
     return bodies.field.VisitAlong(
         from, to, [&](const BoxedBody& each) { return !probe.Meets(each.box, share) || visit(*each.body); });
   }
@@ -99,42 +100,33 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
 }
 
 bool EntersNothing(const AllBodies& bodies, const btVector3& from, const btVector3& to) {
-  const btVector3 along = to - from;
+  if (!bodies.AreInField(from, to)) return FindFirstHit(bodies, from, to).body == nullptr;
   // Most bodies about a short segment are beside it, seen from above.
-  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
+  const btVector3 along = to - from;
   const btScalar length = std::sqrt(along.x() * along.x() + along.z() * along.z());
-  const btScalar slack_m = kSlack_m + kSlack * (std::abs(from.x()) + std::abs(from.z()) + length);
+  const btScalar slack_m = SlackAbout(from, length);
   const Probe probe(from, to);
-  const auto misses = [&](const BoxedBody& each) {
+  return bodies.field.VisitAlong(from, to, [&](const BoxedBody& each) {
     const btScalar beside = (each.x - from.x()) * along.z() - (each.z - from.z()) * along.x();
     return std::abs(beside) > (each.radius + slack_m) * length || !probe.Meets(each.box, 1) ||
            !EntryOf(*each.body, from, to);
-  };
-  if (bodies.field.is_known() && along.length2() < BodyField::kLongest_m * BodyField::kLongest_m)
-    return bodies.field.VisitAlong(from, to, misses);
-  return FindFirstHit(bodies, from, to).body == nullptr;
+  });
 }
 
-NearBodies::NearBodies(const AllBodies& bodies, const View& view) {
+NearBodies::NearBodies(const AllBodies& bodies, const View& view)
+    : slack_m_(SlackAbout(ToBullet(view.place), view.range_m)) {
   constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);
   constexpr float kBeyond_m = 0.1f, kHigh_m = 1e6f;
   const Vec3 reach{view.range_m + kBeyond_m, kHigh_m, view.range_m + kBeyond_m};
   const btVector3 low = ToBullet(LimitPosition(view.place - reach)), high = ToBullet(LimitPosition(view.place + reach));
   const Edges edges(view);
-  // More than what rounding can take away.
-  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
-  slack_m_ =
-      kSlack_m + kSlack * (std::abs(view.place.x) + std::abs(view.place.y) + std::abs(view.place.z) + 4 * view.range_m);
   VisitTouching(bodies, low, high, [&](const BoxedBody& each) {
     const btScalar x = each.x - view.place.x, z = each.z - view.place.z, radius = each.radius + slack_m_;
     const btScalar reach = view.range_m + kBeyond_m + radius;
     if (x * x + z * z > reach * reach || edges.AreBeside(x, z, radius)) return;
-    if (each.body->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE) {
-      const auto& plane = static_cast<const btStaticPlaneShape&>(*each.body->getCollisionShape());
-      const btVector3 normal = each.body->getWorldTransform().getBasis() * plane.getPlaneNormal();
-      planes_.push_back(
-          {each, normal, normal.dot(each.body->getWorldTransform().getOrigin()) + plane.getPlaneConstant()});
+    if (const std::optional<WorldPlane> plane = PlaneOf(*each.body)) {
+      planes_.push_back({each, *plane});
       return;
     }
     bodies_.push_back(each);
@@ -157,8 +149,8 @@ struct NearBodies::Line {
         rise{to.y() - from.y(), other.y() - from.y()} {}
 
   /// Whether one of the two may cross it.
-  bool MayCross(const Plane& plane, btScalar slack_m) const {
-    const btScalar above = plane.normal.dot(start) - plane.constant;
+  bool MayCross(const WorldPlane& plane, btScalar slack_m) const {
+    const btScalar above = plane.HeightOf(start);
     const btScalar level = above + plane.normal.x() * x + plane.normal.z() * z;
     const btScalar one = level + plane.normal.y() * rise[0], other = level + plane.normal.y() * rise[1];
     return std::min({above, one, other}) < slack_m && std::max({above, one, other}) > -slack_m;
@@ -174,7 +166,7 @@ struct NearBodies::Line {
 template <class Visit>
 bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
   for (const Plane& plane : planes_)
-    if (line.MayCross(plane, slack_m_) && !visit(plane.body, 0, 0)) return false;
+    if (line.MayCross(plane.plane, slack_m_) && !visit(plane.body, 0, 0)) return false;
   const btScalar length_2 = line.length * line.length;
   return directions_.VisitAlong(line.x, line.z, [&](std::size_t i) {
     const BoxedBody& each = bodies_[i];

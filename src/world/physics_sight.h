@@ -37,8 +37,7 @@ class NearBodies {
   /// A plane is on all lines seen from above, but few cross it.
   struct Plane {
     BoxedBody body;
-    btVector3 normal;
-    btScalar constant;
+    WorldPlane plane;
   };
 
   struct Line;
@@ -48,7 +47,7 @@ class NearBodies {
   bool HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before, btScalar along,
                        btScalar beside) const;
 
-  btScalar slack_m_;               ///< More than what rounding can take away.
+  btScalar slack_m_;               ///< SlackAbout the viewer.
   std::vector<BoxedBody> bodies_;  ///< Their circles are about the viewer.
   std::vector<Plane> planes_;
   Directions directions_;  ///< Of the bodies.

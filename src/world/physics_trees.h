@@ -46,6 +46,11 @@ bool VisitTrees(const CrowdBroadphase& bodies, const Meets& meets, const Visit& 
 struct AllBodies {
   const CrowdBroadphase& trees;
   const BodyField& field;
+
+  /// Whether the field finds what is on a segment, as fast as it can be; else the trees do.
+  bool AreInField(const btVector3& from, const btVector3& to) const {
+    return field.is_known() && (to - from).length2() < BodyField::kLongest_m * BodyField::kLongest_m;
+  }
 };
 
 /// Calls visit(const BoxedBody&) for each body whose box touches this one.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "world/ids.h"
 #include "world/limits.h"
@@ -36,13 +37,11 @@ bool LevelWays::Segment::Enters(const BoxedBody& each) const {
   return probe.Meets(each.box, 1) && EntryOf(*each.body, from, to).has_value();
 }
 
-LevelWays::LevelWays(const Walker& walker, float reach_m) : walker_(walker), reach_m_(reach_m) {
+LevelWays::LevelWays(const Walker& walker, float reach_m)
+    : walker_(walker), reach_m_(reach_m), slack_m_(SlackAbout(ToBullet(walker.place), reach_m)) {
   constexpr std::size_t kUsual = 48;
   bodies_.reserve(kUsual);
   circles_.reserve(kUsual / kLanes);
-  constexpr btScalar kSlack_m = 0.005f, kSlack = 4e-6f;
-  slack_m_ = kSlack_m +
-             kSlack * (std::abs(walker.place.x) + std::abs(walker.place.y) + std::abs(walker.place.z) + 4 * reach_m);
   low_ = ToBullet(LimitPosition(walker.place - Vec3{reach_m, 0, reach_m}));
   high_ = ToBullet(LimitPosition(walker.place + Vec3{reach_m, 0, reach_m}));
 }
@@ -55,12 +54,10 @@ bool LevelWays::IsOwn(const btCollisionObject& body) const {
 /// Whether it is a plane that no way comes near: the ground.
 bool LevelWays::IsPlaneAfar(const BoxedBody& each) const {
   constexpr btScalar kLarge_m = 1e6f;
-  if (each.radius < kLarge_m || each.body->getCollisionShape()->getShapeType() != STATIC_PLANE_PROXYTYPE) return false;
-  const auto& plane = static_cast<const btStaticPlaneShape&>(*each.body->getCollisionShape());
-  const btTransform& place = each.body->getWorldTransform();
-  const btVector3 normal = place.getBasis() * plane.getPlaneNormal();
-  const btScalar above_m = normal.dot(ToBullet(walker_.place) - place.getOrigin()) - plane.getPlaneConstant();
-  return std::abs(above_m) > 2 * reach_m_ * (std::abs(normal.x()) + std::abs(normal.z())) + slack_m_;
+  if (each.radius < kLarge_m) return false;
+  const std::optional<WorldPlane> plane = PlaneOf(*each.body);
+  return plane && std::abs(plane->HeightOf(ToBullet(walker_.place))) >
+                      2 * reach_m_ * (std::abs(plane->normal.x()) + std::abs(plane->normal.z())) + slack_m_;
 }
 
 LevelWays::Circle LevelWays::CircleOf(const BoxedBody& each) const {

@@ -61,7 +61,7 @@ class LevelWays {
 
   Walker walker_;
   float reach_m_;
-  btScalar slack_m_;  ///< More than what rounding can take away.
+  btScalar slack_m_;  ///< SlackAbout its place.
   btVector3 low_, high_;
   std::vector<BoxedBody> own_;  ///< What is not in the walker's way but may hide what is.
   std::vector<BoxedBody> bodies_;
