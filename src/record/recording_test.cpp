@@ -228,40 +228,54 @@ TEST_F(RecordingTest, TheVersionsBeforeAreStillReadAndOthersAreRefused) {
   EXPECT_TRUE(header->files.empty());
 }
 
-/// Made by the release that wrote format 5: ten agents of the crowd, six ticks, each agent in a circle.
-TEST_F(RecordingTest, CirclesOfVersion5StandAmongTheLines) {
-  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "circles.soarrec";
-  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
-  ASSERT_TRUE(older) << Format(older.error());
+/// A recording that an older release made.
+fs::path Kept(const char* name) {
+  return fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / name;
+}
+
+/// All ticks of a recording; those before the first that cannot be read.
+std::vector<TickRecord> TicksIn(const fs::path& file) {
   std::vector<TickRecord> ticks;
-  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
-    const Result<const TickRecord*> record = (*older)->At(tick);
-    ASSERT_TRUE(record) << Format(record.error());
+  const Result<std::unique_ptr<Reader>> opened = Reader::Open(file);
+  if (!opened) {
+    ADD_FAILURE() << Format(opened.error());
+    return ticks;
+  }
+  for (std::uint64_t tick = (*opened)->first_tick(); tick <= (*opened)->last_tick(); ++tick) {
+    const Result<const TickRecord*> record = (*opened)->At(tick);
+    if (!record) {
+      ADD_FAILURE() << Format(record.error());
+      break;
+    }
     ticks.push_back(**record);
   }
+  return ticks;
+}
+
+void ExpectTheSameWrittenAnew(const fs::path& file, const std::vector<TickRecord>& ticks) {
+  Write(file, ticks);
+  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file);
+  ASSERT_TRUE(newer) << Format(newer.error());
+  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+}
+
+/// Made by the release that wrote format 5: ten agents of the crowd, six ticks, each agent in a circle.
+TEST_F(RecordingTest, CirclesOfVersion5StandAmongTheLines) {
+  const std::vector<TickRecord> ticks = TicksIn(Kept("circles.soarrec"));
   ASSERT_EQ(ticks.size(), 7u);
   EXPECT_EQ(ticks.back().scene.agents.size(), 10u);
   EXPECT_GE(ticks.back().scene.lines.size(), 10 * world::kLinesOfCircle);
   EXPECT_TRUE(ticks.back().scene.circles.empty());
 
-  Write(file(), ticks);
-  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
-  ASSERT_TRUE(newer) << Format(newer.error());
-  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+  ExpectTheSameWrittenAnew(file(), ticks);
 }
 
 /// Made by the release that wrote format 7: eight soldiers, ten ticks.
 TEST_F(RecordingTest, BonesAndMindsOfVersion7StandWhole) {
-  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "whole.soarrec";
-  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
-  ASSERT_TRUE(older) << Format(older.error());
-  std::vector<TickRecord> ticks;
+  const std::vector<TickRecord> ticks = TicksIn(Kept("whole.soarrec"));
   std::size_t operators = 0;
-  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
-    const Result<const TickRecord*> record = (*older)->At(tick);
-    ASSERT_TRUE(record) << Format(record.error());
-    ticks.push_back(**record);
-    for (const MindRecord& mind : ticks.back().minds) {
+  for (const TickRecord& tick : ticks) {
+    for (const MindRecord& mind : tick.minds) {
       mind.events.ForEachOf<mind::OperatorSelected>([&](const mind::OperatorSelected& selected) {
         EXPECT_TRUE(mind::Unpack(selected.decision));
         ++operators;
@@ -279,25 +293,17 @@ TEST_F(RecordingTest, BonesAndMindsOfVersion7StandWhole) {
   }
   EXPECT_GE(bodies, 8u);
 
-  Write(file(), ticks);
-  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
-  ASSERT_TRUE(newer) << Format(newer.error());
-  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+  ExpectTheSameWrittenAnew(file(), ticks);
 }
 
 /// Made by the release that wrote format 8: eight soldiers, their set-up and ten ticks.
 TEST_F(RecordingTest, PlacesOfVersion8StandInFull) {
-  const fs::path kept = fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / "unmoved.soarrec";
-  const Result<std::unique_ptr<Reader>> older = Reader::Open(kept);
-  ASSERT_TRUE(older) << Format(older.error());
-  std::vector<TickRecord> ticks;
+  const fs::path kept = Kept("unmoved.soarrec");
+  const std::vector<TickRecord> ticks = TicksIn(kept);
   std::size_t minds = 0;
-  for (std::uint64_t tick = (*older)->first_tick(); tick <= (*older)->last_tick(); ++tick) {
-    const Result<const TickRecord*> record = (*older)->At(tick);
-    ASSERT_TRUE(record) << Format(record.error());
-    ticks.push_back(**record);
-    minds += ticks.back().minds.size();
-    for (const world::AgentSnapshot& agent : ticks.back().scene.agents) {
+  for (const TickRecord& tick : ticks) {
+    minds += tick.minds.size();
+    for (const world::AgentSnapshot& agent : tick.scene.agents) {
       EXPECT_EQ(agent.position.y, 0.85f);
       EXPECT_NEAR(Length(agent.forward), 1, 1e-5);
     }
@@ -307,10 +313,7 @@ TEST_F(RecordingTest, PlacesOfVersion8StandInFull) {
   EXPECT_EQ(ticks.back().scene.agents.size(), 8u);
   EXPECT_NE(ticks.back().scene.agents.front().position, ticks.front().scene.agents.front().position);
 
-  Write(file(), ticks);
-  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file());
-  ASSERT_TRUE(newer) << Format(newer.error());
-  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
+  ExpectTheSameWrittenAnew(file(), ticks);
   EXPECT_LT(10 * fs::file_size(file()), 9 * fs::file_size(kept));
 }
 
