@@ -3,15 +3,16 @@
 
 #include <unistd.h>
 
-#include <filesystem>
-#include <system_error>
-
 namespace soarbox::app {
+
+std::filesystem::path BesideThisProgram(const char* name, std::error_code& error) {
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / name;
+}
 
 void GoOnAs(const char* name, char** argv) {
   std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error) execv((self.parent_path() / name).c_str(), argv);
+  const std::filesystem::path program = BesideThisProgram(name, error);
+  if (!error) execv(program.c_str(), argv);
 }
 
 }  // namespace soarbox::app

@@ -126,7 +126,8 @@ void EventLog::DropDetails() {
   std::string_view left = bytes();
   for (EventFrame frame; TakeFrame(left, frame);) {
     if (frame.kind == NumberOf<RuleFired>() || frame.kind == NumberOf<ElementChanged>()) continue;
-    std::memmove(bytes_.data() + kept, frame.whole.data(), frame.whole.size());
+    if (char* const place = bytes_.data() + kept; place != frame.whole.data())
+      std::memmove(place, frame.whole.data(), frame.whole.size());
     kept += frame.whole.size();
   }
   used_ = kept;

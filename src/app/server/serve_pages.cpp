@@ -16,6 +16,7 @@
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
+#include "app/other_program.h"
 #include "app/refuse.h"
 #include "diagnostics/problem.h"
 #include "mission/test_missions.h"
@@ -148,9 +149,9 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
 /// The program that runs engines: soarbox, which lies beside this one.
 Result<std::string> EngineProgram() {
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = BesideThisProgram("soarbox", error);
   if (error) return NewProblem("the program does not find itself: " + error.message());
-  return (self.parent_path() / "soarbox").string();
+  return program.string();
 }
 
 /// Opens a link in the user's browser, if there is a program that does it.
