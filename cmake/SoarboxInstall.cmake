@@ -31,7 +31,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT
 # What a user reads; the specification and the design stay with the source.
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation
-        PATTERN spec EXCLUDE PATTERN design EXCLUDE)
+        PATTERN spec EXCLUDE PATTERN dev EXCLUDE)
 
 if(TARGET soarbox_sml)
   install(TARGETS soarbox_sml EXPORT SoarboxTargets

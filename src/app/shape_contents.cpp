@@ -34,7 +34,7 @@ float Finite(float value) {
   return std::isfinite(value) ? value : 0;
 }
 
-/// Bytes of a mesh, little endian, numbers of one kind together, so that they pack well (docs/stream.md#shapes).
+/// Bytes of a mesh, little endian, numbers of one kind together, so that they pack well (docs/dev/stream.md#shapes).
 class MeshBytes {
  public:
   void Number(std::uint32_t value) { Little(value, 4); }

@@ -12,7 +12,7 @@
 namespace soarbox::app {
 
 /// What bodies and things look like, as contents for pages: the window's own shapes, each told once when a scene first
-/// shows it (docs/stream.md#shapes).
+/// shows it (docs/dev/stream.md#shapes).
 class ShapeContents {
  public:
   struct Told {

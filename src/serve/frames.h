@@ -17,7 +17,7 @@ enum class FrameKind : std::uint8_t {
   kFlow = 'w',      ///< JSON: how the world goes; likewise, the newest.
   kContents = 'c',  ///< The name of contents, a byte 0, and their JSON; likewise, the newest of each name.
   kDone = 'd',      ///< All requests so far are carried out.
-  kScene = 's',     ///< A block of the scene stream that needs the one before (docs/stream.md).
+  kScene = 's',     ///< A block of the scene stream that needs the one before (docs/dev/stream.md).
   kFull = 'f',      ///< A block that stands alone.
 };
 struct Frame {

@@ -13,7 +13,7 @@
 
 namespace soarbox::stream {
 
-/// One moment of a scene as bytes for a page (docs/stream.md).
+/// One moment of a scene as bytes for a page (docs/dev/stream.md).
 struct Block {
   std::string bytes;
   bool is_full = false;  ///< A reader may begin here; else it needs the previous block.

@@ -10,7 +10,7 @@
 namespace soarbox::tell {
 
 /// What can be said of a mind. One sentence, or part of one, belongs to each: they stand in one table, from which
-/// debugger, recordings and reports take their words, and docs/answers.md lists them.
+/// debugger, recordings and reports take their words, and docs/dev/answers.md lists them.
 enum class Situation : std::uint8_t {
   // What one preference does.
   kProposes,
@@ -147,7 +147,7 @@ std::string Say(Situation situation, std::initializer_list<Slot> slots = {});
 /// "a", "a and b", "a, b and c".
 std::string Listed(std::span<const std::string> parts);
 
-/// docs/answers.md.
+/// docs/dev/answers.md.
 std::string AnswersPage();
 
 }  // namespace soarbox::tell

@@ -12,7 +12,7 @@ namespace soarbox::tell {
 namespace {
 
 TEST(Sentences, ThePageListsTheTable) {
-  const std::string file = std::string(SOARBOX_SOURCE_DIR) + "/docs/answers.md";
+  const std::string file = std::string(SOARBOX_SOURCE_DIR) + "/docs/dev/answers.md";
   if (std::getenv("WRITE_EXPECTED") != nullptr) std::ofstream(file) << AnswersPage();
   std::ifstream in(file);
   std::ostringstream page;

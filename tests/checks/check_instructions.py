@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that the kernel takes no more instructions than docs/performance.md states.
+"""Checks that the kernel takes no more instructions than docs/dev/performance.md states.
 
 usage: check_instructions.py PERFORMANCE.MD DRIVER_FOLDER [--compiler NAME]
 

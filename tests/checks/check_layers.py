@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that includes follow the module order of docs/architecture.md.
+"""Checks that includes follow the module order of docs/dev/architecture.md.
 
 usage: check_layers.py SOURCE_DIR
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that documents lead somewhere: relative links of Markdown files, and the source files that docs/kernel.md names.
+"""Checks that documents lead somewhere: relative links of Markdown files, and the source files that docs/dev/kernel.md names.
 
 usage: check_links.py PROJECT_DIR
 """
@@ -28,10 +28,10 @@ def main(arguments):
             target = link.split("#")[0]
             if target and "://" not in link and not (page.parent / target).exists():
                 found.append(f"{page.relative_to(root)}: there is no {target}")
-    kernel = root / "docs" / "kernel.md"
+    kernel = root / "docs" / "dev" / "kernel.md"
     for name in sorted(set(SOURCE_FILE.findall(kernel.read_text(encoding="utf-8")))):
         if not any((root / place / name).exists() for place in SOURCE_ROOTS):
-            found.append(f"docs/kernel.md: there is no {name}")
+            found.append(f"docs/dev/kernel.md: there is no {name}")
     print("\n".join(found) or "all links lead somewhere")
     return 1 if found else 0
 

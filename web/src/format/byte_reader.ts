@@ -5,7 +5,7 @@ export class BadBytes extends Error {}
 
 const decoder = new TextDecoder("utf-8");
 
-/** Reads the values of docs/stream.md one after another. */
+/** Reads the values of docs/dev/stream.md one after another. */
 export class ByteReader {
   private at = 0;
   private readonly view: DataView;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
 
-/** Triangles as the run tells them (docs/stream.md): the window's own. Counter-clockwise seen from outside. */
+/** Triangles as the run tells them (docs/dev/stream.md): the window's own. Counter-clockwise seen from outside. */
 export interface ShapeMesh {
   readonly count: number;
   readonly positions: Float32Array<ArrayBuffer>;
