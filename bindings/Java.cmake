@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # Whether the binding for Java is built, and with which javac: that of $JAVA_HOME, or the first on the path.
 find_program(SOARBOX_JAVAC javac HINTS ENV JAVA_HOME PATH_SUFFIXES bin DOC "The compiler for Java, version 11 or newer")
 if(SOARBOX_JAVAC)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # The distribution's Python: the one whose headers the distribution has. SOARBOX_PYTHON_EXECUTABLE names another one.
 set(SOARBOX_PYTHON_EXECUTABLE "" CACHE FILEPATH "The Python that the binding is for")
 if(SOARBOX_PYTHON_EXECUTABLE)

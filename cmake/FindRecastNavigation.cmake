@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # Recast and Detour, which come without a CMake package: the targets RecastNavigation::Recast and
 # RecastNavigation::Detour. RecastNavigation_ROOT names another prefix.
 find_path(RecastNavigation_INCLUDE_DIR Recast.h PATH_SUFFIXES recastnavigation recast)

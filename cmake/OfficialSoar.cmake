@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # The target soarbox::soar_client made from an installed official Soar (SOARBOX_SOAR_ROOT), in place of our own kernel.
 # What only our kernel offers (the `soarbox soar` shell) is left out of such a build.
 find_path(SOARBOX_SOAR_INCLUDE sml_Client.h HINTS "${SOARBOX_SOAR_ROOT}" PATH_SUFFIXES include out/include NO_DEFAULT_PATH)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # What `cmake --install` puts into a prefix. Each component becomes a Debian package (packaging/debian, packaging/make_debs):
 #
 # command        the command and the server, with its scenarios, lessons, media, the page for browsers, manual pages and completion

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # How every target of the project is built: language level, warnings, sanitizers,
 # and the two functions that the modules' CMakeLists.txt use.
 

@@ -3,6 +3,7 @@
 import { build } from "esbuild";
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
+import { noticesFor } from "./licences.mjs";
 
 const MOST_COMPRESSED_BYTES = 1_500_000;
 
@@ -17,7 +18,7 @@ const { metafile } = await build({
   target: "es2022",
   minify: true,
   chunkNames: "[name]-[hash]",
-  legalComments: "linked",
+  legalComments: "none",
   logLevel: "warning",
   metafile: true,
 });
@@ -29,12 +30,14 @@ const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
 const preloads = [...needed].map((file) => `<link rel="modulepreload" href="${file.replace("dist/page", "")}">`).join("\n");
 // What `soarbox report` puts into one file: the page with its style, what shows the data, and what shows a recorded run in 3D.
 const noEditor = { name: "no editor", setup: (bundle) => bundle.onResolve({ filter: /\/edit_panel$/ }, () => ({ path: `${import.meta.dirname}/src/report/no_edit_panel.ts` })) };
-const whole = await build({ plugins: [noEditor], entryPoints: { report: "src/report.ts", report_scene: "src/report_scene.ts", style: "src/styles/report_page.css" }, outdir: "dist", bundle: true, write: false, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
+const whole = await build({ plugins: [noEditor], entryPoints: { report: "src/report.ts", report_scene: "src/report_scene.ts", style: "src/styles/report_page.css" }, outdir: "dist", bundle: true, write: false, metafile: true, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;
-writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8").replace("{{style}}", () => textOf(".css")));
+writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8").replace("{{style}}", () => textOf(".css"))
+  .replace("{{licences}}", () => noticesFor(whole.metafile).replaceAll("&", "&amp;").replaceAll("<", "&lt;")));
 for (const name of ["report.js", "report_scene.js"])
   writeFileSync(`dist/page/${name}`, textOf(`/${name}`).replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--"));
 writeFileSync("dist/page/index.html", readFileSync("src/index.html", "utf8").replace("<!-- preloads -->", preloads));
+writeFileSync("dist/page/assets/licences.txt", noticesFor(metafile));
 cpSync("src/icon.svg", "dist/page/assets/icon.svg");
 const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];
 const bytes = files.filter((name) => !name.endsWith(".txt")).reduce((sum, name) => sum + gzipSync(readFileSync(name)).length, 0);

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # Compiles what SWIG made (MADE) and what is ours (OWN) into CLASSES, and packs RESULT.
 file(GLOB sources "${MADE}/*.java" "${OWN}/*.java")
 file(REMOVE_RECURSE "${CLASSES}")

@@ -1,1 +1,2 @@
+# SPDX-License-Identifier: BSD-2-Clause
 list(APPEND SOARBOX_KERNEL_SOURCES agent.cpp)

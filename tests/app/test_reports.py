@@ -52,6 +52,19 @@ class Reports(MissionCase):
         fired = {rule["name"]: rule["firings"] for rule in data["agents"][0]["rules"]}
         self.assertEqual(fired["scout*apply*go"], 1)
 
+    def test_a_page_carries_the_notices_of_what_it_contains(self):
+        self.mission('[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n')
+        recording, page = self.folder / "run.soarrec", self.folder / "report.html"
+        self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "1", "--record", recording).code, 0)
+        self.assertEqual(Run("report", recording, "-o", page).code, 0)
+        text = page.read_text(encoding="utf-8")
+        notices = re.search(r'<footer class="licences">.*?</footer>', text, re.S)[0]
+        # By their own words in the scripts of the page.
+        self.assertIn("THREE.", text)
+        for words in ("the Soarbox authors", "three.js authors", "Leon Sorokin", "Permission is hereby granted", "uplot "):
+            self.assertIn(words, notices)
+        self.assertNotIn("{{", notices)
+
     def test_panels_of_the_run_in_3d_hold_what_was_until_their_moment(self):
         self.mission("")
         recording, page = self.folder / "run.soarrec", self.folder / "report.html"

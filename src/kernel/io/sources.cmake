@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 list(APPEND SOARBOX_KERNEL_SOURCES
   io/input_link.cpp
   io/output_link.cpp)

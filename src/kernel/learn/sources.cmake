@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 list(APPEND SOARBOX_KERNEL_SOURCES learn/apoptosis.cpp
   learn/backtrace.cpp
   learn/carried_tests.cpp

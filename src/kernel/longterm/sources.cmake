@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/activations.cpp
   longterm/episode_commands.cpp

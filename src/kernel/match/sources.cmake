@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # The matcher: topology, memories and the conflict set.
 list(APPEND SOARBOX_KERNEL_SOURCES
   match/alpha_memories.cpp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-2-Clause
 # The functions of right-hand sides.
 list(APPEND SOARBOX_KERNEL_SOURCES
   rules/functions/arithmetic_functions.cpp
