@@ -2,12 +2,14 @@
 """Worlds as environments to learn in, and runs that show themselves."""
 import builtins
 import html
+import importlib.util
 import inspect
 import math
 import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -15,6 +17,9 @@ import warnings
 from unittest import mock
 
 import soarbox
+
+if os.environ.get("SOARBOX_WITHOUT_NUMPY"):
+    sys.modules["numpy"] = None  # From here on, importing it raises ImportError.
 
 ACTIONS = [None, "stop", ("move-to", {"waypoint": "north"}), ("move-to", {"x": 4, "z": 0.5})]
 OBSERVE = ["self.health", "self.position.x", "self.position.z", "agent.range", "agent.visible"]
@@ -43,7 +48,8 @@ class Environments(unittest.TestCase):
             for _ in range(6):
                 last, reward, terminated, truncated, info = environment.step(2)
             self.assertEqual((terminated, truncated, info["tick"], info["command"]), (False, False, 61, "under way"))
-            self.assertAlmostEqual(reward, -last[2])
+            # With numpy, observations are rounded to float32.
+            self.assertAlmostEqual(reward, -last[2], delta=1e-5)
             self.assertLess(last[2], first[2] - 2, "anna has walked to the north")
             self.assertNotEqual(bert.percepts["self"]["position"]["z"], begin, "bert walks, too")
             self.assertEqual([command.name for command in environment.agent.commands], ["move-to"])
@@ -198,7 +204,7 @@ class Mistakes(unittest.TestCase):
 class Spaces(unittest.TestCase):
     def test_samples_are_inside_and_repeat_with_the_seed(self):
         for make in (lambda: soarbox.Discrete(3, start=-1), lambda: soarbox.Box(-1, [1, math.inf, 0]),
-                     lambda: soarbox.Box(-math.inf, [math.inf, 2], shape=(2,))):
+                     lambda: soarbox.Box(-math.inf, [math.inf, 2], shape=(2,)), lambda: soarbox.Box(0.1, 0.1, (1,))):
             space, again = make(), make()
             self.assertEqual(space, again)
             space.seed(4)
@@ -220,6 +226,11 @@ class Spaces(unittest.TestCase):
                      lambda: soarbox.Box([0, 1], [1]), lambda: soarbox.Box(2, 1, (1,)), lambda: soarbox.Box(0, 1, (1, 2))):
             with self.assertRaises(ValueError):
                 make()
+
+    @unittest.skipIf(sys.modules.get("numpy", ...) is None or not importlib.util.find_spec("numpy"), "there is no numpy")
+    def test_with_numpy_observations_are_arrays_of_float32(self):
+        low = soarbox.Box(0, 0.1, (2,)).low
+        self.assertEqual((type(low).__name__, str(low.dtype)), ("ndarray", "float32"))
 
     def test_without_numpy_observations_are_tuples(self):
         real = builtins.__import__

@@ -125,8 +125,9 @@ class Box(Space):
             numbers = [float(number) for number in x]
         except (TypeError, ValueError):
             return False
+        # The bounds are compared as they are published: numpy rounds them to float32, as it rounds samples.
         return len(numbers) == self.shape[0] and all(
-            lowest <= number <= highest for lowest, number, highest in zip(self._low, numbers, self._high))
+            lowest <= number <= highest for lowest, number, highest in zip(self.low, numbers, self.high))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Box) and (self._low, self._high) == (other._low, other._high)
