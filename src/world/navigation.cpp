@@ -49,9 +49,12 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
   Entry& entry = entries_[std::string(name)];
   entry = Entry();
   entry.source_hash = SourceHash(geometry, config);
-  auto build = [geometry = std::move(geometry), config] { return NavigationMesh::Build(geometry, config); };
-  // Where no thread is to be had it is built when it is needed.
-  entry.building = std::async(std::launch::async | std::launch::deferred, std::move(build));
+  const auto build = [geometry = std::make_shared<const NavigationGeometry>(std::move(geometry)), config] {
+    return NavigationMesh::Build(*geometry, config);
+  };
+  // If no thread can be started, the mesh is built when it is needed. `build` is copied, because std::async may take it twice: for the
+  // thread, and again for the later call.
+  entry.building = std::async(std::launch::async | std::launch::deferred, build);
   return farthest > NavigationMesh::kHalfExtent_m;
 }
 

@@ -38,8 +38,8 @@ def limit_memory(process_id, memory_bytes):
 class Run:
     """One finished run of the command; `code`: how it must end; `memory_bytes`: all that it may have."""
 
-    def __init__(self, *arguments, code=None, display=False, limit_s=240, cwd=None, memory_bytes=None):
-        environment = dict(os.environ)
+    def __init__(self, *arguments, code=None, display=False, limit_s=240, cwd=None, memory_bytes=None, variables=None):
+        environment = {**os.environ, **(variables or {})}
         if not display:
             environment.pop("DISPLAY", None)
         done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=limit_s,
