@@ -29,10 +29,13 @@ install(FILES packaging/completion/soarbox.bash DESTINATION ${CMAKE_INSTALL_DATA
         COMPONENT command)
 install(FILES packaging/completion/_soarbox DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT licence)
-# What a user reads; the specification and the design stay with the source.
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation
-        PATTERN spec EXCLUDE PATTERN dev EXCLUDE)
+# What a user reads, with the description of Soar 9.6.3 and of the client interface. Maintainers' pages stay with the source: links to
+# what is not installed become plain text.
+install(FILES README.md CHANGELOG.md CITATION.cff SECURITY.md CODE_OF_CONDUCT.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox
+        COMPONENT documentation)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation PATTERN docs/dev EXCLUDE)
+install(CODE "set(pages \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/soarbox\")
+  include(\"${CMAKE_CURRENT_SOURCE_DIR}/cmake/CutLinks.cmake\")" COMPONENT documentation)
 
 if(TARGET soarbox_sml)
   install(TARGETS soarbox_sml EXPORT SoarboxTargets

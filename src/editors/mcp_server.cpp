@@ -117,7 +117,7 @@ McpJson McpServer::Request(const std::string& method, const McpJson& params) {
     constexpr const char* kVersion = "2024-11-05";
     return {{"protocolVersion", kVersion},
             {"capabilities", {{"tools", McpJson::object()}}},
-            {"serverInfo", {{"name", "soarbox"}, {"version", "1"}}},
+            {"serverInfo", {{"name", "soarbox"}, {"version", SOARBOX_VERSION}}},
             {"instructions",
              "Tools to write Soar agents: check rules with the kernel's own reader, look up percepts and commands, run "
              "scenarios and missions, and ask why an agent does what it does. Files are named relative to " +

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The Python of docs/python.md runs as it is printed, from top to bottom."""
+import importlib.util
 import pathlib
 import re
+import statistics
 import unittest
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs/python.md"
@@ -17,6 +19,15 @@ class Documents(unittest.TestCase):
             line = text.count("\n", 0, block.start(1))
             with self.subTest(line=line + 1):
                 exec(compile("\n" * line + block[1], str(PAGE), "exec"), names)
+
+    def test_the_tabular_learner_learns(self):
+        path = PAGE.parent / "examples" / "q_learning" / "q_learning.py"
+        spec = importlib.util.spec_from_file_location("q_learning", path)
+        example = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(example)
+        returns = example.main(16)
+        self.assertEqual(len(returns), 16)
+        self.assertGreater(statistics.mean(returns[8:]), statistics.mean(returns[:8]))
 
 
 if __name__ == "__main__":
