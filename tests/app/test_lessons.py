@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The lessons of docs/lessons run, and show what their pages say: each sentence about what happens has its test."""
+import json
 import math
 import pathlib
 import re
@@ -23,6 +24,20 @@ def distances(run, one, other):
         places = {agent["name"]: agent["position"] for agent in state["agents"]}
         gaps.append(math.hypot(places[one][0] - places[other][0], places[one][2] - places[other][2]))
     return gaps
+
+
+def session(rules, commands):
+    """What `soarbox soar` prints for each command after these rules, without empty lines and the lines that count cycles."""
+    done = subprocess.run([COMMAND, "soar", "--json"], input="\n".join([rules, *commands, ""]), text=True, capture_output=True,
+                          timeout=60, check=False)
+    answers = [json.loads(line) for line in done.stdout.splitlines()]
+    told = ""
+    for command, answer in zip(commands, answers[len(answers) - len(commands):], strict=True):
+        told += f"> {command}\n"
+        for line in (answer.get("printed", "") + "\n" + answer.get("text", "")).splitlines():
+            if line.strip() and not line.startswith("--> "):
+                told += line.rstrip() + "\n"
+    return told
 
 
 class LessonCase(ScenarioCase):
@@ -276,9 +291,19 @@ class Pages(LessonCase):
             check = Run("check", self.write(f"block{number}.soar", block), "--json")
             problems = [line for line in check.out.splitlines() if '"error"' in line or "all the time" in line]
             self.assertEqual(problems, [])
-        counting = next(block for block in blocks if "count*apply*step" in block)
-        tea = next(block for block in blocks if "make-tea" in block)
-        for block, decisions, expected in ((counting, 8, "^count 3"), (tea, 8, "^has tea")):
-            done = subprocess.run([COMMAND, "soar"], input=block + f"\nrun {decisions}\nprint s1\n", text=True,
-                                  capture_output=True, timeout=60, check=False)
-            self.assertIn(expected, done.stdout)
+
+    def test_each_statement_of_soar_in_one_evening_is_shown_by_a_session_that_answers_as_printed(self):
+        page = (REPOSITORY / "docs" / "soar_in_one_evening.md").read_text(encoding="utf-8")
+        sessions = re.findall(r"```soar\n([^`]*)```\n```\n(> [^`]*)```", page)
+        self.assertGreaterEqual(len(sessions), 18)
+        for rules, printed in sessions:
+            commands = [line[2:] for line in printed.splitlines() if line.startswith("> ")]
+            self.assertEqual(printed, session(rules, commands), rules)
+
+    def test_the_sessions_of_soar_in_one_evening_notice_another_answer(self):
+        page = (REPOSITORY / "docs" / "soar_in_one_evening.md").read_text(encoding="utf-8")
+        rules = next(block for block in re.findall(r"```soar\n([^`]*)```", page) if "sunbathe*warm" in block)
+        commands = ["add-wme s1 ^sun yes", "run 3", "remove-wme 14", "run 1", "print --exact (s1 ^warm *)"]
+        self.assertNotIn("(S1 ^warm yes)", session(rules, commands))
+        kept = rules.replace("(<above> ^sun yes)", "(<above> ^sun yes ^operator.name sunbathe)")
+        self.assertIn("(S1 ^warm yes)", session(kept, commands))
