@@ -52,8 +52,8 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
   const auto build = [geometry = std::make_shared<const NavigationGeometry>(std::move(geometry)), config] {
     return NavigationMesh::Build(*geometry, config);
   };
-  // If no thread can be started, the mesh is built when it is needed. `build` is copied, because std::async may take it twice: for the
-  // thread, and again for the later call.
+  // If no thread can be started, the mesh is built when it is needed. `build` is copied, because std::async may take it
+  // twice: for the thread, and again for the later call.
   entry.building = std::async(std::launch::async | std::launch::deferred, build);
   return farthest > NavigationMesh::kHalfExtent_m;
 }
