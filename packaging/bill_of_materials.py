@@ -11,6 +11,7 @@ import argparse
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -46,14 +47,15 @@ def linked_packages(build):
     for program in sorted((build / "bin").glob("soarbox*")):
         if program.is_file():
             files |= set(re.findall(r"=> (/\S+)", asked("ldd", program)))
-    for file in sorted(files):
+    paths = set()
+    for file in files:
         real = str(pathlib.Path(file).resolve())
         # dpkg knows the files of /usr/lib, also where /lib is a link to it.
-        for path in (real, real.removeprefix("/usr"), "/usr" + real):
-            owner = asked("dpkg", "-S", path)
-            if owner:
-                yield owner.split(": ")[0].split(":")[0]
-                break
+        paths |= {real, real.removeprefix("/usr")}
+    # It fails if one of the paths is unknown, and names the owners of the others.
+    done = subprocess.run(["dpkg", "-S", *sorted(paths)], capture_output=True, text=True, check=False) if paths and shutil.which("dpkg") else None
+    for line in done.stdout.splitlines() if done else ():
+        yield line.split(": ")[0].split(":")[0]
 
 
 def header_packages():
@@ -65,11 +67,14 @@ def header_packages():
 
 
 def debian_packages(build):
-    for name in sorted({*linked_packages(build), *header_packages()}):
-        # A library may be installed for several architectures.
-        found = asked("dpkg-query", "-W", "-f=${Version} ${Architecture}\n", name).splitlines()
-        if found:
-            number, architecture = found[0].split()
+    names = sorted({*linked_packages(build), *header_packages()})
+    # A library may be installed for several architectures; a package that is not there has no line.
+    found = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${Version} ${Architecture}\n", *names], capture_output=True, text=True,
+                           check=False).stdout if shutil.which("dpkg-query") else ""
+    seen = set()
+    for name, number, architecture in (line.split() for line in found.splitlines() if len(line.split()) == 3):
+        if name not in seen:
+            seen.add(name)
             yield {"type": "library", "name": name, "version": number,
                    "purl": f"pkg:deb/debian/{name}@{number.replace('+', '%2B').replace(':', '%3A')}?arch={architecture}"}
 
