@@ -10,7 +10,7 @@ from soarbox_command import Run, ScenarioCase, page_missing
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted(page for page in (ROOT / "docs").rglob("*.md") if "spec" not in page.parts)]
 # What waits for somebody, needs a display or a cluster, or leaves the machine; these have tests of their own.
-ELSEWHERE = re.compile(r"^(serve|kernel|lsp|dap|mcp|help)\b|--on slurm|--screenshot|--dis 239|^learn$")
+ELSEWHERE = re.compile(r"^(serve|kernel|lsp|dap|mcp|help)\b|--on slurm|--screenshot|--dis 239|^learn$|my-lessons")
 FORM = re.compile(r"[A-Z]{2,}|\[|\||\b[NX]\b|, [a-z]+ |\.\.\.")
 MINE = """sp {mine*propose*look (state <s> ^type state -^looked) --> (<s> ^operator <o> +) (<o> ^name look)}
 sp {mine*apply*look (state <s> ^operator.name look) --> (<s> ^looked yes)}
@@ -83,7 +83,8 @@ class Pages(ScenarioCase):
                 continue
             words = shlex.split(words.replace("RULE", rule))
             if words[0] in ("run", "replay"):
-                words += [word for word in ("--headless", "--seconds", "2") if word not in words][:1 if words[0] == "replay" else 3]
+                words += ["--headless"] if "--headless" not in words else []
+                words += ["--seconds", "2"] if words[0] == "run" and "--seconds" not in words else []
             if words[0] == "test":
                 words = [word for word in words if not re.match(r"1\.\.|--seeds", word)] + ["--seeds", "1..2"]
             run = Run(*words, cwd=folder)

@@ -70,7 +70,7 @@ def worlds():
                 continue
             if file.suffix == ".toml" or (file.suffix == ".lua" and "function Sandbox_Initialize" in file.read_text()):
                 yield file
-    yield from sorted(path for path in PAGES.iterdir() if path.is_dir())
+    yield from sorted(file.parent for file in PAGES.glob("*/scenario.toml"))
     yield from sorted(file.parent for file in LESSONS.rglob("lesson.toml"))
 
 
