@@ -106,7 +106,7 @@ class Check(Programs):
         path = self.folder / "part0/f10.soar"
         text = path.read_text()
         uri = editor.open(path)
-        place = {"textDocument": {"uri": uri}, "position": at(text, "op11", offset=1)}
+        place = {"textDocument": {"uri": uri}, "position": at(text, "name op11", offset=6)}
         self.assertEqual([(self.folder / "part0/f11.soar").as_uri()],
                          [one["uri"] for one in editor.ask("textDocument/definition", place)])
         self.assertEqual(2, len(editor.ask("textDocument/rename", dict(place, newName="other"))["changes"]))
