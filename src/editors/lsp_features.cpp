@@ -9,6 +9,7 @@
 #include "editors/lsp_server.h"
 #include "language/complete.h"
 #include "language/format.h"
+#include "language/soar_help.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 
@@ -34,6 +35,12 @@ Json LspServer::CompletionAt(const Json& params) {
 Json LspServer::HoverAt(const Json& params) {
   const Place place = PlaceOf(params);
   const std::optional<language::Name> name = language::NameAt(*place.document, place.offset);
+  if (!name || name->kind == language::Name::Kind::kValue) {
+    const std::optional<language::SoarWord> word = language::SoarWordAt(*place.document, place.offset);
+    if (word)
+      return {{"contents", {{"kind", "markdown"}, {"value", word->text}}},
+              {"range", RangeOf(place.document->lines(), word->span)}};
+  }
   if (!name) return nullptr;
   const std::string text =
       language::Hover(workspace_.ProgramOf(place.path), *place.document, *name, LastRunBeside(place.path));

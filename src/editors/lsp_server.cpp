@@ -19,6 +19,8 @@ constexpr int kLspParseError = -32700, kLspInvalidRequest = -32600, kLspNoSuchMe
 /// So many problems of a file are published: nobody reads more, and editors become slow.
 constexpr std::size_t kMostProblems = 500;
 
+constexpr int kWarningMessage = 2;  ///< A type of window/showMessage.
+
 /// What a request is refused with.
 struct LspRefusal {
   int code;
@@ -36,6 +38,18 @@ Position PositionIn(const Json& json) {
     return value.get<std::size_t>();
   };
   return {number("line"), number("character")};
+}
+
+/// The folders of a list of the protocol's WorkspaceFolder; other schemes than file: are left out.
+std::vector<fs::path> FoldersIn(const Json& list) {
+  std::vector<fs::path> folders;
+  for (const Json& one : list) {
+    fs::path folder = PathOfUri(one.at("uri").get<std::string>());
+    // "file:///home/me/" names the same folder as without the last stroke.
+    if (!folder.has_filename()) folder = folder.parent_path();
+    if (!folder.empty()) folders.push_back(std::move(folder));
+  }
+  return folders;
 }
 
 }  // namespace
@@ -125,30 +139,65 @@ void LspServer::Notify(const std::string& method, const Json& params) {
     const fs::path path = path_in();
     if (path.empty()) return;
     workspace_.Open(path, params.at("textDocument").at("text").get<std::string>());
+    workspace_.LookAgain();
     unchecked_.insert(path);
     Publish(path);
   } else if (method == "textDocument/didChange") {
     Changed(params);
   } else if (method == "textDocument/didSave") {
+    workspace_.LookAgain();
     unchecked_.insert(path_in());
   } else if (method == "textDocument/didClose") {
-    const fs::path path = path_in();
-    workspace_.Close(path);
-    unchecked_.erase(path);
-    slips_.erase(path);
-    published_.erase(path);
-    out_.push_back({{"jsonrpc", "2.0"},
-                    {"method", "textDocument/publishDiagnostics"},
-                    {"params", {{"uri", UriOf(path)}, {"diagnostics", Json::array()}}}});
+    Closed(path_in());
   } else if (method == "workspace/didChangeWatchedFiles") {
+    workspace_.LookAgain();
     for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
+  } else if (method == "workspace/didChangeWorkspaceFolders") {
+    ChangeFolders(params.at("event"));
   }
+}
+
+void LspServer::Closed(const fs::path& path) {
+  workspace_.Close(path);
+  unchecked_.erase(path);
+  slips_.erase(path);
+  PublishNothing(path);
+  const std::vector<fs::path> open = workspace_.OpenFiles();
+  unchecked_.insert(open.begin(), open.end());
+  if (!open.empty()) return;
+  // Nobody looks at the programs any more.
+  std::vector<fs::path> told;
+  for (const auto& [file, text] : published_) told.push_back(file);
+  for (const fs::path& file : told) PublishNothing(file);
+  slips_.clear();
+}
+
+void LspServer::PublishNothing(const fs::path& path) {
+  published_.erase(path);
+  out_.push_back({{"jsonrpc", "2.0"},
+                  {"method", "textDocument/publishDiagnostics"},
+                  {"params", {{"uri", UriOf(path)}, {"diagnostics", Json::array()}}}});
+}
+
+void LspServer::ChangeFolders(const Json& event) {
+  std::vector<fs::path> folders = workspace_.folders();
+  for (const Json& one : event.at("removed")) std::erase(folders, PathOfUri(one.at("uri").get<std::string>()));
+  for (const fs::path& one : FoldersIn(event.at("added"))) folders.push_back(one);
+  workspace_.SetFolders(std::move(folders));
+  for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
 }
 
 Json LspServer::Initialize(const Json& params) {
   if (initialized_) throw LspRefusal{kLspInvalidRequest, "the server is initialized already"};
   initialized_ = true;
-  (void)params;
+  std::vector<fs::path> folders;
+  const auto named = params.find("workspaceFolders"), root = params.find("rootUri");
+  if (named != params.end() && named->is_array()) {
+    folders = FoldersIn(*named);
+  } else if (root != params.end() && root->is_string()) {
+    folders = FoldersIn(Json::array({{{"uri", *root}}}));
+  }
+  workspace_.SetFolders(std::move(folders));
   return {{"serverInfo", {{"name", "soarbox"}}},
           {"capabilities",
            {{"positionEncoding", "utf-16"},
@@ -160,6 +209,7 @@ Json LspServer::Initialize(const Json& params) {
             {"documentHighlightProvider", true},
             {"documentSymbolProvider", true},
             {"workspaceSymbolProvider", true},
+            {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
             {"foldingRangeProvider", true},
             {"documentFormattingProvider", true},
             {"renameProvider", {{"prepareProvider", true}}},
@@ -217,6 +267,7 @@ void LspServer::Publish(const fs::path& path) {
     for (const Diagnostic& problem : slips->second) add(problem);
   std::string text = list.dump(-1, ' ', false, Json::error_handler_t::replace);
   const auto known = published_.find(path);
+  if (known == published_.end() && list.empty() && !workspace_.IsOpen(path)) return;
   if (known != published_.end() && known->second == text) return;
   published_[path] = std::move(text);
   out_.push_back({{"jsonrpc", "2.0"},
@@ -226,14 +277,20 @@ void LspServer::Publish(const fs::path& path) {
 
 std::vector<Json> LspServer::Idle() {
   out_.clear();
-  std::set<fs::path> roots;
+  std::set<std::vector<fs::path>> looked_over;
   for (const fs::path& path : std::exchange(unchecked_, {})) {
     if (!workspace_.IsOpen(path)) continue;
     const language::Program program = workspace_.ProgramOf(path);
-    if (!roots.insert(program.root).second) continue;
+    for (const std::string& notice : workspace_.TakeNotices())
+      out_.push_back({{"jsonrpc", "2.0"},
+                      {"method", "window/showMessage"},
+                      {"params", {{"type", kWarningMessage}, {"message", notice}}}});
+    if (!looked_over.insert(program.roots).second) continue;
     for (auto& [file, slips] : workspace_.Slips(program)) {
+      // What this program lacks in a file, another program of the file may complete.
+      if (workspace_.RootsOf(file) != program.roots) continue;
       slips_[file] = std::move(slips);
-      if (workspace_.IsOpen(file)) Publish(file);
+      Publish(file);
     }
   }
   return std::move(out_);

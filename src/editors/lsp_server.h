@@ -70,10 +70,15 @@ class LspServer {
   Json WorkspaceSymbols(const Json& params);
 
   void Changed(const Json& params);
+  void Closed(const std::filesystem::path& path);
+  void ChangeFolders(const Json& event);
   DocumentPtr DocumentOf(const Json& params);
   Place PlaceOf(const Json& params);
   Json LocationOf(const language::Use& use);
+  /// What was said of the file before is replaced. Of a file that is not open nothing is published as long as nothing
+  /// was found.
   void Publish(const std::filesystem::path& path);
+  void PublishNothing(const std::filesystem::path& path);
   const language::LastRun* LastRunBeside(const std::filesystem::path& file);
 
   const sim::DataFolders* data_;

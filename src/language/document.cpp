@@ -69,15 +69,31 @@ void Document::ReadCommands(RuleReader& reader) {
     if (words.size() == 2 && name == "pushd") folders.push_back(folders.back() / words[1].text);
     if (words.size() == 2 && name == "cd") folders.back() /= words[1].text;
     if (name == "popd" && folders.size() > 1) folders.pop_back();
-    for (Diagnostic problem : command.read->problems) {
-      problem.file = path_.string();
-      problem.line += command.line - 1;
-      problems_.push_back(std::move(problem));
-    }
+    AddProblems(reader, words, command);
     commands_.push_back(std::move(command));
   }
   explain::ClarifyErrors(unread, [&](const std::string&) { return text_; });
   problems_.insert(problems_.end(), unread.begin(), unread.end());
+}
+
+void Document::AddProblems(RuleReader& reader, const std::vector<cli::Word>& words, const DocumentCommand& command) {
+  constexpr std::size_t kMostReadAgain = 100;  // Each takes as many bytes as the file has lines.
+  const auto names_line = [](const Diagnostic& problem) {
+    return problem.message.find("line ") != std::string::npos || problem.hint.find("line ") != std::string::npos;
+  };
+  std::shared_ptr<const ReadCommand> read = command.read;
+  int above = command.line - 1;
+  if (above > 0 && problems_.size() < kMostReadAgain && std::ranges::any_of(read->problems, names_line)) {
+    // Lines within the text of a problem count from where the reader begins: from the file's first line, then.
+    const std::string text = text_.substr(command.span.begin, command.span.end - command.span.begin);
+    read = reader.Read(std::string(static_cast<std::size_t>(above), '\n') + text, words, 1);
+    above = 0;
+  }
+  for (Diagnostic problem : read->problems) {
+    problem.file = path_.string();
+    problem.line += above;
+    problems_.push_back(std::move(problem));
+  }
 }
 
 const DocumentRule* Document::RuleAt(std::size_t offset) const {

@@ -69,6 +69,7 @@ class Document {
 
  private:
   void ReadCommands(RuleReader& reader);
+  void AddProblems(RuleReader& reader, const std::vector<cli::Word>& words, const DocumentCommand& command);
 
   std::filesystem::path path_;
   std::string text_, code_;

@@ -6,6 +6,7 @@
 
 #include "debugger/percept_help.h"
 #include "explain/rule_slips.h"
+#include "language/soar_help.h"
 #include "vocabulary/vocabulary.h"
 
 namespace soarbox::language {
@@ -41,8 +42,11 @@ std::string HoverRule(const Program& program, const std::string& name, const Las
       if (action.attribute != "operator" && explain::IsConstantAttribute(action.attribute))
         made.insert("^" + action.attribute);
     if (!made.empty()) text += "  \nmakes " + Join(made);
-    text += "  \n" + std::to_string(rule->conditions.size()) + " conditions, " + std::to_string(rule->actions.size()) +
-            " actions";
+    if (!rule->calls.empty()) text += "  \ncalls " + Join(rule->calls);
+    text += "  \n" + std::to_string(rule->conditions.size()) + " conditions";
+    // What a rule writes is no element.
+    if (!rule->actions.empty() || rule->calls.empty())
+      text += ", " + std::to_string(rule->actions.size()) + " actions that make or remove elements";
   } else {
     text += "  \nthe kernel refuses it: see the problems";
   }
@@ -96,7 +100,11 @@ std::string HoverAttribute(const Program& program, const Document& document, con
     if (rule != nullptr) (use.defines ? made : tested).insert(rule->words->name);
   }
   std::string text = "**attribute** `^" + name.text + "`";
-  if (explain::IsArchitectureAttribute(name.text)) text += "  \nSoar knows this attribute";
+  if (const std::string_view meaning = MeaningOfAttribute(name.text); !meaning.empty()) {
+    text += "  \n" + std::string(meaning);
+  } else if (explain::IsArchitectureAttribute(name.text)) {
+    text += "  \nSoar knows this attribute";
+  }
   if (!made.empty()) text += "  \nmade by " + Join(made);
   if (!tested.empty()) text += "  \ntested by " + Join(tested);
   if (made.empty() && !explain::IsArchitectureAttribute(name.text)) text += "  \nno rule makes it";

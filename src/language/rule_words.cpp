@@ -64,6 +64,7 @@ class Reader {
   void Take(const Token& token) {
     const std::string_view text = text_.substr(token.begin, token.length);
     const Span span{token.begin, token.begin + token.length};
+    if (TakeTest(token.kind, text, span)) return;
     switch (token.kind) {
       case TokenKind::kComment:
       case TokenKind::kCommand:
@@ -91,6 +92,27 @@ class Reader {
       case TokenKind::kQuoted:
         return TakeConstant(text, span);
     }
+  }
+
+  /// The test that an attribute is: ^{ << a b >> <way> }, ^<< a b >>. Returns whether the token belongs to one.
+  bool TakeTest(TokenKind kind, std::string_view text, Span span) {
+    if (!awaits_test_ && test_depth_ == 0) return false;
+    awaits_test_ = false;
+    if (kind == TokenKind::kArrow || text == "(" || text == ")") {
+      test_depth_ = 0;  // It is being typed.
+      return false;
+    }
+    if (text == "{" || text == "<<") ++test_depth_;
+    if (text == "}" || text == ">>") --test_depth_;
+    test_end_ = span.end;
+    Clause& clause = clauses_.back();
+    if (kind == TokenKind::kVariable) Add(WordKind::kVariable, span, std::string(text), clause.head, clause.steps);
+    if (kind == TokenKind::kConstant || kind == TokenKind::kQuoted || kind == TokenKind::kNumber) {
+      // Each of the choices stands where the attribute stands.
+      const std::string above = clause.steps.substr(0, clause.steps.rfind('.') + 1);
+      Add(WordKind::kAttribute, span, WithoutBars(text), clause.head, above + WithoutBars(text));
+    }
+    return true;
   }
 
   void TakeSign(std::string_view text) {
@@ -121,8 +143,14 @@ class Reader {
   void TakeAttribute(std::string_view text, Span span) {
     opened_ = false;
     if (clauses_.empty()) clauses_.emplace_back();
+    clauses_.back().steps.clear();
+    TakeSteps(text, span);
+    negated_ = false;
+  }
+
+  /// "^io.input-link", or ".content" after the test of an attribute.
+  void TakeSteps(std::string_view text, Span span) {
     Clause& clause = clauses_.back();
-    clause.steps.clear();
     std::size_t at = 1;
     while (at <= text.size()) {
       std::size_t end = at;
@@ -134,15 +162,23 @@ class Reader {
       const std::string_view part = text.substr(at, end - at);
       const Span place{span.begin + at, span.begin + end};
       const bool is_variable = part.size() > 2 && part.front() == '<' && part.back() == '>';
-      clause.steps += (clause.steps.empty() ? "" : ".") + std::string(is_variable ? "*" : WithoutBars(part));
-      if (is_variable) {
+      const bool is_test = part.empty() && TestFollows(span.end);
+      clause.steps += (clause.steps.empty() ? "" : ".") + std::string(is_variable || is_test ? "*" : WithoutBars(part));
+      if (is_test) {
+        awaits_test_ = true;  // Its words follow.
+      } else if (is_variable) {
         Add(WordKind::kVariable, place, std::string(part), clause.head, clause.steps);
       } else {
         Add(WordKind::kAttribute, place, WithoutBars(part), clause.head, clause.steps);
       }
       at = end + 1;
     }
-    negated_ = false;
+  }
+
+  /// Whether { or << come next.
+  bool TestFollows(std::size_t at) const {
+    at = text_.find_first_not_of(" \t\r\n", at);
+    return at != std::string_view::npos && (text_[at] == '{' || text_.substr(at).starts_with("<<"));
   }
 
   void TakeConstant(std::string_view text, Span span) {
@@ -151,6 +187,7 @@ class Reader {
       return Add(WordKind::kFunction, span, std::string(text), "", "");
     }
     opened_ = false;
+    if (span.begin == test_end_ && text.starts_with('.')) return TakeSteps(text, span);
     if (text.starts_with('"') || clauses_.empty() || clauses_.back().steps.empty()) return;
     Add(WordKind::kValue, span, WithoutBars(text), clauses_.back().head, clauses_.back().steps);
   }
@@ -185,6 +222,9 @@ class Reader {
   std::vector<std::string> states_;
   std::map<std::string, Edge> edges_;
   bool opened_ = false, opens_state_ = false, negated_ = false;
+  bool awaits_test_ = false;                       ///< An attribute began that is a test.
+  int test_depth_ = 0;                             ///< How many { and << of it are open.
+  std::size_t test_end_ = std::string_view::npos;  ///< Behind it.
 };
 
 bool BeginsRule(std::string_view line) {

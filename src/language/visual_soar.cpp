@@ -36,6 +36,12 @@ std::vector<std::string> Words(const std::string& line) {
   return words;
 }
 
+/// A path of a project: VisualSoar writes the separators of the system that it runs on.
+fs::path PathOf(std::string written) {
+  std::ranges::replace(written, '\\', '/');
+  return fs::path(written).relative_path();
+}
+
 /// "-Infinity", "2147483647"; what is no number counts as no limit.
 double Limit(const std::string& word) {
   double number = 0;
@@ -147,11 +153,11 @@ Result<VisualSoarProject> ReadTextProject(const fs::path& file, const std::strin
     if (words.empty() || words[0] == "VERSION") continue;
     if (words[0] == "END") break;
     if (datamap.empty()) {
-      datamap = base / fs::path(line).relative_path();
+      datamap = base / PathOf(line);
       continue;
     }
     if (words.size() >= 4 && words[1] == "ROOT") {
-      folders[words[0]] = base / words[3];
+      folders[words[0]] = base / PathOf(words[3]);
       continue;
     }
     if (words.size() < 5 || !folders.contains(words[1]))
@@ -159,10 +165,10 @@ Result<VisualSoarProject> ReadTextProject(const fs::path& file, const std::strin
                      "save the project again with VisualSoar");
     const fs::path& parent = folders[words[1]];
     if (words[2] == "FOLDER") {
-      folders[words[0]] = parent / words[4];
+      folders[words[0]] = parent / PathOf(words[4]);
     } else if (words[2] != "LINK") {
-      folders[words[0]] = words.size() > 6 ? parent / words[5] : parent;
-      AddRules(project, parent / words[4], number, problems);
+      folders[words[0]] = words.size() > 6 ? parent / PathOf(words[5]) : parent;
+      AddRules(project, parent / PathOf(words[4]), number, problems);
     }
   }
   if (datamap.empty()) return Problem(file, number, "this project names no datamap", "its second line is the .dm file");
@@ -189,11 +195,11 @@ void ReadLayout(const Json& node, const fs::path& folder, int depth, VisualSoarP
                 std::vector<Diagnostic>& problems) {
   if (!node.is_object() || depth > kDeepest) return;
   const std::string file = TextIn(node, "file"), below = TextIn(node, "folder");
-  if (!file.empty()) AddRules(project, folder / file, 0, problems);
+  if (!file.empty()) AddRules(project, folder / PathOf(file), 0, problems);
   const auto children = node.find("children");
   if (children == node.end() || !children->is_array()) return;
   for (const Json& child : *children)
-    ReadLayout(child, below.empty() ? folder : folder / below, depth + 1, project, problems);
+    ReadLayout(child, below.empty() ? folder : folder / PathOf(below), depth + 1, project, problems);
 }
 
 Result<Datamap> ReadDatamapJson(const fs::path& file, const Json& json) {

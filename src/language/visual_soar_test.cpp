@@ -53,6 +53,33 @@ TEST_F(VisualSoar, TheTextFormNamesFilesAndTheDatamap) {
   EXPECT_EQ(problems.front().message, "the layout names door/gone.soar, which is not there");
 }
 
+TEST_F(VisualSoar, TheSeparatorsOfWindowsAreRead) {
+  WriteText();
+  std::vector<Diagnostic> problems;
+  const Result<VisualSoarProject> project =
+      ReadVisualSoar(Write("bot.vsa",
+                           "VERSION 4\r\n\\door\\door.dm\r\n0\tROOT door door 1\r\n"
+                           "1\t0\tFOPERATOR _firstload _firstload.soar 2\r\n"
+                           "2\t0\tOPERATOR open open.soar 3\r\nEND\r\n"),
+                     problems);
+  ASSERT_TRUE(project.ok());
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(project->rules.size(), 2U);
+  EXPECT_EQ(project->datamap.vertices.size(), 8U);
+}
+
+TEST_F(VisualSoar, ChoicesOfAttributesAreKnownOneByOne) {
+  const fs::path project = WriteText();
+  const fs::path rules = Write("door/open.soar",
+                               "sp {a (state <s> ^io <io>) (<io> ^{ << input-link io >> <way> }.lock <l>)\n"
+                               "   (<s> ^<< kind knd >> door) --> (<s> ^kind gate)}\n");
+  const std::vector<Diagnostic> found = CheckAgainstDatamap(rules);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].message, "the datamap has no attribute ^io of ^io");
+  EXPECT_EQ(found[1].message, "the datamap has no attribute ^knd of states");
+  EXPECT_EQ(found[1].line, 2);
+}
+
 TEST_F(VisualSoar, AnUnknownAttributeIsToldWithWhatWasMeant) {
   const std::vector<Diagnostic> found = CheckAgainstDatamap(WriteText());
   ASSERT_EQ(found.size(), 2U);  // The file that is gone, too.

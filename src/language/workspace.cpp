@@ -17,22 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 500;
-constexpr std::size_t kMostSlips = 500;  ///< Of one file: nobody reads more.
+constexpr std::size_t kMostFiles = 10'000;  ///< Of a folder that is looked through.
+constexpr std::size_t kMostSlips = 500;     ///< Of one file: nobody reads more.
 
 fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The folder of the scenario that a folder lies in, at most so far above; itself if there is none.
-fs::path ProjectFolderOf(const fs::path& folder) {
-  constexpr int kAbove = 4;
-  std::error_code error;
-  fs::path at = folder;
-  for (int i = 0; i <= kAbove && at.has_relative_path(); ++i, at = at.parent_path())
-    for (const char* name : {"scenario.toml", "Sandbox.lua", "mission.toml"})
-      if (fs::exists(at / name, error)) return at;
-  return folder;
+bool IsBelow(const fs::path& file, const fs::path& folder) {
+  return std::ranges::mismatch(folder, file).in1 == folder.end();
 }
 
 bool HasErrors(const Document& document) {
@@ -43,16 +36,25 @@ bool HasErrors(const Document& document) {
 
 const Document* Program::Find(const fs::path& path) const {
   for (const std::shared_ptr<const Document>& document : documents)
-    if (document->path() == path) return document.get();
+    if (document->path().native() == path.native()) return document.get();
   return nullptr;
 }
 
 void Workspace::Open(const fs::path& path, std::string text) {
-  open_[path] = std::make_shared<const Document>(path, std::move(text), reader_, words_);
+  auto document = std::make_shared<const Document>(path, std::move(text), reader_, words_);
+  for (auto& [region, graph] : regions_)
+    if (IsBelow(path, region)) graph.Add(path, document->text());
+  open_[path] = std::move(document);
 }
 
 void Workspace::Close(const fs::path& path) {
   open_.erase(path);
+  LookAgain();
+}
+
+void Workspace::SetFolders(std::vector<fs::path> folders) {
+  editor_folders_ = std::move(folders);
+  LookAgain();
 }
 
 std::vector<fs::path> Workspace::OpenFiles() const {
@@ -80,17 +82,35 @@ std::shared_ptr<const Document> Workspace::Find(const fs::path& path) {
   return known.document;
 }
 
-std::vector<fs::path> Workspace::RulesBelow(const fs::path& folder) const {
-  constexpr int kDeepest = 6;
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
-       !error && it != end && files.size() < kMostFiles; it.increment(error)) {
-    if (it.depth() >= kDeepest || it->path().filename().string().starts_with('.')) it.disable_recursion_pending();
-    if (it->path().extension() == ".soar") files.push_back(it->path().lexically_normal());
+fs::path Workspace::RegionOf(const fs::path& file) {
+  const fs::path* outermost = nullptr;
+  for (const fs::path& folder : editor_folders_)
+    if (IsBelow(file, folder) && (outermost == nullptr || IsBelow(*outermost, folder))) outermost = &folder;
+  if (outermost != nullptr) return *outermost;
+  const VisualSoarProject* project = ProjectOf(file);
+  return project != nullptr ? FolderOf(project->file) : sim::FolderOfProgram(file);
+}
+
+const sim::SourceGraph& Workspace::GraphOf(const fs::path& region) {
+  const auto [at, is_new] = regions_.try_emplace(region);
+  sim::SourceGraph& graph = at->second;
+  if (!is_new) return graph;
+  const sim::FoundRules rules = sim::FindRulesBelow(region, kMostFiles);
+  if (rules.is_cut && told_cut_.insert(region).second)
+    notices_.push_back("the folder " + region.string() + " is too large: " + std::to_string(rules.files.size()) +
+                       " of its files of rules are looked at. Open the folder of one agent instead.");
+  for (const fs::path& file : rules.files) {
+    std::error_code error;
+    if (open_.contains(file) || !MayRead(file)) continue;
+    const fs::file_time_type time = fs::last_write_time(file, error);
+    const std::uintmax_t size = fs::file_size(file, error);
+    Scanned& known = scanned_[file.native()];
+    if (known.time != time || known.size != size) known = {time, size, sim::SourcedIn(ReadText(file).value_or(""))};
+    graph.Add(file, known.sources);
   }
-  std::ranges::sort(files);
-  return files;
+  for (const auto& [path, document] : open_)
+    if (IsBelow(path, region)) graph.Add(path, document->text());
+  return graph;
 }
 
 const VisualSoarProject* Workspace::ProjectOf(const fs::path& file) {
@@ -106,37 +126,29 @@ const VisualSoarProject* Workspace::ProjectOf(const fs::path& file) {
   return known.project ? &*known.project : nullptr;
 }
 
-Program Workspace::ProgramOf(const fs::path& path) {
-  Program program;
-  const fs::path folder = FolderOf(path);
-  const VisualSoarProject* project = ProjectOf(path);
-  if (project != nullptr) program.project = project->file;
-  // Who sources whom, among the files around.
-  std::map<fs::path, fs::path> sourced_by;
-  for (const fs::path& file : RulesBelow(project != nullptr ? FolderOf(project->file) : ProjectFolderOf(folder))) {
-    const std::shared_ptr<const Document> document = Find(file);
-    if (document == nullptr) continue;
-    for (const Document::Sourced& sourced : document->sourced())
-      sourced_by.try_emplace((FolderOf(file) / sourced.file).lexically_normal(), file);
-  }
-  program.root = path;
-  std::set<fs::path> seen = {path};
-  for (auto by = sourced_by.find(path); by != sourced_by.end() && seen.insert(by->second).second;
-       by = sourced_by.find(program.root))
-    program.root = by->second;
-  // And down again, in the order of loading.
-  std::set<fs::path> taken;
-  std::vector<fs::path> waiting = {program.root};
+void Workspace::AddReached(const fs::path& root, Program& program, std::set<std::string>& taken) {
+  std::vector<fs::path> waiting = {root};
   while (!waiting.empty() && taken.size() < kMostFiles) {
-    const fs::path next = waiting.back();
+    const fs::path next = std::move(waiting.back());
     waiting.pop_back();
-    if (!taken.insert(next).second) continue;
+    if (!taken.insert(next.native()).second) continue;
     const std::shared_ptr<const Document> document = Find(next);
     if (document == nullptr) continue;
     program.documents.push_back(document);
     for (auto it = document->sourced().rbegin(); it != document->sourced().rend(); ++it)
       waiting.push_back((FolderOf(next) / it->file).lexically_normal());
   }
+}
+
+Program Workspace::ProgramOf(const fs::path& path) {
+  Program program;
+  if (const VisualSoarProject* project = ProjectOf(path); project != nullptr) program.project = project->file;
+  const sim::SourceGraph& graph = GraphOf(RegionOf(path));
+  program.roots = graph.RootsOf(path);
+  program.root = program.roots.front();
+  std::set<std::string> taken;
+  for (const fs::path& root : program.roots) AddReached(root, program, taken);
+  if (program.Find(path) == nullptr) AddReached(path, program, taken);
   return program;
 }
 
@@ -154,9 +166,29 @@ std::vector<Diagnostic> Workspace::MissingFiles(const Document& document) const 
     problem.excerpt_length = static_cast<int>(sourced.name.size());
     problem.message = "there is no file " + sourced.name + " beside this one";
     problem.hint = "the name is relative to the folder of the file that sources it";
+    if (sourced.file.has_parent_path()) problem.message = "there is no file " + file.string();
     problems.push_back(std::move(problem));
   }
   return problems;
+}
+
+void Workspace::AddDuplicates(const Program& program, std::map<fs::path, std::vector<Diagnostic>>& found) {
+  // Programs that share files may well have rules of one name.
+  constexpr std::size_t kMostPrograms = 4;
+  for (std::size_t i = 0; i < std::min(program.roots.size(), kMostPrograms); ++i) {
+    Program one;
+    std::set<std::string> taken;
+    AddReached(program.roots[i], one, taken);
+    std::vector<explain::RuleFile> files;
+    for (const std::shared_ptr<const Document>& document : one.documents)
+      files.push_back({document->path(), document->code()});
+    for (Diagnostic& twice : explain::FindDuplicates(files)) {
+      std::vector<Diagnostic>& known = found[twice.file];
+      const bool is_known = std::ranges::any_of(
+          known, [&](const Diagnostic& other) { return other.line == twice.line && other.message == twice.message; });
+      if (!is_known) known.push_back(std::move(twice));
+    }
+  }
 }
 
 std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& program) {
@@ -178,7 +210,7 @@ std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& prog
       of_read[command.read->id] = {document.get(), command.line};
     }
   }
-  for (Diagnostic& twice : explain::FindDuplicates(files)) found[twice.file].push_back(std::move(twice));
+  AddDuplicates(program, found);
   for (const explain::RuleFile& file : files)
     for (auto& [rule, warning] : explain::FindOddCharacters(file))
       if (of_rule.contains(rule)) found[file.file].push_back(std::move(warning));

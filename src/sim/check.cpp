@@ -24,6 +24,7 @@
 #include "sim/live_edits.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
+#include "sim/source_graph.h"
 #include "sim/sourced_files.h"
 #include "sml_Client.h"
 #include "vocabulary/vocabulary.h"
@@ -62,24 +63,51 @@ SoarSettings LookingOver(const std::vector<fs::path>& folders) {
   return settings;
 }
 
-/// The folder of the scenario that a file belongs to, if it lies in one or in a folder below; else its own folder.
+/// The folder of the scenario that a file lies in, or in a folder below; empty if there is none.
 fs::path ScenarioFolderOf(const fs::path& file) {
   constexpr int kDeepest = 4;
   std::error_code error;
-  const fs::path own = fs::absolute(file, error).lexically_normal().parent_path();
-  fs::path folder = own;
+  fs::path folder = fs::absolute(file, error).lexically_normal().parent_path();
   for (int i = 0; i < kDeepest && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
-    for (const char* name : {"scenario.toml", "Sandbox.lua"})
+    for (const char* name : {"scenario.toml", "Sandbox.lua", "mission.toml"})
       if (fs::exists(folder / name, error)) return folder;
   }
-  return own;
+  return {};
+}
+
+/// The same for all names of a file.
+fs::path KeyOf(const fs::path& file) {
+  std::error_code error;
+  fs::path key = fs::canonical(file, error);
+  return error ? fs::absolute(file, error).lexically_normal() : key;
+}
+
+/// "sp {name": the names of the rules that begin in a text.
+std::set<std::string, std::less<>> NamesOfRules(std::string_view text) {
+  std::set<std::string, std::less<>> names;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    line.remove_prefix(std::min(line.find_first_not_of(" \t;"), line.size()));
+    if (!line.starts_with("sp") && !line.starts_with("gp")) continue;
+    const std::size_t brace = line.find_first_not_of(" \t", 2);
+    if (brace == std::string_view::npos || line[brace] != '{') continue;
+    // The name may begin in the next line.
+    const std::size_t begin =
+        text.find_first_not_of(" \t\r\n", static_cast<std::size_t>(line.data() - text.data()) + brace + 1);
+    if (begin != std::string_view::npos)
+      names.emplace(text.substr(begin, text.find_first_of(" \t\r\n(", begin) - begin));
+  }
+  return names;
 }
 
 class Checker {
  public:
   std::vector<Diagnostic> problems;
 
-  /// `given`: what is to be looked over. Nothing outside of these folders, and of those that the files lie in, is read.
+  /// `given`: what is to be looked over. Files of scenarios and of folders read nothing outside of these. A file of
+  /// rules that the user names and that belongs to no scenario is the user's own: it sources what the user may read.
   Checker(const std::vector<fs::path>& given, const CheckToml& check_toml) : check_toml_(check_toml) {
     std::error_code error;
     for (const fs::path& path : given) {
@@ -87,7 +115,8 @@ class Checker {
         folders_.push_back(path);
         continue;
       }
-      folders_.push_back(ScenarioFolderOf(path));
+      const fs::path scenario = ScenarioFolderOf(path);
+      folders_.push_back(scenario.empty() ? fs::absolute(path, error).lexically_normal().parent_path() : scenario);
       if (const fs::path target = fs::canonical(path, error); !error) folders_.push_back(target.parent_path());
     }
   }
@@ -139,7 +168,16 @@ class Checker {
     }
     std::sort(files.begin(), files.end());
     if (files.empty()) problems.push_back(ProblemIn(folder, "this folder holds no rules, scripts or scenarios"));
+    // What lies in a folder is read within it, and each file as part of the programs that load it.
+    SourceGraph graph;
+    for (const fs::path& file : files)
+      if (file.extension() == ".soar" && IsPlainFileBelow(file, folders_))
+        graph.Add(KeyOf(file), ReadText(file).value_or(""));
+    for (const fs::path& file : files)
+      if (file.extension() == ".soar") names_[KeyOf(file)] = file;
+    const Look before = std::exchange(look_, Look{&graph, false});
     for (const fs::path& file : files) Check(file);
+    look_ = before;
   }
 
   void CheckScenario(const fs::path& file) {
@@ -215,43 +253,150 @@ class Checker {
     return at->second;
   }
 
+  /// What was found in a program of rules: a file that nobody sources, and all that it sources.
+  struct Found {
+    fs::path file;  ///< Its key.
+    Diagnostic problem;
+  };
+  struct CheckedProgram {
+    fs::path root;
+    std::set<fs::path> files;     ///< Their keys.
+    std::vector<Found> problems;  ///< What the kernel says, duplicates and odd characters.
+    std::vector<Found> slips;     ///< What only all rules together show.
+  };
+  /// What is looked over at the moment.
+  struct Look {
+    const SourceGraph* graph = nullptr;  ///< Of the folder that was named; null: a file was named.
+    bool is_own = false;                 ///< The user's own rights hold, not a fence.
+  };
+
+  /// A file is checked as part of the programs that load it. A slip counts if all of them have it: what one program
+  /// lacks another may complete.
   void CheckRules(const fs::path& file) {
-    if (host_ == nullptr) {
-      Result<std::unique_ptr<SoarHost>> made = SoarHost::Create(LookingOver(folders_));
-      if (!made) return problems.push_back(made.error());
-      host_ = std::move(*made);
+    constexpr std::size_t kMostPrograms = 4;
+    const fs::path key = KeyOf(file);
+    names_.try_emplace(key, file);
+    Look look = look_;
+    SourceGraph around;
+    if (look.graph == nullptr) {
+      look.is_own = ScenarioFolderOf(file).empty();
+      around = GraphBelow(FolderOfProgram(key), Readable(look));
+      if (!around.Contains(key)) around.Add(key, ReadText(file).value_or(""));
+      look.graph = &around;
     }
-    Result<SoarHost::Loaded> loaded = host_->CreateAgent("check-" + std::to_string(++count_), file);
-    if (!loaded) return problems.push_back(loaded.error());
-    problems.insert(problems.end(), loaded->problems.begin(), loaded->problems.end());
-    explain::MindReasons reasons(*loaded->agent);
-    const bool complete = std::none_of(loaded->problems.begin(), loaded->problems.end(),
-                                       [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
-    if (scene_kinds_.commands.empty() && explain::MentionsScenes(reasons.rules()))
-      scene_kinds_ = explain::ReadSceneKinds(loaded->agent->ExecuteCommandLine("svs commands all"));
-    Lint(file, explain::BlankComments(ReadText(file).value_or("")), reasons.rules(), complete);
+    std::vector<const CheckedProgram*> programs;
+    for (const fs::path& root : look.graph->RootsOf(key)) {
+      if (programs.size() == kMostPrograms) break;
+      const CheckedProgram& program = ProgramFrom(names_.contains(root) ? names_[root] : root, root, look);
+      if (program.files.contains(key)) programs.push_back(&program);
+    }
+    if (programs.empty()) programs.push_back(&ProgramFrom(file, key, look));
+    // Of a folder each file tells its own; of a file that was named all that it loads is told.
+    std::set<fs::path> told = {key};
+    if (look_.graph == nullptr) told = look.graph->ReachedFrom(key);
+    for (const CheckedProgram* program : programs) {
+      // What belongs to no file of the program is told with the file that it begins with.
+      const auto is_told = [&](const Found& found) {
+        return told.contains(found.file) || (program->root == key && !program->files.contains(found.file));
+      };
+      for (const Found& found : program->problems)
+        if (is_told(found)) problems.push_back(found.problem);
+      for (const Found& slip : program->slips) {
+        const auto has_it = [&](const CheckedProgram* other) {
+          return !other->files.contains(slip.file) || std::ranges::any_of(other->slips, [&](const Found& same) {
+            return same.file == slip.file && same.problem.line == slip.problem.line &&
+                   same.problem.message == slip.problem.message;
+          });
+        };
+        if (is_told(slip) && std::ranges::all_of(programs, has_it)) problems.push_back(slip.problem);
+      }
+    }
   }
 
-  void Lint(const fs::path& file, const std::string& text, const std::vector<explain::RuleText>& rules, bool complete) {
-    std::vector<explain::RuleFile> files = {{file, text}};
-    for (const fs::path& one : WithSourcedFiles(file, folders_))
-      if (one != file) files.push_back({one, explain::BlankComments(ReadText(one).value_or(""))});
-    for (Diagnostic& twice : explain::FindDuplicates(files)) problems.push_back(std::move(twice));
+  std::vector<fs::path> Readable(const Look& look) const { return look.is_own ? std::vector<fs::path>{"/"} : folders_; }
+
+  /// The program that begins with a file, which messages call `name`.
+  const CheckedProgram& ProgramFrom(const fs::path& name, const fs::path& root, const Look& look) {
+    const auto [at, is_new] = programs_.try_emplace({root, look.is_own});
+    if (is_new) at->second = Load(name, look);
+    return at->second;
+  }
+
+  CheckedProgram Load(const fs::path& file, const Look& look) {
+    CheckedProgram program;
+    program.root = KeyOf(file);
+    program.files.insert(program.root);
+    std::vector<Diagnostic> told;
+    LoadInto(program, file, look, told);
+    for (Diagnostic& problem : told) program.problems.push_back(Keyed(std::move(problem)));
+    return program;
+  }
+
+  void LoadInto(CheckedProgram& program, const fs::path& file, const Look& look, std::vector<Diagnostic>& told) {
+    std::unique_ptr<SoarHost>& host = look.is_own ? own_host_ : host_;
+    if (host == nullptr) {
+      Result<std::unique_ptr<SoarHost>> made = SoarHost::Create(LookingOver(Readable(look)));
+      if (!made) return told.push_back(made.error());
+      host = std::move(*made);
+    }
+    const std::string agent = "check-" + std::to_string(++count_);
+    Result<SoarHost::Loaded> loaded = host->CreateAgent(agent, file);
+    if (!loaded) return told.push_back(loaded.error());
+    told = std::move(loaded->problems);
+    for (Diagnostic& problem : told) problem.file = NameOf(problem.file).string();
+    {
+      explain::MindReasons reasons(*loaded->agent);
+      const bool complete = std::none_of(
+          told.begin(), told.end(), [](const Diagnostic& problem) { return problem.severity == Severity::kError; });
+      if (scene_kinds_.commands.empty() && explain::MentionsScenes(reasons.rules()))
+        scene_kinds_ = explain::ReadSceneKinds(loaded->agent->ExecuteCommandLine("svs commands all"));
+      Lint(file, Readable(look), reasons.rules(), complete, program, told);
+    }
+    host->DestroyAgent(agent);
+  }
+
+  static Found Keyed(Diagnostic problem) {
+    fs::path key = KeyOf(problem.file);
+    return {std::move(key), std::move(problem)};
+  }
+
+  /// As the user calls a file, if it was named or lies in a folder that was.
+  fs::path NameOf(const fs::path& file) const {
+    const auto known = names_.find(KeyOf(file));
+    return known == names_.end() ? file : known->second;
+  }
+
+  void Lint(const fs::path& root, const std::vector<fs::path>& readable, const std::vector<explain::RuleText>& rules,
+            bool complete, CheckedProgram& program, std::vector<Diagnostic>& told) {
+    std::vector<explain::RuleFile> files;
+    for (const fs::path& file : FilesOfProgram(root, readable)) {
+      files.push_back({NameOf(file), explain::BlankComments(ReadText(file).value_or(""))});
+      program.files.insert(KeyOf(file));
+    }
+    for (Diagnostic& twice : explain::FindDuplicates(files)) told.push_back(std::move(twice));
     std::set<std::string> loaded;
     for (const explain::RuleText& rule : rules) loaded.insert(rule.name);
-    for (auto& [rule, warning] : explain::FindOddCharacters({file, text}))
-      if (loaded.contains(rule)) problems.push_back(std::move(warning));
-    for (const explain::Slip& slip : explain::FindSlips(rules, WordsFor(file, complete))) {
-      if (text.find(slip.rule) == std::string::npos) continue;  // From a file that this one sources.
-      problems.push_back(explain::PlaceSlip(slip, file, text));
+    std::map<std::string, const explain::RuleFile*, std::less<>> file_of;
+    for (const explain::RuleFile& file : files) {
+      for (const std::string& name : NamesOfRules(file.text)) file_of[name] = &file;
+      for (auto& [rule, warning] : explain::FindOddCharacters(file))
+        if (loaded.contains(rule)) told.push_back(std::move(warning));
+    }
+    for (const explain::Slip& slip : explain::FindSlips(rules, WordsFor(root, complete))) {
+      const auto file = file_of.find(slip.rule);
+      if (file != file_of.end())
+        program.slips.push_back(Keyed(explain::PlaceSlip(slip, file->second->file, file->second->text)));
     }
   }
 
   const CheckToml& check_toml_;
   std::vector<fs::path> folders_;
-  std::unique_ptr<SoarHost> host_;
+  std::unique_ptr<SoarHost> host_, own_host_;  ///< With the fence, and with the user's rights.
   int count_ = 0;
-  explain::SceneKinds scene_kinds_;  ///< Once a file mentions scenes.
+  Look look_;
+  std::map<fs::path, fs::path> names_;                            ///< By key, as the user calls them.
+  std::map<std::pair<fs::path, bool>, CheckedProgram> programs_;  ///< By root and rights.
+  explain::SceneKinds scene_kinds_;                               ///< Once a file mentions scenes.
   std::map<fs::path, explain::Surroundings> around_;
   std::map<fs::path, explain::KnownPlaces> places_;
   std::set<fs::path> games_;  ///< Folders of rules for agents that a world's script serves.

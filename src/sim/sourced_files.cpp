@@ -2,34 +2,34 @@
 #include "sim/sourced_files.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <system_error>
 
 #include "diagnostics/read_text.h"
 #include "explain/rule_text.h"
 #include "sim/scenario.h"
+#include "sim/source_graph.h"
 
 namespace soarbox::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostFiles = 10'000;
+
 bool MayBeRead(const fs::path& file, std::span<const fs::path> readable) {
   std::error_code error;
   return readable.empty() ? fs::is_regular_file(file, error) : IsPlainFileBelow(file, readable);
 }
 
-void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::set<fs::path>& found) {
-  constexpr std::size_t kMostFiles = 500;
-  if (found.size() >= kMostFiles || !found.insert(file).second) return;
-  std::istringstream lines(explain::BlankComments(ReadText(file).value_or("")));
-  for (std::string line; std::getline(lines, line);) {
-    const std::string name = NameSourcedBy(line);
-    if (name.empty()) continue;
-    // A file names its neighbours by their own names, wherever it is sourced from.
-    const fs::path sourced = file.parent_path() / name;
-    if (MayBeRead(sourced, readable)) AddSourced(sourced, readable, found);
+void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::vector<fs::path>& found,
+                std::set<fs::path>& known) {
+  if (found.size() >= kMostFiles || !known.insert(file.lexically_normal()).second) return;
+  found.push_back(file);
+  // A file names its neighbours by their own names, wherever it is sourced from.
+  for (const SourcedFile& one : SourcedIn(explain::BlankComments(ReadText(file).value_or("")))) {
+    const fs::path sourced = file.parent_path() / one.file;
+    if (MayBeRead(sourced, readable)) AddSourced(sourced, readable, found, known);
   }
 }
 
@@ -49,10 +49,16 @@ std::string NameSourcedBy(std::string_view line) {
   return end == 0 || end == std::string_view::npos ? std::string() : std::string(line.substr(1, end - 1));
 }
 
-std::set<fs::path> WithSourcedFiles(const fs::path& rules, std::span<const fs::path> readable) {
-  std::set<fs::path> found;
-  AddSourced(rules, readable, found);
+std::vector<fs::path> FilesOfProgram(const fs::path& rules, std::span<const fs::path> readable) {
+  std::vector<fs::path> found;
+  std::set<fs::path> known;
+  AddSourced(rules, readable, found, known);
   return found;
+}
+
+std::set<fs::path> WithSourcedFiles(const fs::path& rules, std::span<const fs::path> readable) {
+  const std::vector<fs::path> files = FilesOfProgram(rules, readable);
+  return {files.begin(), files.end()};
 }
 
 std::vector<fs::path> ReadableRuleFolders(const Scenario& scenario) {

@@ -15,8 +15,11 @@ struct Scenario;
 /// The name of the file that a line of rules sources, without its quotes or braces; empty for other lines.
 std::string NameSourcedBy(std::string_view line);
 
-/// A file of rules and those that it sources, with all below them. Reads the disk: only plain files, and only those
-/// below the `readable` folders, if any are named.
+/// A file of rules and those that it sources, with all below them, in the order of loading. Reads the disk: only plain
+/// files, and only those below the `readable` folders, if any are named.
+std::vector<std::filesystem::path> FilesOfProgram(const std::filesystem::path& rules,
+                                                  std::span<const std::filesystem::path> readable = {});
+/// The same as a set.
 std::set<std::filesystem::path> WithSourcedFiles(const std::filesystem::path& rules,
                                                  std::span<const std::filesystem::path> readable = {});
 

@@ -51,12 +51,15 @@ class Channel:
 class Editor:
     """A client of the language server."""
 
-    def __init__(self, cwd=None):
+    def __init__(self, cwd=None, folders=None):
         self.channel = Channel("lsp", cwd=cwd)
         self.number = 0
         self.diagnostics = {}
         self.published = 0
-        self.capabilities = self.ask("initialize", {"processId": None, "rootUri": None, "capabilities": {}})["capabilities"]
+        self.messages = []
+        named = folders and [{"uri": folder.as_uri(), "name": folder.name} for folder in folders]
+        self.capabilities = self.ask("initialize", {"processId": None, "rootUri": None, "capabilities": {},
+                                                    "workspaceFolders": named})["capabilities"]
         self.tell("initialized", {})
 
     def tell(self, method, params):
@@ -66,6 +69,8 @@ class Editor:
         if message.get("method") == "textDocument/publishDiagnostics":
             self.diagnostics[message["params"]["uri"]] = message["params"]["diagnostics"]
             self.published += 1
+        if message.get("method") == "window/showMessage":
+            self.messages.append(message["params"]["message"])
 
     def answer(self, method, params):
         """The whole answer to a request, an error included."""

@@ -75,6 +75,12 @@ class Projects(unittest.TestCase):
         self.rules.write_text(RULES.replace("^lok", "^lock"))
         self.assertEqual([], self.of_datamap(self.text))
 
+    def test_projects_of_windows_and_choices_of_attributes(self):
+        self.text.write_text(LAYOUT.replace("/door/door.dm", "\\door\\door.dm").replace("\n", "\r\n"))
+        self.assertEqual(["did you mean lock?"], [one[2] for one in self.of_datamap(self.text)])
+        self.rules.write_text(RULES.replace("(<in> ^lok closed)", "(<in> ^{ << lock loc >> <way> } closed)"))
+        self.assertEqual([(3, "the datamap has no attribute ^loc of ^io.input-link")], [one[:2] for one in self.of_datamap(self.text)])
+
     def test_run_takes_a_project_of_either_format(self):
         self.rules.write_text(RULES.replace("^kind door ", "").replace("(<in> ^lok closed)", "(<in> ^time > 0)"))
         self.write("door2.vsa.json", json.dumps({"version": "6", "layout": {"type": "OPERATOR_ROOT", "folder": "door", "children": []}}))

@@ -84,7 +84,11 @@ void RuleReader::Report(Severity severity, const RuleToken& token, std::string m
 bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   Say(std::string(message) + "\n");
   std::string text = out_.name.empty() ? std::string() : "rule " + out_.name + ": ";
-  text += DescribeSyntaxError(message);
+  // Soar's own texts say error once more.
+  constexpr std::string_view kError = "Error: ";
+  std::string_view described = DescribeSyntaxError(message);
+  if (described.starts_with(kError)) described.remove_prefix(kError.size());
+  text += described;
   const bool at_end = token_.kind == TokenKind::kEnd;
   text += at_end ? std::string(", but the rule ends here")
                  : ", found '" + std::string(body_.substr(token_.offset, token_.length)) + "'";

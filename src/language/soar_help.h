@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "language/document.h"
+
+namespace soarbox::language {
+
+/// What an attribute that the architecture makes means: "superstate". Empty for others.
+std::string_view MeaningOfAttribute(std::string_view attribute);
+
+/// What a word or sign of Soar's own language means, at an offset of a file: `state`, `-->`, `write`, `sp`.
+struct SoarWord {
+  Span span;
+  std::string text;  ///< As Markdown.
+};
+std::optional<SoarWord> SoarWordAt(const Document& document, std::size_t offset);
+
+}  // namespace soarbox::language
