@@ -60,6 +60,7 @@ std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
   bool attribute_in_braces = false;
   const auto finish = [&] {
     if (has_attribute) {
+      current.removes = value.size() > 1 && value.back() == "--";
       current.value = Joined(value);
       found.push_back(current);
     }
@@ -103,14 +104,18 @@ std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
     } else if (token.size() > 1 && token[0] == '^') {
       finish();
       has_attribute = true;
-      current = {id, token.substr(1), {}, clause_negated || attribute_negated || group_negations > 0, on_state};
+      current = {id,       token.substr(1),
+                 {},       clause_negated || attribute_negated || group_negations > 0,
+                 on_state, clause_negated || group_negations > 0};
       attribute_negated = false;
     } else if (token == "^") {
       // ^{ <name> <> io }: no constant.
       finish();
       has_attribute = true;
       attribute_in_braces = true;
-      current = {id, "{}", {}, clause_negated || attribute_negated || group_negations > 0, on_state};
+      current = {id,       "{}",
+                 {},       clause_negated || attribute_negated || group_negations > 0,
+                 on_state, clause_negated || group_negations > 0};
       attribute_negated = false;
     } else if (!has_id && token == "state") {
       on_state = true;
@@ -229,6 +234,22 @@ std::vector<std::string> VariablesIn(std::string_view text) {
   return found;
 }
 
+bool IsMadeUpVariable(std::string_view variable) {
+  const std::size_t star = variable.rfind('*');
+  return star != std::string_view::npos && star + 2 < variable.size() &&
+         variable.find_first_not_of("0123456789", star + 1) == variable.size() - 1;
+}
+
+bool IsElaboration(const RuleText& rule) {
+  if (rule.support != RuleSupport::kByConditions) return rule.support == RuleSupport::kISupport;
+  return std::ranges::none_of(rule.conditions, [&](const RuleAttribute& condition) {
+    if (condition.attribute != "operator" || condition.negated || condition.value.ends_with('+')) return false;
+    // Below an operator of the state above, a rule elaborates its own state.
+    const auto path = rule.paths.find(condition.id);
+    return path == rule.paths.end() || path->second.empty();
+  });
+}
+
 bool IsConstantAttribute(std::string_view attribute) {
   return !attribute.empty() && attribute[0] != '<' && attribute[0] != '{' && attribute[0] != '>' && attribute[0] != '=';
 }
@@ -313,7 +334,13 @@ std::vector<RuleText> ReadRules(std::string_view text) {
     rule.name = body.substr(0, name_end);
     const std::size_t arrow = body.find("-->");
     if (arrow == std::string_view::npos) continue;
-    rule.conditions = ReadSide(Tokens(body.substr(name_end, arrow - name_end)));
+    const std::vector<std::string> tests = Tokens(body.substr(name_end, arrow - name_end));
+    rule.conditions = ReadSide(tests);
+    for (const std::string& token : tests) {
+      if (token == "(" || token == "{" || token == "-") break;
+      if (token == ":o-support") rule.support = RuleSupport::kOSupport;
+      if (token == ":i-support") rule.support = RuleSupport::kISupport;
+    }
     const std::vector<std::string> actions = Tokens(body.substr(arrow + 3));
     rule.actions = ReadSide(actions);
     rule.acts = !actions.empty();
