@@ -479,7 +479,9 @@ void FindExcluded(const RuleText& rule, const std::vector<RuleText>& rules, std:
   for (const RuleAttribute& absent : rule.conditions) {
     const auto at = rule.paths.find(absent.id);
     if (!absent.negated || absent.in_group || at == rule.paths.end() || !at->second.empty()) continue;
-    if (absent.attribute == "operator" || !absent.value.empty() || !IsConstantAttribute(absent.attribute)) continue;
+    if (absent.attribute == "operator" || !IsConstantAttribute(absent.attribute)) continue;
+    const bool any_value = absent.value.empty() || (IsVariable(absent.value) && !IsBoundPositively(rule, absent.value));
+    if (!any_value) continue;
     for (const RuleText& other : rules) {
       if (&other == &rule || !IsElaboration(other) || other.conditions.empty()) continue;
       const bool makes = std::ranges::any_of(other.actions, [&](const RuleAttribute& action) {
@@ -498,6 +500,15 @@ void FindExcluded(const RuleText& rule, const std::vector<RuleText>& rules, std:
       return;
     }
   }
+}
+
+/// Whether a rule may give an attribute this value anywhere: an object may be a state that another attribute leads to.
+bool MayMakeAnywhere(const RuleText& rule, const std::string& attribute, const std::string& value) {
+  return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
+    if (action.attribute != attribute || action.removes) return false;
+    const std::string made = ConstantIn(MadeValue(action));
+    return made.empty() || made == value;
+  });
 }
 
 /// "^name ferry" of a state where rules make ^name ferri: a value of a state that nobody makes.
@@ -522,6 +533,8 @@ void FindUnmadeValues(const std::vector<RuleText>& rules, const KnownWords& know
       bool may_be_made = false;
       for (const RuleText& maker : rules) {
         may_be_made |= WhetherMakes(maker, rule, asked) != Makes::kNo;
+        // Operators have names, too.
+        may_be_made |= condition.attribute != "name" && MayMakeAnywhere(maker, condition.attribute, value);
         if (other == nullptr && !OtherValueBy(maker, rule, asked).empty()) other = &maker;
       }
       if (may_be_made || other == nullptr || !told.insert(condition.attribute + " " + value).second) continue;

@@ -61,7 +61,7 @@ TEST(SlipsOfLogic, TwoPathsThroughOneOfSeveral) {
            "(<s> ^told <c> ^at <b>)");
   const std::string together =
       Rule("r", "(state <s> ^superstate nil ^plan <p>)\n    (<p> ^cart <c> ^place <b>)", "(<s> ^told <c> ^at <b>)");
-  EXPECT_THAT(Found(two + apart), ElementsAre(HasSubstr("tests ^cart and ^place of ^plan on two paths")));
+  EXPECT_THAT(Found(two + apart), ElementsAre(HasSubstr("of ^plan on two paths")));
   EXPECT_THAT(Found(two + together), IsEmpty());
   EXPECT_THAT(Found(one + apart), IsEmpty());
 }

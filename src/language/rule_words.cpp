@@ -93,7 +93,18 @@ class Reader {
     }
   }
 
+  /// What is tested between the braces of "^{ << a b >> <way> }". True if the sign belongs to it.
+  bool TakeAttributeSign(std::string_view text) {
+    if (attribute_tests_ == 0 && !begins_tests_) return false;
+    in_choice_ = text == "<<";
+    if (text == "{" || text == "<<") ++attribute_tests_;
+    if ((text == "}" || text == ">>") && attribute_tests_ > 0) --attribute_tests_;
+    begins_tests_ = false;
+    return true;
+  }
+
   void TakeSign(std::string_view text) {
+    if (TakeAttributeSign(text)) return;
     if (text == "(") {
       clauses_.emplace_back();
       opened_ = true;
@@ -106,6 +117,7 @@ class Reader {
   }
 
   void TakeVariable(const std::string& name, Span span) {
+    if (attribute_tests_ > 0) return Add(WordKind::kVariable, span, name, name, "");
     if (opened_) {
       opened_ = false;
       clauses_.back().head = name;
@@ -123,6 +135,18 @@ class Reader {
     if (clauses_.empty()) clauses_.emplace_back();
     Clause& clause = clauses_.back();
     clause.steps.clear();
+    begins_tests_ = text == "^";
+    if (begins_tests_) {
+      clause.steps = "*";
+      negated_ = false;
+      return;
+    }
+    TakeSteps(text, span);
+  }
+
+  /// The parts of "^a.b", or of the ".b" after the braces of an attribute.
+  void TakeSteps(std::string_view text, Span span) {
+    Clause& clause = clauses_.back();
     std::size_t at = 1;
     while (at <= text.size()) {
       std::size_t end = at;
@@ -146,6 +170,12 @@ class Reader {
   }
 
   void TakeConstant(std::string_view text, Span span) {
+    if (attribute_tests_ > 0) {
+      if (in_choice_ && !clauses_.empty())
+        Add(WordKind::kAttribute, span, WithoutBars(text), clauses_.back().head, WithoutBars(text));
+      return;
+    }
+    if (text.starts_with('.') && !clauses_.empty() && clauses_.back().steps == "*") return TakeSteps(text, span);
     if (opened_ && rule_.arrow != std::string::npos) {
       opened_ = false;
       return Add(WordKind::kFunction, span, std::string(text), "", "");
@@ -184,6 +214,8 @@ class Reader {
   std::vector<Clause> clauses_;
   std::vector<std::string> states_;
   std::map<std::string, Edge> edges_;
+  bool begins_tests_ = false, in_choice_ = false;  ///< Of an attribute: "^{ << a b >> <way> }".
+  int attribute_tests_ = 0;                        ///< Brackets of that which are open.
   bool opened_ = false, opens_state_ = false, negated_ = false;
 };
 
