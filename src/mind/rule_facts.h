@@ -6,8 +6,8 @@
 #include <vector>
 
 /// What a rule says, as plain values: each field of a condition or action by itself, as a rule would write it.
-/// Variables have their brackets, words that need them their bars; dots of paths are expanded. Of several tests in braces the
-/// one for equality comes first.
+/// Variables have their brackets, words that need them their bars; dots of paths are expanded. Of several tests in
+/// braces the one for equality comes first.
 namespace soarbox::mind {
 
 struct RuleConditionFact {

@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "kernel/base/symbol_table.h"
@@ -202,25 +201,20 @@ void ExpectWhatTheRuleSays(const SymbolTable& symbols, const Production& rule, c
                                                                                          : Support::kByConditions);
 }
 
-/// The letters of a text in braces, sorted: the kernel gives its tests another order each time.
-std::string InOrder(std::string text) {
-  if (text.starts_with('{')) std::ranges::sort(text);
-  return text;
-}
-
-/// Conditions and actions in an order of their own: a rule that is read again may have its conditions in another one.
-template <typename Fact>
-std::vector<std::string> Sorted(const std::vector<Fact>& facts) {
+/// Conditions in an order of their own. When a rule is read again, a test of a variable that is there several times may
+/// move to another condition of it: attributes and signs stay.
+std::vector<std::string> Sorted(const std::vector<mind::RuleConditionFact>& facts) {
   std::vector<std::string> texts;
-  for (const Fact& fact : facts) {
-    std::string text = fact.id + " ^" + InOrder(fact.attribute) + " " + InOrder(fact.value);
-    if constexpr (std::is_same_v<Fact, mind::RuleConditionFact>) {
-      text += std::string(fact.acceptable ? " +" : "") + (fact.negated ? " not" : "") + (fact.on_state ? " state" : "");
-    } else {
-      text += " " + fact.sign + " " + fact.referent;
-    }
-    texts.push_back(text);
-  }
+  for (const mind::RuleConditionFact& fact : facts)
+    texts.push_back((fact.attribute.starts_with('{') ? "{}" : fact.attribute) + (fact.acceptable ? " +" : "") +
+                    (fact.negated ? " not" : "") + (fact.on_state ? " state" : ""));
+  std::ranges::sort(texts);
+  return texts;
+}
+std::vector<std::string> Sorted(const std::vector<mind::RuleActionFact>& facts) {
+  std::vector<std::string> texts;
+  for (const mind::RuleActionFact& fact : facts)
+    texts.push_back(fact.id + " ^" + fact.attribute + " " + fact.value + " " + fact.sign + " " + fact.referent);
   std::ranges::sort(texts);
   return texts;
 }
