@@ -220,6 +220,12 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
     const std::string variable = MadeValue(action);
     if (!IsVariable(variable) || IsMadeUpVariable(variable) || paths.find(action.id) == paths.end()) continue;
     if (action.removes || !IsConstantAttribute(action.attribute) || IsBoundPositively(rule, variable)) continue;
+    // That only a negated condition has it is reported as such.
+    const bool is_negated = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
+      const std::vector<std::string> used = VariablesIn(condition.value);
+      return std::ranges::find(used, variable) != used.end();
+    });
+    if (is_negated) continue;
     const Path& at = paths.at(action.id);
     const bool is_command = at.size() > 2 && at[at.size() - 2] == "output-link";
     if (!is_command && !operators.contains(action.id)) continue;

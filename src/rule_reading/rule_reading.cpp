@@ -121,6 +121,16 @@ class FactWriter {
   int groups_ = 0;
 };
 
+/// What looks like a variable, each once.
+std::set<std::string> VariablesIn(std::string_view text) {
+  std::set<std::string> found;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    const std::size_t end = text.find_first_of("<> \t\n|^(){}", at + 1);
+    if (end != std::string_view::npos && end > at + 1 && text[end] == '>') found.emplace(text.substr(at, end + 1 - at));
+  }
+  return found;
+}
+
 /// The end of what is between braces that are open at `begin`: where their closing brace is. Braces between bars, and
 /// in the documentation of a rule, do not count.
 std::size_t EndOfBraces(std::string_view text, std::size_t begin) {
@@ -181,10 +191,12 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
 }
 
 std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text) {
-  // A rule begins with a state; conditions alone do not.
+  // A rule begins with a state; conditions alone do not. It binds every variable of theirs, because the reader leaves
+  // out comparisons with what is bound nowhere.
   constexpr std::string_view kState = "<printed-conditions*1>";
-  const std::string body = "conditions (state " + std::string(kState) + " ^superstate) " + std::string(text) +
-                           " --> (" + std::string(kState) + " ^read yes)";
+  std::string body = "conditions (state " + std::string(kState) + " ^superstate";
+  for (const std::string& variable : VariablesIn(text)) body += " ^bound " + variable;
+  body += ") " + std::string(text) + " --> (" + std::string(kState) + " ^read yes)";
   kernel::SymbolTable symbols;
   const kernel::ParseOutcome outcome = kernel::ParseProduction(body, {}, symbols);
   if (outcome.production == nullptr) return {};

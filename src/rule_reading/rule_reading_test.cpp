@@ -264,6 +264,10 @@ TEST(RuleReading, ConditionsAreReadAlone) {
   EXPECT_EQ(found[0].value, "{ <a> <> |a b| }");
   EXPECT_TRUE(found[0].negated);
   EXPECT_EQ(ReadPrintedConditions("(<o> ^name go) (<s> ^operator <o> +)").size(), 2u);
+  // What they compare with is bound by conditions that are not there.
+  const std::vector<mind::RuleConditionFact> compared = ReadPrintedConditions("(<me> ^reserve { <r> > <h*1> })");
+  ASSERT_EQ(compared.size(), 1u);
+  EXPECT_EQ(compared[0].value, "{ <r> > <h*1> }");
   EXPECT_TRUE(ReadPrintedConditions("no condition").empty());
 }
 
