@@ -42,13 +42,6 @@ bool IsRelation(const std::string& word) {
   return word == "<" || word == ">" || word == "<=" || word == ">=" || word == "<>" || word == "<=>" || word == "=";
 }
 
-/// <h*1>: a kernel made it up for a dot or a test; authors' own hold no star before a number.
-bool IsMadeUp(const std::string& variable) {
-  const std::size_t star = variable.rfind('*');
-  return star != std::string::npos && star + 2 < variable.size() &&
-         variable.find_first_not_of("0123456789", star + 1) == variable.size() - 1;
-}
-
 /// "{ > 50 <h*1> }" as its author wrote it, "> 50"; what it is compared with as the place where that lies.
 void ReadTests(const std::string& value, const PathMap& paths, ConditionText& text) {
   std::istringstream in(value);
@@ -64,7 +57,7 @@ void ReadTests(const std::string& value, const PathMap& paths, ConditionText& te
         words.push_back(Dotted(path->second));
         continue;
       }
-    } else if (IsVariable(word) && (IsMadeUp(word) || relates)) {
+    } else if (IsVariable(word) && (IsMadeUpVariable(word) || relates)) {
       continue;  // It only names the value.
     }
     words.push_back(word);

@@ -497,12 +497,18 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   RuleList candidates, below;
   const RuleText* applied_by = nullptr;
   const RuleText* pending = nullptr;
+  const RuleText* answered_by = nullptr;  // Writes something, say, and changes nothing.
   bool says = false;
   for (const RuleText& rule : rules()) {
     if (IsJustification(rule.name)) continue;  // A result: a step on the way.
     if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
     // A rule that only describes the operator does not apply it; one that names none applies any.
-    if (!(rule.applies.contains(name) || rule.applies.contains("")) || !Changes(rule)) continue;
+    if (!(rule.applies.contains(name) || rule.applies.contains(""))) continue;
+    if (!Changes(rule)) {
+      const bool only_speaks = rule.acts && rule.actions.empty() && rule.applies.contains(name);
+      if (only_speaks && view_.Match(rule.name).failing.empty() && view_.HasFired(rule.name)) answered_by = &rule;
+      continue;
+    }
     if (rule.applies.contains(name)) candidates.push_back(&rule);
     if (!view_.Match(rule.name).failing.empty()) continue;
     if (view_.IsPending(rule.name)) {
@@ -529,6 +535,8 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     reasons.push_back(Say(Situation::kNoApplierMatches, op));
     for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
     if (std::string failed = WhatFailed(); !failed.empty()) reasons.push_back(std::move(failed));
+  } else if (answered_by != nullptr) {
+    reasons.push_back(Say(Situation::kAnsweredOnly, {{"op", shown}, {"state", state}, {"rule", answered_by->name}}));
   } else if (is_below && !below.empty()) {
     const std::vector<StackEntry> stack = view_.Stack();
     const auto at = std::ranges::find(stack, selected.id, &StackEntry::id);

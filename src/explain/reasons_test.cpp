@@ -108,13 +108,18 @@ TEST_F(Reasons, AnOperatorHasBeenAppliedOnlyIfARuleFiredForIt) {
   const std::string applied = "operator go has been applied (rule apply*go), which gave no command, and stays";
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {apply*go (state <s> ^operator.name go) --> (<s> ^gone yes)}"),
               Contains(HasSubstr(applied)));
-  // What describes an operator, or only writes, does not apply it.
+  // What describes an operator does not apply it, nor does a rule that watches all of them.
   for (const char* rule : {"sp {note (state <s> ^operator <o>) (<o> ^name go) --> (<o> ^speed 3)}",
-                           "sp {note (state <s> ^operator.name go) --> (write |going|)}"}) {
+                           "sp {note (state <s> ^operator <o>) --> (write |an operator|)}"}) {
     const std::vector<std::string> reasons = Idle(std::string(kProposeGo) + rule);
     EXPECT_THAT(reasons, Contains(HasSubstr("operator go is selected in S1 and no rule applies it"))) << rule;
     EXPECT_THAT(reasons, Not(Contains(HasSubstr("has been applied")))) << rule;
   }
+  // A rule that only writes is its author's application all the same.
+  EXPECT_THAT(
+      Idle(std::string(kProposeGo) + "sp {note (state <s> ^operator.name go) --> (write |going|)}"),
+      Contains("operator go stays selected in S1: rule note has fired for it and changes nothing that its proposal "
+               "tests, nor gives a command"));
   // A rule that names no operator applies this one, too.
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {any (state <s> ^operator <o>) --> (<s> ^gone yes)}"),
               Contains(HasSubstr("operator go has been applied (rule any)")));

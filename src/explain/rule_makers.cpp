@@ -75,23 +75,6 @@ bool IsFree(const std::string& tests) {
                              [](const std::string& word) { return IsVariable(word) || word == "{" || word == "}"; });
 }
 
-/// Where the variables of a rule's actions lie, those of objects that it makes included.
-PathMap MadePaths(const RuleText& rule) {
-  PathMap paths = rule.paths;
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const RuleAttribute& action : rule.actions) {
-      const auto from = paths.find(action.id);
-      const std::string to = FirstWord(action.value);
-      if (from == paths.end() || !IsVariable(to)) continue;
-      std::vector<std::string> path = from->second;
-      path.push_back(action.attribute);
-      grows |= paths.try_emplace(to, std::move(path)).second;
-    }
-  }
-  return paths;
-}
-
 bool IsObjectOf(const RuleText& rule, const std::string& variable) {
   const auto is_of = [&](const RuleAttribute& attribute) { return attribute.id == variable; };
   return std::ranges::any_of(rule.conditions, is_of) || std::ranges::any_of(rule.actions, is_of);
@@ -152,6 +135,22 @@ std::string NameAskedFor(const RuleText& rule) {
 }
 
 }  // namespace
+
+PathMap MadePaths(const RuleText& rule) {
+  PathMap paths = rule.paths;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RuleAttribute& action : rule.actions) {
+      const auto from = paths.find(action.id);
+      const std::string to = FirstWord(action.value);
+      if (from == paths.end() || !IsVariable(to)) continue;
+      std::vector<std::string> path = from->second;
+      path.push_back(action.attribute);
+      grows |= paths.try_emplace(to, std::move(path)).second;
+    }
+  }
+  return paths;
+}
 
 std::vector<std::string> FromTop(const std::vector<std::string>& path) {
   const auto begin = std::ranges::find_if(path, [](const std::string& step) { return step != "superstate"; });

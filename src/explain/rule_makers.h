@@ -32,6 +32,9 @@ bool MakesAnyAttribute(const RuleText& rule);
 /// Whether a rule works in a substate: it tests a superstate.
 bool IsForSubstate(const RuleText& rule);
 
+/// Where the variables of a rule's actions lie, those of objects that it makes included.
+PathMap MadePaths(const RuleText& rule);
+
 /// A path written from the state that it reaches: without ^superstate.
 std::vector<std::string> FromTop(const std::vector<std::string>& path);
 

@@ -54,10 +54,11 @@ struct KnownWords {
   std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
   std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
   KnownPlaces places = {};
-  bool has_database = false;  ///< What is recalled may have any attribute.
-  bool complete = true;       ///< All rules loaded; else what is missing may be in those that did not.
-  SceneKinds scene = {};      ///< Needed only if rules mention scenes.
-  bool own_world = false;     ///< A game with percepts and commands of its own: the vocabulary says nothing of them.
+  bool has_database = false;               ///< What is recalled may have any attribute.
+  bool complete = true;                    ///< All rules loaded; else what is missing may be in those that did not.
+  SceneKinds scene = {};                   ///< Needed only if rules mention scenes.
+  std::set<std::string> made_values = {};  ///< "attribute value": what actions of any rule of the folder make.
+  bool own_world = false;  ///< A game with percepts and commands of its own: the vocabulary says nothing of them.
 };
 
 /// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
@@ -71,6 +72,11 @@ std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const K
 /// Slips in the use of Soar itself: operators that are words or have no name or two, a second ^io, values that pile up,
 /// paths that may lead to different objects, words that no state has, variables that only a negation binds.
 std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules);
+
+/// Slips in what rules do together: what a rule makes or removes takes its own reason away, paths that lead to
+/// different objects of a rule's own, values that no rule makes, variables that nothing binds, applications that cannot
+/// fire.
+std::vector<Slip> FindSlipsOfLogic(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// Slips on the links of long-term memory and reward: words that no memory knows, rewards that are no numbers, links
 /// that an action makes beside the agent's own.

@@ -64,8 +64,7 @@ class SceneChecker {
 
   void Check(const RuleText& rule) {
     for (const RuleAttribute& action : rule.actions) {
-      if (!IsOnCommandLink(rule, action) || !IsConstantAttribute(action.attribute) || action.value.ends_with(" -"))
-        continue;
+      if (!IsOnCommandLink(rule, action) || !IsConstantAttribute(action.attribute) || action.removes) continue;
       const Kind* const kind = Find(kinds_.commands, action.attribute);
       if (kind == nullptr) {
         const std::vector<std::string_view> names = KindNames(kinds_.commands);
@@ -157,7 +156,7 @@ class SceneChecker {
     for (const Parameter& parameter : kind.parameters) names.emplace_back(parameter.name);
     std::set<std::string> given, misspelt;
     for (const RuleAttribute& action : rule.actions) {
-      if (action.id != id || !IsConstantAttribute(action.attribute) || action.value.ends_with(" -")) continue;
+      if (action.id != id || !IsConstantAttribute(action.attribute) || action.removes) continue;
       given.insert(action.attribute);
       const auto known = std::ranges::find(kind.parameters, action.attribute, &Parameter::name);
       if (known != kind.parameters.end()) {

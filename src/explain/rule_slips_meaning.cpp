@@ -108,7 +108,7 @@ class MeaningChecker {
       if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
     for (const RuleAttribute& action : rule.actions) {
       if (!outputs.contains(action.id) || !rule.says.contains(action.attribute)) continue;
-      if (action.value.ends_with(" -")) continue;
+      if (action.removes) continue;
       if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
       if (vocabulary::FindCommand(action.attribute) == nullptr) {
         const std::string_view near = vocabulary::NearestCommand(action.attribute);
@@ -132,7 +132,7 @@ class MeaningChecker {
       if (command == commands.end() || !IsConstantAttribute(action.attribute)) continue;
       ++parameters[action.id];
       CheckParameter(rule, command->second, action);
-      if (action.value.ends_with(" -")) continue;
+      if (action.removes) continue;
       const auto [first, is_new] = given.try_emplace({action.id, action.attribute}, &action);
       if (!is_new) CheckTwoValues(rule, command->second, *first->second, action);
     }

@@ -104,7 +104,7 @@ void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     const std::string& link = action.attribute;
     if (!states.contains(action.id) || (link != "reward-link" && link != "smem" && link != "epmem")) continue;
-    if (IsBoundByConditions(rule, FirstWord(action.value)) || action.value.ends_with(" -")) continue;
+    if (IsBoundByConditions(rule, FirstWord(action.value)) || action.removes) continue;
     const bool is_reward = link == "reward-link";
     slips.push_back({rule.name, link, true,
                      "rule " + rule.name + " makes a second ^" + link +

@@ -112,8 +112,8 @@ std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords
     known.own_world = true;
   }
   for (const std::vector<Slip>& some :
-       {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfMemory(rules),
-        FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)})
+       {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfLogic(rules, known),
+        FindSlipsOfMemory(rules), FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -13,7 +13,7 @@ namespace soarbox::explain {
 namespace {
 
 bool IsRemoval(const RuleAttribute& action) {
-  return action.value.ends_with("-");
+  return action.removes;
 }
 
 /// The word of a value that is one constant, without bars and preference; empty if it is something else.

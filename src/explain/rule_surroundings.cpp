@@ -54,11 +54,27 @@ void AddRemembered(std::string_view text, Surroundings& around) {
   }
 }
 
+/// "bank left" and "bank right" for "^bank left right", as far as the words are constants.
+void AddValues(std::string_view text, std::set<std::string>& made) {
+  for (std::size_t at = text.find('^'); at != std::string_view::npos; at = text.find('^', at + 1)) {
+    std::size_t word = std::min(text.find_first_of(" \t\r\n(){}", at), text.size());
+    std::string_view attribute = text.substr(at + 1, word - at - 1);
+    if (const std::size_t dot = attribute.rfind('.'); dot != std::string_view::npos) attribute.remove_prefix(dot + 1);
+    while ((word = text.find_first_not_of(" \t\r\n", word)) != std::string_view::npos && text[word] != '^' &&
+           text[word] != ')' && text[word] != '(') {
+      const std::size_t end = std::min(text.find_first_of(" \t\r\n()", word), text.size());
+      made.insert(std::string(attribute) + " " + std::string(text.substr(word, end - word)));
+      word = end;
+    }
+  }
+}
+
 /// Every attribute between --> and the next rule. Cruder than reading the rules, which may not load.
-void AddMade(const std::string& text, std::set<std::string>& made) {
+void AddMade(const std::string& text, Surroundings& around) {
   for (std::size_t arrow = text.find("-->"); arrow != std::string::npos; arrow = text.find("-->", arrow + 3)) {
     const std::size_t end = std::min(text.find("\nsp", arrow), text.size());
-    AddAttributes(std::string_view(text).substr(arrow, end - arrow), made);
+    AddAttributes(std::string_view(text).substr(arrow, end - arrow), around.made_by_rules);
+    AddValues(std::string_view(text).substr(arrow, end - arrow), around.made_values);
   }
 }
 
@@ -77,7 +93,7 @@ Surroundings LookAround(const fs::path& folder, std::span<const fs::path> readab
       AddWords(ReadText(file).value_or(""), around.lua_words);
     } else if (file.extension() == ".soar") {
       const std::string text = BlankComments(ReadText(file).value_or(""));
-      AddMade(text, around.made_by_rules);
+      AddMade(text, around);
       AddRemembered(text, around);
     }
   }

@@ -12,6 +12,7 @@ namespace soarbox::explain {
 struct Surroundings {
   std::set<std::string> lua_words;      ///< Scripts may make percepts and take commands of their own.
   std::set<std::string> made_by_rules;  ///< Attributes in actions of any rule, and those of facts (smem --add).
+  std::set<std::string> made_values;    ///< "attribute value" of these, each with the word after it.
   bool has_database = false;            ///< Files name a database or a file of facts, which may hold any attribute.
 };
 

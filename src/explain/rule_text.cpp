@@ -3,129 +3,74 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
+
+#include "explain/rule_from_facts.h"
+#include "rule_reading/rule_reading.h"
 
 namespace soarbox::explain {
 namespace {
 
-bool IsBlank(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
-
-/// Words, single brackets, and "-(" or "-{" as "-" before the bracket. |quoted words| stay whole.
-std::vector<std::string> Tokens(std::string_view text) {
-  std::vector<std::string> tokens;
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (IsBlank(c)) {
-      ++i;
-    } else if (c == '(' || c == ')' || c == '{' || c == '}') {
-      tokens.emplace_back(1, c);
-      ++i;
-    } else if (c == '-' && i + 1 < text.size() && (text[i + 1] == '^' || text[i + 1] == '(' || text[i + 1] == '{')) {
-      tokens.emplace_back("-");
-      ++i;
-    } else {
-      const std::size_t begin = i;
-      bool quoted = false;
-      while (i < text.size()) {
-        if (text[i] == '|') quoted = !quoted;
-        if (!quoted && (IsBlank(text[i]) || text[i] == '(' || text[i] == ')' || text[i] == '{' || text[i] == '}'))
-          break;
+/// The words of a text; what is between bars is one word.
+std::vector<std::string> WordsIn(std::string_view text) {
+  std::vector<std::string> words;
+  for (std::size_t i = text.find_first_not_of(' '); i < text.size(); i = text.find_first_not_of(' ', i)) {
+    const std::size_t begin = i;
+    for (bool quoted = false; i < text.size() && (quoted || text[i] != ' '); ++i) {
+      if (text[i] == '\\' && quoted) {
         ++i;
+      } else if (text[i] == '|') {
+        quoted = !quoted;
       }
-      tokens.emplace_back(text.substr(begin, i - begin));
-      // A preference that takes away, told apart from a negation.
-      if (tokens.back() == "-") tokens.back() = "--";
     }
+    i = std::min(i, text.size());
+    words.emplace_back(text.substr(begin, i - begin));
   }
-  return tokens;
+  return words;
 }
 
-std::string Joined(const std::vector<std::string>& words) {
+RuleAttribute AttributeOf(const mind::RuleConditionFact& fact) {
+  RuleAttribute condition;
+  condition.id = fact.id;
+  condition.attribute = fact.attribute;
+  condition.value = fact.value;
+  if (fact.acceptable) condition.value += condition.value.empty() ? "+" : " +";
+  condition.negated = fact.negated;
+  condition.on_state = fact.on_state;
+  condition.in_group = fact.group > 0;
+  return condition;
+}
+
+/// "(+ <n> 1)" as "( + <n> 1 )": each bracket is a word of its own. Brackets between bars stay as they are.
+std::string WithBracketsApart(const std::string& call) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  bool quoted = false;
+  for (std::size_t i = 0; i < call.size(); ++i) {
+    const char c = call[i];
+    if (c == '\\' && quoted) {
+      text += c;
+      if (++i < call.size()) text += call[i];
+      continue;
+    }
+    if (c == '|') quoted = !quoted;
+    if (c == ')' && !quoted) text += ' ';
+    text += c;
+    if (c == '(' && !quoted) text += ' ';
+  }
   return text;
 }
 
-/// The clauses of one side.
-std::vector<RuleAttribute> ReadSide(const std::vector<std::string>& tokens) {
-  std::vector<RuleAttribute> found;
-  std::string id;
-  bool in_clause = false, has_id = false, on_state = false, clause_negated = false, attribute_negated = false;
-  int conjunction = 0, group_negations = 0;
-  std::vector<bool> groups;
-  std::vector<std::string> value;
-  RuleAttribute current;
-  bool has_attribute = false;
-  bool attribute_in_braces = false;
-  const auto finish = [&] {
-    if (has_attribute) {
-      current.value = Joined(value);
-      found.push_back(current);
-    }
-    has_attribute = attribute_in_braces = false;
-    value.clear();
-  };
-  bool minus = false;
-  for (const std::string& token : tokens) {
-    if (!in_clause) {
-      if (token == "-") {
-        minus = true;
-        continue;
-      }
-      if (token == "{") {
-        groups.push_back(minus);
-        group_negations += minus ? 1 : 0;
-      } else if (token == "}" && !groups.empty()) {
-        group_negations -= groups.back() ? 1 : 0;
-        groups.pop_back();
-      } else if (token == "(") {
-        in_clause = true;
-        has_id = on_state = false;
-        clause_negated = minus;
-        id.clear();
-      }
-      minus = false;
-      continue;
-    }
-    if (token == "(") {
-      ++conjunction;  // A function call on the right-hand side.
-      value.push_back(token);
-    } else if (token == ")" && conjunction > 0) {
-      --conjunction;
-      value.push_back(token);
-    } else if (token == ")") {
-      finish();
-      in_clause = false;
-    } else if (token == "-") {
-      finish();
-      attribute_negated = true;
-    } else if (token.size() > 1 && token[0] == '^') {
-      finish();
-      has_attribute = true;
-      current = {id, token.substr(1), {}, clause_negated || attribute_negated || group_negations > 0, on_state};
-      attribute_negated = false;
-    } else if (token == "^") {
-      // ^{ <name> <> io }: no constant.
-      finish();
-      has_attribute = true;
-      attribute_in_braces = true;
-      current = {id, "{}", {}, clause_negated || attribute_negated || group_negations > 0, on_state};
-      attribute_negated = false;
-    } else if (!has_id && token == "state") {
-      on_state = true;
-    } else if (!has_id && IsVariable(token)) {
-      id = token;
-      has_id = true;
-    } else if (has_attribute) {
-      if (attribute_in_braces) {
-        if (token == "}") attribute_in_braces = false;
-        continue;
-      }
-      value.push_back(token);
-    }
-  }
-  return found;
+RuleAttribute AttributeOf(const mind::RuleActionFact& fact) {
+  RuleAttribute action;
+  action.id = fact.id;
+  action.attribute = fact.attribute;
+  action.value = fact.value.starts_with('(') ? WithBracketsApart(fact.value) : fact.value;
+  // As rules write it: only for operators is a preference something to say.
+  if (fact.attribute == "operator" || fact.sign != "+") action.value += " " + fact.sign;
+  if (!fact.referent.empty())
+    action.value += " " + (fact.referent.starts_with('(') ? WithBracketsApart(fact.referent) : fact.referent);
+  action.removes = fact.sign == "-" && fact.referent.empty();
+  return action;
 }
 
 /// The constants that a name test allows: one, those of << a b >>, or "" for anything else.
@@ -135,33 +80,12 @@ std::set<std::string> NamesOf(const std::string& value) {
     std::set<std::string> names;
     std::string_view rest = value;
     rest.remove_prefix(rest.find("<<") + 2);
-    for (const std::string& token : Tokens(rest.substr(0, rest.find(">>")))) names.insert(token);
+    for (std::string& word : WordsIn(rest.substr(0, rest.find(">>")))) names.insert(std::move(word));
     return names;
   }
   const std::string first = FirstWord(value);
   if (IsVariable(first) || first == "{" || first == "<>" || first == "(") return {""};
   return {first};
-}
-
-/// Calls of functions in the actions, those within others, too.
-std::vector<RuleCall> CallsIn(const std::vector<std::string>& actions) {
-  std::vector<RuleCall> calls;
-  std::vector<std::size_t> open;  // Brackets: the call that they belong to.
-  constexpr std::size_t kClause = static_cast<std::size_t>(-1);
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    const std::string& token = actions[i];
-    if (token == ")") {
-      if (!open.empty()) open.pop_back();
-    } else if (token == "(") {
-      if (!open.empty() && open.back() != kClause) calls[open.back()].arguments.push_back(token);
-      const bool is_call = i + 1 < actions.size() && !IsVariable(actions[i + 1]);
-      open.push_back(is_call ? calls.size() : kClause);
-      if (is_call) calls.push_back({actions[++i], {}});
-    } else if (!open.empty() && open.back() != kClause) {
-      calls[open.back()].arguments.push_back(token);
-    }
-  }
-  return calls;
 }
 
 void Classify(RuleText& rule) {
@@ -170,7 +94,7 @@ void Classify(RuleText& rule) {
     if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
   }
   for (const RuleAttribute& action : rule.actions) {
-    if (outputs.contains(action.id) && !action.value.ends_with("-")) rule.says.insert(action.attribute);
+    if (outputs.contains(action.id) && !action.removes) rule.says.insert(action.attribute);
     if (action.attribute != "operator" || action.value.find('+') == std::string::npos) continue;
     const std::string id = FirstWord(action.value);
     bool named = false;
@@ -210,7 +134,10 @@ bool IsIdentifier(std::string_view value) {
 }
 
 std::string FirstWord(const std::string& value) {
-  return value.substr(0, value.find(' '));
+  if (!value.starts_with('|')) return value.substr(0, value.find(' '));
+  std::size_t end = 1;
+  while (end < value.size() && value[end] != '|') end += value[end] == '\\' ? 2 : 1;
+  return value.substr(0, end + 1);
 }
 
 bool IsVariable(std::string_view word) {
@@ -227,6 +154,22 @@ std::vector<std::string> VariablesIn(std::string_view text) {
     if (end > at + 1 && end < text.size() && text[end] == '>') found.emplace_back(text.substr(at, end + 1 - at));
   }
   return found;
+}
+
+bool IsMadeUpVariable(std::string_view variable) {
+  const std::size_t star = variable.rfind('*');
+  return star != std::string_view::npos && star + 2 < variable.size() &&
+         variable.find_first_not_of("0123456789", star + 1) == variable.size() - 1;
+}
+
+bool IsElaboration(const RuleText& rule) {
+  if (rule.support != RuleSupport::kByConditions) return rule.support == RuleSupport::kISupport;
+  return std::ranges::none_of(rule.conditions, [&](const RuleAttribute& condition) {
+    if (condition.attribute != "operator" || condition.negated || condition.value.ends_with('+')) return false;
+    // Below an operator of the state above, a rule elaborates its own state.
+    const auto path = rule.paths.find(condition.id);
+    return path == rule.paths.end() || path->second.empty();
+  });
 }
 
 bool IsConstantAttribute(std::string_view attribute) {
@@ -266,7 +209,10 @@ std::string BlankComments(std::string text) {
 }
 
 std::vector<RuleAttribute> ReadConditions(std::string_view text) {
-  return ReadSide(Tokens(text));
+  std::vector<RuleAttribute> conditions;
+  for (const mind::RuleConditionFact& fact : rule_reading::ReadPrintedConditions(text))
+    conditions.push_back(AttributeOf(fact));
+  return conditions;
 }
 
 namespace {
@@ -294,39 +240,29 @@ PathMap VariablePaths(const RuleText& rule) {
 
 }  // namespace
 
+RuleText TextOf(const mind::RuleFacts& facts) {
+  RuleText rule;
+  rule.name = facts.name;
+  rule.acts = facts.acts;
+  using Support = mind::RuleFacts::Support;
+  if (facts.support == Support::kOSupport) rule.support = RuleSupport::kOSupport;
+  if (facts.support == Support::kISupport) rule.support = RuleSupport::kISupport;
+  for (const mind::RuleConditionFact& fact : facts.conditions) rule.conditions.push_back(AttributeOf(fact));
+  for (const mind::RuleActionFact& fact : facts.actions) rule.actions.push_back(AttributeOf(fact));
+  for (const mind::RuleCallFact& fact : facts.calls) {
+    rule.all_calls.push_back({fact.function, fact.arguments});
+    rule.calls.insert(fact.function);
+    // A function that is not built in is read as the first argument of exec.
+    if (fact.function == "exec" && !fact.arguments.empty()) rule.calls.insert("exec " + fact.arguments.front());
+  }
+  Classify(rule);
+  rule.paths = VariablePaths(rule);
+  return rule;
+}
+
 std::vector<RuleText> ReadRules(std::string_view text) {
   std::vector<RuleText> rules;
-  constexpr std::string_view kBegin = "sp {";
-  std::size_t at = 0;
-  while ((at = text.find(kBegin, at)) != std::string_view::npos) {
-    if (at > 0 && text[at - 1] != '\n') {
-      at += kBegin.size();
-      continue;
-    }
-    at += kBegin.size();
-    std::size_t end = text.find("\n}", at);
-    if (end == std::string_view::npos) end = text.size();
-    const std::string_view body = text.substr(at, end - at);
-    at = end;
-    RuleText rule;
-    const std::size_t name_end = std::min(body.find_first_of(" \n\t"), body.size());
-    rule.name = body.substr(0, name_end);
-    const std::size_t arrow = body.find("-->");
-    if (arrow == std::string_view::npos) continue;
-    rule.conditions = ReadSide(Tokens(body.substr(name_end, arrow - name_end)));
-    const std::vector<std::string> actions = Tokens(body.substr(arrow + 3));
-    rule.actions = ReadSide(actions);
-    rule.acts = !actions.empty();
-    rule.all_calls = CallsIn(actions);
-    for (const RuleCall& call : rule.all_calls) {
-      rule.calls.insert(call.function);
-      // A function that is not built in is printed as the first argument of exec.
-      if (call.function == "exec" && !call.arguments.empty()) rule.calls.insert("exec " + call.arguments.front());
-    }
-    Classify(rule);
-    rule.paths = VariablePaths(rule);
-    rules.push_back(std::move(rule));
-  }
+  for (const mind::RuleFacts& facts : rule_reading::ReadPrintedRules(text)) rules.push_back(TextOf(facts));
   return rules;
 }
 

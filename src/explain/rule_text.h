@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@ struct RuleAttribute {
   std::string value;      ///< All that follows it, "<o> +".
   bool negated = false;
   bool on_state = false;  ///< The clause begins with the word state.
+  bool in_group = false;  ///< Of a condition: it is one of several in -{ ... }, or of a negated clause.
+  bool removes = false;   ///< Of an action: the value is followed by the sign - alone.
 };
 
 /// A call of a function in a rule's actions.
@@ -26,6 +29,9 @@ struct RuleCall {
 
 /// Places by name, each as attributes from the state on.
 using PathMap = std::map<std::string, std::vector<std::string>>;
+
+/// The support that a rule declares for what it makes: :o-support, :i-support, or neither.
+enum class RuleSupport : std::uint8_t { kByConditions, kOSupport, kISupport };
 
 /// What a rule says about itself, as far as reasons and checks need it.
 struct RuleText {
@@ -46,6 +52,7 @@ struct RuleText {
   /// The same with their arguments, each call as often as it is there.
   std::vector<RuleCall> all_calls;
   bool acts = false;  ///< It has actions at all.
+  RuleSupport support = RuleSupport::kByConditions;
 };
 
 /// True for what a kernel prints for an identifier: a capital letter and a number.
@@ -62,6 +69,11 @@ std::vector<RuleAttribute> ReadConditions(std::string_view text);
 bool IsVariable(std::string_view word);
 /// All variables in a text, in order, each as often as it is there.
 std::vector<std::string> VariablesIn(std::string_view text);
+/// <h*1>: a kernel made it up for a dot or a test; authors' own hold no star before a number.
+bool IsMadeUpVariable(std::string_view variable);
+/// True if what the rule makes lasts only while it matches. False for rules that test the operator that is selected in
+/// their own state.
+bool IsElaboration(const RuleText& rule);
 bool IsConstantAttribute(std::string_view attribute);
 /// Attributes that the architecture, its memories and the world themselves make: "superstate", "retrieved", "status",
 /// ...

@@ -9,9 +9,10 @@
 #include "cli/interpreter.h"
 #include "cli/session.h"
 #include "explain/clarify_errors.h"
+#include "explain/rule_from_facts.h"
 #include "kernel/agent.h"
 #include "kernel/rules/parser.h"
-#include "kernel/rules/print_production.h"
+#include "rule_reading/rule_reading.h"
 
 namespace soarbox::language {
 namespace {
@@ -72,8 +73,7 @@ void RuleReader::ReadRule(const std::string& body, int line, int column, ReadCom
   kernel::ParseOutcome outcome = kernel::ParseProduction(body, {read.id, line, column}, symbols_);
   read.problems.insert(read.problems.end(), outcome.diagnostics.begin(), outcome.diagnostics.end());
   if (outcome.production == nullptr) return;
-  for (explain::RuleText& text : explain::ReadRules(kernel::PrintProduction(symbols_, *outcome.production)))
-    read.texts.push_back(std::move(text));
+  read.texts.push_back(explain::TextOf(rule_reading::FactsOf(*outcome.production, symbols_)));
   read.rules.push_back(std::move(outcome.production));
 }
 

@@ -27,7 +27,7 @@ namespace soarbox::language {
 struct ReadCommand {
   std::string id;                            ///< Stands for the file in what is said about `rules`.
   std::vector<kernel::ProductionPtr> rules;  ///< More than one for `gp`; none for other commands and refused rules.
-  std::vector<explain::RuleText> texts;      ///< Of the rules, as the kernel prints them.
+  std::vector<explain::RuleText> texts;      ///< What the rules say.
   std::vector<Diagnostic> problems;
   std::string name;     ///< Of the rule, also of one that was refused.
   std::string sourced;  ///< The file that it sources; then nothing else is there.

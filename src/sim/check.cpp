@@ -147,6 +147,7 @@ class Checker {
     const explain::Surroundings& around = Around(file.parent_path());
     explain::KnownWords words{around.made_by_rules, around.lua_words, PlacesBeside(file.parent_path()),
                               around.has_database, complete};
+    words.made_values = around.made_values;
     words.own_world = games_.contains(file.parent_path());
     words.scene = scene_kinds_;
     return words;

@@ -93,6 +93,7 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
     const explain::Surroundings& around = at->second;
     known.scripts.insert(around.lua_words.begin(), around.lua_words.end());
     known.attributes.insert(around.made_by_rules.begin(), around.made_by_rules.end());
+    known.made_values.insert(around.made_values.begin(), around.made_values.end());
     known.has_database |= around.has_database;
   }
   if (explain::MentionsScenes(reasons.rules()))

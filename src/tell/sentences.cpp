@@ -96,6 +96,9 @@ constexpr std::array kSentences = {
         "change what it tests"},
     Sentence{kNotFiredYet, "a rule that applies it matches and has not fired",
              "operator {op} is selected in {state}, and rule {rule}, which applies it, matches but has not fired"},
+    Sentence{kAnsweredOnly, "operator no-change, the rule that answers to it changes nothing",
+             "operator {op} stays selected in {state}: rule {rule} has fired for it and changes nothing that its "
+             "proposal tests, nor gives a command"},
     Sentence{kNoApplierMatches, "operator no-change, rules that apply it do not match",
              "operator {op} is selected in {state} and no rule that applies it matches"},
     Sentence{kNothingBelow, "operator no-change, worked on in a substate",

@@ -71,6 +71,7 @@ enum class Situation : std::uint8_t {
   kApplied,
   kAppliedSilently,
   kNotFiredYet,
+  kAnsweredOnly,
   kNoApplierMatches,
   kNothingBelow,
   kNoApplier,

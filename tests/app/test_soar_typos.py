@@ -248,10 +248,9 @@ smem --add {
    (<t> ^sweet yes)
 }
 sp {ask
-   (state <s> ^superstate nil ^smem.command <c> -^asked yes)
+   (state <s> ^superstate nil ^smem.command <c>)
 -->
    (<c> ^query.kind apple)
-   (<s> ^asked yes)
 }
 sp {told
    (state <s> ^superstate nil ^smem.result <r> ^epmem.result.match-score > 0.5)

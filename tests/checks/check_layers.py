@@ -22,13 +22,15 @@ ALLOWED = {
     # Facts about minds as types, and the words for them: neither knows the kernel.
     "mind": {"bytes"},
     "tell": {"diagnostics", "mind"},
+    # Rules as facts, by the kernel's own reader: the only place where explain and the kernel's reader meet.
+    "rule_reading": {"kernel", "mind"},
     # What can be perceived and said, as data.
     "vocabulary": {"diagnostics"},
     "journal": {"bytes", "diagnostics", "kernel"},
     "cli": {"bytes", "diagnostics", "kernel", "journal"},
     "sml": {"diagnostics", "kernel", "mind", "cli"},
     # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
-    "explain": {"diagnostics", "mind", "tell", "vocabulary"},
+    "explain": {"diagnostics", "mind", "rule_reading", "tell", "vocabulary"},
     "world": {"diagnostics"},
     "stream": {"bytes", "world"},
     "script": {"diagnostics", "world"},
@@ -41,7 +43,7 @@ ALLOWED = {
     "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
-    "language": {"diagnostics", "kernel", "cli", "vocabulary", "explain", "sim", "debugger"},
+    "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
     "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
     # What everybody who watches a run works with: it draws nothing.
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},

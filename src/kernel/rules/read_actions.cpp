@@ -282,9 +282,15 @@ bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
         type == PreferenceType::kBest || type == PreferenceType::kWorst || type == PreferenceType::kUnaryIndifferent;
     if (may_be_binary && StartsReferent()) {
       Say("\nERROR: Binary preference illegal for non-operator." + DescribeAction(action) + "\n");
+      const bool is_operator =
+          action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator;
       Report(Severity::kError, sign,
-             "only the attribute operator takes the preference " + std::string(sign.text) + " with a referent",
-             "leave the preference out: values of other attributes need none");
+             is_operator
+                 ? "a path in an action makes a new object, so that the preference " + std::string(sign.text) +
+                       " would be about no operator of a state"
+                 : "only the attribute operator takes the preference " + std::string(sign.text) + " with a referent",
+             is_operator ? "bind the state in a condition, ^superstate <above>, and write (<above> ^operator ...)"
+                         : "leave the preference out: values of other attributes need none");
       return false;
     }
     if (type == PreferenceType::kReject) {

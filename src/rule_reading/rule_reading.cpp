@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "rule_reading/rule_reading.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "kernel/base/symbol_table.h"
+#include "kernel/rules/functions/builtin_functions.h"
+#include "kernel/rules/parser.h"
+#include "kernel/rules/print_production.h"
+#include "kernel/rules/production.h"
+
+namespace soarbox::rule_reading {
+namespace {
+
+using kernel::Condition;
+using kernel::ConditionKind;
+using kernel::RhsValue;
+using kernel::RhsValueKind;
+using kernel::Test;
+using kernel::TestKind;
+
+class FactWriter {
+ public:
+  explicit FactWriter(const kernel::SymbolTable& symbols) : symbols_(symbols) {}
+
+  mind::RuleFacts facts;
+
+  void AddConditions(std::span<const Condition> conditions, int group) {
+    for (const Condition& condition : conditions) {
+      if (condition.kind == ConditionKind::kConjunctiveNegation) {
+        // A group within a group belongs to the outer one.
+        AddConditions(condition.conditions(), group > 0 ? group : ++groups_);
+        continue;
+      }
+      mind::RuleConditionFact& fact = facts.conditions.emplace_back();
+      fact.id = IdOf(condition.id);
+      fact.attribute = TextOf(condition.attribute);
+      fact.value = TextOf(condition.value);
+      fact.acceptable = condition.tests_acceptable;
+      fact.negated = group > 0 || condition.kind == ConditionKind::kNegative;
+      fact.group = group;
+    }
+  }
+
+  /// The word state is there once for each variable.
+  void MarkStates() {
+    for (mind::RuleConditionFact& condition : facts.conditions) condition.on_state = states_.contains(condition.id);
+  }
+
+  void AddAction(const kernel::Action& action) {
+    facts.acts = true;
+    if (action.is_function_call) return AddCalls(action.value);
+    mind::RuleActionFact& fact = facts.actions.emplace_back();
+    fact.id = TextOf(action.id);
+    fact.attribute = TextOf(action.attribute);
+    fact.value = TextOf(action.value);
+    fact.sign = kernel::PreferenceSign(action.preference);
+    if (action.HasReferent()) fact.referent = TextOf(action.referent);
+    for (const RhsValue* value : {&action.id, &action.attribute, &action.value}) AddCalls(*value);
+    if (action.HasReferent()) AddCalls(action.referent);
+  }
+
+ private:
+  /// Of several tests the one for equality comes first, as authors write them; the kernel has an order of its own.
+  std::string TextOf(const Test& test) const {
+    std::string text;
+    if (test.kind == TestKind::kConjunction) {
+      for (const Test& part : test.parts())
+        if (part.kind == TestKind::kEqual) text += " " + TextOf(part);
+      for (const Test& part : test.parts())
+        if (part.kind != TestKind::kEqual) text += " " + TextOf(part);
+      return "{" + text + " }";
+    }
+    kernel::AppendTest(text, symbols_, test);
+    return text;
+  }
+
+  std::string TextOf(const RhsValue& value) const {
+    std::string text;
+    kernel::AppendRhsValue(text, symbols_, value);
+    return text;
+  }
+
+  /// The test of an identifier without the word state; more than one test stay together.
+  std::string IdOf(const Test& id) {
+    std::vector<std::string> tests;
+    bool is_state = false;
+    const auto add = [&](const Test& test) {
+      if (test.kind == TestKind::kState) {
+        is_state = true;
+      } else if (test.kind != TestKind::kImpasse) {
+        tests.insert(test.kind == TestKind::kEqual ? tests.begin() : tests.end(), TextOf(test));
+      }
+    };
+    if (id.kind == TestKind::kConjunction) {
+      for (const Test& part : id.parts()) add(part);
+    } else {
+      add(id);
+    }
+    std::string text;
+    for (const std::string& test : tests) text += (text.empty() ? "" : " ") + test;
+    if (tests.size() > 1) text = "{ " + text + " }";
+    if (is_state) states_.insert(text);
+    return text;
+  }
+
+  void AddCalls(const RhsValue& value) {
+    if (value.kind != RhsValueKind::kFunction) return;
+    mind::RuleCallFact call;
+    call.function = kernel::BuiltinFunctions()[value.function_index()].name;
+    for (const RhsValue& argument : value.arguments()) call.arguments.push_back(TextOf(argument));
+    facts.calls.push_back(std::move(call));
+    for (const RhsValue& argument : value.arguments()) AddCalls(argument);
+  }
+
+  const kernel::SymbolTable& symbols_;
+  std::set<std::string> states_;
+  int groups_ = 0;
+};
+
+/// What looks like a variable, each once.
+std::set<std::string> VariablesIn(std::string_view text) {
+  std::set<std::string> found;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    const std::size_t end = text.find_first_of("<> \t\n|^(){}", at + 1);
+    if (end != std::string_view::npos && end > at + 1 && text[end] == '>') found.emplace(text.substr(at, end + 1 - at));
+  }
+  return found;
+}
+
+/// The end of what is between braces that are open at `begin`: where their closing brace is. Braces between bars, and
+/// in the documentation of a rule, do not count.
+std::size_t EndOfBraces(std::string_view text, std::size_t begin) {
+  int depth = 1;
+  char quote = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote != 0) {
+      if (c == '\\') {
+        ++i;
+      } else if (c == quote) {
+        quote = 0;
+      }
+    } else if (c == '|' || c == '"') {
+      quote = c;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}' && --depth == 0) {
+      return i;
+    }
+  }
+  return std::string_view::npos;
+}
+
+}  // namespace
+
+mind::RuleFacts FactsOf(const kernel::Production& rule, const kernel::SymbolTable& symbols) {
+  using Support = mind::RuleFacts::Support;
+  FactWriter writer(symbols);
+  writer.facts.name = rule.name;
+  writer.facts.file = rule.file();
+  writer.facts.line = rule.line;
+  writer.facts.column = rule.column;
+  if (rule.declared_support == kernel::DeclaredSupport::kOSupport) writer.facts.support = Support::kOSupport;
+  if (rule.declared_support == kernel::DeclaredSupport::kISupport) writer.facts.support = Support::kISupport;
+  writer.AddConditions(rule.conditions, 0);
+  writer.MarkStates();
+  for (const kernel::Action& action : rule.actions) writer.AddAction(action);
+  return std::move(writer.facts);
+}
+
+std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
+  constexpr std::string_view kBegin = "sp {";
+  std::vector<mind::RuleFacts> rules;
+  kernel::SymbolTable symbols;
+  for (std::size_t at = text.find(kBegin); at != std::string_view::npos; at = text.find(kBegin, at)) {
+    const std::size_t begin = at + kBegin.size();
+    const std::size_t end = EndOfBraces(text, begin);
+    if ((at > 0 && text[at - 1] != '\n') || end == std::string_view::npos) {
+      at = begin;
+      continue;
+    }
+    const kernel::ParseOutcome outcome = kernel::ParseProduction(text.substr(begin, end - begin), {}, symbols);
+    if (outcome.production != nullptr) rules.push_back(FactsOf(*outcome.production, symbols));
+    at = end;
+  }
+  return rules;
+}
+
+std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text) {
+  // A rule begins with a state; conditions alone do not. It binds every variable of theirs, because the reader leaves
+  // out comparisons with what is bound nowhere.
+  constexpr std::string_view kState = "<printed-conditions*1>";
+  std::string body = "conditions (state " + std::string(kState) + " ^superstate";
+  for (const std::string& variable : VariablesIn(text)) body += " ^bound " + variable;
+  body += ") " + std::string(text) + " --> (" + std::string(kState) + " ^read yes)";
+  kernel::SymbolTable symbols;
+  const kernel::ParseOutcome outcome = kernel::ParseProduction(body, {}, symbols);
+  if (outcome.production == nullptr) return {};
+  std::vector<mind::RuleConditionFact> conditions = FactsOf(*outcome.production, symbols).conditions;
+  std::erase_if(conditions, [&](const mind::RuleConditionFact& one) { return one.id == kState; });
+  return conditions;
+}
+
+}  // namespace soarbox::rule_reading
