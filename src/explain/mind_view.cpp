@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <unordered_set>
@@ -46,10 +47,12 @@ bool IsRelation(const std::string& word) {
 void ReadTests(const std::string& value, const PathMap& paths, ConditionText& text) {
   std::istringstream in(value);
   std::vector<std::string> words;
-  bool relates = false;
-  for (std::string word, before; in >> word; before = word) {
-    relates |= IsRelation(word);
-    if (IsVariable(word) && IsRelation(before)) {
+  const std::vector<std::string> given{std::istream_iterator<std::string>(in), {}};
+  const bool relates = std::ranges::any_of(given, IsRelation);
+  std::string before;
+  for (const std::string& word : given) {
+    const std::string sign = std::exchange(before, word);
+    if (IsVariable(word) && IsRelation(sign)) {
       const auto path = paths.find(word);
       // The path may be this condition's own, if another one binds the variable.
       if (path != paths.end() && path->second != text.path) {

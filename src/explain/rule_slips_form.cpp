@@ -163,6 +163,11 @@ bool IsSignOfOtherLanguages(const std::string& word) {
   return word == "++" || word == "+=" || word == "-=" || word == "*=" || word == "/=";
 }
 
+/// Half a variable has one; the word --> has none.
+bool HasLetter(const std::string& word) {
+  return std::ranges::any_of(word, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
 /// Constants that look like something else. A kernel prints them between bars, whatever their author did.
 void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
   std::set<std::string> told;
@@ -194,7 +199,7 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
                    word.front() == '<' && IsNumber(word.substr(number))) {
           slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
                            "put a blank between them: " + word.substr(0, number) + " " + word.substr(number)});
-        } else if (word.front() == '<' || word.back() == '>') {
+        } else if ((word.front() == '<' || word.back() == '>') && HasLetter(word)) {
           slips.push_back({rule.name, word, false,
                            word + " in rule " + rule.name + " is read as a word, not as a variable",
                            "write a variable between < and >, without blanks"});

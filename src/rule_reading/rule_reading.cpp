@@ -2,6 +2,7 @@
 #include "rule_reading/rule_reading.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -121,14 +122,44 @@ class FactWriter {
   int groups_ = 0;
 };
 
-/// What looks like a variable, each once.
-std::set<std::string> VariablesIn(std::string_view text) {
-  std::set<std::string> found;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+/// Puts bars around the variables with which conditions compare: "> <h>" as "> |<h>|".
+std::string WithComparedInBars(std::string_view text) {
+  constexpr std::string_view kRelations[] = {"<", ">", "<=", ">=", "<>", "<=>"};
+  std::string done;
+  bool quoted = false;
+  for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text.find_first_of("<> \t\n|^(){}", at + 1);
-    if (end != std::string_view::npos && end > at + 1 && text[end] == '>') found.emplace(text.substr(at, end + 1 - at));
+    const bool is_variable =
+        !quoted && text[at] == '<' && end != std::string_view::npos && end > at + 1 && text[end] == '>';
+    if (!is_variable) {
+      if (text[at] == '\\' && quoted && at + 1 < text.size()) done += text[at++];
+      if (text[at] == '|') quoted = !quoted;
+      done += text[at++];
+      continue;
+    }
+    const std::size_t last = done.find_last_not_of(" \t\n");
+    const std::string before = last == std::string::npos ? "" : done.substr(0, last + 1);
+    const std::size_t word = before.find_last_of(" \t\n({") + 1;  // 0 if there is none.
+    const bool is_compared = std::ranges::find(kRelations, before.substr(word)) != std::end(kRelations);
+    const std::string variable(text.substr(at, end + 1 - at));
+    done += is_compared ? "|" + variable + "|" : variable;
+    at = end + 1;
   }
-  return found;
+  return done;
+}
+
+/// Takes these bars away again.
+std::string WithoutBarsOfVariables(std::string text) {
+  for (std::size_t at = text.find("|<"); at != std::string::npos; at = text.find("|<", at)) {
+    const std::size_t end = text.find('|', at + 1);
+    if (end == std::string::npos || text[end - 1] != '>') {
+      at += 2;
+      continue;
+    }
+    text.erase(end, 1);
+    text.erase(at, 1);
+  }
+  return text;
 }
 
 /// The end of what is between braces that are open at `begin`: where their closing brace is. Braces between bars, and
@@ -191,17 +222,17 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
 }
 
 std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text) {
-  // A rule begins with a state; conditions alone do not. It binds every variable of theirs, because the reader leaves
-  // out comparisons with what is bound nowhere.
+  // A rule begins with a state; conditions alone do not. What they compare with may be bound by conditions that are not
+  // here: the reader would leave such comparisons out, and keeps them if they are with a word.
   constexpr std::string_view kState = "<printed-conditions*1>";
-  std::string body = "conditions (state " + std::string(kState) + " ^superstate";
-  for (const std::string& variable : VariablesIn(text)) body += " ^bound " + variable;
-  body += ") " + std::string(text) + " --> (" + std::string(kState) + " ^read yes)";
+  const std::string body = "conditions (state " + std::string(kState) + " ^superstate) " + WithComparedInBars(text) +
+                           " --> (" + std::string(kState) + " ^read yes)";
   kernel::SymbolTable symbols;
   const kernel::ParseOutcome outcome = kernel::ParseProduction(body, {}, symbols);
   if (outcome.production == nullptr) return {};
   std::vector<mind::RuleConditionFact> conditions = FactsOf(*outcome.production, symbols).conditions;
   std::erase_if(conditions, [&](const mind::RuleConditionFact& one) { return one.id == kState; });
+  for (mind::RuleConditionFact& one : conditions) one.value = WithoutBarsOfVariables(std::move(one.value));
   return conditions;
 }
 

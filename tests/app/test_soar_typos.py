@@ -242,6 +242,30 @@ SLIPS = {
     "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }
 
+# An escaped bar, an arrow, and a line between bars that begins with a brace.
+LEGAL = r"""sp {a*make
+   (state <s> ^superstate nil)
+-->
+   (<s> ^word |a\|b| ^sign |-->| ^open |
+} x|)
+}
+sp {a*propose
+   (state <s> ^superstate nil ^word |a\|b| ^sign |-->| ^open |
+} x|)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name go ^open |
+} y| ^sign |-->|)
+}
+sp {a*apply
+   (state <s> ^operator <o> ^io.output-link <out>)
+   (<o> ^name go ^open |
+} y| ^sign |-->|)
+-->
+   (<out> ^wander <c>)
+}
+"""
+
 REMEMBERS = """smem --set learning on
 smem --add {
    (<a> ^kind apple ^color red ^taste <t>)
@@ -369,6 +393,16 @@ sp {play*apply*slide
     def test_what_looks_like_a_slip_and_is_none(self):
         run = Run("check", self.write("good.soar", FINE), "--json")
         self.assertEqual((run.code, run.out), (0, ""))
+
+    def test_words_that_look_like_syntax_are_words(self):
+        file = self.write("legal.soar", LEGAL)
+        run = Run("check", file, "--json")
+        self.assertEqual((run.code, run.out), (0, ""))
+        # A slip after such words is found, and by its right name.
+        run = Run("check", self.write("legal.soar", LEGAL.replace("(<o> ^name go ^open |\n} y| ^sign |-->|)\n-->", "(<o> ^name og ^open |\n} y| ^sign |-->|)\n-->")), "--json")
+        told = [json.loads(line)["message"] for line in run.out.splitlines()]
+        self.assertEqual(sorted(told), ["rule a*apply waits for the operator og, which no rule proposes",
+                                        "rule a*propose proposes the operator go, which no rule applies"])
 
     def test_traps_that_a_kernel_sees_in_good_rules_are_told_before_and_in_a_run(self):
         """Conditions that multiply, and a number that falls between two proposals."""
