@@ -280,8 +280,9 @@ void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
   }
   for (const RuleCall& call : rule.all_calls)
     for (const std::string& argument : call.arguments) add(argument);
-  for (const auto& [variable, times] : count) {
-    if (times != 1 || IsMadeUpVariable(variable) || !attribute_of.contains(variable)) continue;
+  for (const auto& counted : count) {
+    const std::string& variable = counted.first;
+    if (counted.second != 1 || IsMadeUpVariable(variable) || !attribute_of.contains(variable)) continue;
     const std::string& attribute = attribute_of.at(variable);
     const auto meant = std::ranges::find_if(count, [&](const auto& other) {
       if (other.first == variable || IsMadeUpVariable(other.first)) return false;
