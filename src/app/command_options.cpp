@@ -217,6 +217,7 @@ void AddLearn(CLI::App& program, LearnOptions& options) {
       ->check(CLI::ExistingDirectory);
   learn->add_flag("--json", options.json, "Print the list as lines of JSON");
   learn->add_flag("--headless", options.headless, "Do not open the window");
+  learn->add_flag("--progress", options.progress, "Print a line for each seed that is graded");
   RunOptions& window = options.window;
   AddWindow(*learn, window);
   learn->add_option("--port", window.port, "As for `soarbox run`")->check(NumberIn(0, 65535));

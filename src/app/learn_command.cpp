@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/learn_command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -11,6 +13,7 @@
 #include "app/lesson_progress.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
+#include "diagnostics/diagnostic.h"
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
 
@@ -21,6 +24,10 @@ namespace fs = std::filesystem;
 
 /// A wrong answer may be right by luck; with so many seeds it is not.
 constexpr std::size_t kWrongSeeds = 4;
+/// The exit code after Ctrl-C.
+constexpr int kInterrupted = 130;
+/// Maximum number of sentences about what went wrong.
+constexpr std::size_t kMostFindings = 6;
 
 class Learner {
  public:
@@ -113,8 +120,12 @@ class Learner {
     std::error_code error;
     if (!fs::exists(folder / lesson.rules, error))
       return Refuse("this lesson has not begun", command_ + lesson.name + " puts its files there", folder.string());
-    const Result<Grade> graded = GradeRules(lesson, folder, 0);
+    const Result<Grade> graded = GradeRules(lesson, folder, 0, ShowProgress());
     if (!graded) return Refuse(graded.error());
+    if (graded->cancelled) {
+      std::cout << "Grading was cancelled. There is no verdict.\n";
+      return kInterrupted;
+    }
     if (!graded->problems.empty()) {
       for (const Diagnostic& problem : graded->problems) std::cout << Format(problem);
       std::cout << "Fix this first. It does not count as an attempt.\n";
@@ -126,10 +137,43 @@ class Learner {
     return graded->passed ? kOk : kProblems;
   }
 
+  /// "seed 3 of 10": in a terminal one line that goes away, for a program a line each.
+  OnSeed ShowProgress() const {
+    if (options_.progress)
+      return [](std::size_t done, std::size_t of) {
+        std::cout << kProgressLine << done << " of " << of << std::endl;
+      };
+    if (isatty(STDERR_FILENO) == 0) return {};
+    return [](std::size_t done, std::size_t of) {
+      if (done < of)
+        std::cerr << "\r" << kProgressLine << done << " of " << of << "  " << std::flush;
+      else
+        std::cerr << "\r                    \r" << std::flush;
+    };
+  }
+
+  /// The headline first, then the checks of one run, then whatever else was found.
   void Print(const Lesson& lesson, const Grade& grade) const {
     if (grade.outcome.runs.empty()) return;
+    const std::size_t seeds = grade.outcome.runs.size();
+    if (grade.passed) {
+      std::cout << "Passed with all of " << seeds << " seeds.\n";
+      PrintChecks(lesson, grade.outcome.runs.front());
+      for (const Diagnostic& warning : grade.warnings) std::cout << Format(warning);
+      return;
+    }
+    const mission::RunResult& run = grade.outcome.runs[grade.example];
+    if (!grade.findings.empty()) std::cout << grade.findings.front().text << "\n\n";
+    if (run.outcome == "ok") PrintChecks(lesson, run);
+    std::cout << grade.outcome.passed << " of " << seeds << " seeds passed; this was seed " << run.seed
+              << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
+    const std::size_t count = std::min(grade.findings.size(), kMostFindings);
+    if (count > 1) std::cout << "\nThis was found, too:\n";
+    for (std::size_t i = 1; i < count; ++i) std::cout << "- " << grade.findings[i].text << '\n';
+  }
+
+  static void PrintChecks(const Lesson& lesson, const mission::RunResult& run) {
     const mission::Mission& mission = lesson.loaded.mission;
-    const mission::RunResult& run = grade.outcome.runs[grade.passed ? 0 : grade.example];
     for (std::size_t i = 0; i < mission.checks.size() && i < run.checks.size(); ++i) {
       if (mission.checks[i].marker) continue;
       const mission::CheckResult& check = run.checks[i];
@@ -138,18 +182,6 @@ class Learner {
       if (!is_good) std::cout << "\n         " << check.expected << "; " << check.verdict.was;
       std::cout << '\n';
     }
-    if (grade.passed) {
-      std::cout << "Passed with all of " << grade.outcome.runs.size() << " seeds.\n";
-      return;
-    }
-    std::cout << grade.outcome.passed << " of " << grade.outcome.runs.size() << " seeds passed; this was seed "
-              << run.seed << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
-    if (run.outcome != "ok") std::cout << "This run " << run.outcome << ": " << run.error << '\n';
-    // What the run itself knows comes first; a guess by what was seen is a guess, and a slip explains it well enough.
-    if (!grade.account.empty()) std::cout << "\nWhat this run shows of your rules:\n";
-    for (const std::string& line : grade.account) std::cout << "- " << line << '\n';
-    if (!grade.hint.empty() && !grade.has_slip)
-      std::cout << (grade.account.empty() ? "\n" : "\nIf that is not it: ") << grade.hint << '\n';
   }
 
   int Reset(const Lesson& lesson) {
@@ -178,7 +210,7 @@ class Learner {
     };
     for (const Lesson& lesson : lessons_) {
       if (only != nullptr && &lesson != only) continue;
-      if (WasInterrupted()) return 130;
+      if (WasInterrupted()) return kInterrupted;
       const Result<Grade> starter = GradeRules(lesson, lesson.folder, 1);
       tell(lesson, "starter",
            !starter          ? starter.error().message
@@ -267,9 +299,12 @@ int Learn(const LearnOptions& options) {
   if (is_verb && words.size() > 2) return Refuse("this is one word too many: " + words.back());
   const std::string which = is_verb ? (words.size() > 1 ? words[1] : "next") : first;
   const Lesson* lesson = learner.Find(which);
-  if (lesson == nullptr)
+  if (lesson == nullptr) {
+    const std::string_view near = course.empty() ? Suggest(which, {courses.begin(), courses.end()}) : "";
     return Refuse("there is no lesson '" + which + "'",
-                  "soarbox learn " + (course.empty() ? "" : course + " ") + "lists them");
+                  near.empty() ? "soarbox learn " + (course.empty() ? "" : course + " ") + "lists them"
+                               : "did you mean soarbox learn " + std::string(near) + "?");
+  }
   if (is_test) return learner.Test(lesson);
   if (first == "check") return learner.Check(*lesson);
   if (first == "hint") return learner.Hint(*lesson);

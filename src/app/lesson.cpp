@@ -64,33 +64,103 @@ std::map<std::string, std::string> RulesOf(const std::string& text) {
 struct LearnersRules {
   std::map<std::string, std::string> all;
   std::set<std::string> given;
+  std::vector<explain::RuleText> own;
 
   LearnersRules(const Lesson& lesson, const fs::path& file) : all(RulesOf(ReadText(file).value_or(""))) {
     for (const auto& [name, text] : RulesOf(ReadText(lesson.folder / lesson.rules).value_or(""))) {
       const auto at = all.find(name);
       if (at != all.end() && at->second == text) given.insert(name);
     }
+    own = sim::RulesOf(file);
+    std::erase_if(own, [&](const explain::RuleText& rule) { return given.contains(rule.name); });
   }
 
   /// True if one that the learner wrote fits the pattern.
-  bool Fit(const std::string& pattern) const {
-    return std::ranges::any_of(all, [&](const auto& rule) {
-      return !given.contains(rule.first) && mission::MatchesPattern(pattern, rule.second);
+  bool Fit(const mission::RulePattern& pattern) const {
+    return std::ranges::any_of(own, [&](const explain::RuleText& rule) { return pattern.Fits(rule); });
+  }
+  /// True if a warning is about a rule that the lesson gave.
+  bool IsAboutGiven(const Diagnostic& problem) const {
+    return std::ranges::any_of(given, [&](const std::string& name) {
+      const std::size_t at = problem.message.find("rule " + name);
+      const std::size_t end = at + name.size() + 5;
+      return at != std::string::npos && (end >= problem.message.size() || problem.message.find_first_of(" :,", end) == end);
     });
   }
 };
 
+/// "porter.soar:7: what is wrong; what to do"
+std::string SlipText(const Diagnostic& problem) {
+  return fs::path(problem.file).filename().string() + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") +
+         ": " + problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
+}
+
+/// How much a known mistake says. That something never happened, or went on for long, has many causes.
+mission::Cause CauseOf(const mission::Check& mistake) {
+  if (!mistake.written.empty()) return mission::Cause::kMistake;
+  const bool is_absence = mistake.mode == mission::Mode::kNever || mistake.for_s;
+  return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
+}
+
+/// The first known mistake of the lesson that a run shows, and its place in the list; none: past the end.
+std::size_t FindMistake(const mission::Mission& mission, const mission::RunResult& run, const LearnersRules& written) {
+  for (std::size_t i = 0; i < mission.mistakes.size(); ++i) {
+    const mission::Check& mistake = mission.mistakes[i];
+    if (!mistake.conditions.empty() && !run.IsTrue(mission.checks.size() + i)) continue;
+    if (mistake.unless != mission::kNoCheck && run.IsTrue(mistake.unless)) continue;
+    if (!mistake.written.empty() && !written.Fit(mistake.written)) continue;
+    return i;
+  }
+  return mission.mistakes.size();
+}
+
 /// What the failed run says of the learner's rules: it is made again, and its mind is asked.
-std::vector<std::string> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson, LearnersRules rules,
-                                   std::uint64_t seed) {
+std::vector<mission::RunFinding> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson,
+                                        const LearnersRules& rules, std::uint64_t seed) {
   mission::TestSettings settings;
   settings.seeds = {seed};
+  settings.ends_endless = true;
   settings.account.file = lesson.rules;
-  settings.account.given = std::move(rules.given);
+  settings.account.given = rules.given;
   Result<mission::MissionOutcome> outcome = mission::TestMission(
       loaded, settings, [](const mission::RunResult&) {}, [] { return !WasInterrupted(); });
   if (!outcome || outcome->runs.empty()) return {};
   return std::move(outcome->runs.front().account);
+}
+
+/// What went wrong in a run that failed, the cause first.
+void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const LearnersRules& written, Grade& grade) {
+  using mission::Cause;
+  const mission::Mission& mission = lesson.loaded.mission;
+  const mission::RunResult& failed = grade.outcome.runs[grade.example];
+  std::vector<mission::RunFinding>& findings = grade.findings;
+  for (const Diagnostic& warning : grade.warnings) findings.push_back({Cause::kSlip, SlipText(warning)});
+  const bool is_endless = failed.outcome == "endless";
+  if (failed.outcome == "ok" || is_endless) {
+    for (mission::RunFinding& finding : AccountOf(loaded, lesson, written, failed.seed))
+      if (std::ranges::find(findings, finding.text, &mission::RunFinding::text) == findings.end())
+        findings.push_back(std::move(finding));
+  }
+  const auto is_told = [&](Cause cause) {
+    return std::ranges::find(findings, cause, &mission::RunFinding::cause) != findings.end();
+  };
+  if (is_endless && !is_told(Cause::kEndless)) findings.push_back({Cause::kEndless, failed.error});
+  if (failed.outcome != "ok" && !is_endless)
+    findings.push_back({Cause::kEndless, "This run " + failed.outcome + ": " + failed.error});
+  // Of a run that was ended, the checks say nothing.
+  const std::size_t mistake = FindMistake(mission, failed, written);
+  if (mistake < mission.mistakes.size() && failed.outcome == "ok") {
+    const mission::Check& known = mission.mistakes[mistake];
+    grade.mistake = known.name;
+    findings.push_back(
+        {CauseOf(known), Filled(known.hint, failed.checks[mission.checks.size() + mistake].verdict)});
+  }
+  if (findings.empty())
+    findings.push_back(
+        {Cause::kSymptom,
+         "This is no mistake that the lesson knows. Look at the first check that failed: which rule should make it "
+         "come true, and when does this rule fire?"});
+  std::ranges::stable_sort(findings, {}, &mission::RunFinding::cause);
 }
 
 }  // namespace
@@ -212,7 +282,7 @@ std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& 
   return lessons;
 }
 
-Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds) {
+Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds, const OnSeed& on_seed) {
   Grade grade;
   const fs::path rules = rules_folder / lesson.rules;
   // A folder that came from somebody else shows nothing that lies elsewhere.
@@ -220,51 +290,48 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
   if (const fs::path real = fs::canonical(rules, error);
       !error && real.parent_path() != fs::canonical(rules_folder, error)) {
     Diagnostic problem;
-    problem.file = rules.string();
+    problem.file = lesson.rules;
     problem.message = "this is a link to a file outside the lesson's folder";
     problem.hint = "put the file itself there";
     grade.problems.push_back(std::move(problem));
     return grade;
   }
-  for (Diagnostic& problem : sim::CheckFiles({rules}))
-    if (problem.severity == Severity::kError) grade.problems.push_back(std::move(problem));
+  const LearnersRules written(lesson, rules);
+  for (Diagnostic& problem : sim::CheckFiles({rules})) {
+    // Where the learner's folder is, nobody needs to be told: a page may be read by others.
+    problem.file = fs::path(problem.file).filename().string();
+    if (problem.severity == Severity::kError) {
+      grade.problems.push_back(std::move(problem));
+    } else if (problem.severity == Severity::kWarning && !written.IsAboutGiven(problem)) {
+      grade.warnings.push_back(std::move(problem));
+    }
+  }
   if (!grade.problems.empty()) return grade;
   // The world and the others' rules are the lesson's; only this one file is the learner's.
   mission::LoadedMission loaded = lesson.loaded;
   loaded.scenario.rule_folders.insert(loaded.scenario.rule_folders.begin(), rules_folder);
   mission::TestSettings settings;
   settings.seeds = lesson.loaded.mission.seeds;
+  settings.ends_endless = true;
   if (seeds > 0 && seeds < settings.seeds.size()) settings.seeds.resize(seeds);
+  std::size_t done = 0;
   Result<mission::MissionOutcome> outcome = mission::TestMission(
-      loaded, settings, [](const mission::RunResult&) {}, [] { return !WasInterrupted(); });
+      loaded, settings,
+      [&](const mission::RunResult&) {
+        if (on_seed) on_seed(++done, settings.seeds.size());
+      },
+      [] { return !WasInterrupted(); });
   if (!outcome) return outcome.error();
   grade.outcome = std::move(*outcome);
-  const mission::Mission& mission = lesson.loaded.mission;
-  grade.passed = grade.outcome.Passed(mission) && !grade.outcome.runs.empty();
-  if (grade.passed) return grade;
+  grade.cancelled = WasInterrupted();
+  grade.passed = !grade.cancelled && grade.outcome.Passed(lesson.loaded.mission) && !grade.outcome.runs.empty();
+  if (grade.passed || grade.cancelled) return grade;
   const auto failed = std::find_if(grade.outcome.runs.begin(), grade.outcome.runs.end(),
                                    [](const mission::RunResult& run) { return !run.passed; });
   if (failed == grade.outcome.runs.end()) return grade;
   grade.example = static_cast<std::size_t>(failed - grade.outcome.runs.begin());
-  LearnersRules written(lesson, rules);
-  for (std::size_t i = 0; i < mission.mistakes.size(); ++i) {
-    const std::size_t at = mission.checks.size() + i;
-    if (!failed->IsTrue(at)) continue;
-    if (const std::size_t other = mission.mistakes[i].unless; other != mission::kNoCheck && failed->IsTrue(other))
-      continue;
-    if (const std::string& pattern = mission.mistakes[i].written; !pattern.empty() && !written.Fit(pattern)) continue;
-    grade.mistake = mission.mistakes[i].name;
-    grade.hint = Filled(mission.mistakes[i].hint, failed->checks[at].verdict);
-    break;
-  }
-  if (failed->outcome == "ok") grade.account = AccountOf(loaded, lesson, std::move(written), failed->seed);
-  if (grade.account.empty() && grade.hint.empty()) {
-    grade.hint =
-        "This is no mistake that the lesson knows. Look at the first check that failed: which rule should make it come "
-        "true, and when does this rule fire?";
-  }
-  // Slips are told with their file; everything else begins otherwise.
-  grade.has_slip = !grade.account.empty() && grade.account.front().starts_with(lesson.rules + ":");
+  Explain(loaded, lesson, written, grade);
+  grade.cancelled = WasInterrupted();
   return grade;
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "mission/account.h"
 #include "mission/test_missions.h"
 
 namespace soarbox::app {
@@ -48,15 +50,21 @@ Result<void> PrepareLesson(const Lesson& lesson, const std::filesystem::path& fo
 /// The result of grading rules.
 struct Grade {
   bool passed = false;
-  std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run.
+  bool cancelled = false;            ///< The user stopped it: nothing else is to be reported.
+  std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run. Files without their folders.
+  std::vector<Diagnostic> warnings;  ///< Slips in rules that the learner wrote, also of an answer that passes.
   mission::MissionOutcome outcome;
-  std::string mistake, hint;         ///< The typical mistake that was recognised in the run, and what to tell about it.
-  std::size_t example = 0;           ///< Of the outcome's runs, the first that failed.
-  std::vector<std::string> account;  ///< What that run itself says of the learner's rules, slips first.
-  bool has_slip = false;             ///< It begins with a slip: that comes before any guess.
+  std::string mistake;      ///< The known mistake that was recognised; empty: none.
+  std::size_t example = 0;  ///< Of the outcome's runs, the first that failed.
+  /// What went wrong, the cause first: never empty if a run failed.
+  std::vector<mission::RunFinding> findings;
 };
 
-/// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all.
-Result<Grade> GradeRules(const Lesson& lesson, const std::filesystem::path& rules_folder, std::size_t seeds);
+/// Called after each seed.
+using OnSeed = std::function<void(std::size_t done, std::size_t of)>;
+
+/// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all. Ctrl-C cancels it.
+Result<Grade> GradeRules(const Lesson& lesson, const std::filesystem::path& rules_folder, std::size_t seeds,
+                         const OnSeed& on_seed = {});
 
 }  // namespace soarbox::app

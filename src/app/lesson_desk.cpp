@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/data_folders.h"
+#include "app/learn_command.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
 #include "diagnostics/problem.h"
@@ -28,13 +29,7 @@ namespace fs = std::filesystem;
 /// A program that runs beside this one, and what it prints.
 class Helper {
  public:
-  ~Helper() {
-    if (pid_ > 0) {
-      kill(pid_, SIGKILL);
-      waitpid(pid_, nullptr, 0);
-    }
-    if (pipe_ >= 0) close(pipe_);
-  }
+  ~Helper() { Stop(); }
   bool IsRunning() const { return pid_ > 0; }
   int code() const { return code_; }
   const std::string& text() const { return text_; }
@@ -63,6 +58,14 @@ class Helper {
     pid_ = pid;
     text_.clear();
     return {};
+  }
+
+  /// Ends it and everything that it started.
+  void Stop() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGTERM);  // It ends the runs that it started.
+    waitpid(std::exchange(pid_, 0), nullptr, 0);
+    close(std::exchange(pipe_, -1));
   }
 
   /// True if it has ended since.
@@ -132,6 +135,7 @@ struct LessonDesk::Parts {
   std::size_t at;       ///< The world's; lessons.size(): none.
   fs::path from, home;  ///< Of all lessons; of the learner's folders.
   std::vector<std::string> grade;
+  bool is_cancelled = false;  ///< Since the last Poll.
   Helper helper;
   LessonProgress progress;
 
@@ -178,8 +182,15 @@ Result<void> LessonDesk::Grade() {
   const Lesson* now = parts_->Now();
   if (now == nullptr || parts_->helper.IsRunning()) return {};
   parts_->grade.clear();
-  return parts_->helper.Start(
-      {"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from", parts_->from.string()});
+  return parts_->helper.Start({"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from",
+                               parts_->from.string(), "--progress"});
+}
+
+void LessonDesk::Cancel() {
+  if (!parts_->helper.IsRunning()) return;
+  parts_->helper.Stop();
+  parts_->grade = {"Grading was cancelled. There is no verdict."};
+  parts_->is_cancelled = true;
 }
 
 Result<workbench::Lessons::Opened> LessonDesk::Open(const std::string& lesson) {
@@ -193,8 +204,21 @@ Result<workbench::Lessons::Opened> LessonDesk::Open(const std::string& lesson) {
 }
 
 bool LessonDesk::Poll() {
-  if (!parts_->helper.Poll()) return false;
-  parts_->grade = LinesOf(parts_->helper.text());
+  if (std::exchange(parts_->is_cancelled, false)) return true;
+  if (!parts_->helper.IsRunning()) return false;
+  const bool has_ended = parts_->helper.Poll();
+  std::vector<std::string> lines = LinesOf(parts_->helper.text());
+  // Lines of progress come first: the last of them shows how far grading is.
+  const auto is_progress = [](const std::string& line) { return line.starts_with(kProgressLine); };
+  if (!has_ended && !lines.empty() && !parts_->helper.text().ends_with('\n')) lines.pop_back();  // Half a line.
+  const auto result = std::find_if_not(lines.begin(), lines.end(), is_progress);
+  if (!has_ended) {
+    if (result == lines.begin()) return false;
+    std::vector<std::string> now = {*(result - 1)};
+    return std::exchange(parts_->grade, now) != now;
+  }
+  lines.erase(lines.begin(), result);
+  parts_->grade = std::move(lines);
   parts_->progress = LessonProgress();
   return true;
 }

@@ -27,6 +27,7 @@ class LessonDesk final : public workbench::Lessons {
   std::string Panel() const;
   void Hint() override;
   Result<void> Grade() override;
+  void Cancel() override;
   Result<Opened> Open(const std::string& lesson) override;
   bool Poll() override;
   void Fill(workbench::Contents& contents) const override;

@@ -2,9 +2,8 @@
 #include "mission/account.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <map>
+#include <set>
 #include <string_view>
 
 #include "explain/inspector.h"
@@ -45,35 +44,73 @@ std::string WithoutContents(std::string text) {
   return text;
 }
 
-/// Why a rule never fired, from what it waits for at the end: what was there before is not the reason.
-std::string NeverFired(const std::string& rule, const std::string& why,
-                       const std::map<std::string, std::uint64_t>& firings) {
-  const std::string_view now = ", but there is none now; rule ", requires_text = "requires ";
-  const std::size_t at = why.find(now);
-  if (at != std::string::npos && why.starts_with(requires_text)) {
-    const std::size_t begin = at + now.size();
-    const std::string maker = why.substr(begin, why.find(' ', begin) - begin);
-    if (const auto found = firings.find(maker); found != firings.end() && found->second > 0) {
-      return "rule " + rule + " never fired, although " + why.substr(requires_text.size(), at - requires_text.size()) +
-             " was there (rule " + maker + " made it): which of its other conditions was not met then?";
+/// Of a reason that says that a command failed because a parameter is an identifier: what that means. Empty otherwise.
+std::string IdentifierText(const std::string& reason) {
+  const std::string text = Trimmed(reason);
+  if (!text.starts_with("its last command ") || text.find(" is an identifier") == std::string::npos) return {};
+  return text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
+}
+
+/// "rule x never fired: it requires ^next 3, but it is 2; at 1.0 s it got furthest"
+std::string NeverFired(const RuleWatch::Waiting& waiting) {
+  std::string text = "rule " + waiting.rule + " never fired: it " + waiting.why;
+  if (waiting.time_s > 0) text += ". That was at " + SecondsText(waiting.time_s) + ", when it got furthest";
+  return text;
+}
+
+bool IsEndless(const Diagnostic& problem) {
+  return problem.message.starts_with("rules fire again and again in one phase");
+}
+
+/// Rules of a file that never fired, in words: those that came with the lesson.
+std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const AccountSettings& settings) {
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
+    const std::string agent = simulation.AgentOfMind(i);
+    const auto inspector = simulation.Inspect(agent);
+    if (inspector == nullptr) continue;
+    for (const explain::RuleFact& rule : inspector->Rules()) {
+      if (FileName(rule.file) != settings.file || rule.firings > 0 || !settings.given.contains(rule.name)) continue;
+      const std::string why = WhyRuleWaits(simulation, agent, rule.name);
+      if (!why.empty() && told.size() < kMostRules) told.push_back("rule " + rule.name + " never fired: it " + why);
     }
   }
-  return "rule " + rule + " never fired: it " + why;
+  return told;
 }
 
 }  // namespace
 
+Account::Account(sim::Simulation& simulation, AccountSettings settings)
+    : simulation_(simulation), settings_(std::move(settings)), watch_(simulation, settings_.file, settings_.given) {}
+
+bool Account::IsAboutGiven(const std::string& message) const {
+  constexpr std::string_view kRule = "rule ";
+  const std::size_t at = message.find(kRule);
+  if (at == std::string::npos) return false;
+  const std::size_t begin = at + kRule.size();
+  std::string name = message.substr(begin, message.find(' ', begin) - begin);
+  while (!name.empty() && (name.back() == ':' || name.back() == ',')) name.pop_back();
+  return settings_.given.contains(name);
+}
+
 void Account::See(const sim::EventList& events) {
+  if (settings_.file.empty()) return;
+  watch_.See();
   for (const sim::RunEvent& event : events) {
     if (event.kind == sim::EventKind::kGap && idle_.empty()) {
       idle_agent_ = event.agent;
       idle_s_ = event.time_s - kToldAfter_s;
-      idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
-      for (std::size_t i = 0; i < event.reasons.size() && idle_.size() <= kMostIdleReasons; ++i) {
+      for (std::size_t i = 0; i < event.reasons.size() && idle_.size() < kMostIdleReasons; ++i) {
+        if (const std::string text = IdentifierText(event.reasons[i]); !text.empty() && refused_.empty()) {
+          refused_agent_ = event.agent;
+          refused_s_ = event.time_s;
+          refused_ = text;
+        }
         // All that it perceives says nothing about its rules.
         if (std::string line = Trimmed(event.reasons[i]); !line.starts_with("it perceives "))
           idle_.push_back(std::move(line));
       }
+      idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
     }
     if (event.kind == sim::EventKind::kOutcome && refused_.empty()) {
       if (const std::string text = RefusedText(event.text); !text.empty()) {
@@ -85,57 +122,45 @@ void Account::See(const sim::EventList& events) {
     }
     const Diagnostic& problem = event.diagnostic;
     if (event.kind != sim::EventKind::kDiagnostic || problem.severity == Severity::kNote ||
-        FileName(problem.file) != settings_.file || slips_.size() >= kMostSlips)
+        FileName(problem.file) != settings_.file || slips_.size() >= kMostSlips || IsAboutGiven(problem.message))
       continue;
     std::string text = settings_.file + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": " +
                        problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
-    if (std::find(slips_.begin(), slips_.end(), text) == slips_.end()) slips_.push_back(std::move(text));
+    if (std::ranges::find(slips_, text, &RunFinding::text) == slips_.end())
+      slips_.push_back({IsEndless(problem) ? Cause::kEndless : Cause::kSlip, std::move(text)});
   }
 }
 
-std::vector<std::string> Account::Finish(double failed_s) {
-  std::vector<std::string> own, given;
-  bool is_idle_one_of_them = false, is_refused_one_of_them = false;
+std::vector<RunFinding> Account::Finish(double failed_s) {
+  std::vector<RunFinding> found;
+  std::set<std::string> agents;  // That run the rules of this file.
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
-    if (inspector == nullptr) continue;
-    const std::vector<explain::RuleFact> rules = inspector->Rules();
-    std::map<std::string, std::uint64_t> firings;
-    for (const explain::RuleFact& rule : rules) firings[rule.name] = rule.firings;
-    for (const explain::RuleFact& rule : rules) {
-      if (FileName(rule.file) != settings_.file) continue;
-      is_idle_one_of_them |= agent == idle_agent_;
-      is_refused_one_of_them |= agent == refused_agent_;
-      if (rule.firings > 0) continue;
-      // Whoever never fires does not write too often.
-      std::erase_if(slips_, [&](const std::string& slip) {
-        return slip.find("rule " + rule.name + " writes again") != std::string::npos;
-      });
-      const Result<std::vector<explain::WhyNode>> why = simulation_.WhyTopic(agent, rule.name);
-      const std::string start = "rule " + rule.name + " ";
-      if (!why) continue;
-      std::vector<std::string> lines;
-      for (const explain::WhyNode& node : *why) {
-        const std::vector<std::string> more = explain::Lines(node, 0);
-        lines.insert(lines.end(), more.begin(), more.end());
-      }
-      const auto line =
-          std::ranges::find_if(lines, [&](const std::string& each) { return Trimmed(each).starts_with(start); });
-      if (line == lines.end()) continue;
-      (settings_.given.contains(rule.name) ? given : own)
-          .push_back(NeverFired(rule.name, Trimmed(*line).substr(start.size()), firings));
-    }
+    if (inspector != nullptr && std::ranges::any_of(inspector->Rules(), [&](const explain::RuleFact& rule) {
+          return FileName(rule.file) == settings_.file;
+        }))
+      agents.insert(agent);
   }
-  std::vector<std::string> told = slips_;
-  if (is_refused_one_of_them && slips_.empty() && refused_s_ <= failed_s) told.push_back(refused_);
-  if (is_idle_one_of_them && idle_s_ <= failed_s) told.insert(told.end(), idle_.begin(), idle_.end());
-  // What another rule waits for in vain is often the fault of one's own.
-  for (const std::vector<std::string>* rules : {&own, &given}) {
-    if (rules == &given && !told.empty()) break;
-    for (std::size_t i = 0; i < rules->size() && i < kMostRules; ++i) told.push_back((*rules)[i]);
+  const std::vector<RuleWatch::Waiting> waiting = watch_.Finish();
+  for (const RuleWatch::Waiting& each : waiting) {
+    // A rule that never fires does not write too often.
+    std::erase_if(slips_, [&](const RunFinding& slip) {
+      return slip.text.find("rule " + each.rule + " writes again") != std::string::npos;
+    });
   }
-  return told;
+  found = slips_;
+  if (agents.contains(refused_agent_) && refused_s_ <= failed_s) found.push_back({Cause::kRefused, refused_});
+  for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
+    found.push_back({Cause::kFurthest, NeverFired(waiting[i])});
+  if (agents.contains(idle_agent_) && idle_s_ <= failed_s)
+    for (const std::string& line : idle_) found.push_back({Cause::kSymptom, line});
+  // What a rule of the lesson waits for in vain is often the fault of one's own.
+  if (found.empty())
+    for (std::string& line : GivenThatNeverFired(simulation_, settings_))
+      found.push_back({Cause::kSymptom, std::move(line)});
+  std::ranges::stable_sort(found, {}, &RunFinding::cause);
+  return found;
 }
 
 }  // namespace soarbox::mission

@@ -153,6 +153,8 @@ bool OthersLive(std::string_view team, const TickFacts& facts) {
 
 Finding LookAtElement(const Condition& condition, const AgentFacts& agent, const Wants& wants) {
   Finding found;
+  int count = 0;
+  std::string values;
   for (const ElementFact& element : agent.found) {
     if (element.path >= wants.elements.size() || !Holds(condition.words, wants.elements[element.path])) continue;
     if (!condition.is.empty() && !SameValue(condition.is, element.value)) {
@@ -161,6 +163,12 @@ Finding LookAtElement(const Condition& condition, const AgentFacts& agent, const
     }
     if (condition.support != 0 && condition.support != element.support) {
       found.detail = std::string("it had ") + element.support + "-support";
+      continue;
+    }
+    if (condition.count) {
+      values += (++count == 1 ? "" : ", ") + element.value;
+      found.holds = count >= *condition.count;
+      found.detail = "it was " + values;
       continue;
     }
     found.holds = true;

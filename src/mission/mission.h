@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mission/keys.h"
+#include "mission/rule_pattern.h"
 
 namespace soarbox::mission {
 
@@ -32,6 +33,7 @@ struct Condition {
   std::string selected_by;                                ///< Of an operator: "only", "preference", "chance".
   std::string is;                                         ///< Value of an element.
   char support = 0;                                       ///< 'i', 'o'; 0: any.
+  std::optional<int> count;                               ///< Of an element: at least this many of them at once.
   int line = 0;
 };
 
@@ -74,7 +76,7 @@ struct Check {
 
   std::string hint;
   std::size_t unless = kNoCheck;  ///< Of a mistake: it is none if this check came true.
-  std::string written;            ///< Of a mistake: the pattern of a rule that the author wrote; empty: any rule.
+  RulePattern written;            ///< Of a mistake: a rule of the learner fits this; empty: any rule.
   bool marker = false;            ///< A moment to refer to, not a requirement.
   std::optional<int> pass;        ///< Counted over the seeds by itself.
 };

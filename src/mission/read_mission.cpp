@@ -21,7 +21,7 @@ constexpr std::size_t kMostChecks = 1000;
 constexpr std::string_view kCheckWords[] = {"name",   "agent",    "team",  "item", "who",     "with",   "range",
                                             "status", "reason",   "level", "is",   "support", "by",     "for",
                                             "always", "never",    "from",  "to",   "after",   "before", "within",
-                                            "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by"};
+                                            "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by", "count"};
 
 class MissionReader : public sim::TableReader {
  public:
@@ -208,7 +208,7 @@ class MissionReader : public sim::TableReader {
     CheckKeys(table, "a check", known);
     check.name = Text(table, "name");
     check.hint = Text(table, "hint");
-    if (is_mistake) check.written = Text(table, "written");
+    if (is_mistake) ReadPattern(table, check.written);
     check.marker = Truth(table, "marker");
     check.pass = WholeNumber(table, "pass", 0, 1'000'000);
     ReadWho(table, check);
@@ -221,13 +221,32 @@ class MissionReader : public sim::TableReader {
     ReadModifiers(table, check);
     const bool of_world = std::all_of(check.conditions.begin(), check.conditions.end(),
                                       [](const Condition& condition) { return condition.row->of_world; });
-    if (check.conditions.empty()) {
+    if (check.conditions.empty() && check.written.empty()) {
       Problem(table, "this check does not say what must be true",
               "at = \"gate\", operator = \"go\": docs/missions.md lists what there is");
     } else if (!of_world && check.agents.empty() && check.team.empty() && check.item.empty()) {
       Problem(table, "this check does not name the agent, team or item it is about",
               "write agent = NAME, team = NAME or item = NAME");
     }
+  }
+
+  void ReadPattern(const toml::table& table, RulePattern& pattern) {
+    const toml::node* node = table.get("written");
+    if (node == nullptr) return;
+    const toml::table* parts = node->as_table();
+    if (parts == nullptr)
+      return Problem(*node, "'written' says what a rule of the learner has",
+                     "written = { tests = [\"^status complete\"], makes = [\"^closed\"] }");
+    CheckKeys(*parts, "'written'", {"tests", "makes", "calls", "without"});
+    pattern.tests = Words(*parts, "tests");
+    pattern.makes = Words(*parts, "makes");
+    pattern.calls = Words(*parts, "calls");
+    pattern.without = Words(*parts, "without");
+    for (const auto* clauses : {&pattern.tests, &pattern.makes, &pattern.without})
+      for (const std::string& clause : *clauses)
+        if (const std::string problem = ProblemOfClause(clause); !problem.empty())
+          Problem(*node, "'" + clause + "' is no clause", problem);
+    if (pattern.empty()) Problem(*node, "'written' names nothing that a rule has");
   }
 
   void ReadWho(const toml::table& table, Check& check) {
@@ -331,6 +350,8 @@ class MissionReader : public sim::TableReader {
     }
     if (Condition* condition = needs("is", {Key::kElement}, "an element"))
       condition->is = Word(*table.get("is")).value_or("");
+    if (Condition* condition = needs("count", {Key::kElement}, "an element"))
+      condition->count = WholeNumber(table, "count", 2, 1000);
     if (Condition* condition = needs("support", {Key::kElement}, "an element")) {
       const std::string support = Text(table, "support");
       if (support != "i" && support != "o") Problem(*table.get("support"), "'support' is \"i\" or \"o\"");

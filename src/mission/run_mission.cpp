@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "mission/check_news.h"
+#include "mission/endless_rules.h"
 #include "mission/gather_facts.h"
 #include "mission/sentences.h"
 #include "record/header.h"
@@ -285,8 +286,13 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
       }
     }
   };
+  EndlessRules endless;
   const auto feed = [&] {
     const sim::EventList events = simulation.TakeEvents();
+    if (spec.ends_endless && endless.See(events, simulation)) {
+      result.outcome = "endless";
+      result.error = endless.text();
+    }
     const TickFacts& facts = gatherer.Gather(events);
     evaluator.Feed(facts);
     count(events, facts);

@@ -32,6 +32,7 @@ struct RunSpec {
   std::filesystem::path recording;  ///< A run that fails is made again and recorded here; empty: not.
   bool record_always = false;       ///< Also one that passes.
   std::string kernel;               ///< HOST:PORT of a kernel elsewhere; empty: our own.
+  bool ends_endless = false;        ///< Ends when rules fire without end; the outcome is then "endless".
   AccountSettings account;          ///< Of a run that fails: what it says of one file of rules.
 };
 
@@ -44,7 +45,7 @@ struct CheckResult {
 
 /// One run and what came of it.
 struct RunResult {
-  std::string outcome = "ok";  ///< "ok", "refused" (error), "crashed", "hung".
+  std::string outcome = "ok";  ///< "ok", "refused" (error), "crashed", "hung", "endless" (see ends_endless).
   std::string error;           ///< Why it is not ok.
   std::uint64_t seed = 1;
   bool passed = false;
@@ -55,7 +56,7 @@ struct RunResult {
   std::vector<std::size_t> idle_checks;   ///< Checks that hold before anybody acts.
   std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
   std::string recording;                  ///< The file that was kept; empty: none.
-  std::vector<std::string> account;       ///< If it was asked for.
+  std::vector<RunFinding> account;           ///< If it was asked for.
   double cpu_s = 0, peak_mb = 0;
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }

@@ -32,7 +32,8 @@ std::string ToJsonLine(const RunResult& result) {
             {"checks", std::move(checks)}, {"numbers", result.numbers}};
   if (!result.error.empty()) json["error"] = result.error;
   if (!result.recording.empty()) json["recording"] = result.recording;
-  if (!result.account.empty()) json["account"] = result.account;
+  for (const RunFinding& finding : result.account)
+    json["account"].push_back(Json{{"cause", static_cast<int>(finding.cause)}, {"text", finding.text}});
   if (!result.idle_checks.empty()) json["idle_checks"] = result.idle_checks;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -52,7 +53,8 @@ Result<RunResult> FromJsonLine(const std::string& line) {
     result.ticks = json.value("ticks", std::uint64_t{0});
     result.state_hash = std::stoull(json.value("state_hash", "0"));
     result.recording = json.value("recording", "");
-    result.account = json.value("account", std::vector<std::string>{});
+    for (const Json& each : json.value("account", Json::array()))
+      result.account.push_back({static_cast<Cause>(each.value("cause", 0)), each.value("text", "")});
     result.idle_checks = json.value("idle_checks", std::vector<std::size_t>{});
     result.numbers = json.value("numbers", std::map<std::string, double>{});
     for (const Json& each : json.at("checks")) {

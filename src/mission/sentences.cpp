@@ -117,7 +117,9 @@ std::string Infinitive(const Condition& condition) {
     case Key::kRule:
       return "fire rule " + words;
     case Key::kElement: {
-      std::string text = "have ^" + words;
+      std::string text = "have ";
+      if (condition.count) text += std::to_string(*condition.count) + " or more values of ";
+      text += "^" + words;
       if (!condition.is.empty()) text += " " + condition.is;
       if (condition.support != 0) text += std::string(" with ") + condition.support + "-support";
       return text;

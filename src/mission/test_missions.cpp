@@ -107,6 +107,7 @@ Result<MissionOutcome> TestMission(const LoadedMission& loaded, const TestSettin
       spec.seed = seeds[next];
       spec.seconds = loaded.seconds;
       spec.empty_minds = settings.empty_minds;
+      spec.ends_endless = settings.ends_endless;
       spec.account = settings.account;
       if (!settings.keep.empty())
         spec.recording = settings.keep / (mission.name + "-" + std::to_string(seeds[next]) + ".soarrec");

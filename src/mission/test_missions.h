@@ -36,6 +36,7 @@ struct TestSettings {
   int jobs = 0;                      ///< Processes at a time; 0: one per processor.
   std::vector<std::uint64_t> seeds;  ///< Instead of the missions' own; empty: those.
   bool empty_minds = false;
+  bool ends_endless = false;   ///< Runs in which rules fire without end are ended.
   std::filesystem::path keep;  ///< Folder for recordings of runs that fail; empty: none are kept.
   AccountSettings account;     ///< What runs that fail are to say of a file of rules.
 };

@@ -432,6 +432,14 @@ std::vector<Diagnostic> WarningsOfRules(const fs::path& rules, const std::vector
   return std::move(loaded->problems);
 }
 
+std::vector<explain::RuleText> RulesOf(const fs::path& file) {
+  Result<std::unique_ptr<SoarHost>> host = SoarHost::Create(LookingOver({file.parent_path()}));
+  if (!host) return {};
+  Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("read", file);
+  if (!loaded) return {};
+  return explain::MindReasons(*loaded->agent).rules();
+}
+
 explain::KnownWords WordsAround(const fs::path& rules) {
   const CheckToml no_missions;
   return Checker({rules}, no_missions).WordsFor(rules, true);

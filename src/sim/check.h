@@ -26,6 +26,9 @@ std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string
 std::vector<Diagnostic> WarningsOfRules(const std::filesystem::path& rules,
                                         const std::vector<std::filesystem::path>& folders);
 
+/// The rules of a file as they were read; those that have errors are left out.
+std::vector<explain::RuleText> RulesOf(const std::filesystem::path& file);
+
 /// What the rules of a file may test and give besides the vocabulary: what the files of its folder make, and the places
 /// of its scenario.
 explain::KnownWords WordsAround(const std::filesystem::path& rules);

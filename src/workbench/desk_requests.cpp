@@ -87,6 +87,7 @@ struct Desk::Visitor {
     Lessons* const lessons = surroundings.lessons();
     if (lessons == nullptr) return;
     if (request.what == What::kHint) return lessons->Hint();
+    if (request.what == What::kCancel) return lessons->Cancel();
     if (request.what == What::kGrade) {
       if (desk.files_.HasUnsaved()) surroundings.Tell("Only saved rules are graded: press Save in Edit first");
       if (const Result<void> begun = lessons->Grade(); !begun) desk.NoteProblem(begun.error(), {});

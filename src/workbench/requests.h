@@ -163,7 +163,7 @@ struct ChangeBreakRequest {
 
 /// Help with a lesson, its grade, or another one: its files are put into the learner's folder, and the window shows it.
 struct LessonRequest {
-  enum class What : std::uint8_t { kHint, kGrade, kOpen } what = What::kHint;
+  enum class What : std::uint8_t { kHint, kGrade, kOpen, kCancel } what = What::kHint;
   std::string lesson = {};  ///< Which one to open.
 };
 

@@ -20,7 +20,7 @@ constexpr std::string_view kWhyAbout[] = {"agent", "operator", "command", "eleme
 constexpr std::string_view kEditText[] = {"type", "check", "apply", "save", "revert"};
 constexpr std::string_view kBreakKinds[] = {"fire", "match", "element", "impasse", "command"};
 constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
-constexpr std::string_view kLessons[] = {"hint", "grade", "open"};
+constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 
 enum Need : bool { kOptional = false, kNeeded = true };
 

@@ -18,6 +18,8 @@ class Lessons {
   virtual void Hint() = 0;
   /// Begins to grade the learner's files; Poll picks up the result.
   virtual Result<void> Grade() = 0;
+  /// Stops grading, if it is under way. There is no verdict then.
+  virtual void Cancel() = 0;
   /// Puts another lesson's files into the learner's folder; where its world is, and the lesson's own folder.
   struct Opened {
     std::string folder, lesson;

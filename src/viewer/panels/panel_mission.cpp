@@ -149,6 +149,10 @@ class MissionPanel final : public Panel {
     if (ButtonIf(!lesson.is_graded, "Check my rules",
                  "Runs your saved rules with ten seeds and says whether the lesson is done"))
       frame.Ask(workbench::LessonRequest{What::kGrade});
+    if (lesson.is_graded) {
+      FlowLine(ButtonWidth("Cancel"));
+      if (ImGui::Button("Cancel")) frame.Ask(workbench::LessonRequest{What::kCancel});
+    }
     if (!lesson.next.empty()) {
       FlowLine(ButtonWidth("Next lesson"));
       if (ImGui::Button("Next lesson")) frame.Ask(workbench::LessonRequest{What::kOpen, lesson.next});

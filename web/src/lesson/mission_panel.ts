@@ -28,10 +28,30 @@ export function gradeText(line: string): string {
   return line.replace(/: soarbox run .*$/, "");
 }
 
+/** The text of the grade that was last scrolled to. */
+let shownGrade = "";
+
+/** A new grade comes into view by itself; later patches leave the reader where they are. */
+function showGrade(element: HTMLElement, text: string): void {
+  if (text === shownGrade) return;
+  shownGrade = text;
+  element.scrollIntoView({ block: "start" });
+}
+
+/** Progress while the rules are graded; then the headline, and below it what led to it. */
+function gradeView(context: PanelContext, lesson: Lesson, isWatching: boolean): Child {
+  if (!lesson.is_graded && lesson.grade.length === 0) return false;
+  const text = lesson.grade.map(gradeText), [headline = "", ...rest] = text;
+  return h("section.grade", { key: "grade", attributes: { "aria-live": "polite" }, mounted: (element) => showGrade(element, lesson.is_graded ? "grading" : text.join("\n")) }, h("h3", null, "Grade"),
+    lesson.is_graded
+      ? h("div.row", null, h("span", null, headline === "" ? "Grading …" : `Grading: ${headline}`), !isWatching && button("Cancel", () => context.run.ask("lesson", { what: "cancel" }), { attributes: { title: "Stop grading. There is no verdict then." } }))
+      : [h("p.headline", null, headline), rest.map((one) => h("p", null, one))]);
+}
+
 function lessonView(context: PanelContext, lesson: Lesson): Child[] {
   const isWatching = context.run.hello?.may_edit === false;
   return [
-    h("h2.title", null, lesson.title), lesson.is_passed && h("p.passed", null, icon("check"), "You have passed this lesson."),
+    h("h2.title", null, lesson.title), gradeView(context, lesson, isWatching), lesson.is_passed && h("p.passed", null, icon("check"), "You have passed this lesson."),
     h("section", null, h("h3", null, "Idea"), h("p", null, lesson.idea)), h("section.task", null, h("h3", null, "Task"), h("p", null, lesson.task)),
     lesson.new_panels.length > 0 && h("p.quiet", null, "New here: ", lesson.new_panels.map((word, i) => [i > 0 && ", ", button(context.titleOf(word), () => context.reveal(word), { attributes: { title: "Show this panel" } }, "button.link")])),
     !isWatching && h("div.row.actions", null,
@@ -39,7 +59,6 @@ function lessonView(context: PanelContext, lesson: Lesson): Child[] {
       lesson.hint_count > 0 && button(lesson.hints.length >= lesson.hint_count ? "No more hints" : `Hint ${lesson.hints.length + 1} of ${lesson.hint_count}`, () => context.run.ask("lesson", { what: "hint" }), { attributes: { disabled: lesson.hints.length >= lesson.hint_count } }),
       lesson.next !== "" && button("Next lesson", () => context.openWhat(`lesson:${lesson.next}`), {}, lesson.is_passed ? "button.primary" : "button")),
     lesson.hints.length > 0 && h("section", { attributes: { "aria-live": "polite" } }, h("h3", null, "Hints"), h("ol.hints", null, lesson.hints.map((one) => h("li", null, one)))),
-    lesson.grade.length > 0 && h("section.grade", { attributes: { "aria-live": "polite" } }, h("h3", null, "Grade"), lesson.grade.map((one) => h("p", null, gradeText(one)))),
   ];
 }
 

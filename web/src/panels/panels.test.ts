@@ -137,7 +137,16 @@ test("hints, grade and the next lesson are asked for", () => {
   press(view, "Hint 2 of 3");
   press(view, "Grade");
   assert.deepEqual(asked, [["lesson", { what: "hint" }], ["lesson", { what: "grade" }]]);
-  assert.match(textOf(view), /New here: memory, edit.*all passed/s);
+  assert.match(textOf(view), /all passed.*New here: memory, edit/s, "the grade comes first");
+});
+
+test("grading shows how far it is and can be cancelled", () => {
+  const { panel, asked } = made(missionPanel);
+  const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", new_panels: [], hints: [], hint_count: 0, is_passed: false, is_graded: true, grade: ["seed 3 of 10"], next: "" };
+  const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [] } });
+  assert.match(textOf(view), /Grading: seed 3 of 10/);
+  press(view, "Cancel");
+  assert.deepEqual(asked, [["lesson", { what: "cancel" }]]);
 });
 
 test("spans lie on the lines of their level", () => {

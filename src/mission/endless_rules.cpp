@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/endless_rules.h"
+
+#include "explain/inspector.h"
+#include "mission/sentences.h"
+#include "sim/simulation.h"
+
+namespace soarbox::mission {
+namespace {
+
+/// What max-elaborations is unless rules change it.
+constexpr std::uint64_t kLimit = 100;
+
+}  // namespace
+
+bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation) {
+  for (const sim::RunEvent& event : events) {
+    if (event.kind != sim::EventKind::kDiagnostic ||
+        !event.diagnostic.message.starts_with("rules fire again and again in one phase"))
+      continue;
+    Agent& agent = agents_[event.agent];
+    agent.text = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
+  }
+  for (auto& [name, agent] : agents_) {
+    const auto inspector = simulation.Inspect(name);
+    if (inspector == nullptr) continue;
+    const std::uint64_t elaborations = inspector->Mind().elaborations;
+    if (agent.elaborations > 0 && elaborations >= agent.elaborations + kLimit) ++agent.ticks;
+    agent.elaborations = elaborations;
+    if (agent.ticks < kMostTicks) continue;
+    text_ = agent.text + ". The run was ended at " + SecondsText(simulation.time_s());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace soarbox::mission

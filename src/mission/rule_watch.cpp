@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "mission/rule_watch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "explain/inspector.h"
+#include "sim/simulation.h"
+
+namespace soarbox::mission {
+namespace {
+
+/// A file with more rules that never fire than this is explained for the first of them only.
+constexpr std::size_t kMostWatched = 40;
+constexpr std::size_t kMostElements = 1000;
+
+/// The attribute and the constant value that a printed condition asks for; empty: any.
+struct Asked {
+  std::string attribute, value;
+};
+Asked ReadAsked(const std::string& printed) {
+  Asked asked;
+  const std::size_t caret = printed.find('^');
+  if (caret == std::string::npos) return asked;
+  std::size_t end = printed.find_first_of(" )", caret);
+  asked.attribute = printed.substr(caret + 1, std::min(end, printed.size()) - caret - 1);
+  if (asked.attribute.find_first_of("<{") != std::string::npos) asked.attribute.clear();
+  const std::size_t begin = printed.find_first_not_of(' ', std::min(end, printed.size()));
+  end = printed.find_last_of(')');
+  if (begin == std::string::npos || end == std::string::npos || end <= begin) return asked;
+  asked.value = printed.substr(begin, end - begin);
+  while (asked.value.ends_with(' ')) asked.value.pop_back();
+  if (asked.value.find_first_of("<>{= ") != std::string::npos) asked.value.clear();
+  return asked;
+}
+
+/// True if working memory has an element that the condition asks for, whatever the other conditions say.
+bool IsThere(explain::Inspector& inspector, const std::string& printed) {
+  const Asked asked = ReadAsked(printed);
+  if (asked.attribute.empty()) return true;
+  std::string value = asked.value;
+  if (value.size() > 1 && value.front() == '|' && value.back() == '|') value = value.substr(1, value.size() - 2);
+  return std::ranges::any_of(inspector.Search(asked.attribute, kMostElements), [&](const explain::ElementFact& element) {
+    return element.attribute == asked.attribute &&
+           (value.empty() || element.value == value || element.value == asked.value);
+  });
+}
+
+/// Whether the condition at which a rule stops is about the operator that is selected.
+bool IsAboutSelected(std::string_view why) {
+  return why.find("no operator is selected") != std::string_view::npos ||
+         why.find("the operator selected in") != std::string_view::npos;
+}
+
+/// "; rule x made it", for a text "requires no ^fire, but ..." of an agent; empty if nobody says which rule.
+std::string MakerOfExcluded(explain::Inspector& inspector, const std::string& why) {
+  constexpr std::string_view kExcluded = "requires no ^";
+  if (!why.starts_with(kExcluded)) return {};
+  std::string path = why.substr(kExcluded.size(), why.find_first_of(" ,", kExcluded.size()) - kExcluded.size());
+  path.erase(0, path.rfind('.') + 1);
+  std::set<std::string> makers;
+  for (const explain::ElementFact& element : inspector.Search(path, kMostElements)) {
+    if (element.attribute != path) continue;
+    for (const explain::MakerFact& maker : inspector.MakersOf(element.timetag))
+      if (maker.kind == explain::MakerFact::Kind::kRule) makers.insert(maker.rule);
+  }
+  return makers.size() == 1 ? "; rule " + *makers.begin() + " made it" : std::string();
+}
+
+}  // namespace
+
+std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule) {
+  const Result<std::vector<explain::WhyNode>> why = simulation.WhyTopic(agent, rule);
+  if (!why) return {};
+  const std::string start = "rule " + rule + " ";
+  for (const explain::WhyNode& node : *why) {
+    for (const std::string& line : explain::Lines(node, 0)) {
+      const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+      if (line.compare(begin, start.size(), start) != 0) continue;
+      std::string text = line.substr(begin + start.size());
+      const auto inspector = simulation.Inspect(agent);
+      if (inspector != nullptr) text += MakerOfExcluded(*inspector, text);
+      return text;
+    }
+  }
+  return {};
+}
+
+RuleWatch::RuleWatch(sim::Simulation& simulation, std::string file, std::set<std::string> given)
+    : simulation_(simulation), file_(std::move(file)), given_(std::move(given)) {}
+
+void RuleWatch::See() {
+  for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
+    const std::string agent = simulation_.AgentOfMind(i);
+    const auto inspector = simulation_.Inspect(agent);
+    if (inspector == nullptr || !inspector->TellsAll()) continue;
+    std::size_t watched = 0;
+    for (const explain::RuleFact& rule : inspector->Rules()) {
+      if (rule.firings > 0 || given_.contains(rule.name)) continue;
+      if (std::filesystem::path(rule.file).filename().string() != file_) continue;
+      if (++watched > kMostWatched) break;
+      Look(*inspector, agent, rule.name);
+    }
+  }
+}
+
+void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, const std::string& rule) {
+  const std::optional<explain::MatchFacts> match = inspector.Match(rule);
+  if (!match || !match->failing) return;
+  std::size_t there = 0;
+  for (const explain::ConditionFact& condition : match->conditions)
+    there += !condition.negated && IsThere(inspector, condition.text) ? 1 : 0;
+  const std::pair<std::size_t, std::size_t> score = {there, *match->failing};
+  const auto [at, is_new] = best_.try_emplace({agent, rule});
+  if (is_new) order_.push_back(at->first);
+  if (!is_new && score <= at->second.score) return;
+  at->second.score = score;
+  std::string why = WhyRuleWaits(simulation_, agent, rule);
+  if (why.empty()) return;
+  const bool waits = IsAboutSelected(why);
+  at->second.waiting = {agent, rule, std::move(why), simulation_.time_s(), waits};
+}
+
+std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
+  std::set<Key> fired;
+  for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
+    const std::string agent = simulation_.AgentOfMind(i);
+    const auto inspector = simulation_.Inspect(agent);
+    if (inspector == nullptr) continue;
+    for (const explain::RuleFact& rule : inspector->Rules())
+      if (rule.firings > 0) fired.emplace(agent, rule.name);
+  }
+  std::vector<Waiting> waiting;
+  for (const Key& key : order_)
+    if (const Best& best = best_.at(key); !fired.contains(key) && !best.waiting.rule.empty())
+      waiting.push_back(best.waiting);
+  std::ranges::stable_sort(waiting, {}, [](const Waiting& each) { return each.waits_for_operator; });
+  return waiting;
+}
+
+}  // namespace soarbox::mission

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soarbox::explain {
+class Inspector;
+}
+namespace soarbox::sim {
+class Simulation;
+}
+
+namespace soarbox::mission {
+
+/// Why a rule does not match now, "requires ^next 3, but it is 2"; empty if it does. If something that the rule excludes
+/// is there, the rule that made it is named.
+std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule);
+
+/// Follows the rules of one file that have not fired yet, and keeps for each what it waited for at the tick at which it
+/// got furthest. At the end of a run it is too late to ask: the operator is another one, and the message is gone.
+///
+/// How far a rule gets: first how many of its conditions find an element at all, then how many match one after the
+/// other. So a rule that an absent attribute blocks counts as further when everything else is there. A rule is explained
+/// only when it gets further than before.
+class RuleWatch {
+ public:
+  /// `file`: name of the file, without its folder. `given`: rules in it that are not followed.
+  RuleWatch(sim::Simulation& simulation, std::string file, std::set<std::string> given);
+
+  /// Call once for each tick.
+  void See();
+
+  /// A rule that never fired.
+  struct Waiting {
+    std::string agent, rule;
+    std::string why;  ///< "requires ^next 3, but it is 2"
+    double time_s = 0;
+    bool waits_for_operator = false;  ///< Another operator was selected, or none: other rules are why.
+  };
+  /// Call at the end. In the order of the file, rules that only wait for an operator last.
+  std::vector<Waiting> Finish();
+
+ private:
+  struct Best {
+    std::pair<std::size_t, std::size_t> score;  ///< Conditions that find an element; conditions matched in order.
+    Waiting waiting;
+  };
+  using Key = std::pair<std::string, std::string>;  ///< Agent, rule.
+
+  void Look(explain::Inspector& inspector, const std::string& agent, const std::string& rule);
+
+  sim::Simulation& simulation_;
+  std::string file_;
+  std::set<std::string> given_;
+  std::map<Key, Best> best_;
+  std::vector<Key> order_;  ///< As the rules were loaded.
+};
+
+}  // namespace soarbox::mission
