@@ -140,9 +140,7 @@ class Learner {
   /// "seed 3 of 10": in a terminal one line that goes away, for a program a line each.
   OnSeed ShowProgress() const {
     if (options_.progress)
-      return [](std::size_t done, std::size_t of) {
-        std::cout << kProgressLine << done << " of " << of << std::endl;
-      };
+      return [](std::size_t done, std::size_t of) { std::cout << kProgressLine << done << " of " << of << std::endl; };
     if (isatty(STDERR_FILENO) == 0) return {};
     return [](std::size_t done, std::size_t of) {
       if (done < of)

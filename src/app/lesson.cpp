@@ -57,6 +57,8 @@ std::map<std::string, std::string> RulesOf(const std::string& text) {
       *rule += word + " ";
     }
   }
+  // Commands after a rule are no part of it.
+  for (auto& [name, text] : rules) text.resize(std::min(text.size(), text.rfind('}') + 1));
   return rules;
 }
 
@@ -84,7 +86,8 @@ struct LearnersRules {
     return std::ranges::any_of(given, [&](const std::string& name) {
       const std::size_t at = problem.message.find("rule " + name);
       const std::size_t end = at + name.size() + 5;
-      return at != std::string::npos && (end >= problem.message.size() || problem.message.find_first_of(" :,", end) == end);
+      return at != std::string::npos &&
+             (end >= problem.message.size() || problem.message.find_first_of(" :,", end) == end);
     });
   }
 };
@@ -98,7 +101,8 @@ std::string SlipText(const Diagnostic& problem) {
 /// How much a known mistake says. That something never happened, or went on for long, has many causes.
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty()) return mission::Cause::kMistake;
-  const bool is_absence = mistake.mode == mission::Mode::kNever || mistake.for_s;
+  const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
+  const bool is_absence = mistake.mode == mission::Mode::kNever || mistake.for_s || is_few;
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
 }
 
@@ -116,7 +120,7 @@ std::size_t FindMistake(const mission::Mission& mission, const mission::RunResul
 
 /// What the failed run says of the learner's rules: it is made again, and its mind is asked.
 std::vector<mission::RunFinding> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson,
-                                        const LearnersRules& rules, std::uint64_t seed) {
+                                           const LearnersRules& rules, std::uint64_t seed) {
   mission::TestSettings settings;
   settings.seeds = {seed};
   settings.ends_endless = true;
@@ -152,8 +156,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   if (mistake < mission.mistakes.size() && failed.outcome == "ok") {
     const mission::Check& known = mission.mistakes[mistake];
     grade.mistake = known.name;
-    findings.push_back(
-        {CauseOf(known), Filled(known.hint, failed.checks[mission.checks.size() + mistake].verdict)});
+    findings.push_back({CauseOf(known), Filled(known.hint, failed.checks[mission.checks.size() + mistake].verdict)});
   }
   if (findings.empty())
     findings.push_back(

@@ -13,8 +13,8 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// Finds agents whose rules fire without end: the phase reaches max-elaborations in tick after tick. Such a run is slow,
-/// and what it shows is not what the agent would do.
+/// Finds agents whose rules fire without end: the phase reaches max-elaborations in tick after tick. Such a run is
+/// slow, and what it shows is not what the agent would do.
 class EndlessRules {
  public:
   /// Call once for each tick, with its events. True as soon as an agent has reached the limit in kMostTicks ticks.

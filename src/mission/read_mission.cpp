@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t kMostChecks = 1000;
 
 /// Words of a check that are no conditions.
-constexpr std::string_view kCheckWords[] = {"name",   "agent",    "team",  "item", "who",     "with",   "range",
-                                            "status", "reason",   "level", "is",   "support", "by",     "for",
-                                            "always", "never",    "from",  "to",   "after",   "before", "within",
-                                            "until",  "whenever", "times", "hint", "marker",  "pass",   "selected_by", "count"};
+constexpr std::string_view kCheckWords[] = {
+    "name",   "agent",   "team",     "item",  "who",    "with",   "range", "status",      "reason", "level",
+    "is",     "support", "by",       "for",   "always", "never",  "from",  "to",          "after",  "before",
+    "within", "until",   "whenever", "times", "hint",   "marker", "pass",  "selected_by", "count"};
 
 class MissionReader : public sim::TableReader {
  public:

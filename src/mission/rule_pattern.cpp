@@ -73,7 +73,9 @@ bool Matches(const Clause& wanted, const Clause& there) {
   if (wanted.negated != there.negated || wanted.path.size() > there.path.size()) return false;
   if (wanted.is_from_state && wanted.path.size() != there.path.size()) return false;
   const auto first = there.path.end() - static_cast<std::ptrdiff_t>(wanted.path.size());
-  const auto is_like = [](const std::string& pattern, const std::string& word) { return MatchesPattern(pattern, word); };
+  const auto is_like = [](const std::string& pattern, const std::string& word) {
+    return MatchesPattern(pattern, word);
+  };
   if (!std::equal(wanted.path.begin(), wanted.path.end(), first, is_like)) return false;
   if (wanted.value.empty()) return true;
   const bool asks_for_number = wanted.value.find('#') != std::string::npos;
@@ -146,9 +148,8 @@ bool RulePattern::Fits(const explain::RuleText& rule) const {
   const std::vector<Clause> conditions = ConditionsOf(rule), actions = ActionsOf(rule);
   if (!HasAll(tests, conditions) || !HasAll(makes, actions)) return false;
   if (!std::ranges::all_of(calls, [&](const std::string& call) { return Calls(rule, call); })) return false;
-  return std::ranges::none_of(without, [&](const std::string& clause) {
-    return HasAll({clause}, conditions) || HasAll({clause}, actions);
-  });
+  return std::ranges::none_of(
+      without, [&](const std::string& clause) { return HasAll({clause}, conditions) || HasAll({clause}, actions); });
 }
 
 std::string ProblemOfClause(std::string_view clause) {

@@ -17,7 +17,8 @@ namespace soarbox::mission {
 ///
 /// A clause is "^path value". The path is the end of the path from the state, "^message.place"; "state ^operator" means
 /// the whole path. Without a value any will do. <x> stands for any variable, # for
-/// any number, * for any text within an attribute or a value: "^operator <x> +" is a proposal that a rule tests,
+/// any number, {*} for an attribute that is a list of tests, * for any text within an attribute or a value: "^operator
+/// <x> +" is a proposal that a rule tests,
 /// "^operator <x> > <y>" a preference. A clause that begins with -
 /// is a condition that must be absent.
 struct RulePattern {

@@ -41,10 +41,11 @@ bool IsThere(explain::Inspector& inspector, const std::string& printed) {
   if (asked.attribute.empty()) return true;
   std::string value = asked.value;
   if (value.size() > 1 && value.front() == '|' && value.back() == '|') value = value.substr(1, value.size() - 2);
-  return std::ranges::any_of(inspector.Search(asked.attribute, kMostElements), [&](const explain::ElementFact& element) {
-    return element.attribute == asked.attribute &&
-           (value.empty() || element.value == value || element.value == asked.value);
-  });
+  return std::ranges::any_of(inspector.Search(asked.attribute, kMostElements),
+                             [&](const explain::ElementFact& element) {
+                               return element.attribute == asked.attribute &&
+                                      (value.empty() || element.value == value || element.value == asked.value);
+                             });
 }
 
 /// Whether the condition at which a rule stops is about the operator that is selected.

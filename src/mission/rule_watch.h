@@ -17,16 +17,16 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// Why a rule does not match now, "requires ^next 3, but it is 2"; empty if it does. If something that the rule excludes
-/// is there, the rule that made it is named.
+/// Why a rule does not match now, "requires ^next 3, but it is 2"; empty if it does. If something that the rule
+/// excludes is there, the rule that made it is named.
 std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule);
 
 /// Follows the rules of one file that have not fired yet, and keeps for each what it waited for at the tick at which it
 /// got furthest. At the end of a run it is too late to ask: the operator is another one, and the message is gone.
 ///
 /// How far a rule gets: first how many of its conditions find an element at all, then how many match one after the
-/// other. So a rule that an absent attribute blocks counts as further when everything else is there. A rule is explained
-/// only when it gets further than before.
+/// other. So a rule that an absent attribute blocks counts as further when everything else is there. A rule is
+/// explained only when it gets further than before.
 class RuleWatch {
  public:
   /// `file`: name of the file, without its folder. `given`: rules in it that are not followed.

@@ -56,7 +56,7 @@ struct RunResult {
   std::vector<std::size_t> idle_checks;   ///< Checks that hold before anybody acts.
   std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
   std::string recording;                  ///< The file that was kept; empty: none.
-  std::vector<RunFinding> account;           ///< If it was asked for.
+  std::vector<RunFinding> account;        ///< If it was asked for.
   double cpu_s = 0, peak_mb = 0;
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }
