@@ -145,6 +145,12 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
       if (std::ranges::find(findings, finding.text, &mission::RunFinding::text) == findings.end())
         findings.push_back(std::move(finding));
   }
+  // A rule that never fires does not write too often.
+  for (const explain::RuleText& rule : written.own) {
+    const std::string never = "rule " + rule.name + " never fired", too_often = "rule " + rule.name + " writes again";
+    if (std::ranges::any_of(findings, [&](const auto& finding) { return finding.text.starts_with(never); }))
+      std::erase_if(findings, [&](const auto& finding) { return finding.text.find(too_often) != std::string::npos; });
+  }
   const auto is_told = [&](Cause cause) {
     return std::ranges::find(findings, cause, &mission::RunFinding::cause) != findings.end();
   };

@@ -375,6 +375,15 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
   if (problem.message.find("or --> before the actions") != kNowhere) hint = HintForJoin(found, false);
   if (problem.message.find("expected ^attribute") != kNowhere) hint = HintForJoin(found, true);
+  // (state <s> ^danger -)
+  if (const std::string before = Trimmed(head);
+      found == ")" && before.ends_with(" -") && problem.message.find("expected ^attribute") != kNowhere) {
+    const std::size_t caret = before.rfind('^');
+    if (caret != kNowhere) {
+      const std::string attribute = before.substr(caret, before.find(' ', caret) - caret);
+      hint = "a condition that must not hold has the minus before it: -" + attribute;
+    }
+  }
   if (found == "-" && problem.message.find("expected ^attribute or ) in an action") != kNowhere)
     hint = HintForAction(found);
   if (found == "state" && problem.message.find("expected ( to begin a condition") != kNowhere)

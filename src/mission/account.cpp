@@ -53,9 +53,17 @@ std::string IdentifierText(const std::string& reason) {
 
 /// "rule x never fired: it requires ^next 3, but it is 2; at 1.0 s it got furthest"
 std::string NeverFired(const RuleWatch::Waiting& waiting) {
+  if (!waiting.maker.empty())
+    return "rule " + waiting.rule + " never fired, although " + waiting.wanted + " was there (rule " + waiting.maker +
+           " made it): which of its other conditions was not met then?";
   std::string text = "rule " + waiting.rule + " never fired: it " + waiting.why;
   if (waiting.time_s > 0) text += ". That was at " + SecondsText(waiting.time_s) + ", when it got furthest";
   return text;
+}
+
+/// "operator go has been applied (rule r) and stays selected: ..."
+bool IsStall(const std::string& line) {
+  return line.starts_with("operator ") && line.find(" has been applied ") != std::string::npos;
 }
 
 bool IsEndless(const Diagnostic& problem) {
@@ -151,10 +159,16 @@ std::vector<RunFinding> Account::Finish(double failed_s) {
   }
   found = slips_;
   if (agents.contains(refused_agent_) && refused_s_ <= failed_s) found.push_back({Cause::kRefused, refused_});
+  const bool is_idle = agents.contains(idle_agent_) && idle_s_ <= failed_s;
+  // Between operators that tie none is applied: what rules wait for then comes of the tie.
+  const bool is_torn = is_idle && std::ranges::any_of(idle_, [](const std::string& line) {
+                         return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
+                       });
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
-    found.push_back({Cause::kFurthest, NeverFired(waiting[i])});
-  if (agents.contains(idle_agent_) && idle_s_ <= failed_s)
-    for (const std::string& line : idle_) found.push_back({Cause::kSymptom, line});
+    found.push_back(
+        {is_torn || waiting[i].waits_for_operator ? Cause::kWaiting : Cause::kFurthest, NeverFired(waiting[i])});
+  if (is_idle)
+    for (const std::string& line : idle_) found.push_back({IsStall(line) ? Cause::kStalled : Cause::kSymptom, line});
   // What a rule of the lesson waits for in vain is often the fault of one's own.
   if (found.empty())
     for (std::string& line : GivenThatNeverFired(simulation_, settings_))

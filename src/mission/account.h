@@ -22,9 +22,11 @@ enum class Cause : std::uint8_t {
   kMistake,   ///< A known mistake that a rule shows, as its author wrote it.
   kEndless,   ///< Rules fire again and again in one phase.
   kRefused,   ///< The world refused a command because of how it is written.
-  kHappened,  ///< A known mistake: something happened that should not.
   kFurthest,  ///< A rule that never fired, and the condition that failed when it got furthest.
+  kHappened,  ///< A known mistake: something happened that should not.
+  kStalled,   ///< An operator was applied and stays selected, so that nothing follows.
   kMissing,   ///< A known mistake: something never happened.
+  kWaiting,   ///< A rule that never fired because its operator was not selected.
   kSymptom,   ///< The agent had nothing to do, or a rule that came with the lesson never fired.
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "explain/inspector.h"
@@ -35,17 +36,23 @@ Asked ReadAsked(const std::string& printed) {
   return asked;
 }
 
-/// True if working memory has an element that the condition asks for, whatever the other conditions say.
-bool IsThere(explain::Inspector& inspector, const std::string& printed) {
+/// Whether working memory has an element with the attribute that a condition asks for, and with its value, too,
+/// whatever the other conditions say.
+struct Presence {
+  bool has_attribute = false, has_value = false;
+};
+Presence PresenceOf(explain::Inspector& inspector, const std::string& printed) {
+  Presence presence;
   const Asked asked = ReadAsked(printed);
-  if (asked.attribute.empty()) return true;
+  if (asked.attribute.empty()) return {true, true};
   std::string value = asked.value;
   if (value.size() > 1 && value.front() == '|' && value.back() == '|') value = value.substr(1, value.size() - 2);
-  return std::ranges::any_of(inspector.Search(asked.attribute, kMostElements),
-                             [&](const explain::ElementFact& element) {
-                               return element.attribute == asked.attribute &&
-                                      (value.empty() || element.value == value || element.value == asked.value);
-                             });
+  for (const explain::ElementFact& element : inspector.Search(asked.attribute, kMostElements)) {
+    if (element.attribute != asked.attribute) continue;
+    presence.has_attribute = true;
+    presence.has_value |= value.empty() || element.value == value || element.value == asked.value;
+  }
+  return presence;
 }
 
 /// Whether the condition at which a rule stops is about the operator that is selected.
@@ -109,10 +116,14 @@ void RuleWatch::See() {
 void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, const std::string& rule) {
   const std::optional<explain::MatchFacts> match = inspector.Match(rule);
   if (!match || !match->failing) return;
-  std::size_t there = 0;
-  for (const explain::ConditionFact& condition : match->conditions)
-    there += !condition.negated && IsThere(inspector, condition.text) ? 1 : 0;
-  const std::pair<std::size_t, std::size_t> score = {there, *match->failing};
+  Score score;
+  score.matched = *match->failing;
+  for (const explain::ConditionFact& condition : match->conditions) {
+    if (condition.negated) continue;
+    const Presence presence = PresenceOf(inspector, condition.text);
+    score.values += presence.has_value ? 1 : 0;
+    score.attributes += presence.has_attribute ? 1 : 0;
+  }
   const auto [at, is_new] = best_.try_emplace({agent, rule});
   if (is_new) order_.push_back(at->first);
   if (!is_new && score <= at->second.score) return;
@@ -120,7 +131,12 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
   std::string why = WhyRuleWaits(simulation_, agent, rule);
   if (why.empty()) return;
   const bool waits = IsAboutSelected(why);
-  at->second.waiting = {agent, rule, std::move(why), simulation_.time_s(), waits};
+  Waiting& waiting = at->second.waiting;
+  waiting.agent = agent;
+  waiting.rule = rule;
+  waiting.why = std::move(why);
+  waiting.time_s = simulation_.time_s();
+  waiting.waits_for_operator = waits;
 }
 
 std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
@@ -133,9 +149,18 @@ std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
       if (rule.firings > 0) fired.emplace(agent, rule.name);
   }
   std::vector<Waiting> waiting;
-  for (const Key& key : order_)
-    if (const Best& best = best_.at(key); !fired.contains(key) && !best.waiting.rule.empty())
-      waiting.push_back(best.waiting);
+  for (const Key& key : order_) {
+    const Best& best = best_.at(key);
+    if (fired.contains(key) || best.waiting.rule.empty()) continue;
+    Waiting& each = waiting.emplace_back(best.waiting);
+    constexpr std::string_view kRequires = "requires ", kMadeBy = ", but there is none now; rule ";
+    const std::size_t at = each.why.find(kMadeBy);
+    if (at == std::string::npos || !each.why.starts_with(kRequires)) continue;
+    const std::size_t begin = at + kMadeBy.size(), end = each.why.find(" makes it", begin);
+    if (end == std::string::npos || !fired.contains({each.agent, each.why.substr(begin, end - begin)})) continue;
+    each.wanted = each.why.substr(kRequires.size(), at - kRequires.size());
+    each.maker = each.why.substr(begin, end - begin);
+  }
   std::ranges::stable_sort(waiting, {}, [](const Waiting& each) { return each.waits_for_operator; });
   return waiting;
 }

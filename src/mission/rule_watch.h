@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -40,14 +41,21 @@ class RuleWatch {
     std::string agent, rule;
     std::string why;  ///< "requires ^next 3, but it is 2"
     double time_s = 0;
+    std::string wanted, maker;  ///< If a rule that fired makes what it waits for: both; it was there for a moment.
     bool waits_for_operator = false;  ///< Another operator was selected, or none: other rules are why.
   };
   /// Call at the end. In the order of the file, rules that only wait for an operator last.
   std::vector<Waiting> Finish();
 
  private:
+  struct Score {
+    std::size_t values = 0;      ///< Conditions that find an element with their attribute and value.
+    std::size_t matched = 0;     ///< Conditions that match one after the other.
+    std::size_t attributes = 0;  ///< Conditions that find an element with their attribute.
+    auto operator<=>(const Score&) const = default;
+  };
   struct Best {
-    std::pair<std::size_t, std::size_t> score;  ///< Conditions that find an element; conditions matched in order.
+    Score score;
     Waiting waiting;
   };
   using Key = std::pair<std::string, std::string>;  ///< Agent, rule.

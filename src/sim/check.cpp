@@ -437,7 +437,8 @@ std::vector<explain::RuleText> RulesOf(const fs::path& file) {
   if (!host) return {};
   Result<SoarHost::Loaded> loaded = (*host)->CreateAgent("read", file);
   if (!loaded) return {};
-  return explain::MindReasons(*loaded->agent).rules();
+  const char* printed = loaded->agent->ExecuteCommandLine("print --all --full");
+  return explain::ReadRules(printed == nullptr ? "" : printed);
 }
 
 explain::KnownWords WordsAround(const fs::path& rules) {

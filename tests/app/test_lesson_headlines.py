@@ -20,11 +20,11 @@ ANSWERS = [
     (3, "<gold> > <other>", "<other> > <gold>", r"At .* before the gold, a preference chose another place"),
     (3, "^where gold)", "^where silver)", r"At .* before the gold, a preference chose another place"),
     (4, "(<w> ^index <n> ^name <name> ^here no)", "(<w> ^index <m> ^name <name> ^here no)",
-     r"At 1\.0 s watchman has nothing to do.*operator tie in S1"),
+     r"At 0\.0 s two operators tie: .*the same variable in both"),
     (5, "^reason <reason>)\n-->\n   (<s> ^closed <name>)\n   (write |no way to the | <name> |: | <reason> (crlf))",
      "^status done)\n-->\n   (<s> ^closed <name>)", r"climber\.soar:31: .* waits for \^status done, which no command is answered with"),
-    (5, "(<s> ^closed <name>)", "(<s> ^closed <command>)", r"At 1\.0 s climber has nothing to do.*its last command move-to failed: no-way"),
-    (6, "^range < 8", "^range > 8", r"At 1\.0 s sheep has nothing to do.*operator flee has been applied"),
+    (5, "(<s> ^closed <name>)", "(<s> ^closed <command>)", r"\^closed is there at 0\.1 s: .*take the name from the operator or the command"),
+    (6, "^range < 8", "^range > 8", r"The wolf had the sheep at .*Did \^danger come as soon as the wolf was nearer than 8 m"),
     (6, "^until 14", "^until far", r"sheep\.soar:28: rule sheep\*apply\*flee: \^until of flee is far"),
     (6, "^agent <name> ^until 14", "^name <name> ^until 14", r"sheep\.soar:25: .* flee has no parameter \^name"),
     (6, "^until 14", "^until 4", r"The wolf had the sheep at .*: .*Did \^danger come .* \^until 14\?"),
@@ -32,7 +32,7 @@ ANSWERS = [
      r"At 5\.4 s cook has nothing to do.*operator fetch has been applied .* and this rule change what it tests"),
     (8, "^to <cart>", "^to cart", r"say failed at 0\.0 s: say: no-such-agent"),
     (8, "^about go ^place <place>", "^about go ^barn <place>", r"The messages about go have no \^place"),
-    (8, "-^told yes", "-^told no", r"At 1\.0 s farmer has nothing to do.*operator tell has been applied .* and stays selected"),
+    (8, "-^told yes", "-^told no", r"At 3\.0 s tell has been selected for 3 s\. It is still proposed when its work is done"),
     (10, "^item <a> ^item <b>", "^items <a> ^items <b>", r"muleteer\.soar:52: .* tests \^items, .* did you mean \^item\?"),
     (10, "^operator <a> > <b>", "^operator <a> < <b>", r"The muleteer came over the stone bridge at .* which costs most"),
     (10, "^toll > <low>", "^toll < <low>", r"The muleteer came over the stone bridge at .* which costs most"),
@@ -45,11 +45,11 @@ ANSWERS = [
     (13, "value > 0.9", "value < 0.9", r"At 1\.6 s the mouse is where the cat sees it\. The value is the share that is hidden"),
     (13, "(<s> ^hidden <place>)", "(<s> ^hidden <x>)",
      r"At 0\.1 s the world refused move-to of mouse: \^waypoint of move-to is an object, not its name"),
-    ("eaters 3", "^x <x> ^y <y>", "^name <y>", r"At [0-9.]+ s eater has nothing to do.*operator move-north .* stays selected"),
+    ("eaters 3", "^x <x> ^y <y>", "^name <y>", r"It moved at 0\.0 s, and never again\. Your proposal still matches as it did before"),
     ("eaters 3", "^status complete", "^status completed", r"rule eater\*apply\*move-north\*clear never fired: .*\.status completed"),
-    ("eaters 3", "^move.direction", "^move.directon", r"At [0-9.]+ s eater has nothing to do.*never fired: .*\.status complete, but it is error"),
+    ("eaters 3", "^move.direction", "^move.directon", r"rule eater\*apply\*move-north\*clear never fired: .*\.status complete, but it is error"),
     ("tanks 3", "^blocked.forward no", "^blocked.forward yes", r"rule tank\*propose\*go-to-sound never fired: .* but it is no"),
-    ("tanks 3", "^actions.rotate.direction <side>", "^actions.rotate.direction side", r"rule tank\*propose\*go-to-sound never fired: .* but it is left"),
+    ("tanks 3", "^actions.rotate.direction <side>", "^actions.rotate.direction side", r"rule tank\*propose\*go-to-sound never fired: .* but it is "),
     ("tanks 3", "left right >>", "left rihgt >>", r"It turned at .* Does it turn to the left and to the right"),
 ]
 
@@ -67,9 +67,8 @@ class Headlines(ScenarioCase):
         self.assertEqual(Run("learn", *words, number, "--headless", "--folder", mine).code, 0)
         (mine / lesson.name / solution.name).write_text(right.replace(old, new), encoding="utf-8")
         run = Run("learn", *words, "check", number, "--headless", "--folder", mine, code=1)
-        said = re.search(r"this was seed .*\n\n(?:What this run shows of your rules:\n)?((?:.+\n)+)", run.out)
-        self.assertTrue(said, f"nothing is said: {run.out}")
-        return said.group(1).removeprefix("- ").replace("\n- ", " ")
+        self.assertRegex(run.out, "this was seed")
+        return run.out.split("\n\n", 1)[0]
 
     def test_the_first_thing_said_is_true(self):
         for number, old, new, wanted in ANSWERS:
