@@ -8,13 +8,18 @@
 namespace soarbox::mission {
 namespace {
 
-/// What max-elaborations is unless rules change it.
-constexpr std::uint64_t kLimit = 100;
+/// Elaborations in one tick that an agent only reaches if its rules fire without end. max-elaborations is 100.
+constexpr std::uint64_t kLimit = 50;
 
 }  // namespace
 
 bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation) {
   for (const sim::RunEvent& event : events) {
+    // Its mind was stopped, as its rules fired millions of times in one tick.
+    if (event.diagnostic.message.find(" stops for good: its rules fired ") != std::string::npos) {
+      text_ = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
+      return true;
+    }
     if (event.kind != sim::EventKind::kDiagnostic ||
         !event.diagnostic.message.starts_with("rules fire again and again in one phase"))
       continue;

@@ -141,17 +141,19 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
 
 std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
   std::set<Key> fired;
+  std::set<std::string> agents;  // Those whose minds were not stopped.
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
     if (inspector == nullptr) continue;
+    agents.insert(agent);
     for (const explain::RuleFact& rule : inspector->Rules())
       if (rule.firings > 0) fired.emplace(agent, rule.name);
   }
   std::vector<Waiting> waiting;
   for (const Key& key : order_) {
     const Best& best = best_.at(key);
-    if (fired.contains(key) || best.waiting.rule.empty()) continue;
+    if (fired.contains(key) || best.waiting.rule.empty() || !agents.contains(key.first)) continue;
     Waiting& each = waiting.emplace_back(best.waiting);
     constexpr std::string_view kRequires = "requires ", kMadeBy = ", but there is none now; rule ";
     const std::size_t at = each.why.find(kMadeBy);

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """`soarbox learn` and the lessons that come with the program, through the real command."""
 import shutil
+import signal
+import subprocess
 import tomllib
 
 from mission_case import REPOSITORY, MissionCase
-from soarbox_command import Run
+from soarbox_command import COMMAND, Run
 
 
 class Lessons(MissionCase):
@@ -48,6 +50,45 @@ class Lessons(MissionCase):
             (mine / "01-a-rule" / "porter.soar").write_text(right.replace(old, new), encoding="utf-8")
             run = Run("learn", "check", "1", "--folder", mine, code=1)
             self.assertRegex(run.out, told)
+
+    def test_the_headline_comes_first_and_names_no_folder(self):
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        rules = mine / "01-a-rule" / "porter.soar"
+        starter = rules.read_text(encoding="utf-8")
+        rules.write_text(starter + "\nsp {broken (state <s> ^name) -- (write a)}\n", encoding="utf-8")
+        run = Run("learn", "check", "1", "--folder", mine, code=1)
+        self.assertRegex(run.out, r"\Aporter\.soar:\d+:\d+: error: ")
+        self.assertNotIn(str(self.folder), run.out)
+
+    def test_a_course_that_is_nearly_named_is_suggested(self):
+        run = Run("learn", "eater", code=3)
+        self.assertIn("did you mean soarbox learn eaters?", run.err + run.out)
+
+    def test_rules_without_end_end_their_seeds_and_are_the_headline(self):
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "4", "--headless", "--folder", mine).code, 0)
+        rules = mine / "04-memory" / "watchman.soar"
+        rules.write_text(rules.read_text(encoding="utf-8") + "\nsp {watchman*count\n   (state <s> ^superstate nil ^next { <n> < 1000000 })\n-->\n"
+                         "   (<s> ^next <n> - (+ <n> 1))\n}\n", encoding="utf-8")
+        run = Run("learn", "check", "4", "--folder", mine, code=1)
+        self.assertRegex(run.out.split("\n\n")[0], r"watchman\.soar:\d+: .*watchman\*count")
+        self.assertIn("rules fire again and again in one phase", run.out)
+        self.assertNotIn("  yes  ", run.out, "of a run that was ended, nothing is judged")
+
+    def test_grading_tells_progress_and_can_be_cancelled(self):
+        mine = self.folder / "mine"
+        self.assertEqual(Run("learn", "1", "--headless", "--folder", mine).code, 0)
+        run = Run("learn", "check", "1", "--folder", mine, "--progress", code=1)
+        self.assertEqual(run.out.splitlines()[:10], [f"seed {i} of 10" for i in range(1, 11)])
+        attempts = Run("learn", "--json").out.splitlines()[0]
+        grading = subprocess.Popen([COMMAND, "learn", "check", "1", "--folder", mine, "--progress"], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(grading.stdout.readline(), "seed 1 of 10\n")
+        grading.send_signal(signal.SIGINT)
+        rest = grading.communicate()[0]
+        self.assertTrue(rest.endswith("Grading was cancelled. There is no verdict.\n"), rest)
+        self.assertEqual(grading.returncode, 130)
+        self.assertEqual(Run("learn", "--json").out.splitlines()[0], attempts, "it does not count")
 
     def test_what_a_learner_wrote_stays(self):
         mine = self.folder / "mine"
