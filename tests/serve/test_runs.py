@@ -135,6 +135,12 @@ class Runs(ServeCase):
         page.ask(request="edit-text", what="save", text=solution)
         page.until_contents("edit", lambda edit: edit["edit"]["notice"] == "Saved.")
         page.ask(request="lesson", what="grade")
+        page.until_contents("mission", lambda mission: mission["lesson"]["is_graded"])
+        page.ask(request="lesson", what="cancel")
+        cancelled = page.until_contents("mission", lambda mission: not mission["lesson"]["is_graded"])["lesson"]
+        self.assertEqual(cancelled["grade"], ["Grading was cancelled. There is no verdict."])
+        self.assertFalse(cancelled["is_passed"])
+        page.ask(request="lesson", what="grade")
         done = page.until_contents("mission", lambda mission: mission["lesson"]["is_passed"])["lesson"]
         self.assertIn("Passed", " ".join(done["grade"]))
         about = server.json("GET", f"/api/p/{place}")[1]
