@@ -313,7 +313,7 @@ class Games(ScenarioCase):
         self.assertIn("Grade: soarbox learn eaters check 3", begun.out)
         self.assertTrue((self.folder / "e3-move-north" / "Board.lua").is_file())
         graded = Run("learn", "eaters", "check", "3", "--folder", self.folder, code=1)
-        self.assertIn("rule eater*propose*move-north proposes the operator move-north", graded.out)
+        self.assertRegex(graded.out, r"operator move-north is selected in S\d+ and no rule applies it")
 
     def test_missions_ask_for_scores(self):
         for scenario in ("eaters", "tanksoar", "simple-eaters"):
