@@ -7,7 +7,7 @@ import { closeBrowser, openLesson, openPage, picture, typeRules, until } from ".
 
 const FOLDER = new URL("../../lessons/", import.meta.url);
 const LESSONS = readdirSync(FOLDER).filter((name) => /^\d\d-/.test(name)).sort();
-/** Of some wrong answers is known what the grade says besides the check that failed. */
+/** What the headline of some wrong answers says. */
 const WRONG = new Map([
   ["03-choices", ["01-better-only", /silver and bronze tie/]],
   ["06-danger", ["01-no-negation", /graze and flee tie, because graze is still proposed/]],
@@ -15,9 +15,9 @@ const WRONG = new Map([
 ]);
 
 const titleOf = (lesson) => /^title = "(.*)"$/m.exec(readFileSync(new URL(`${lesson}/lesson.toml`, FOLDER), "utf8"))[1];
-/** A wrong answer of a lesson, and what is known of its grade: at least what the run shows, or the lesson's own hint. */
+/** A wrong answer of a lesson, and what its grade says: at least a headline, before the checks. */
 function wrongAnswerOf(lesson) {
-  const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /seeds passed; this was seed \d+\s+\S[\s\S]{20,}/];
+  const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /^grade\s+(?!(yes|no)\s)\S[^\n]{20,}/i];
   return { told, rules: rulesBelow(lesson, `wrong/${wrong}`) };
 }
 /** The rules below a folder of a lesson. */
