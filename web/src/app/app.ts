@@ -36,8 +36,10 @@ export class App {
     this.remarks.className = "remarks";
     this.remarks.setAttribute("role", "status");
     root.replaceChildren(this.head, this.body, this.remarks, this.over);
-    const path = watchKey === "" ? `/api/p/${info.place}/run` : `/api/p/${info.place}/watch?key=${encodeURIComponent(watchKey)}`;
-    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret));
+    // The server knows this tab again when it connects again.
+    const tab = [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+    const path = watchKey === "" ? `/api/p/${info.place}/run?tab=${tab}` : `/api/p/${info.place}/watch?key=${encodeURIComponent(watchKey)}`;
+    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret), watchKey === "" ? info.place : "");
     this.run.on("hello", () => {
       this.isHome = false;
       this.draw();

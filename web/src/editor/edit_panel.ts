@@ -25,6 +25,8 @@ export class EditPanel implements Panel {
   private problems = "";
   private asked = "";
   private loading = false;
+  /** What was typed here before somebody changed the text elsewhere. */
+  private older: string | null = null;
 
   constructor(private readonly context: PanelContext) {
     this.client = new LanguageClient(context.run, () => {
@@ -35,8 +37,20 @@ export class EditPanel implements Panel {
       this.file = "";
       this.version = -1;
       this.asked = "";
-      this.editor?.setReadOnly(context.run.hello?.may_edit === false);
+      this.editor?.setReadOnly(!this.mayType);
     });
+    context.run.on("tabs", () => {
+      this.editor?.setReadOnly(!this.mayType);
+      // Another tab may have changed the text meanwhile.
+      this.file = "";
+      this.take(context.run.contents);
+      context.redraw("edit");
+    });
+    addEventListener("pagehide", () => this.flush());
+  }
+
+  private get mayType(): boolean {
+    return this.context.run.hello?.may_edit !== false && this.context.run.mayType;
   }
 
   badge(contents: Contents): string {
@@ -48,7 +62,7 @@ export class EditPanel implements Panel {
     const edit = contents.edit?.edit, files = contents.edit?.files ?? [], isOpen = edit !== undefined && edit.file !== "";
     this.openFirst(contents);
     const problems = isOpen ? this.allProblems() : [];
-    const mayEdit = this.context.run.hello?.may_edit !== false, choices = new Set([...files.map((one) => one.file), ...(contents.edit?.open_files.map((one) => one.file) ?? [])]);
+    const mayEdit = this.mayType, choices = new Set([...files.map((one) => one.file), ...(contents.edit?.open_files.map((one) => one.file) ?? [])]);
     if (isOpen) choices.add(edit.file);
     return [
       h("div.row.bar", null,
@@ -56,7 +70,10 @@ export class EditPanel implements Panel {
           choices.size === 0 && h("option", { attributes: { value: "" } }, "no file"),
           [...choices].map((file) => h("option", { key: file, attributes: { value: file } }, nameOf(file) + (contents.edit?.open_files.some((one) => one.file === file && one.is_unsaved) === true ? " •" : "")))),
         mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+S)" } }, "button.primary"),
-        mayEdit && button("Revert", () => this.context.run.ask("edit-text", { what: "revert", text: this.editor?.text ?? "" }), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
+        mayEdit && button("Revert", () => this.revert(), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
+      !this.context.run.mayType && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
+      isOpen && this.older !== null && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
+        mayEdit && button("Show what I typed", () => this.bringBack(edit.file)), button("Forget it", () => this.forget(edit.file))),
       h("div.editor", { foreign: true, mounted: (element) => void this.load(element) }),
       h("div.under", { attributes: { "aria-live": "polite" } },
         isOpen && edit.notice !== "" && !(edit.notice === "No errors." && problems.length > 0) && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
@@ -82,7 +99,13 @@ export class EditPanel implements Panel {
     this.loading = true;
     const { Editor } = await import("./editor");
     this.editor = new Editor(element, {
+      typing: (text) => {
+        const edit = this.context.run.contents.edit?.edit;
+        if (edit !== undefined && edit.file === this.file && this.mayType) this.context.run.kept.keep(this.file, text, edit.text);
+      },
       typed: (text) => {
+        // Without a connection the text waits in the browser's storage, and comes back with the run.
+        if (this.context.run.connection !== "open" || !this.mayType) return;
         this.context.run.ask("edit-text", { what: "check", text });
         void this.client.tell(text);
         // Problems that stay the same do not come again: they are marked anew in the new text.
@@ -96,7 +119,7 @@ export class EditPanel implements Panel {
         if (this.context.run.ask("edit-text", { what: "save", text })) this.context.run.ask("edit-text", { what: "apply", text });
       },
     }, this.client);
-    this.editor.setReadOnly(this.context.run.hello?.may_edit === false);
+    this.editor.setReadOnly(!this.mayType);
     this.file = "";
     this.take(this.context.run.contents);
   }
@@ -108,15 +131,39 @@ export class EditPanel implements Panel {
     if (edit.file !== this.file || edit.version !== this.version) {
       this.file = edit.file;
       this.version = edit.version;
-      editor.show(edit.text, edit.is_rules);
+      const typed = this.context.run.kept.find(edit.file, edit.text), isBack = typed !== null && !typed.isOlder && this.mayType;
+      this.older = typed !== null && typed.isOlder ? typed.text : null;
+      editor.show(isBack ? typed.text : edit.text, edit.is_rules);
+      if (isBack) this.context.run.ask("edit-text", { what: "check", text: typed.text });
       if (edit.is_rules) this.client.look(edit.file, edit.text);
       this.problems = "";
     }
+    this.context.run.kept.confirm(edit.file, edit.text);
     this.mark();
     if (edit.go_to_count !== this.goCount) {
       this.goCount = edit.go_to_count;
       if (edit.go_to_line > 0) editor.goTo(edit.go_to_line);
     }
+  }
+
+  /** Shows what was typed here, as a draft: the server has it from now on. */
+  private bringBack(file: string): void {
+    const text = this.older;
+    if (text === null || this.editor === null) return;
+    this.forget(file);
+    this.editor.show(text, true);
+    this.context.run.ask("edit-text", { what: "check", text });
+  }
+
+  private revert(): void {
+    this.context.run.kept.drop(this.file);
+    this.context.run.ask("edit-text", { what: "revert", text: this.editor?.text ?? "" });
+  }
+
+  private forget(file: string): void {
+    this.context.run.kept.drop(file);
+    this.older = null;
+    this.context.redraw("edit");
   }
 
   /** What the kernel's reader says, and what the language server says of rules together. */

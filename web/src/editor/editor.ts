@@ -15,6 +15,8 @@ const TYPED_AFTER_MS = 350;
 export interface EditorEvents {
   /** The text changed by typing; called when typing pauses. */
   typed(text: string): void;
+  /** The text changed by typing; called at each change. */
+  typing(text: string): void;
   apply(text: string): void;
 }
 
@@ -120,6 +122,7 @@ export class Editor {
 
   private changed(update: ViewUpdate): void {
     if (!update.docChanged || this.fromElsewhere) return;
+    this.events.typing(this.text);
     this.stopTimer();
     this.timer = setTimeout(() => {
       this.timer = null;

@@ -2,6 +2,7 @@
 import { isFull, SceneReader, unpack } from "../format/scene_reader";
 import type { Scene } from "../format/scene";
 import type { ContentName, Contents } from "./contents";
+import { browserStore, KeptText } from "./kept_text";
 import type { Connection, Flow, Hello, Request, RunMessage, RunSource } from "./source";
 
 export interface Remark { text: string; hint: string; isError: boolean }
@@ -16,6 +17,8 @@ export interface RunEvents {
   state: RunState;
   connection: { state: Connection; retryAt: number };
   language: unknown;
+  /** Another tab edits texts, or this one does again. */
+  tabs: boolean;
 }
 export type RunState = "joining" | "running" | "busy" | "ended" | "none";
 
@@ -32,10 +35,13 @@ export class Run {
   retryAt = 0;
   endedText = "";
   canOpenAgain = true;
+  /** Whether this tab may change texts: one tab of a place at a time. */
+  mayType = true;
+  readonly kept: KeptText;
 
   private readonly handlers: Handlers = {
     hello: new Set(), flow: new Set(), contents: new Set(), scene: new Set(), remark: new Set(), state: new Set(),
-    connection: new Set(), language: new Set(),
+    connection: new Set(), language: new Set(), tabs: new Set(),
   };
   private reader = new SceneReader();
   /** Blocks are unpacked one after another, so that they stay in order. */
@@ -45,7 +51,15 @@ export class Run {
   private overlays: string[] = [];
   private opened: string | null = null;
 
-  constructor(private readonly source: RunSource) {}
+  /** `place` tells what was typed in one place from what was typed in others. */
+  constructor(private readonly source: RunSource, place = "") {
+    this.kept = new KeptText(place, place === "" ? null : browserStore());
+  }
+
+  /** Lets this tab change texts; the others can read them. */
+  takeOver(): void {
+    this.ask("take-over");
+  }
 
   start(): void {
     this.source.start({
@@ -162,6 +176,11 @@ export class Run {
         if (this.opened !== null) break;
         this.forget();
         this.setState("none");
+        break;
+      case "tabs":
+        if (this.mayType === message.may_type) break;
+        this.mayType = message.may_type;
+        this.tell("tabs", this.mayType);
         break;
       case "language":
         this.tell("language", message.content);

@@ -12,6 +12,7 @@ export type RunMessage =
   | { message: "ready" }
   | { message: "ended"; text: string; can_open_again: boolean }
   | { message: "none" }
+  | { message: "tabs"; may_type: boolean }
   | { message: "language"; content: unknown };
 
 export interface Hello {
