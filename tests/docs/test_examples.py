@@ -17,8 +17,7 @@ LIMIT_S = 240
 
 
 def pages():
-    found = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "lua").glob("*.md")),
-             *sorted((ROOT / "docs" / "lessons").rglob("*.md"))]
+    found = [ROOT / "README.md", *(page for page in sorted((ROOT / "docs").rglob("*.md")) if "spec" not in page.parts)]
     wanted = os.environ.get("PAGES", "")
     return [page for page in found if re.search(wanted, str(page))]
 
