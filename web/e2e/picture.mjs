@@ -38,6 +38,48 @@ test("the navigation mesh, influence map, physics and forces are drawn while the
   await close();
 });
 
+const outside = (page) => page.locator(".stage").getAttribute("data-outside");
+const shownSeconds = async (page) => {
+  const [minutes, seconds] = (await page.locator(".scrubber .moment").innerText()).split("/")[0].trim().split(":");
+  return 60 * Number(minutes) + Number(seconds);
+};
+
+test("the camera keeps everybody in the picture from the beginning, until it is moved, and again when asked", async () => {
+  const { page, troubles, close } = await openPage("/", { size: [1280, 800] });
+  for (const [name, seconds] of [["movement", 2], ["soar_flee", 6], ["eaters", 1]]) {
+    await openWorld(page, name);
+    await page.waitForSelector(".stage[data-outside]");
+    await page.waitForSelector(".labels .name");
+    assert.equal(await outside(page), "0", `${name}: everybody is in the first picture`);
+    await until(async () => (await shownSeconds(page)) > seconds, `${name} runs`);
+    await until(async () => (await outside(page)) === "0", `${name}: everybody is in the picture`);
+    assert.equal(await page.locator("button[aria-label='Show everybody']").getAttribute("aria-pressed"), "true");
+    await picture(page, `framed_${name}`);
+    await page.locator("button.home").click();
+  }
+  await openWorld(page, "soar_flee");
+  await page.waitForSelector(".stage button[aria-label='Show everybody'][aria-pressed=true]");
+  await page.locator(".stage canvas").focus();
+  for (let i = 0; i < 60; ++i) await page.keyboard.press("Shift+ArrowRight");
+  await page.waitForSelector(".stage button[aria-label='Show everybody'][aria-pressed=false]");
+  // Whoever moved the camera away from everybody is told how to come back.
+  await page.locator("button", { hasText: "Nobody is in the picture" }).click();
+  await until(async () => (await outside(page)) === "0", "everybody is in the picture again");
+  await page.waitForSelector(".stage button[aria-label='Show everybody'][aria-pressed=true]");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("the names of agents are not cut", async () => {
+  const { page, troubles, close } = await openPage("/", { size: [1280, 800] });
+  await openWorld(page, "movement");
+  await page.waitForSelector(".labels .name");
+  const cut = () => page.locator(".labels .name b").evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent));
+  assert.deepEqual(await cut(), []);
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("keys reach a world's scripts as in the window", async () => {
   const { page, troubles, close } = await openPage("/", { size: [1000, 560] });
   await openWorld(page, "thesis");

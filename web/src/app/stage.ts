@@ -24,6 +24,8 @@ export class Stage {
   private readonly canvas: HTMLCanvasElement;
   private isOpen = false;
   private toldSize = "";
+  private keeps = false;
+  private isLost = false;
   private resized: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly run: Run, private readonly select: (name: string) => void) {
@@ -57,7 +59,7 @@ export class Stage {
     patch(this.tools, [
       h("div.group", { attributes: { role: "group", "aria-label": "Camera" } }, CAMERAS.map((one): Child => button(icon(one.mode), () => this.setCamera(one.mode),
         { attributes: { title: `${one.title} (${one.key})`, "aria-label": one.title, "aria-pressed": String(mode === one.mode) } }, "button.tool")),
-      button(icon("all"), () => view?.frameAll(), { attributes: { title: "Show everybody (A)", "aria-label": "Show everybody" } }, "button.tool"),
+      button(icon("all"), () => view?.frameAll(), { attributes: { title: this.keeps ? "The camera keeps everybody in the picture, until you move it" : "Show everybody, and keep them in the picture (A)", "aria-label": "Show everybody", "aria-pressed": String(this.keeps) } }, "button.tool"),
       button(icon("more"), () => {
         this.isOpen = !this.isOpen;
         this.draw();
@@ -65,7 +67,18 @@ export class Stage {
       this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title)),
         h("label", { attributes: { title: "Draws everything, however long a picture takes; otherwise the page draws less where pictures are slow" } },
           h("input", { checked: view?.isInFullDetail ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggleDetail() } }), "Full detail")),
+      this.isLost && button("Nobody is in the picture. Show everybody", () => view?.frameAll(), {}, "button.small.lost"),
     ]);
+  }
+
+  /** `data-outside` is the number of living agents that the picture does not show. */
+  private noteFramed(keeps: boolean, outside: number, living: number): void {
+    this.element.dataset["outside"] = String(outside);
+    const isLost = living > 0 && outside === living;
+    if (keeps === this.keeps && isLost === this.isLost) return;
+    this.keeps = keeps;
+    this.isLost = isLost;
+    this.draw();
   }
 
   closeMenu(): boolean {
@@ -113,7 +126,7 @@ export class Stage {
     const [{ SceneView }, { listenToPointer }] = await Promise.all([import("../scene/scene_view"), import("../scene/pointer")]);
     let view: SceneView;
     try {
-      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? "") }, localStorage.getItem(DETAIL_KEY) === FULL);
+      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? ""), framed: (keeps, outside, living) => this.noteFramed(keeps, outside, living) }, localStorage.getItem(DETAIL_KEY) === FULL);
     } catch {
       patch(labels, [h("p.no-picture", null, "This browser cannot draw the world: WebGL is switched off. All panels work without it.")]);
       return;

@@ -58,6 +58,11 @@ export class Playout {
     return { before, after, share: span > 0 ? Math.min(Math.max((this.shown - before.time) / span, 0), 1) : 1 };
   }
 
+  /** Seconds of the world in a second of the wall's clock. */
+  get pace(): number {
+    return this.rate;
+  }
+
   get time(): number {
     return this.shown;
   }

@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Camera, Vec3 } from "../format/scene";
+import { CameraKeeper } from "./camera_keeper";
+import { ALL_FREE, comfortable, eyeOf, framingView, isInside, middleOf, withPlaces, type Free, type FramedBody, type Lens, type View } from "./framing";
 import { clamp, length, minus, rotate } from "./vectors";
 
 export type CameraMode = "orbit" | "follow" | "map";
 
-const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400;
-const MOST_CLOSE = 12;
-/** Few who stand close together are shown with so much of the world around them. */
-export const AMONG_OTHERS_M = 9;
-/** Scripts place the camera for pictures of this width to height. */
-const WINDOW_ASPECT = 16 / 9;
-const TURN_PER_PX = 0.006, EASE_PER_S = 9;
+/** What the picture is to show: agents, places and scenery around them; of a game, its board. */
+export interface Shown { readonly bodies: readonly FramedBody[]; readonly places: readonly Vec3[]; readonly scenery: readonly FramedBody[]; readonly isBoard: boolean; readonly hasWalls: boolean }
 
-interface View { target: [number, number, number]; heading: number; tilt: number; away: number }
+const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400, MAP_AWAY_M = 25;
+/** From a whole turn, the directions of which the nearest is tried at the beginning; one must be clearly better to replace an earlier one. */
+const SIDES = 12, CLEARLY = 0.93;
+/** A script's view is taken over if agents are at least this share of the picture's height. */
+const SMALLEST_SHARE = 0.07;
+const OTHER_SHAPE = 0.05;
+const TURN_PER_PX = 0.006, EASE_PER_S = 9, PULL_PER_S = 2.6;
 
 /** Where the picture is taken from: around a point (orbit), around an agent that it goes with (follow), or from above (map). */
 export class CameraRig {
   readonly camera = new PerspectiveCamera(45, 1, 0.1, 2000);
   mode: CameraMode = "orbit";
+  /** What lies over the edges of the picture. */
+  free: Free = ALL_FREE;
   private wanted: View = { target: [0, 1, 0], heading: 0.5, tilt: 0.5, away: 25 };
-  private shown: View = { ...this.wanted, target: [...this.wanted.target] };
+  private shown: View = copy(this.wanted);
   private beforeMap: View | null = null;
   private moves = -1;
   private byHand = false;
+  private isKeeping = false;
+  private readonly keeper = new CameraKeeper();
+  /** The shape of the picture for which everybody was framed. */
+  private framedAspect = 0;
+  /** Speed of what is shown while it keeps: of the target in m/s, and of the distance's logarithm. */
+  private drift: [number, number, number, number] = [0, 0, 0, 0];
 
   setSize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
+  }
+
+  /** Whether the camera keeps everybody in the picture by itself: until the user moves it. */
+  get keeps(): boolean {
+    return this.isKeeping && this.mode !== "follow";
   }
 
   setMode(mode: CameraMode): void {
@@ -42,18 +58,19 @@ export class CameraRig {
       this.beforeMap = null;
     }
     this.mode = mode;
+    this.keeper.begin();
   }
 
   turn(dx: number, dy: number): void {
-    this.byHand = true;
     if (this.mode === "map") return this.pan(dx, dy);
+    this.take();
     this.wanted.heading -= dx * TURN_PER_PX;
     this.wanted.tilt = clamp(this.wanted.tilt + dy * TURN_PER_PX, LOWEST_RAD, HIGHEST_RAD);
   }
 
   /** Moves what is looked at along the ground, by pixels. */
   pan(dx: number, dy: number): void {
-    this.byHand = true;
+    this.take();
     if (this.mode === "follow") this.mode = "orbit";
     const perPixel = (this.wanted.away * Math.tan((this.camera.fov * Math.PI) / 360) * 2) / 600;
     const { heading } = this.wanted, sin = Math.sin(heading), cos = Math.cos(heading);
@@ -62,32 +79,66 @@ export class CameraRig {
   }
 
   zoom(factor: number): void {
-    this.byHand = true;
+    this.take();
     this.wanted.away = clamp(this.wanted.away * factor, NEAREST_M, FARTHEST_M);
   }
 
-  /** So that all these places are in the picture. */
-  frame(places: readonly Vec3[], ease = true, leastRadius = 3.5): void {
-    if (places.length === 0) return;
-    const low: [number, number, number] = [...places[0]!], high: [number, number, number] = [...places[0]!];
-    for (const place of places) {
-      for (let axis = 0; axis < 3; ++axis) {
-        low[axis] = Math.min(low[axis]!, place[axis]!);
-        high[axis] = Math.max(high[axis]!, place[axis]!);
-      }
-    }
-    this.wanted.target = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
-    const radius = Math.max(leastRadius, length(minus(high, low)) / 2), half = (this.camera.fov * Math.PI) / 360;
-    this.wanted.away = clamp((radius * 1.25) / Math.min(Math.tan(half), Math.tan(half) * this.camera.aspect), 8, FARTHEST_M);
-    if (!ease) this.shown = copy(this.wanted);
+  /** The user moves the camera: from now on it stays where it is put. */
+  private take(): void {
+    this.byHand = true;
+    if (this.isKeeping) this.wanted = copy(this.shown);
+    this.isKeeping = false;
   }
 
-  /** Takes over where scripts want the camera, when they say so anew. True if it did. `isBoard`: what they show is shown whole. */
-  obey(order: Camera, actors: readonly Vec3[] = [], isBoard = false): boolean {
-    if (order.moves === this.moves) return false;
-    const isFirst = this.moves < 0;
+  private get lens(): Lens {
+    return { slope: Math.tan((this.camera.fov * Math.PI) / 360), aspect: this.camera.aspect, free: this.free };
+  }
+
+  /** So that all these bodies are in the picture, from the side on which the camera is; it does not stay with them. */
+  frame(bodies: readonly FramedBody[]): void {
+    if (bodies.length === 0) return;
+    this.byHand = true;
+    this.isKeeping = false;
+    this.wanted = framingView(bodies, this.wanted.heading, this.wanted.tilt, this.lens);
+  }
+
+  /** Shows everybody, and keeps them in the picture until the user moves the camera. */
+  frameAll(what: Shown): void {
+    if (what.bodies.length === 0) return;
+    if (this.mode === "follow") this.mode = "orbit";
+    this.byHand = false;
+    this.isKeeping = true;
+    this.keeper.begin();
+    this.framedAspect = this.camera.aspect;
+    this.wanted = this.viewOf(what, this.wanted.heading);
+  }
+
+  /** The first picture of a world: as its script wants it if that shows everybody well; else from where they are seen best. */
+  begin(order: Camera | null, what: Shown): void {
+    if (order !== null) this.moveTo(order);
+    this.byHand = false;
+    this.isKeeping = true;
+    this.keeper.begin();
+    this.framedAspect = this.camera.aspect;
+    if (what.isBoard) this.wanted = this.viewOf(what, this.wanted.heading);
+    else if (order === null || what.hasWalls || !this.seesWell(what)) this.wanted = this.bestSide(what);
+    this.arrive();
+  }
+
+  /** Takes over where scripts want the camera, when they move it again. */
+  obey(order: Camera): void {
+    if (order.moves === this.moves || this.byHand) {
+      this.moves = order.moves;
+      return;
+    }
+    this.moveTo(order);
+    this.isKeeping = false;
+    this.arrive();
+  }
+
+  private moveTo(order: Camera): void {
     this.moves = order.moves;
-    if (!isFirst && this.byHand) return false;
+    if (![...order.place, ...order.turn].every(Number.isFinite)) return;
     const ahead = rotate(order.turn, [0, 0, -1]), down = -ahead[1];
     const away = clamp(down > 0.03 ? order.place[1] / down : 30, 4, 120);
     this.wanted = {
@@ -96,23 +147,59 @@ export class CameraRig {
     };
     if (order.fovDeg > 10 && order.fovDeg < 120) this.camera.fov = order.fovDeg;
     this.camera.updateProjectionMatrix();
-    // Scripts think of a whole window; few actors are shown larger in the page's smaller picture.
-    if (isFirst && isBoard) this.wanted.away *= Math.max(1, WINDOW_ASPECT / this.camera.aspect);
-    else if (isFirst && actors.length > 0 && actors.length <= MOST_CLOSE) {
-      const { away: far } = this.wanted;
-      this.frame(actors, false, AMONG_OTHERS_M);
-      if (this.wanted.away > far) this.wanted.away = far;
-    }
-    this.shown = copy(this.wanted);
-    return true;
   }
 
-  /** Another world: the next order counts. */
+  private seesWell({ bodies, scenery }: Shown): boolean {
+    const { lens, wanted } = this, eye = eyeOf(wanted);
+    return [...bodies, ...scenery].every((one) => isInside(one, one.place, wanted, lens, 1)) && bodies.every((one) => one.height / (2 * lens.slope * length(minus(one.place, eye))) > SMALLEST_SHARE);
+  }
+
+  private viewOf({ bodies, places, scenery, isBoard, hasWalls }: Shown, heading: number, tilt = this.wanted.tilt): View {
+    const steep = isBoard || this.mode === "map" ? tilt : comfortable(hasWalls ? Math.PI : tilt);
+    return framingView(isBoard ? bodies : withPlaces(bodies, places, heading, steep, this.lens, hasWalls ? [] : scenery), heading, steep, this.lens);
+  }
+
+  private bestSide(what: Shown): View {
+    if (what.bodies.length === 0) return this.wanted;
+    const middle = middleOf(what.bodies), awayOf = (view: View): number => length(minus(eyeOf(view), middle));
+    let best = this.viewOf(what, this.wanted.heading);
+    for (let side = 0; side < SIDES; ++side) {
+      const view = this.viewOf(what, (2 * Math.PI * side) / SIDES);
+      if (awayOf(view) < CLEARLY * awayOf(best)) best = view;
+    }
+    return best;
+  }
+
+  /** Before each update: what is to stay in the picture. */
+  keep(what: Shown, seconds: number): void {
+    if (!this.keeps || what.bodies.length === 0) return;
+    const { aspect } = this.camera;
+    if (Math.abs(aspect / this.framedAspect - 1) > OTHER_SHAPE) {
+      this.framedAspect = aspect;
+      this.wanted = this.viewOf(what, this.wanted.heading);
+      return;
+    }
+    const goal = this.keeper.follow(what.bodies, what.isBoard ? [] : what.places, this.wanted, this.lens, seconds, what.hasWalls ? [] : what.scenery, what.isBoard || this.mode === "map" || what.hasWalls);
+    if (goal === null) return;
+    this.wanted = goal;
+    if (this.mode === "map") this.wanted.away = Math.max(goal.away, MAP_AWAY_M);
+  }
+
+  /** Ends the way to where the camera is wanted. */
+  private arrive(): void {
+    this.shown = copy(this.wanted);
+    this.drift = [0, 0, 0, 0];
+  }
+
+  /** Another world. */
   forget(): void {
     this.moves = -1;
     this.byHand = false;
+    this.isKeeping = false;
     this.mode = "orbit";
     this.beforeMap = null;
+    this.free = ALL_FREE;
+    this.camera.fov = 45;
   }
 
   /** True while the camera still moves. */
@@ -126,18 +213,43 @@ export class CameraRig {
     turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
     shown.heading += turn * share;
     shown.tilt += (wanted.tilt - shown.tilt) * share;
-    shown.away *= (wanted.away / shown.away) ** share;
-    let rest = Math.abs(turn) + Math.abs(wanted.tilt - shown.tilt) + Math.abs(Math.log(wanted.away / shown.away));
-    for (let axis = 0; axis < 3; ++axis) {
-      const step = wanted.target[axis]! - shown.target[axis]!;
-      shown.target[axis]! += step * share;
-      rest += Math.abs(step) / shown.away;
+    let rest = Math.abs(turn) + Math.abs(wanted.tilt - shown.tilt);
+    if (this.keeps) {
+      rest += this.spring(seconds);
+    } else {
+      this.drift = [0, 0, 0, 0];
+      shown.away *= (wanted.away / shown.away) ** share;
+      rest += Math.abs(Math.log(wanted.away / shown.away));
+      for (let axis = 0; axis < 3; ++axis) {
+        const step = wanted.target[axis]! - shown.target[axis]!;
+        shown.target[axis]! += step * share;
+        rest += Math.abs(step) / shown.away;
+      }
     }
     const wide = Math.cos(shown.tilt) * shown.away;
     this.camera.position.set(shown.target[0] + wide * Math.sin(shown.heading), Math.max(0.25, shown.target[1] + Math.sin(shown.tilt) * shown.away), shown.target[2] + wide * Math.cos(shown.heading));
     this.camera.lookAt(new Vector3(...shown.target));
     this.camera.updateMatrixWorld();
     return rest > 1e-4;
+  }
+
+  /** A spring that is damped just so that it does not swing, solved exactly: the same at any rate of pictures. */
+  private spring(seconds: number): number {
+    const { shown, wanted, drift } = this, fade = Math.exp(-PULL_PER_S * seconds);
+    let rest = 0;
+    const pull = (off: number, index: number): number => {
+      const step = (drift[index]! + off * PULL_PER_S) * seconds;
+      drift[index] = (drift[index]! - step * PULL_PER_S) * fade;
+      return (off + step) * fade;
+    };
+    for (let axis = 0; axis < 3; ++axis) {
+      const off = pull(shown.target[axis]! - wanted.target[axis]!, axis);
+      shown.target[axis] = wanted.target[axis]! + off;
+      rest += (Math.abs(off) + Math.abs(drift[axis]!)) / shown.away;
+    }
+    const off = pull(Math.log(shown.away / wanted.away), 3);
+    shown.away = wanted.away * Math.exp(off);
+    return rest + Math.abs(off) + Math.abs(drift[3]);
   }
 
   get target(): Vec3 {

@@ -5,10 +5,13 @@ import { h, patch, type Child } from "../dom/view";
 import { LabelLayout, type Box } from "./label_layout";
 import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
+import { DOING_FONT, NAME_FONT, textWidth } from "./text_width";
 
 const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
 /** Who looks from far away sees the names of what is so much further away than what is looked at. */
 const FURTHER = 2, MOST_COVERED = 0.5;
+/** Border and padding of a name, as scene.css has them. */
+const NAME_EDGES_PX = 20;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {
@@ -55,6 +58,10 @@ export class Labels {
 
   constructor(private readonly layer: HTMLElement, private readonly select: (id: number) => void) {}
 
+  clear(): void {
+    patch(this.layer, []);
+  }
+
   /** Gives back the heads of those that have no room for a name. */
   draw(view: LabelScene): { place: Vec3; color: Rgb }[] {
     this.dots = [];
@@ -91,7 +98,7 @@ export class Labels {
       let names = 0;
       for (const { one, point } of heads) {
         const isSmall = heads.length > 24 && point.away > 45 && one.id !== selected;
-        const doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, wide = Math.max(name.length * 7.4, doing.length * 6.4, 44) + 22;
+        const doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, wide = Math.max(textWidth(name, NAME_FONT), textWidth(doing, DOING_FONT), 44) + NAME_EDGES_PX;
         const box = names < MOST_NAMES && !isSmall ? layout.place(point.x, point.y, wide, doing === "" ? 29 : 44) : null;
         if (box === null) {
           this.dots.push({ place: headOf(one), color: agentColor(one.agent) });
@@ -103,7 +110,7 @@ export class Labels {
     }
     for (const [i, ghost] of view.ghosts.entries()) {
       const point = this.project([ghost.place[0], ghost.place[1] + ghost.height / 2, ghost.place[2]], view);
-      const box = point === null ? null : layout.place(point.x, point.y, ghost.name.length * 6.6 + 12, 18);
+      const box = point === null ? null : layout.place(point.x, point.y, textWidth(ghost.name, DOING_FONT) + 12, 18);
       if (box !== null) shown.push(h("div.ghost-name", { key: `g${i}`, style: { ...position(box), color: cssColor(ghost.color) } }, ghost.name));
     }
     if (on.has("places")) shown.push(...this.places(view, layout));
@@ -143,7 +150,7 @@ export class Labels {
     const near = view.scene.places.map((place) => ({ place, point: this.project(place.place, view) })).filter((one) => one.point !== null && one.point.away < Math.max(PLACE_GONE_M, FURTHER * view.away))
       .sort((a, b) => a.point!.away - b.point!.away).slice(0, MOST_PLACES);
     return near.map(({ place, point }) => {
-      const box = layout.place(point!.x, point!.y - 4, place.name.length * 7.2 + 30, 19);
+      const box = layout.place(point!.x, point!.y - 4, textWidth(place.name, DOING_FONT) + 30, 19);
       return box !== null && h(`div.place.${place.kind}`, { key: `p${place.kind}${place.name}`, style: position(box) }, h("i", null, PLACE_SIGNS[place.kind]), place.name);
     });
   }

@@ -7,8 +7,10 @@ import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
 import type { Ghosts } from "../run/contents";
 import { Playout, type Between } from "../run/playout";
 import { Bodies } from "./bodies";
-import { AMONG_OTHERS_M, CameraRig } from "./camera_rig";
+import { RecentGround } from "./camera_keeper";
+import { CameraRig, type Shown } from "./camera_rig";
 import { Dots } from "./dots";
+import { boardOf, freeOf, hasWalls, sceneryAround, type FramedBody } from "./framing";
 import { FIRST_OF_PROCESSOR, Governor, SLOW_EVERY_MS } from "./governor";
 import type { Box } from "./label_layout";
 import { Labels } from "./labels";
@@ -22,13 +24,23 @@ import { ScriptUi } from "./script_ui";
 import { ShapeLibrary, type ShapeContent } from "./shape_library";
 import { Sky } from "./sky";
 import { Things } from "./things";
+import { length, minus, times } from "./vectors";
 
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
+/** A body that goes further between two moments was put there. */
+const JUMP_M = 3;
+/** In a world that runs faster than this, velocities say little about where agents will be: where they were counts. */
+const FAST_PACE = 4;
+const NOBODY_MOVES: Vec3 = [0, 0, 0];
+/** How often it is looked at what stands around the agents, in seconds of the world. */
+const SCENERY_EVERY_S = 1;
 const BACKDROP = ["backdrop/hills", "backdrop/trees", "backdrop/fence"] as const;
 
 export interface SceneEvents {
   selected(id: number): void;
+  /** The camera keeps everybody in the picture, or no longer; and how many agents that live are outside of it. */
+  framed(keeps: boolean, outside: number, living: number): void;
 }
 
 /** Draws a run. Gives pictures only while something moves. */
@@ -69,6 +81,8 @@ export class SceneView {
   private restless = 2;
   private stopped = false;
   private isFramed = false;
+  private readonly recentGround = new RecentGround();
+  private around: { scene: number; time: number; scenery: readonly FramedBody[]; board: readonly FramedBody[]; hasWalls: boolean } | null = null;
   /** Of the last second; for those who measure. */
   framesPerSecond = 0;
   private frames = 0;
@@ -76,7 +90,7 @@ export class SceneView {
   private framesSince = 0;
 
   /** `isFull`: all is drawn in full detail, however long that takes. */
-  constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, events: SceneEvents, private isFull: boolean) {
+  constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, private readonly events: SceneEvents, private isFull: boolean) {
     const context = contextOf(canvas);
     this.isProcessor = isDrawnByProcessor(context);
     this.governor = this.newGovernor();
@@ -131,7 +145,13 @@ export class SceneView {
     this.removeBackdrop();
     this.shapes.clear();
     this.rig.forget();
+    this.labels.clear();
+    this.scriptUi.clear();
+    this.renderer.shadowMap.needsUpdate = true;
+    this.placed.clear();
     this.isFramed = false;
+    this.around = null;
+    this.recentGround.forget();
     this.selectedId = 0;
     this.wake();
   }
@@ -149,14 +169,14 @@ export class SceneView {
   }
 
   frameAll(): void {
-    this.rig.frame([...(this.scene?.agents.values() ?? [])].map((agent) => agent.place), true, AMONG_OTHERS_M);
+    if (this.scene !== null) this.rig.frameAll(this.toShow(this.scene, this.scene, 0));
     this.wake();
   }
 
   frameSelected(): void {
     const chosen = this.placed.get(this.selectedId);
     if (chosen === undefined) this.frameAll();
-    else this.rig.frame([chosen.place]);
+    else this.rig.frame([{ place: chosen.place, velocity: NOBODY_MOVES, radius: chosen.agent.radius, height: chosen.agent.height }]);
     this.wake();
   }
 
@@ -203,24 +223,64 @@ export class SceneView {
     if (this.restless <= 0) return;
     this.restless -= 1;
     this.fit();
-    if (moving !== null) this.show(moving);
+    if (moving !== null) this.show(moving, seconds);
     this.draw();
     this.judge(seconds, now);
   }
 
-  private show(between: Between): void {
+  private show(between: Between, seconds: number): void {
     const { after } = between;
     if (this.selectedId === 0 && this.selectedName !== "") this.select(this.selectedName);
     this.place3d(between);
     this.light(after);
     this.things.show(between);
     this.bodies.show(between, this.rig.camera, this.governor.quality.isSlow);
-    if (after.camera !== null && this.rig.obey(after.camera, [...after.agents.values()].map((agent) => agent.place), this.isBoard)) this.isFramed = true;
-    if (!this.isFramed && after.agents.size > 0) {
-      this.isFramed = true;
-      this.rig.frame([...after.agents.values()].map((agent) => agent.place), false);
-    }
+    this.keepInView(between, seconds);
     this.showBackdrop(after);
+  }
+
+  /** At the beginning the camera shows everybody, or what a script wants; then it keeps them in the picture, until the user moves it. */
+  private keepInView({ before, after }: Between, seconds: number): void {
+    if (!this.isFramed) {
+      if (after.agents.size === 0) return;
+      this.isFramed = true;
+      this.drawBoxes(after);
+      this.rig.begin(after.camera, this.toShow(before, after, seconds));
+    } else if (after.camera !== null && !this.isBoard) {
+      this.rig.obey(after.camera);
+    }
+    if (this.rig.keeps) this.rig.keep(this.toShow(before, after, seconds), seconds);
+  }
+
+  /** The living agents with where they go, and what is around them; nobody lives: all. */
+  private toShow(before: Scene, after: Scene, seconds: number): Shown {
+    const isFast = this.playout.pace > FAST_PACE, pace = this.isPaused || isFast ? 0 : this.playout.pace, bodies: FramedBody[] = [], all: FramedBody[] = [], span = after.time - before.time;
+    for (const [id, agent] of after.agents) {
+      if (!agent.place.every(Number.isFinite)) continue;
+      const way = minus(agent.place, before.agents.get(id)?.place ?? agent.place);
+      const body = { place: this.placed.get(id)?.place ?? agent.place, velocity: span > 0 && length(way) < JUMP_M ? times(way, pace / span) : NOBODY_MOVES, radius: agent.radius, height: agent.height };
+      all.push(body);
+      if (agent.alive) bodies.push(body);
+    }
+    const shown = bodies.length > 0 ? bodies : all;
+    if (isFast && !this.isPaused) {
+      this.recentGround.note(shown, seconds);
+      shown.push(...this.recentGround.corners());
+    } else {
+      this.recentGround.forget();
+    }
+    const places = after.places.filter((one) => one.kind !== "thing").map((one) => one.place);
+    if (this.around === null || this.around.scene !== after.drawables.size || Math.abs(this.around.time - after.time) > SCENERY_EVERY_S)
+      this.around = { scene: after.drawables.size, time: after.time, scenery: sceneryAround(after, places), board: this.isBoard ? boardOf(after) : [], hasWalls: hasWalls(after) };
+    const { scenery, board } = this.around;
+    return { bodies: board.length > 0 ? board : shown, places, scenery, isBoard: board.length > 0, hasWalls: this.around.hasWalls };
+  }
+
+  /** Boxes of text that scripts put on the screen: everybody is kept in what they leave free. */
+  private drawBoxes(scene: Scene): readonly Box[] {
+    const { clientWidth: width, clientHeight: height } = this.canvas, boxes = this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, width, height);
+    this.rig.free = freeOf(boxes, width, height);
+    return boxes;
   }
 
   private place3d({ before, after, share }: Between): void {
@@ -228,7 +288,7 @@ export class SceneView {
     for (const [id, agent] of after.agents) {
       const old = before.agents.get(id) ?? agent;
       const at = (a: Vec3, b: Vec3): Vec3 => [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
-      const jumps = Math.hypot(agent.place[0] - old.place[0], agent.place[2] - old.place[2]) > 3;
+      const jumps = Math.hypot(agent.place[0] - old.place[0], agent.place[2] - old.place[2]) > JUMP_M;
       this.placed.set(id, { id, agent, place: jumps ? agent.place : at(old.place, agent.place), forward: agent.forward });
     }
   }
@@ -312,7 +372,7 @@ export class SceneView {
     if (scene !== null) {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
       if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
-      const boxes = this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, size.width, size.height), covered = [...this.covered, ...boxes];
+      const covered = [...this.covered, ...this.drawBoxes(scene)];
       const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered });
       this.dots.show(dots, this.renderer.getPixelRatio());
     }
@@ -321,7 +381,20 @@ export class SceneView {
     // Also with the last one before the picture rests.
     if (this.restless <= 0 || this.pictures % this.governor.quality.shadowsEvery === 0) this.renderer.shadowMap.needsUpdate = true;
     this.pictures += 1;
+    this.tellFramed();
     this.renderer.render(this.world, this.rig.camera);
+  }
+
+  private tellFramed(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas, point = new Vector3();
+    let outside = 0, living = 0;
+    for (const { agent, place } of this.placed.values()) {
+      if (!agent.alive) continue;
+      living += 1;
+      point.set(...place).project(this.rig.camera);
+      if (width > 0 && height > 0 && (Math.abs(point.x) > 1 || Math.abs(point.y) > 1 || point.z > 1)) outside += 1;
+    }
+    this.events.framed(this.rig.keeps, outside, living);
   }
 
   private showGhosts(ghosts: readonly BelievedBody[]): void {

@@ -8,7 +8,8 @@ import { cssColor } from "./looks";
 const FONT_OF: Readonly<Record<string, Font>> = { "9": Font.Small, "91": Font.SmallMono, "14": Font.Medium, "141": Font.MediumMono, "24": Font.Large, "241": Font.LargeMono };
 const CLASS_OF: readonly string[] = ["small", "small.mono", "medium", "medium.mono", "large", "large.mono"];
 const METRES_PER_PX = 0.005;
-const LEAST_FITTING = 0.6, EDGE_PX = 6;
+/** A box takes at most this share of the picture's width, unless its text would become too small to read. */
+const LEAST_FITTING = 0.6, READABLE = 0.75, MOST_SHARE = 0.5, EDGE_PX = 6;
 
 export interface TextRun { text: string; color: number; font: Font; mono: boolean }
 
@@ -69,6 +70,10 @@ function body(one: Component, palette: readonly Color[]): Child[] {
 export class ScriptUi {
   constructor(private readonly layer: HTMLElement) {}
 
+  clear(): void {
+    patch(this.layer, []);
+  }
+
   /** Gives back what the boxes on the screen cover. */
   draw(components: readonly Component[], palette: readonly Color[], camera: PerspectiveCamera, width: number, height: number): Box[] {
     const covered: Box[] = [], byId = new Map(components.map((one) => [one.id, one])), shown: Child[] = [];
@@ -95,7 +100,7 @@ export class ScriptUi {
       }
       if (world === null) {
         // What is made for a whole screen is drawn smaller where it has no room.
-        const fitting = Math.min(1, Math.max(LEAST_FITTING, (width - x - EDGE_PX) / Math.max(one.width, 1)));
+        const wide = Math.max(one.width, 1), fitting = Math.min(1, Math.max(LEAST_FITTING, Math.min((width - x - EDGE_PX) / wide, Math.max(READABLE, (MOST_SHARE * width) / wide))));
         if (fitting < 1) scale = fitting.toFixed(3);
         covered.push({ left: x, top: y, width: one.width * fitting, height: one.height * fitting });
       }
