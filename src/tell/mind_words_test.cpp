@@ -122,7 +122,7 @@ std::vector<std::string> FieldsOfKinds(std::index_sequence<kinds...>) {
 }
 
 TEST(MindEvents, ThePageOfRecordingsListsEachKindWithItsFields) {
-  std::ifstream in(std::string(SOARBOX_SOURCE_DIR) + "/docs/recording.md");
+  std::ifstream in(std::string(SOARBOX_SOURCE_DIR) + "/docs/dev/recording_format.md");
   std::ostringstream page;
   page << in.rdbuf();
   const std::size_t table = page.str().find("The mind events, by their number");

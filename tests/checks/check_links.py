@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that documents lead somewhere: relative links of Markdown files, and the source files that docs/dev/kernel.md names.
+"""Checks that documents lead somewhere: relative links of Markdown files with their headings, and the source files that docs/dev/kernel.md names.
 
 usage: check_links.py PROJECT_DIR
 """
@@ -11,8 +11,18 @@ import sys
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 CODE = re.compile(r"`[^`\n]*`")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 SOURCE_FILE = re.compile(r"(?<![\w/.])((?:[a-z_]+/)*[a-z_]+\.(?:h|cpp))\b")
 SOURCE_ROOTS = (".", "src/kernel", "src/kernel/rules", "src/sml")  # What kernel.md's paths are relative to.
+
+
+def anchor(heading):
+    """The anchor that code hosts make from a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower().replace("`", "")).replace(" ", "-")
+
+
+def has_anchor(page, name):
+    return name in map(anchor, HEADING.findall(FENCE.sub("", page.read_text(encoding="utf-8"))))
 
 
 def main(arguments):
@@ -25,9 +35,14 @@ def main(arguments):
     for page in [*sorted(root.glob("*.md")), *pages]:
         text = page.read_text(encoding="utf-8")
         for link in LINK.findall(CODE.sub("", FENCE.sub("", text))):
-            target = link.split("#")[0]
-            if target and "://" not in link and not (page.parent / target).exists():
+            target, _, heading = link.partition("#")
+            place = page.parent / target if target else page
+            if "://" in link:
+                continue
+            if not place.exists():
                 found.append(f"{page.relative_to(root)}: there is no {target}")
+            elif heading and place.suffix == ".md" and not has_anchor(place, heading):
+                found.append(f"{page.relative_to(root)}: {target or 'this page'} has no heading #{heading}")
     kernel = root / "docs" / "dev" / "kernel.md"
     for name in sorted(set(SOURCE_FILE.findall(kernel.read_text(encoding="utf-8")))):
         if not any((root / place / name).exists() for place in SOURCE_ROOTS):
