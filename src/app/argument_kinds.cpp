@@ -14,7 +14,6 @@ constexpr ArgumentKind kNumber{"N"}, kMegabytes{"MB"}, kAddress{"HOST:PORT"}, kN
 constexpr ArgumentKind kFile{"FILE", Offers::kFiles}, kFolder{"FOLDER", Offers::kFolders};
 constexpr ArgumentKind kRules{"RULES", Offers::kFiles, ".soar"};
 constexpr ArgumentKind kRulesOf{"NAME=FILE", Offers::kNamedFiles, ".soar"};
-constexpr ArgumentKind kToml{"FILE", Offers::kFiles, ".toml"};
 constexpr ArgumentKind kRecording{"RECORDING", Offers::kFiles, ".soarrec"};
 constexpr ArgumentKind kScenario{"SCENARIO", Offers::kScenarios, ".soar .lua .toml"};
 constexpr ArgumentKind kRun{"SCENARIO|RECORDING", Offers::kScenarios, ".soar .lua .toml .soarrec"};
@@ -40,7 +39,7 @@ constexpr Row kRows[] = {
     {"datamap", "rules", kRules},
     {"check", "files", kSource},
     {"test", "paths", kSource},
-    {"sweep", "spec", kToml},
+    {"sweep", "spec", {"SWEEP", Offers::kScenarios, ".toml"}},
     {"learn", "words", {"LESSON", Offers::kLessons}},
     {"new", "name", kFolder},
     {"help", "command", {"COMMAND", Offers::kCommands}},

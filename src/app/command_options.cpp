@@ -178,7 +178,8 @@ void AddTest(CLI::App& program, TestOptions& options) {
 void AddSweep(CLI::App& program, SweepOptions& options) {
   CLI::App* sweep = program.add_subcommand(
       "sweep", "Run each variant of a scenario with each seed and make a table, on all cores or on Slurm");
-  sweep->add_option("spec", options.spec, "What to run (docs/sweeps.md)")->required();
+  sweep->add_option("spec", options.spec, "What to run: a file (docs/sweeps.md), or a scenario that comes with a sweep")
+      ->required();
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
   sweep->add_option("--rules", options.rules, "As for `soarbox run`, in each variant");
@@ -209,8 +210,7 @@ void AddReport(CLI::App& program, ReportOptions& options) {
 void AddLearn(CLI::App& program, LearnOptions& options) {
   CLI::App* learn = program.add_subcommand("learn", "Lessons that grade what you write");
   learn->add_option("words", options.words,
-                    "Nothing to list the lessons; N or next to begin one; check N, hint N, reset N; test [N] to try "
-                    "all lessons or one; the name of another course before these, such as eaters");
+                    "[COURSE] [N | next | check N | hint N | reset N | test [N]]; without words, it lists the lessons");
   learn->add_option("--folder", options.folder, "Where your files are (default: ~/soarbox-lessons)");
   learn
       ->add_option("--from", options.from, "Use the lessons in this folder instead of those that come with the program")

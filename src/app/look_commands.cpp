@@ -60,7 +60,9 @@ int Check(const CheckOptions& options) {
           return false;
         }
         if (file.extension() == ".toml" && mission::IsSweepText(ReadText(file).value_or(""))) {
-          sweep::ReadSpec(file, found);
+          // A results folder keeps a copy of its sweep, which names files that lie beside the original.
+          std::error_code error;
+          sweep::ReadSpec(file, found, std::filesystem::is_directory(file.parent_path() / "parts", error));
           return false;
         }
         return mission::CheckMissionFile(file, shipped, found);

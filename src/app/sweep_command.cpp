@@ -59,11 +59,33 @@ bool LockFolder(const fs::path& folder) {
   return false;
 }
 
+/// The sweep at this place: the file itself, or the sweep.toml in this folder.
+fs::path SweepAt(const fs::path& place) {
+  std::error_code error;
+  if (fs::is_regular_file(place, error)) return place;
+  if (fs::is_regular_file(place / "sweep.toml", error)) return place / "sweep.toml";
+  return {};
+}
+
+/// Replaces the name of a sweep that comes with the program by its file. Its results go below the current folder,
+/// because the program's own folders may be read-only. A name that fits nothing stays as it is.
+SweepOptions WithFile(SweepOptions options, const sim::DataFolders& data) {
+  const fs::path named = options.spec;
+  if (const fs::path own = SweepAt(named); !own.empty()) {
+    options.spec = own;
+  } else if (const fs::path shipped = SweepAt(data.scenarios / named); !shipped.empty()) {
+    options.spec = shipped;
+    if (options.folder.empty()) options.folder = named.stem().string() + ".sweep";
+  }
+  return options;
+}
+
 }  // namespace
 
-int Sweep(const SweepOptions& options) {
+int Sweep(const SweepOptions& asked) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
+  const SweepOptions options = WithFile(asked, *data);
   std::vector<Diagnostic> problems;
   const sweep::Spec spec = sweep::ReadSpec(options.spec, problems);
   for (const Diagnostic& problem : problems) std::cerr << Format(problem);

@@ -9,8 +9,8 @@ namespace soarbox::app {
 
 /// What `soarbox sweep` was asked for.
 struct SweepOptions {
-  std::filesystem::path spec;
-  std::filesystem::path folder;    ///< Empty: the spec's name with .sweep.
+  std::filesystem::path spec;    ///< A file, a folder with a sweep.toml, or such a name below the program's scenarios.
+  std::filesystem::path folder;  ///< Empty: beside the spec; below the current folder for one of the program's.
   std::vector<std::string> rules;  ///< "NAME=FILE", as for `soarbox run`; in each variant.
   int jobs = 0;
   std::string on = "here";  ///< Or "slurm".

@@ -74,7 +74,7 @@ Diagnostic UnknownCommand(const CLI::App& program, const std::string& word) {
   Diagnostic problem;
   problem.message = "soarbox has no sub-command " + Quoted(word);
   std::vector<std::string> names;
-  for (const CLI::App* command : SubCommands(program)) names.push_back(command->get_name());
+  for (const CLI::App* command : ListedCommands(program)) names.push_back(command->get_name());
   const std::string near = NearestOf(word, names);
   if (IsScenario(word)) {
     problem.hint = "did you mean soarbox run " + word + "?";

@@ -66,7 +66,6 @@ class Manual(ScenarioCase):
 
     def test_the_examples_work_one_after_the_other(self):
         self.write("names.txt", "Ada\nGrace\n")
-        self.write("variants.toml", 'scenario = "soar_seek"\nseeds = "1..2"\nseconds = 2\n')
         environment = {**os.environ, "HOME": str(self.folder), "PATH": f"{pathlib.Path(COMMAND).parent}:{os.environ['PATH']}"}
         environment.pop("DISPLAY", None)
         environment.pop("WAYLAND_DISPLAY", None)

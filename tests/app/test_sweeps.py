@@ -12,7 +12,7 @@ import subprocess
 import unittest
 from unittest import mock
 
-from mission_case import RULES, SWEEP, WORLD, MissionCase
+from mission_case import REPOSITORY, RULES, SWEEP, WORLD, MissionCase
 from soarbox_command import COMMAND, Run, end_with, page_missing, wait_until
 
 
@@ -71,6 +71,19 @@ class Sweeps(MissionCase):
         self.assertIn("a sweep has no 'sedes'", Run("check", wrong).out)
         named = Run("test", self.folder / "sweep.toml", code=3)
         self.assertIn("this is a sweep, not a mission", named.err)
+
+    def test_a_sweep_that_comes_with_the_program_is_found_by_name(self):
+        for name, results, variants in (("soar_skirmish", "soar_skirmish.sweep", {"unchanged", "short-sighted", "bold"}),
+                                        ("soar_skirmish/sweep.toml", "sweep.sweep", {"unchanged", "short-sighted", "bold"})):
+            run = Run("sweep", name, cwd=self.folder, code=0)
+            self.assertIn(f"tables: {results}/results.csv", run.out)
+            rows = self.rows(results)
+            self.assertEqual({row["variant"] for row in rows}, variants)
+            self.assertEqual({row["outcome"] for row in rows}, {"ok"})
+        shutil.copytree(REPOSITORY / "scenarios" / "soar_skirmish", self.folder / "mine")
+        self.assertIn("tables: mine/sweep.sweep/results.csv", Run("sweep", "mine", cwd=self.folder, code=0).out)
+        self.assertEqual(Run("check", self.folder / "mine").out, "0 errors, 0 warnings\n", "the copy of the sweep is no sweep to check")
+        self.assertIn("there is no such file", Run("sweep", "soar_skirmish/no.toml", cwd=self.folder, code=3).err)
 
     def test_what_was_killed_goes_on_and_comes_to_the_same_table(self):
         self.mission("")
