@@ -51,13 +51,14 @@ class PlantedSlips(ScenarioCase):
         return [any(line.startswith(f"{file}:") for line in out.splitlines()) for file in files]
 
     def found_of(self, pattern):
-        dice = random.Random(48)
         sound = [self.plant(self.folder / "sound" / str(number), file, file.read_text(encoding="utf-8"))
                  for number, file in enumerate(programs())]
         files, planted = [], []
         for file, is_told in zip(programs(), self.told(sound)):
             text = file.read_text(encoding="utf-8")
             places = [] if is_told else list(pattern.finditer(without_comments(text)))
+            # Of its own for each program, so that a new lesson changes no draw of the others.
+            dice = random.Random(f"48 {file.relative_to(ROOT)}")
             # A variable that is there once in its rule may have any name.
             places = [place for place in places if pattern is ATTRIBUTE or rule_at(text, place.start()).count(place[0]) > 1]
             for place in dice.sample(places, min(PER_PROGRAM, len(places))):
