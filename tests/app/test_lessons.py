@@ -2,6 +2,7 @@
 """The lessons of docs/lessons run, and show what their pages say: each sentence about what happens has its test."""
 import json
 import math
+import os
 import pathlib
 import re
 import shutil
@@ -308,3 +309,50 @@ class Pages(LessonCase):
         self.assertNotIn("(S1 ^warm yes)", session(rules, commands))
         kept = rules.replace("(<above> ^sun yes)", "(<above> ^sun yes ^operator.name sunbathe)")
         self.assertIn("(S1 ^warm yes)", session(kept, commands))
+
+
+class OwnWorld(ScenarioCase):
+    """The last lesson: a world that a learner makes, graded by what its checks catch."""
+
+    def setUp(self):
+        super().setUp()
+        self.world = self.folder / "keeper"
+        self.assertEqual(Run("new", self.world).code, 0)
+        page = (LESSONS / "22-own-world" / "README.md").read_text(encoding="utf-8")
+        self.more = re.search(r"```toml\n(.*?)```", page, re.S)[1]
+        self.dog = re.search(r"```soar\n(.*?)```", page, re.S)[1]
+        self.printed = re.search(r"```text\n(.*?)```", page, re.S)[1]
+
+    def grade(self, more, dog):
+        scenario = self.world / "scenario.toml"
+        scenario.write_text(scenario.read_text(encoding="utf-8") + more, encoding="utf-8")
+        if dog:
+            (self.world / "dog.soar").write_text(dog, encoding="utf-8")
+        done = subprocess.run(["sh", LESSONS / "22-own-world" / "grade.sh", self.world], env={**os.environ, "SOARBOX": str(COMMAND)},
+                              text=True, capture_output=True, timeout=300, check=False)
+        return done.returncode, done.stdout
+
+    def test_the_world_of_the_page_passes_and_prints_what_the_page_says(self):
+        self.assertEqual(self.grade(self.more, self.dog), (0, self.printed))
+
+    def test_what_soarbox_new_made_is_not_enough(self):
+        code, told = self.grade("", "")
+        self.assertEqual((code, told.count("no   ")), (1, 3), told)
+
+    def test_a_check_that_always_holds_catches_nothing(self):
+        more = re.sub(r'near = .*?within = 2\n', "alive = true\nby = 50\n", self.more, flags=re.S)
+        self.assertNotEqual(more, self.more)
+        code, told = self.grade(more, self.dog)
+        self.assertIn("no   dog.soar: 0 of 2", told)
+        self.assertEqual(code, 1)
+
+    def test_a_check_that_holds_at_the_beginning_misses_a_dog_that_stays(self):
+        more = self.more.replace('after = "it comes to the south"\nwithin = 2\n', "")
+        code, told = self.grade(more, self.dog)
+        self.assertIn("dog.soar without dog*apply*follow: nobody notices", told)
+        self.assertEqual(code, 1)
+
+    def test_a_dog_that_does_not_come_fails_its_own_check(self):
+        code, told = self.grade(self.more, self.dog.replace("(<out> ^follow <command>)", "(<out> ^evade <command>)"))
+        self.assertIn("no   a check fails", told)
+        self.assertEqual(code, 1)
