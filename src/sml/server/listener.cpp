@@ -20,11 +20,16 @@ struct Listener::State {
       : host(kernel_host), options(listener_options) {}
 
   void Accepted(std::unique_ptr<wire::Channel> channel) {
-    std::function<void()> call;
+    std::unique_ptr<wire::Channel> dropped;  // It ends when nothing is locked.
     {
       const std::lock_guard lock(mutex);
       // Whether there is room is seen in Serve; nobody can fill the memory meanwhile.
-      if (static_cast<int>(arrived.size()) >= options.max_clients) return;
+      if (static_cast<int>(arrived.size()) >= options.max_clients) {
+        const auto silent = std::ranges::find_if(arrived, [](const auto& each) { return each->silent(); });
+        if (silent == arrived.end()) return;
+        dropped = std::move(*silent);
+        arrived.erase(silent);
+      }
       channel->SetWake([this] { Wake(); });
       arrived.push_back(std::move(channel));
     }
