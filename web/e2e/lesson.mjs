@@ -8,6 +8,46 @@ import { apply, closeBrowser, openLesson, openPage, picture, typeRules, until } 
 const file = (name) => readFileSync(new URL(`../../lessons/01-a-rule/${name}`, import.meta.url), "utf8");
 after(closeBrowser);
 
+async function assertIsSeen(page, selector, what) {
+  await until(async () => {
+    const box = await page.locator(selector).first().boundingBox();
+    return box !== null && box.y >= 0 && box.y + box.height <= page.viewportSize().height && box.x >= 0 && box.x + box.width <= page.viewportSize().width;
+  }, what);
+}
+
+test("checks are neutral before there is anything to judge, begin anew with Apply, follow time travel, and leave a future that is gone", async () => {
+  const { page, troubles, close } = await openPage("/", { draws: false });
+  await openLesson(page, 3);
+  const rules = readFileSync(new URL("../../lessons/03-choices/solution/runner.soar", import.meta.url), "utf8");
+  const seconds = async () => {
+    const [minutes, rest] = (await page.locator(".scrubber .moment").innerText()).split("/")[0].trim().split(":");
+    return 60 * Number(minutes) + Number(rest);
+  };
+  await until(async () => (await seconds()) > 3, "the world runs");
+  assert.equal(await page.locator(".check.cross").count(), 0, "nobody has done anything that could be wrong");
+  await typeRules(page, rules);
+  await page.keyboard.press("Control+Enter");
+  await until(async () => (await seconds()) < 3, "the run begins again with the rules");
+  await page.waitForSelector(".check.is-passed");
+  await until(async () => (await page.locator(".check.is-passed").count()) === (await page.locator(".check").count()), "all checks come true");
+  assert.match(await page.locator("#tab-mission .badge").innerText(), /^(\d+)\/\1$/);
+
+  // At the beginning nothing had come true yet; going on from there, the old ticks are gone.
+  await page.locator(".past").focus();
+  await page.keyboard.press("Home");
+  await until(async () => (await page.locator(".check.is-passed").count()) === 0, "the past shows what was known then");
+  await page.waitForSelector("button:has-text('Go on from here'):enabled");
+  await page.locator("button", { hasText: "Go on from here" }).click();
+  await page.waitForSelector(".is-live");
+  await page.waitForSelector(".panel.mission .note:has-text('earlier moment')");
+  assert.equal(await page.locator(".check.is-passed").count(), 0);
+  await page.locator(".panel.mission .note button", { hasText: "Begin again" }).click();
+  await page.waitForSelector(".check.is-passed");
+  assert.equal(await page.locator(".panel.mission .note").count(), 0);
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("lesson 1, from the first click to the next lesson", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 1);
@@ -46,16 +86,21 @@ test("lesson 1, from the first click to the next lesson", async () => {
   await page.waitForSelector(".panel.mission .grade");
   await until(async () => /never bert/.test(await page.locator(".panel.mission .grade").innerText()), "the grade says what is wrong");
   await picture(page, "lesson_wrong");
+  await assertIsSeen(page, ".panel.mission .grade .headline", "the cause is where the eye is");
+  assert.equal(await page.evaluate(() => document.activeElement?.className), "grade fail", "and so is the focus");
 
   await typeRules(page, file("solution/porter.soar"));
   await apply(page);
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
   await page.waitForSelector(".panel.mission .passed");
+  await assertIsSeen(page, ".panel.mission .grade .praise", "a pass is celebrated where the eye is");
+  await assertIsSeen(page, ".panel.mission .grade button", "and leads to the next lesson");
   await picture(page, "lesson_passed");
   await page.locator(".panel.mission button", { hasText: "Next lesson" }).click();
   await until(async () => /Operators/.test(await page.locator(".panel.mission h2").innerText()), "the next lesson is open");
   await page.locator("button.home").click();
   await page.waitForSelector(".card.passed");
+  assert.match(await page.locator(".welcome button.primary").innerText(), /Operators/, "the main button is the next thing to do");
   assert.deepEqual(troubles, []);
   await close();
 });

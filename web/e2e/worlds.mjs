@@ -147,7 +147,7 @@ for (const scheme of ["light", "dark"]) {
     await assertPageStands(page);
     assert.deepEqual(await bars(page), []);
     await picture(page, `start_1280_${scheme}`);
-    await page.locator("button[aria-label='Link to your place']").click();
+    await page.locator("button[aria-label='Links to share']").click();
     await page.waitForSelector(".qr");
     assert.deepEqual(await bars(page), []);
     await picture(page, `link_${scheme}`);

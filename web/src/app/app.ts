@@ -4,13 +4,20 @@ import { startPage } from "../lesson/start_page";
 import { Run, type Remark } from "../run/run";
 import { SocketSource } from "../run/socket_source";
 import type { Api, PlaceInfo } from "./api";
-import { keysDialog, linkDialog } from "./dialogs";
+import { clock } from "../panels/parts";
+import { keysDialog, linkDialog, type Link } from "./dialogs";
 import { icon } from "./icons";
 import { isTyping } from "./keys";
+import { formatAddress, NOWHERE, packText, type Address } from "./address";
+import { Navigator } from "./navigator";
+import { Reach } from "./reach";
+import { fileName, firstFile } from "../editor/first_file";
 import { RunPage } from "./run_page";
 import { isDark, switchTheme } from "./theme";
 
 const FETCHED_AFTER_MS = 800;
+/** What was opened last in a place. */
+const LAST = "soarbox.last.";
 const REMARK_MS = 7000, MOST_REMARKS = 4;
 
 /** The page of a place: where one begins, and the run that is open. */
@@ -24,10 +31,17 @@ export class App {
   private isHome = true;
   private dialog: "" | "keys" | "link" = "";
   private copied = "";
+  private links: readonly Link[] = [];
   private filter = "";
   private shown: { remark: Remark; id: number }[] = [];
   private nextRemark = 1;
   private openedGiven = false;
+  /** What was opened because the address says so; "": nothing since a run was there. */
+  private openedByAddress = "";
+  /** File and text of the address that are to be shown once the run is there. */
+  private given: { file: string; text: string } | null = null;
+  private readonly navigator: Navigator;
+  private readonly reach: Reach;
   private ticker: ReturnType<typeof setInterval> | null = null;
 
   constructor(root: HTMLElement, private readonly api: Api, private info: PlaceInfo, private readonly watchKey: string) {
@@ -40,22 +54,20 @@ export class App {
     const tab = [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
     const path = watchKey === "" ? `/api/p/${info.place}/run?tab=${tab}` : `/api/p/${info.place}/watch?key=${encodeURIComponent(watchKey)}`;
     this.run = new Run(new SocketSource(api.socketAddress(path), api.secret), watchKey === "" ? info.place : "");
-    this.run.on("hello", () => {
-      this.isHome = false;
-      this.draw();
-    });
+    this.navigator = new Navigator(watchKey !== "", (address) => this.goTo(address));
+    this.reach = new Reach(this.run);
+    this.isHome = this.navigator.address.what === "";
+    this.takeGiven(this.navigator.address);
+    this.run.on("hello", ({ what }) => this.begun(what));
     this.run.on("state", (state) => {
-      if (state === "none") this.isHome = true;
-      if (state === "none" && info.opens !== "" && !this.openedGiven && watchKey === "") {
-        this.openedGiven = true;
-        this.open(info.opens.includes(":") ? info.opens : `scenario:${info.opens}`);
-      }
+      if (state === "none") this.nothingRuns();
       this.draw();
     });
     this.run.on("remark", (remark) => this.say(remark));
     this.run.on("connection", () => this.draw());
     this.run.on("contents", (names) => {
       if (names.includes("mission")) this.noteLessons();
+      this.noteWhere();
     });
     document.addEventListener("keydown", (event) => this.key(event));
     addEventListener("soarbox-theme", () => this.draw());
@@ -70,8 +82,83 @@ export class App {
 
   private open(what: string): void {
     this.isHome = false;
+    this.navigator.go(what);
+    this.reach.forget();
     this.run.open(what);
     this.draw();
+  }
+
+  /** Back, Forward, or an address that was typed. */
+  private goTo(address: Address): void {
+    this.takeGiven(address);
+    this.isHome = address.what === "";
+    if (this.isHome) this.fetchInfo();
+    else if (this.run.hello?.what !== address.what || this.run.state === "ended") this.run.open(address.what);
+    else this.show(address);
+    this.draw();
+  }
+
+  private takeGiven({ file, text }: Address): void {
+    this.given = file !== "" || text !== "" ? { file, text } : null;
+  }
+
+  /** The moment and the file of an address. */
+  private show({ seconds }: Address): void {
+    if (seconds !== null) this.reach.start(seconds);
+    else if (this.run.contents.moment?.time.is_live === false) this.run.ask("live");
+    this.noteWhere();
+  }
+
+  private begun(what: string): void {
+    const { address } = this.navigator;
+    if (this.watchKey === "" && address.what !== "" && address.what !== what && this.openedByAddress !== address.what) {
+      // Another run was left here.
+      this.openedByAddress = address.what;
+      this.run.open(address.what);
+      return;
+    }
+    this.openedByAddress = "";
+    if (this.watchKey === "") localStorage.setItem(LAST + this.info.place, what);
+    if (address.what === what) {
+      this.isHome = false;
+      if (address.seconds !== null) this.reach.start(address.seconds);
+    } else if (!this.navigator.isHome || this.watchKey !== "") {
+      this.isHome = false;
+      this.navigator.stay(what);
+    }
+    this.draw();
+  }
+
+  /** There is no run: what the address names is opened; what cannot be opened leads to lessons and worlds. */
+  private nothingRuns(): void {
+    const { what } = this.navigator.address;
+    if (this.watchKey === "" && what !== "" && this.openedByAddress !== what) {
+      this.openedByAddress = what;
+      this.isHome = false;
+      this.run.open(what);
+      return;
+    }
+    this.isHome = true;
+    this.navigator.stay("");
+    const { opens } = this.info;
+    if (opens === "" || this.openedGiven || this.watchKey !== "") return;
+    this.openedGiven = true;
+    this.open(opens.includes(":") ? opens : `scenario:${opens}`);
+  }
+
+  /** The address follows what is shown: the moment, and the file. */
+  private noteWhere(): void {
+    const { moment, edit } = this.run.contents, { hello } = this.run;
+    if (hello === null || hello.what !== this.navigator.address.what) return;
+    if (this.given !== null && edit !== undefined && edit.files.length > 0 && this.runPage !== null) {
+      const { file, text } = this.given;
+      this.given = null;
+      this.runPage.showFile(file === "" ? fileName(firstFile(this.run.contents)) : file, text);
+      this.navigator.note({ text: "" });
+    } else if (edit !== undefined && edit.edit.file !== "" && this.given === null) {
+      this.navigator.note({ file: edit.edit.file === firstFile(this.run.contents) ? "" : fileName(edit.edit.file) });
+    }
+    if (moment !== undefined && !this.reach.isUnderWay) this.navigator.note({ seconds: moment.time.is_live ? null : moment.time.shown_tick * moment.time.step_s });
   }
 
   private noteLessons(): void {
@@ -82,7 +169,13 @@ export class App {
 
   private goHome(): void {
     this.isHome = true;
+    this.navigator.go("");
+    this.reach.forget();
     this.draw();
+    this.fetchInfo();
+  }
+
+  private fetchInfo(): void {
     void this.api.json<PlaceInfo>(`/api/p/${this.info.place}`).then((info) => {
       this.info = info;
       this.draw();
@@ -120,14 +213,14 @@ export class App {
       this.watchKey !== "" && h("span.pill", null, "You watch; only the learner can change anything"), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
       this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
       h("span.space"), this.connectionView(),
-      button(icon("link"), () => this.showDialog("link"), { attributes: { title: "Link to your place", "aria-label": "Link to your place" } }, "button.tool"),
+      button(icon("link"), () => this.showDialog("link"), { attributes: { title: "Links to share", "aria-label": "Links to share" } }, "button.tool"),
       button(icon("sun"), switchTheme, { attributes: { title: isDark() ? "Light colours" : "Dark colours", "aria-label": isDark() ? "Light colours" : "Dark colours" } }, "button.tool"),
       button(icon("keys"), () => this.showDialog("keys"), { attributes: { title: "Keys (?)", "aria-label": "Keys" } }, "button.tool"),
     ]);
     this.drawBody();
     patch(this.over, [
       this.dialog === "keys" && keysDialog(() => this.showDialog("")),
-      this.dialog === "link" && linkDialog(`${location.origin}/p/${this.info.place}/`, this.api.hasToken, this.copied, () => void this.copyLink(), () => this.showDialog("")),
+      this.dialog === "link" && linkDialog(this.links, this.api.hasToken, this.copied, (address) => void this.copyLink(address), () => this.showDialog("")),
     ]);
   }
 
@@ -155,7 +248,7 @@ export class App {
 
   private drawBody(): void {
     const { state, hello } = this.run;
-    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what));
+    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what), false, () => this.goHome());
     const shows = this.isHome ? "start" : state === "joining" && hello === null ? "waiting" : "run";
     this.body.dataset["shows"] = shows;
     let start = this.body.querySelector<HTMLElement>(":scope > .start-place");
@@ -175,12 +268,13 @@ export class App {
 
   private start(): Child {
     if (this.watchKey !== "") return h("main.start", null, h("div.empty", null, h("p", null, "The learner has no world open now. It is shown here as soon as there is one.")));
-    const goesOn = this.run.hello !== null && this.run.state !== "ended" ? this.titleOfRun() : "";
+    const { hello } = this.run, running = hello !== null && this.run.state !== "ended" ? { what: hello.what, title: this.titleOfRun() } : null;
     const folder = `/api/p/${this.info.place}`;
-    return startPage(this.info, this.filter, goesOn, {
+    return startPage(this.info, this.filter, running, localStorage.getItem(LAST + this.info.place) ?? "", {
       open: (what) => this.open(what),
       goOn: () => {
         this.isHome = false;
+        this.navigator.go(running?.what ?? "");
         this.draw();
       },
       download: () => void this.api.download(`${folder}/zip`, "soarbox.zip").catch((error: unknown) => this.fail(error)),
@@ -204,12 +298,32 @@ export class App {
   private showDialog(which: "" | "keys" | "link"): void {
     this.dialog = this.dialog === which ? "" : which;
     this.copied = "";
+    if (this.dialog === "link") {
+      this.links = [];
+      void this.makeLinks();
+    }
     this.draw();
   }
 
-  private async copyLink(): Promise<void> {
+  /** What can be given to somebody else: what is shown, for a place of their own; a copy of the rules; the whole place. */
+  private async makeLinks(): Promise<void> {
+    const { address } = this.navigator, { hello } = this.run, title = this.titleOfRun(), edit = this.run.contents.edit?.edit, links: Link[] = [], isShown = !this.isHome && hello !== null && hello.what === address.what;
+    if (isShown && !hello.what.startsWith("recording:")) {
+      const when = address.seconds === null ? "" : ` at ${clock(address.seconds)}`;
+      links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: location.origin + "/" + formatAddress({ ...address, text: "" }) });
+      if (edit !== undefined && edit.file !== "") {
+        const text = await packText(this.runPage?.editorText ?? edit.text);
+        links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: location.origin + "/" + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
+      }
+    }
+    links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
+    this.links = links;
+    this.draw();
+  }
+
+  private async copyLink(address: string): Promise<void> {
     try {
-      await navigator.clipboard.writeText(`${location.origin}/p/${this.info.place}/`);
+      await navigator.clipboard.writeText(address);
       this.copied = "Copied.";
     } catch {
       this.copied = "This browser does not let the page copy: mark the link and copy it.";

@@ -42,10 +42,16 @@ export function qrView(text: string): View | null {
   return h("svg.qr", { attributes: { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": "QR code of the link" } }, h("rect", { attributes: { width: size, height: size, fill: "#fff" } }), h("path", { attributes: { d: path, fill: "#000" } }));
 }
 
-export function linkDialog(address: string, isSecret: boolean, told: string, copy: () => void, close: () => void): View {
-  return dialog("Link to your place", close,
-    h("p", null, "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can work here too."),
-    isSecret && h("p.quiet", null, "This server asks for its token as well; the link does not hold it."),
-    h("div.row", null, h("input.address", { value: address, attributes: { type: "text", readonly: true, "aria-label": "Link" }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }), button("Copy", copy, {}, "button.primary")),
-    h("p.good", { attributes: { role: "status" } }, told), qrView(address));
+export interface Link { title: string; about: string; address: string; isPlace?: boolean }
+
+/** Links for others, what they lead to, and what whoever has them can do. */
+export function linkDialog(links: readonly Link[], isSecret: boolean, told: string, copy: (address: string) => void, close: () => void): View {
+  const place = links.find((one) => one.isPlace === true);
+  return dialog("Links to share", close,
+    links.map((one, i) => h("section.link", { key: one.title }, h("h3", null, one.title), h("p", null, one.about),
+      h("div.row", null, h("input.address", { value: one.address, attributes: { type: "text", readonly: true, "aria-label": one.title }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }),
+        button("Copy", () => copy(one.address), { attributes: { "aria-label": `Copy: ${one.title}` } }, i === 0 ? "button.primary" : "button")))),
+    isSecret && h("p.quiet", null, "This server asks for its token as well; the links do not hold it."),
+    h("p.good", { attributes: { role: "status" } }, told),
+    place !== undefined && h("figure", null, qrView(place.address.replace(/#.*$/, "")), h("figcaption.quiet", null, "Your whole place, for another machine of yours")));
 }

@@ -2,6 +2,7 @@
 import { patch, type Child } from "../dom/view";
 import { EditPanel } from "../editor/edit_panel";
 import { missionPanel } from "../lesson/mission_panel";
+import { Attempt } from "../lesson/attempt";
 import { agentsPanel } from "../panels/agents";
 import { breakpointsPanel } from "../panels/breakpoints";
 import { consolePanel } from "../panels/console";
@@ -31,6 +32,7 @@ import { isTyping } from "./keys";
 import { splitter } from "./splitter";
 import { Stage } from "./stage";
 
+const CHECKS_TOLD_TICKS = 10;
 const NARROW = "(max-width: 900px)";
 
 /** Which panels stand where: for lessons, for worlds, and on narrow screens. */
@@ -59,11 +61,15 @@ function withExercise(arranged: Arrangement, hasExercise: boolean, isNarrow: boo
   return isNarrow ? { ...arranged, bottom: [...arranged.bottom, "exercise"] } : { ...arranged, left: [...arranged.left, "exercise"] };
 }
 
-/** The agent whom the checks of a lesson are about: most of them. */
-export function agentOfLesson(mission: Mission, minds: readonly string[]): string {
-  const counts = new Map<string, number>();
-  for (const { agent } of mission.checks) if (minds.includes(agent)) counts.set(agent, (counts.get(agent) ?? 0) + 1);
-  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0] ?? minds[0] ?? "";
+/** Whether a check is about this agent: its name, a pattern with *, or several of them. */
+function isAbout(pattern: string, agent: string): boolean {
+  return pattern.split(/[,\s]+/).some((one) => one !== "" && new RegExp(`^${one.replace(/[.+?^${}()|[\]\\]/g, "\\$&").replaceAll("*", ".*")}$`).test(agent));
+}
+
+/** The agent whom most checks are about: the protagonist. */
+export function protagonist(mission: Mission, agents: readonly string[]): string {
+  const counts = agents.map((agent) => mission.checks.filter((one) => isAbout(one.agent, agent)).length), most = Math.max(0, ...counts);
+  return agents[most === 0 ? 0 : counts.indexOf(most)] ?? "";
 }
 
 /** A run with its picture, panels and flow: the lesson's or the world's page. */
@@ -81,14 +87,15 @@ export class RunPage {
   private hasExercise = false;
   private isChosen = false;
   private isFronted = false;
+  private readonly attempt = new Attempt(localStorage);
 
   /** `isReport`: of what a page with a recorded run in it can show. */
-  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false) {
+  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}) {
     this.element.className = "run-page";
     this.work.className = "work";
     this.foot.className = "foot";
     const context: PanelContext = {
-      run, openWhat,
+      run, openWhat, goHome, attempt: this.attempt, grade: () => this.grade(),
       redraw: (word) => this.docks.forEach((dock) => dock.has(word) && dock.redraw(word)),
       titleOf: (word) => this.panels.find((one) => one.word === word)?.title ?? word,
       reveal: (word) => this.reveal(word),
@@ -102,7 +109,7 @@ export class RunPage {
         this.reveal("edit");
       },
     };
-    this.edit = new EditPanel(context);
+    this.edit = new EditPanel(context, () => this.applied());
     this.panels = [
       missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
       learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel, imageryPanel,
@@ -110,8 +117,11 @@ export class RunPage {
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
     this.element.append(this.work, this.foot);
-    run.on("hello", () => {
-      this.isChosen = this.isFronted = false;
+    if (run.hello !== null) this.attempt.begin(run.hello.what);
+    run.on("hello", ({ what }) => {
+      this.isChosen = false;
+      // Begun again, the panels stay as they are.
+      if (!this.attempt.begin(what)) this.isFronted = false;
       this.arrange();
       this.drawFlow();
     });
@@ -152,6 +162,17 @@ export class RunPage {
     this.look();
   }
 
+  get editorText(): string | null {
+    return this.edit.text;
+  }
+
+  /** Opens a file by its name; with a text that somebody gave away, as a draft. */
+  showFile(file: string, text: string): void {
+    if (text !== "") void this.edit.offer(file, text);
+    this.edit.showFile(file);
+    this.reveal("edit");
+  }
+
   private reveal(word: string): void {
     for (const dock of this.docks) if (dock.has(word)) dock.show(word);
   }
@@ -176,11 +197,28 @@ export class RunPage {
 
   /** Somebody is selected from the beginning, so that panels show something. */
   private choose(): void {
-    const { moment, mission } = this.run.contents, minds = this.run.hello?.minds ?? [];
-    if (this.isChosen || moment === undefined || (this.run.hello?.what.startsWith("lesson:") === true && mission === undefined)) return;
+    const { moment, mission } = this.run.contents, { hello } = this.run;
+    if (this.isChosen || moment === undefined || hello === null || (mission === undefined && !this.isReport)) return;
+    // Checks are told in the first ticks.
+    if (mission?.checks.length === 0 && !this.run.flow.paused && this.run.flow.tick < CHECKS_TOLD_TICKS) return;
+    const agents = hello.minds.length > 0 ? hello.minds : hello.agents;
     this.isChosen = true;
-    const agent = mission === undefined ? (minds[0] ?? "") : agentOfLesson(mission, minds);
-    if (moment.agent === "" && agent !== "" && this.run.hello?.may_edit !== false) this.run.ask("select", { agent });
+    const agent = mission === undefined ? (agents[0] ?? "") : protagonist(mission, agents);
+    if (moment.agent === "" && agent !== "" && hello.may_edit !== false) this.run.ask("select", { agent });
+  }
+
+  /** The run has changed rules: in a lesson it begins again, so that checks and what one sees are about them. */
+  private applied(): void {
+    const { run, attempt } = this, isLive = run.contents.moment?.time.is_live !== false;
+    attempt.applied(run.flow.tick);
+    if (attempt.isLesson && attempt.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
+    for (const dock of this.docks) dock.note(["mission"]);
+  }
+
+  private grade(): void {
+    if (this.edit.isUnsaved) this.edit.apply();
+    this.attempt.note();
+    this.run.ask("lesson", { what: "grade" });
   }
 
   private drawFlow(): void {
@@ -193,6 +231,10 @@ export class RunPage {
       const dock = this.docks.find((one) => one.name === "bottom"), panel = dock?.panels[Number(event.key) - 1];
       if (dock !== undefined && panel !== undefined) dock.show(panel.word, true);
       return panel !== undefined;
+    }
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && (event.key === "Enter" || event.key === "s") && this.run.hello?.may_edit === true) {
+      this.edit.apply();
+      return true;
     }
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     if (event.key === "Escape") return this.stage.closeMenu();

@@ -163,9 +163,12 @@ export class Stage {
       view.isBoard = (this.run.hello?.turn_ticks ?? 1) > 1;
     };
     tellBoard();
-    this.run.on("hello", () => {
+    let what = this.run.hello?.what ?? "";
+    this.run.on("hello", (hello) => {
       this.toldSize = "";
-      view.forget();
+      // The same world from its beginning: who moved the camera wants it there.
+      view.forget(hello.what === what);
+      what = hello.what;
       tellBoard();
       this.askOverlays();
       this.draw();

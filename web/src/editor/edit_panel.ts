@@ -4,19 +4,22 @@ import type { Contents } from "../run/contents";
 import type { Panel, PanelContext } from "../panels/panel";
 import { problemView } from "../panels/problems";
 import type { Editor } from "./editor";
+import { unpackText } from "../app/address";
+import { fileName, firstFile } from "./first_file";
 import { LanguageClient } from "./language_client";
 import { merged, problemOf, type PlacedProblem } from "./problem_place";
 
 const ANSWERED_AFTER_MS = 500;
+/** What the run says when it has taken over changed rules. */
+const RELOADED = /^Reloaded/;
 
-const nameOf = (file: string): string => file.split("/").at(-1) ?? file;
 
 /** The panel with the editor: files, the text, what is wrong with it, and Apply. The editor itself is loaded when it is needed. */
 export class EditPanel implements Panel {
   readonly word = "edit";
   readonly title = "Rules' text";
   readonly about = "Change rules and reload them while the world runs.";
-  readonly uses = ["edit", "moment"] as const;
+  readonly uses = ["edit", "moment", "mission"] as const;
   private editor: Editor | null = null;
   private readonly client: LanguageClient;
   private file = "";
@@ -25,18 +28,32 @@ export class EditPanel implements Panel {
   private problems = "";
   private asked = "";
   private loading = false;
+  private what = "";
+  /** Rules were sent to be applied, and the run has not answered yet. */
+  private isApplying = false;
+  private wanted = "";
+  private offered: { file: string; text: string } | null = null;
   /** What was typed here before somebody changed the text elsewhere. */
   private older: string | null = null;
 
-  constructor(private readonly context: PanelContext) {
+  /** `applied`: the run has taken over changed rules. */
+  constructor(private readonly context: PanelContext, private readonly applied: () => void) {
     this.client = new LanguageClient(context.run, () => {
       this.mark();
       context.redraw("edit");
     });
-    context.run.on("hello", () => {
-      this.file = "";
-      this.version = -1;
+    this.what = context.run.hello?.what ?? "";
+    context.run.on("hello", ({ what }) => {
       this.asked = "";
+      // The same world from its beginning keeps its text and its caret; the text of another world goes.
+      if (what !== this.what) {
+        this.file = this.wanted = "";
+        this.version = -1;
+        this.editor?.show("", true);
+        this.editor?.showProblems([]);
+        this.problems = "";
+      }
+      this.what = what;
       this.editor?.setReadOnly(!this.mayType);
     });
     context.run.on("tabs", () => {
@@ -68,8 +85,9 @@ export class EditPanel implements Panel {
       h("div.row.bar", null,
         h("select", { value: isOpen ? edit.file : "", attributes: { "aria-label": "File", disabled: choices.size === 0 }, on: { change: (event) => this.context.edit((event.target as HTMLSelectElement).value) } },
           choices.size === 0 && h("option", { attributes: { value: "" } }, "no file"),
-          [...choices].map((file) => h("option", { key: file, attributes: { value: file } }, nameOf(file) + (contents.edit?.open_files.some((one) => one.file === file && one.is_unsaved) === true ? " •" : "")))),
-        mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+S)" } }, "button.primary"),
+          [...choices].map((file) => h("option", { key: file, attributes: { value: file } }, fileName(file) + (contents.edit?.open_files.some((one) => one.file === file && one.is_unsaved) === true ? " •" : "")))),
+        mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+Enter, Ctrl+S)" } }, "button.primary"),
+        mayEdit && contents.mission?.lesson !== undefined && contents.mission.lesson !== null && button("Grade", () => this.context.grade(), { attributes: { disabled: contents.mission.lesson.is_graded, title: "Apply, and run your rules with ten seeds" } }),
         mayEdit && button("Revert", () => this.revert(), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
       !this.context.run.mayType && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
       isOpen && this.older !== null && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
@@ -84,10 +102,16 @@ export class EditPanel implements Panel {
 
   /** The rules of the selected agent, until the user chooses something else. */
   private openFirst(contents: Contents): void {
-    const agent = contents.moment?.agent ?? "", first = contents.edit?.files.find((one) => one.is_rules) ?? contents.edit?.files[0];
-    if (agent === "" || first === undefined || this.asked === agent || (contents.edit?.edit.file ?? "") !== "") return;
+    const agent = contents.moment?.agent ?? "", first = firstFile(contents, this.wanted);
+    if (agent === "" || first === "" || this.asked === agent || (contents.edit?.edit.file ?? "") !== "") return;
     this.asked = agent;
-    this.context.run.ask("edit", { file: first.file });
+    this.context.run.ask("edit", { file: first });
+  }
+
+  /** Shows this file, by its name, as soon as it can be shown. */
+  showFile(file: string): void {
+    this.wanted = file;
+    this.context.run.ask("edit", { file });
   }
 
   private async load(element: HTMLElement): Promise<void> {
@@ -116,7 +140,11 @@ export class EditPanel implements Panel {
       },
       apply: (text) => {
         void this.client.tell(text);
-        if (this.context.run.ask("edit-text", { what: "save", text })) this.context.run.ask("edit-text", { what: "apply", text });
+        if (!this.context.run.ask("edit-text", { what: "save", text })) return;
+        this.isApplying = true;
+        this.context.run.ask("edit-text", { what: "apply", text });
+        // Contents that stay the same do not come again.
+        setTimeout(() => this.noteApplied(), ANSWERED_AFTER_MS);
       },
     }, this.client);
     this.editor.setReadOnly(!this.mayType);
@@ -124,8 +152,48 @@ export class EditPanel implements Panel {
     this.take(this.context.run.contents);
   }
 
+  /** Whether the run has other rules than the text says. */
+  get isUnsaved(): boolean {
+    const edit = this.context.run.contents.edit?.edit;
+    return this.editor !== null && edit !== undefined && edit.file !== "" && edit.file === this.file && (edit.is_unsaved || edit.text !== this.editor.text);
+  }
+
+  apply(): void {
+    this.editor?.apply();
+  }
+
+  /** What is in the editor; null: no file. */
+  get text(): string | null {
+    return this.editor === null || this.file === "" ? null : this.editor.text;
+  }
+
+  /** A packed text that somebody gave away: it comes into the editor as a draft once its file is there. */
+  async offer(file: string, packed: string): Promise<void> {
+    const text = await unpackText(packed);
+    if (text === null) return this.context.run.remark("The rules in this link are damaged: it may have been cut off.", "Ask for the link again.");
+    this.offered = { file: fileName(file), text };
+    this.takeOffered();
+  }
+
+  private takeOffered(): void {
+    const { offered, editor } = this;
+    if (offered === null || editor === null || fileName(this.file) !== offered.file) return;
+    this.offered = null;
+    if (editor.text === offered.text) return;
+    editor.show(offered.text, true);
+    this.context.run.ask("edit-text", { what: "check", text: offered.text });
+    this.context.run.remark(`The link brought this text of ${offered.file}.`, "Apply puts it into effect. Revert brings your own back.", false);
+  }
+
+  private noteApplied(): void {
+    if (!this.isApplying || !RELOADED.test(this.context.run.contents.edit?.edit.notice ?? "")) return;
+    this.isApplying = false;
+    this.applied();
+  }
+
   /** New contents came. */
   take(contents: Contents): void {
+    this.noteApplied();
     const edit = contents.edit?.edit, editor = this.editor;
     if (editor === null || edit === undefined || edit.file === "") return;
     if (edit.file !== this.file || edit.version !== this.version) {
@@ -139,6 +207,7 @@ export class EditPanel implements Panel {
       this.problems = "";
     }
     this.context.run.kept.confirm(edit.file, edit.text);
+    this.takeOffered();
     this.mark();
     if (edit.go_to_count !== this.goCount) {
       this.goCount = edit.go_to_count;

@@ -2,6 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import { icon } from "../app/icons";
 import type { PlaceInfo } from "../app/api";
+import { nextLesson, nextThings, numberOf } from "./next_thing";
 
 export interface StartEvents {
   open(what: string): void;
@@ -9,13 +10,6 @@ export interface StartEvents {
   download(): void;
   upload(file: File): void;
   downloadRecording(name: string): void;
-}
-
-const numberOf = (name: string): string => /^\D*0*(\d+)/.exec(name)?.[1] ?? "";
-
-/** Which lesson comes next: the first that is not passed. */
-export function nextLesson(info: Pick<PlaceInfo, "lessons">): string {
-  return info.lessons.find((one) => !one.is_passed)?.name ?? "";
 }
 
 export function sizeText(bytes: number): string {
@@ -42,15 +36,14 @@ function titleOfCourse(course: string): string {
 }
 
 /** Where one begins: lessons with what is done, worlds, recordings, and one's files. */
-export function startPage(info: PlaceInfo, filter: string, goesOnWith: string, events: StartEvents, setFilter: (text: string) => void): Child {
-  const passed = info.lessons.filter((one) => one.is_passed).length, next = nextLesson(info);
+export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, events: StartEvents, setFilter: (text: string) => void): Child {
+  const things = nextThings(info, running, last), next = things.find((one) => one.what.startsWith("lesson:"))?.what.slice("lesson:".length) ?? nextLesson(info);
   const worlds = info.scenarios.filter((one) => `${one.name} ${one.about}`.toLowerCase().includes(filter.toLowerCase()));
   return h("main.start", null,
     h("section.welcome", null, h("div", null, h("h1", null, info.learner === "" ? "Learn Soar in a world that you can see" : `Welcome, ${info.learner}`),
       h("p", null, "Soar agents decide by rules. Change a rule, and watch what they do, why they do it, and why not."),
       h("div.row", null,
-        goesOnWith !== "" && button(`Go on with ${goesOnWith}`, events.goOn, {}, "button.primary.large"),
-        next !== "" && button(passed === 0 ? "Begin with lesson 1" : `Lesson ${numberOf(next)}`, () => events.open(`lesson:${next}`), {}, goesOnWith === "" ? "button.primary.large" : "button.large")))),
+        things.map((one, i) => button(one.label, () => (one.goesOn ? events.goOn() : events.open(one.what)), { key: one.what }, i === 0 ? "button.primary.large" : "button.large"))))),
     [...new Set(info.lessons.map((one) => one.course ?? ""))].map((course) => courseSection(titleOfCourse(course), info.lessons.filter((one) => (one.course ?? "") === course), next, events)),
     info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
       value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },

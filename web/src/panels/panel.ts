@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Child } from "../dom/view";
+import type { Attempt } from "../lesson/attempt";
 import type { ContentName, Contents } from "../run/contents";
 import type { Run } from "../run/run";
 
@@ -17,6 +18,12 @@ export interface PanelContext {
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
+  /** Shows where one begins: lessons and worlds. */
+  goHome(): void;
+  /** Has the learner's rules graded; what was typed last is applied before. */
+  grade(): void;
+  /** What the learner has done with the rules of this run. */
+  readonly attempt: Attempt;
 }
 
 /** One panel: contents in, views out, requests back. */

@@ -6,8 +6,9 @@ import type { Check, Contents, Mission, Stack } from "../run/contents";
 import { agentsPanel } from "./agents";
 import { exercisePanel } from "./exercise";
 import { imageryPanel } from "./imagery";
-import { missionPanel, passedOf } from "../lesson/mission_panel";
-import { nextLesson, sizeText } from "../lesson/start_page";
+import { Attempt } from "../lesson/attempt";
+import { gradeLines, gradeText, missionPanel } from "../lesson/mission_panel";
+import { sizeText } from "../lesson/start_page";
 import { memoryPanel } from "./memory";
 import { messagesPanel } from "./messages";
 import { mindPanel } from "./mind";
@@ -24,7 +25,8 @@ const MOMENT = { agent: MARKUP, has_mind: true, not_available: "", past_note: ""
 function made(make: MakePanel): { panel: ReturnType<MakePanel>; asked: [string, unknown][] } {
   const asked: [string, unknown][] = [];
   const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), true), hello: null };
-  const context = { run, redraw: () => {}, reveal: () => {}, titleOf: (word: string) => word, why: (about: string, what?: string) => asked.push(["why", { about, what }]), edit: () => {}, openWhat: () => {} };
+  const context = { run, redraw: () => {}, reveal: () => {}, titleOf: (word: string) => word, why: (about: string, what?: string) => asked.push(["why", { about, what }]), edit: () => {}, openWhat: () => {}, goHome: () => {},
+    grade: () => asked.push(["lesson", { what: "grade" }]), attempt: new Attempt({ getItem: () => null, setItem: () => {} }) };
   return { panel: make(context as unknown as PanelContext), asked };
 }
 
@@ -124,7 +126,6 @@ const check = (name: string, state: string, isMarker = false): Check => ({ name,
 
 test("checks tick off; marks do not count", () => {
   const mission: Mission = { checks: [check("a", "true"), check("b", "open"), check("m", "true", true)], lesson: null, lessons: [] };
-  assert.deepEqual(passedOf(mission), { passed: 1, of: 2 });
   const { panel } = made(missionPanel);
   assert.equal(panel.badge!({ mission }), "1/2");
   assert.match(textOf(panel.view({ moment: MOMENT, mission })), /passed: a.*not decided yet: b/s);
@@ -138,6 +139,16 @@ test("hints, grade and the next lesson are asked for", () => {
   press(view, "Grade");
   assert.deepEqual(asked, [["lesson", { what: "hint" }], ["lesson", { what: "grade" }]]);
   assert.match(textOf(view), /all passed.*New here: memory, edit/s, "the grade comes first");
+});
+
+test("a pass is celebrated and leads to the next lesson; a server's folders are not told", () => {
+  const { panel } = made(missionPanel);
+  const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", new_panels: [], hints: [], hint_count: 0, is_passed: true, is_graded: false, grade: ["Passed with all of 10 seeds.", "  yes  it greets"], next: "02" };
+  const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [{ name: "01", title: "One", is_passed: true }, { name: "02", title: "Two", is_passed: false }] } });
+  assert.match(textOf(view), /You have passed “One”.*Next lesson: Two.*1 of 2 lessons passed.*yes: it greets/s);
+  assert.equal(all(view).filter((one) => one.tag === "button" && /Next lesson/.test(textOf(one))).length, 1);
+  assert.equal(gradeText("/var/state/places/abc/home/01/porter.soar:3:4: error: x"), "porter.soar:3:4: error: x");
+  assert.deepEqual(gradeLines(["a cause", "", "  no   b", "3 of 10 seeds passed; this was seed 1: soarbox run /x --seed 1"]), { headline: "a cause", isPass: false, lines: [{ sign: "cross", text: "b" }, { sign: "", text: "3 of 10 seeds passed; this was seed 1" }] });
 });
 
 test("grading shows how far it is and can be cancelled", () => {
@@ -157,9 +168,8 @@ test("spans lie on the lines of their level", () => {
   assert.ok(placed.rows[1]!.top > placed.rows[0]!.top + 5 * 16);
 });
 
-test("times, filters, sizes and what comes next", () => {
+test("times, filters and sizes", () => {
   assert.deepEqual([clock(0), clock(61.239), clock(3599.999), clock(-1)], ["0:00.00", "1:01.24", "60:00.00", "0:00.00"]);
   assert.ok(passes("AN be", "anna, bert") && !passes("cy", "anna") && passes("", "x"));
   assert.deepEqual([sizeText(999), sizeText(5400), sizeText(2_340_000)], ["999 bytes", "5 kB", "2.3 MB"]);
-  assert.equal(nextLesson({ lessons: [{ name: "1", title: "", is_passed: true }, { name: "2", title: "", is_passed: false }] }), "2");
 });

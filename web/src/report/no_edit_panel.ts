@@ -6,7 +6,9 @@ export class EditPanel implements Pick<Editor, keyof Editor> {
   readonly word = "edit";
   readonly title = "Rules' text";
   readonly about = "Change rules and reload them while the world runs.";
-  readonly uses = ["edit", "moment"] as const;
+  readonly uses = ["edit", "moment", "mission"] as const;
+  readonly isUnsaved = false;
+  readonly text = null;
   badge(): string {
     return "";
   }
@@ -16,4 +18,7 @@ export class EditPanel implements Pick<Editor, keyof Editor> {
   take(): void {}
   flush(): void {}
   focus(): void {}
+  async offer(): Promise<void> {}
+  showFile(): void {}
+  apply(): void {}
 }

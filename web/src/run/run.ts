@@ -87,6 +87,11 @@ export class Run {
     return () => this.handlers[event].delete(call);
   }
 
+  /** Tells the user something. */
+  remark(text: string, hint: string, isError = true): void {
+    this.tell("remark", { text, hint, isError });
+  }
+
   /** Sends a request; says so if nobody is there to take it. */
   ask(request: string, fields: Readonly<Record<string, unknown>> = {}): boolean {
     if (this.isWatching) {

@@ -127,7 +127,7 @@ export class CameraRig {
 
   /** Takes over where scripts want the camera, when they move it again. */
   obey(order: Camera): void {
-    if (order.moves === this.moves || this.byHand) {
+    if (order.moves === this.moves || this.byHand || this.mode !== "orbit") {
       this.moves = order.moves;
       return;
     }

@@ -134,8 +134,8 @@ export class SceneView {
     this.wake();
   }
 
-  /** Another run: nothing of the last one stays. */
-  forget(): void {
+  /** Another run: nothing of the last one stays. `isSameWorld`: but the camera, if the user has moved it. */
+  forget(isSameWorld = false): void {
     this.scene = null;
     this.imagined = null;
     this.playout.clear();
@@ -144,12 +144,13 @@ export class SceneView {
     this.bodies.clear();
     this.removeBackdrop();
     this.shapes.clear();
-    this.rig.forget();
+    const keepsCamera = isSameWorld && this.isFramed && !this.rig.keeps;
+    if (!keepsCamera) this.rig.forget();
     this.labels.clear();
     this.scriptUi.clear();
     this.renderer.shadowMap.needsUpdate = true;
     this.placed.clear();
-    this.isFramed = false;
+    this.isFramed = keepsCamera;
     this.around = null;
     this.recentGround.forget();
     this.selectedId = 0;

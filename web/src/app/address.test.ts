@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { formatAddress, NOWHERE, packText, parseAddress, unpackText } from "./address";
+
+test("lessons, worlds, recordings, moments and files have addresses that can be read again", () => {
+  for (const address of [
+    { ...NOWHERE, what: "lesson:02-operators" }, { what: "scenario:soar_evade", seconds: 4.3, file: "hare.soar", text: "" }, { ...NOWHERE, what: "recording:run-0001.soarrec", seconds: 0 },
+    { ...NOWHERE, what: "scenario:a b&c=#/ü", file: "x+y.soar" }, { ...NOWHERE, what: "lesson:1", file: "a", text: "abc-_" },
+  ]) assert.deepEqual(parseAddress(formatAddress(address)), address);
+  assert.equal(formatAddress({ ...NOWHERE, what: "scenario:eaters", seconds: 1 / 3 }), "#world=eaters&t=0.333");
+});
+
+test("an address that names nothing is that of lessons and worlds", () => {
+  for (const hash of ["", "#", "#watch=abc", "#lesson=", "#nonsense"]) assert.equal(parseAddress(hash).what, "");
+  assert.equal(formatAddress(NOWHERE), "");
+  for (const t of ["-1", "x", "", "1e9", "NaN"]) assert.equal(parseAddress(`#world=a&t=${t}`).seconds, t === "" ? 0 : null);
+});
+
+test("rules travel in an address; what is damaged is refused", async () => {
+  const rules = "sp {größe\n   (state <s> ^superstate nil)\n-->\n   (write |hä|)}\n".repeat(20), packed = await packText(rules);
+  assert.match(packed, /^[\w-]+$/);
+  assert.ok(packed.length < rules.length / 4);
+  assert.equal(await unpackText(packed), rules);
+  assert.equal(await unpackText(packed.slice(0, 20)), null);
+  assert.equal(await unpackText("%%%"), null);
+  assert.equal(await unpackText(await packText("x".repeat(600_000))), null);
+});

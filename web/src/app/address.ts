@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** What a page shows, as the part of its address after #: "#lesson=02-operators&t=4.3&file=mower.soar". */
+export interface Address {
+  /** "lesson:NAME", "scenario:NAME" or "recording:NAME"; empty: lessons and worlds. */
+  what: string;
+  /** The moment that is shown, in seconds of the world; null: the newest. */
+  seconds: number | null;
+  /** The file in the editor, by its name; empty: the first. */
+  file: string;
+  /** A text for that file which somebody gives away, packed; empty: none. */
+  text: string;
+}
+
+const NAMES = [["lesson", "lesson:"], ["world", "scenario:"], ["recording", "recording:"]] as const;
+const LONGEST_S = 3600;
+
+export function parseAddress(hash: string): Address {
+  const fields = new URLSearchParams(hash.replace(/^#/, ""));
+  const found = NAMES.map(([field, kind]) => [kind, fields.get(field) ?? ""] as const).find(([, name]) => name !== "");
+  const seconds = Number(fields.get("t") ?? "");
+  return {
+    what: found === undefined ? "" : found[0] + found[1], file: fields.get("file") ?? "", text: fields.get("text") ?? "",
+    seconds: fields.has("t") && Number.isFinite(seconds) && seconds >= 0 && seconds <= LONGEST_S ? seconds : null,
+  };
+}
+
+/** With #; empty for lessons and worlds. */
+export function formatAddress({ what, seconds, file, text }: Address): string {
+  const fields = new URLSearchParams();
+  for (const [field, kind] of NAMES) if (what.startsWith(kind)) fields.set(field, what.slice(kind.length));
+  if ([...fields].length === 0) return "";
+  if (seconds !== null) fields.set("t", String(Math.round(seconds * 1000) / 1000));
+  if (file !== "") fields.set("file", file);
+  if (text !== "") fields.set("text", text);
+  return `#${fields.toString()}`;
+}
+
+export const NOWHERE: Address = { what: "", seconds: null, file: "", text: "" };
+
+/** A text as a part of an address. */
+export async function packText(text: string): Promise<string> {
+  const bytes = new Uint8Array(await new Response(new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
+  let letters = "";
+  for (const byte of bytes) letters += String.fromCharCode(byte);
+  return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}
+
+const LONGEST_TEXT = 500_000;
+
+/** The text that was packed; null: it is damaged, or too long. */
+export async function unpackText(packed: string): Promise<string | null> {
+  try {
+    const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+    const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")).getReader(), decoder = new TextDecoder("utf-8", { fatal: true });
+    let text = "";
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return text + decoder.decode();
+      text += decoder.decode(value, { stream: true });
+      if (text.length > LONGEST_TEXT) {
+        await reader.cancel();
+        return null;
+      }
+    }
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Run } from "../run/run";
+
+/** Brings a run to a moment that an address names: back to it, or on to it as fast as the world goes, and stops there. */
+export class Reach {
+  private tick: number | null = null;
+  private isFast = false;
+
+  constructor(private readonly run: Run) {
+    run.on("flow", () => this.tryIt());
+    run.on("contents", (names) => names.includes("moment") && this.tryIt());
+  }
+
+  start(seconds: number): void {
+    const { hello } = this.run;
+    if (hello === null || !hello.may_edit) return;
+    this.tick = Math.round(seconds / hello.step_s);
+    this.isFast = false;
+    this.tryIt();
+  }
+
+  get isUnderWay(): boolean {
+    return this.tick !== null;
+  }
+
+  /** The user wants to be somewhere else. */
+  forget(): void {
+    this.tick = null;
+  }
+
+  private tryIt(): void {
+    const { run, tick } = this, time = run.contents.moment?.time;
+    if (tick === null || time === undefined || run.hello === null) return;
+    if (time.is_recording || Math.max(time.last_tick, run.flow.tick) >= tick) {
+      this.tick = null;
+      if (this.isFast) run.ask("flow", { what: "normal-speed" });
+      run.ask("seek", { tick: Math.min(tick, time.is_recording ? time.last_tick : tick) });
+    } else if (!this.isFast) {
+      this.isFast = true;
+      run.ask("flow", { what: "unlimited" });
+      if (run.flow.paused) run.ask("flow", { what: "go-on" });
+    }
+  }
+}

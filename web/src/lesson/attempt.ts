@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Check, Mission, Time } from "../run/contents";
+
+/** The part of a browser's storage that is used; tests give their own. */
+export interface Shelf {
+  getItem(key: string): string | null;
+  setItem(key: string, value: string): void;
+}
+
+const TRIED = "soarbox.tried.", RESTARTS = "soarbox.restarts", NO = "no";
+
+/** What the learner has done with the rules of this run: what checks say depends on it. */
+export class Attempt {
+  private what = "";
+  /** The tick at which rules changed while the run went on; null: it has had the same rules from the beginning. */
+  changedAt: number | null = null;
+
+  constructor(private readonly shelf: Shelf) {}
+
+  /** A run begins, or this page joins one. Returns whether it is the same world as before, from the beginning. */
+  begin(what: string): boolean {
+    const isSame = what === this.what;
+    this.what = what;
+    this.changedAt = null;
+    return isSame;
+  }
+
+  get isLesson(): boolean {
+    return this.what.startsWith("lesson:");
+  }
+
+  /** Whether the learner has changed anything in this lesson yet, or had it graded. Worlds have no first step to wait for. */
+  get isTried(): boolean {
+    return !this.isLesson || this.shelf.getItem(TRIED + this.what) !== null;
+  }
+
+  note(): void {
+    if (this.isLesson && !this.isTried) this.shelf.setItem(TRIED + this.what, "yes");
+  }
+
+  /** Rules were changed at this tick of the run. */
+  applied(tick: number): void {
+    this.note();
+    this.changedAt = tick;
+  }
+
+  /** Whether a lesson's run begins again with each Apply. */
+  get restarts(): boolean {
+    return this.shelf.getItem(RESTARTS) !== NO;
+  }
+
+  set restarts(isOn: boolean) {
+    this.shelf.setItem(RESTARTS, isOn ? "yes" : NO);
+  }
+}
+
+export type Standing = "passed" | "failed" | "open";
+
+/**
+ * What a check says at the moment that is shown. It is open where it was decided later, or in a future that is gone, or with rules
+ * that have been changed since; and where nobody has done anything yet that could be judged.
+ */
+export function standingOf(check: Check, time: Pick<Time, "shown_tick" | "is_live" | "branch_tick"> | undefined, attempt: Pick<Attempt, "changedAt" | "isTried">): Standing {
+  if (check.state !== "true" && check.state !== "false") return "open";
+  if (time !== undefined && !time.is_live && check.tick > time.shown_tick) return "open";
+  if (time !== undefined && time.branch_tick !== null && check.tick > time.branch_tick) return "open";
+  if (attempt.changedAt !== null && check.tick <= attempt.changedAt) return "open";
+  if (check.state === "true") return "passed";
+  return attempt.isTried ? "failed" : "open";
+}
+
+/** How many of the checks that count are passed at the moment that is shown. */
+export function passedOf(mission: Mission, time: Time | undefined, attempt: Attempt): { passed: number; of: number } {
+  const counted = mission.checks.filter((one) => !one.is_marker);
+  return { passed: counted.filter((one) => standingOf(one, time, attempt) === "passed").length, of: counted.length };
+}
+
+/** Why the checks say less than they could; "": they say all. */
+export function whyOpen(time: Time | undefined, attempt: Attempt): string {
+  if (time !== undefined && time.branch_tick !== null && time.is_live) return "You went on from an earlier moment. Checks follow a run from its beginning.";
+  if (attempt.changedAt !== null) return "The rules changed while the world ran. Checks follow a run from its beginning.";
+  return "";
+}
