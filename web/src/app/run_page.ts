@@ -24,15 +24,15 @@ import { timelinePanel } from "../panels/timeline";
 import { tracePanel } from "../panels/trace";
 import { watchPanel } from "../panels/watch";
 import { whyPanel } from "../panels/why";
-import type { ContentName, Mission } from "../run/contents";
+import type { ContentName } from "../run/contents";
 import type { Run } from "../run/run";
 import { Dock } from "./dock";
 import { flowControls, scrubber, WantedTick } from "./flow_bar";
 import { isTyping } from "./keys";
+import { protagonist } from "./protagonist";
 import { splitter } from "./splitter";
 import { Stage } from "./stage";
 
-const CHECKS_TOLD_TICKS = 10;
 const NARROW = "(max-width: 900px)";
 
 /** Which panels stand where: for lessons, for worlds, and on narrow screens. */
@@ -61,17 +61,6 @@ function withExercise(arranged: Arrangement, hasExercise: boolean, isNarrow: boo
   return isNarrow ? { ...arranged, bottom: [...arranged.bottom, "exercise"] } : { ...arranged, left: [...arranged.left, "exercise"] };
 }
 
-/** Whether a check is about this agent: its name, a pattern with *, or several of them. */
-function isAbout(pattern: string, agent: string): boolean {
-  return pattern.split(/[,\s]+/).some((one) => one !== "" && new RegExp(`^${one.replace(/[.+?^${}()|[\]\\]/g, "\\$&").replaceAll("*", ".*")}$`).test(agent));
-}
-
-/** The agent whom most checks are about: the protagonist. */
-export function protagonist(mission: Mission, agents: readonly string[]): string {
-  const counts = agents.map((agent) => mission.checks.filter((one) => isAbout(one.agent, agent)).length), most = Math.max(0, ...counts);
-  return agents[most === 0 ? 0 : counts.indexOf(most)] ?? "";
-}
-
 /** A run with its picture, panels and flow: the lesson's or the world's page. */
 export class RunPage {
   readonly element = document.createElement("div");
@@ -86,6 +75,8 @@ export class RunPage {
   private readonly wanted = new WantedTick();
   private hasExercise = false;
   private isChosen = false;
+  /** Who was selected because nobody had chosen. */
+  private chosen = "";
   private isFronted = false;
   private readonly attempt = new Attempt(localStorage);
 
@@ -120,6 +111,7 @@ export class RunPage {
     if (run.hello !== null) this.attempt.begin(run.hello.what);
     run.on("hello", ({ what }) => {
       this.isChosen = false;
+      this.chosen = "";
       // Begun again, the panels stay as they are.
       if (!this.attempt.begin(what)) this.isFronted = false;
       this.arrange();
@@ -199,12 +191,11 @@ export class RunPage {
   private choose(): void {
     const { moment, mission } = this.run.contents, { hello } = this.run;
     if (this.isChosen || moment === undefined || hello === null || (mission === undefined && !this.isReport)) return;
-    // Checks are told in the first ticks.
-    if (mission?.checks.length === 0 && !this.run.flow.paused && this.run.flow.tick < CHECKS_TOLD_TICKS) return;
-    const agents = hello.minds.length > 0 ? hello.minds : hello.agents;
-    this.isChosen = true;
-    const agent = mission === undefined ? (agents[0] ?? "") : protagonist(mission, agents);
-    if (moment.agent === "" && agent !== "" && hello.may_edit !== false) this.run.ask("select", { agent });
+    const agents = hello.minds.length > 0 ? hello.minds : hello.agents, agent = mission === undefined ? (agents[0] ?? "") : protagonist(mission, agents);
+    // Checks may be told a little later: until then the first agent is selected, as the run does it by itself.
+    this.isChosen = mission === undefined || mission.checks.length > 0;
+    if (moment.agent !== "" && moment.agent !== agents[0] && moment.agent !== this.chosen) this.isChosen = true;
+    else if (agent !== "" && agent !== moment.agent && agent !== this.chosen && hello.may_edit !== false) this.run.ask("select", { agent: (this.chosen = agent) });
   }
 
   /** The run has changed rules: in a lesson it begins again, so that checks and what one sees are about them. */

@@ -13,6 +13,7 @@ import { memoryPanel } from "./memory";
 import { messagesPanel } from "./messages";
 import { mindPanel } from "./mind";
 import type { MakePanel, PanelContext } from "./panel";
+import { protagonist } from "../app/protagonist";
 import { clock, passes } from "./parts";
 import { lineOf, placeTracks } from "./timeline";
 import { problemsPanel } from "./problems";
@@ -129,6 +130,15 @@ test("checks tick off; marks do not count", () => {
   const { panel } = made(missionPanel);
   assert.equal(panel.badge!({ mission }), "1/2");
   assert.match(textOf(panel.view({ moment: MOMENT, mission })), /passed: a.*not decided yet: b/s);
+});
+
+test("the agent whom most checks are about is the protagonist", () => {
+  const of = (...expected: string[]): Mission => ({ checks: expected.map((one) => ({ ...check(one, "open"), agent: "", expected: one })), lesson: null, lessons: [] });
+  assert.equal(protagonist(of("hare should give evade by 20 s", "hare should never be at most 1 m from bear"), ["bear", "hare"]), "hare");
+  assert.equal(protagonist(of("leader should walk", "follower-* should give follow", "follower-* should see leader"), ["leader", "follower-1", "follower-2"]), "follower-1");
+  assert.equal(protagonist(of("hider should select operator hide", "searcher should see hider"), ["searcher", "hider"]), "hider", "of equals the first");
+  assert.equal(protagonist(of("the run should reach 'blue wins'"), ["a", "b"]), "a");
+  assert.equal(protagonist(of(), []), "");
 });
 
 test("hints, grade and the next lesson are asked for", () => {
