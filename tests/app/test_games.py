@@ -74,6 +74,24 @@ class Games(ScenarioCase):
         run = run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}")
         self.assertEqual({event["parameters"] for event in run.of("command", agent="eater")}, {"^direction north"})
 
+    def test_a_tank_of_the_tutorial_drives_with_the_rules_of_the_page_that_name_the_top_state(self):
+        page = (pathlib.Path(__file__).parents[2] / "docs" / "tanksoar.md").read_text(encoding="utf-8")
+        named = re.search(r"```soar\n(.*?)```", page, re.S)[1]
+        turns = """
+sp {tanksoar*propose*turn
+   (state <s> ^name tanksoar ^io.input-link.clock <n>)
+-->
+   (<s> ^operator <o> + =)
+   (<o> ^name turn ^clock <n>)}
+sp {tanksoar*apply*turn
+   (state <s> ^operator.name turn ^io.output-link <out>)
+-->
+   (<out> ^rotate.direction left)}
+"""
+        for rules, moves in ((turns, False), (named + turns, True)):
+            run = run_json("tanksoar", "--seconds", 5, "--rules", f"tank={self.write('tank.soar', rules)}")
+            self.assertEqual(bool(run.of("command", agent="tank")), moves)
+
     def test_a_recording_of_other_rules_is_verified(self):
         rules = self.write("north.soar", NORTH)
         recording = self.folder / "run.soarrec"
