@@ -11,13 +11,13 @@ from soarbox_command import COMMAND, Run
 
 class Lessons(MissionCase):
     def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
-        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 21)
+        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), 22)
         told = []
-        for number in range(1, 22):
+        for number in range(1, 23):
             run = Run("learn", "test", number, code=0)
             self.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
             told += run.out.splitlines()
-        self.assertEqual(sum("  solution: as it should" in line for line in told), 21)
+        self.assertEqual(sum("  solution: as it should" in line for line in told), 22)
         self.assertGreaterEqual(sum("  wrong/" in line for line in told), 80)
 
     def test_each_mistake_of_these_lessons_has_a_wrong_answer_that_makes_it(self):
