@@ -35,6 +35,8 @@ export class EditPanel implements Panel {
   private offered: { file: string; text: string } | null = null;
   /** What was typed here before somebody changed the text elsewhere. */
   private older: string | null = null;
+  /** Whether the editor holds what was typed or brought back here; if not, it follows the text of the run. */
+  private isOwn = false;
 
   /** `applied`: the run has taken over changed rules. */
   constructor(private readonly context: PanelContext, private readonly applied: () => void) {
@@ -89,10 +91,10 @@ export class EditPanel implements Panel {
         mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+Enter, Ctrl+S)" } }, "button.primary"),
         mayEdit && contents.mission?.lesson !== undefined && contents.mission.lesson !== null && button("Grade", () => this.context.grade(), { attributes: { disabled: contents.mission.lesson.is_graded, title: "Apply, and run your rules with ten seeds" } }),
         mayEdit && button("Revert", () => this.revert(), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
-      !this.context.run.mayType && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
-      isOpen && this.older !== null && h("div.row.bar", { attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
+      !this.context.run.mayType && h("div.row.bar", { key: "tabs", attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
+      isOpen && this.older !== null && h("div.row.bar", { key: "older", attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
         mayEdit && button("Show what I typed", () => this.bringBack(edit.file)), button("Forget it", () => this.forget(edit.file))),
-      h("div.editor", { foreign: true, mounted: (element) => void this.load(element) }),
+      h("div.editor", { key: "editor", foreign: true, mounted: (element) => void this.load(element) }),
       h("div.under", { attributes: { "aria-live": "polite" } },
         isOpen && edit.notice !== "" && !(edit.notice === "No errors." && problems.length > 0) && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
         isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
@@ -124,6 +126,7 @@ export class EditPanel implements Panel {
     const { Editor } = await import("./editor");
     this.editor = new Editor(element, {
       typing: (text) => {
+        this.isOwn = true;
         const edit = this.context.run.contents.edit?.edit;
         if (edit !== undefined && edit.file === this.file && this.mayType) this.context.run.kept.keep(this.file, text, edit.text);
       },
@@ -196,11 +199,13 @@ export class EditPanel implements Panel {
     this.noteApplied();
     const edit = contents.edit?.edit, editor = this.editor;
     if (editor === null || edit === undefined || edit.file === "") return;
-    if (edit.file !== this.file || edit.version !== this.version) {
+    const isNew = edit.file !== this.file || edit.version !== this.version;
+    if (isNew || (!this.isOwn && edit.text !== editor.text)) {
       this.file = edit.file;
       this.version = edit.version;
       const typed = this.context.run.kept.find(edit.file, edit.text), isBack = typed !== null && !typed.isOlder && this.mayType;
       this.older = typed !== null && typed.isOlder ? typed.text : null;
+      this.isOwn = isBack;
       editor.show(isBack ? typed.text : edit.text, edit.is_rules);
       if (isBack) this.context.run.ask("edit-text", { what: "check", text: typed.text });
       if (edit.is_rules) this.client.look(edit.file, edit.text);
@@ -220,6 +225,7 @@ export class EditPanel implements Panel {
     const text = this.older;
     if (text === null || this.editor === null) return;
     this.forget(file);
+    this.isOwn = true;
     this.editor.show(text, true);
     this.context.run.ask("edit-text", { what: "check", text });
   }
