@@ -318,7 +318,7 @@ class OwnWorld(ScenarioCase):
         super().setUp()
         self.world = self.folder / "keeper"
         self.assertEqual(Run("new", self.world).code, 0)
-        page = (LESSONS / "23-own-world" / "README.md").read_text(encoding="utf-8")
+        page = (LESSONS / "24-own-world" / "README.md").read_text(encoding="utf-8")
         self.more = re.search(r"```toml\n(.*?)```", page, re.S)[1]
         self.dog = re.search(r"```soar\n(.*?)```", page, re.S)[1]
         self.printed = re.search(r"```text\n(.*?)```", page, re.S)[1]
@@ -328,7 +328,7 @@ class OwnWorld(ScenarioCase):
         scenario.write_text(scenario.read_text(encoding="utf-8") + more, encoding="utf-8")
         if dog:
             (self.world / "dog.soar").write_text(dog, encoding="utf-8")
-        done = subprocess.run(["sh", LESSONS / "23-own-world" / "grade.sh", self.world], env={**os.environ, "SOARBOX": str(COMMAND)},
+        done = subprocess.run(["sh", LESSONS / "24-own-world" / "grade.sh", self.world], env={**os.environ, "SOARBOX": str(COMMAND)},
                               text=True, capture_output=True, timeout=300, check=False)
         return done.returncode, done.stdout
 
