@@ -2,7 +2,7 @@
 // What the picture shows over the world, keys that reach the world's scripts, and what is told about a word of a rule.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { closeBrowser, openLesson, openPage, openWorld, picture, until } from "./browser.mjs";
+import { closeBrowser, openLesson, openPage, openWorld, picture, show, until } from "./browser.mjs";
 
 after(closeBrowser);
 
@@ -101,6 +101,39 @@ test("keys reach a world's scripts as in the window", async () => {
   await close();
 });
 
+test("what an agent prints is over its head, and in the panel Output from the first tick", async () => {
+  const { page, troubles, close } = await openPage();
+  await openLesson(page, 1);
+  await page.waitForSelector(".labels .speech:has-text('Somebody is there')");
+  await show(page, "Output");
+  await page.locator(".lines.output li", { hasText: "Somebody is there" }).last().waitFor();
+  const [minutes, seconds] = (await page.locator(".lines.output li").last().locator(".time").innerText()).split(":");
+  assert.ok(60 * Number(minutes) + Number(seconds) < 2, "the first one is there, though the panel was opened later");
+  await picture(page, "output");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("an empty world and agents without a mind say what they are, and what to do", async () => {
+  const { page, troubles, close } = await openPage();
+  await openWorld(page, "mind_body");
+  await page.waitForSelector(".stage .nobody:has-text('F4 calls a soldier')");
+  await page.waitForSelector(".panel.mind:has-text('Nobody is in this world yet')");
+  await page.locator(".stage canvas").focus();
+  await page.keyboard.press("F4");
+  await page.waitForSelector(".labels .name");
+  await until(async () => (await page.locator(".stage .nobody").count()) === 0, "somebody is there now");
+  await until(async () => (await outside(page)) === "0", "and in the picture");
+  await page.locator("button.home").click();
+  await openWorld(page, "decisions");
+  await page.waitForSelector(".panel.mind:has-text('No agent of this world has a Soar mind')");
+  // The rules of the world before are not there any more.
+  await show(page, "Rules' text");
+  assert.doesNotMatch(await page.locator(".cm-content").innerText(), /sp \{/);
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("a word of a rule under the mouse is explained", async () => {
   const { page, troubles, close } = await openPage();
   await openLesson(page, 1);
@@ -111,6 +144,16 @@ test("a word of a rule under the mouse is explained", async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await tooltip.waitFor();
   assert.match(await tooltip.innerText(), /rule porter\*/);
+  // A beginner's words, in plain words.
+  for (const [text, told] of [["state", /first condition looks at a state/], ["-->", /between conditions and actions/], ["^superstate", /top state/]]) {
+    // One explanation may lie over the next word.
+    await page.mouse.move(640, 770);
+    await until(async () => (await tooltip.count()) === 0, "the explanation goes with the mouse");
+    const at = await page.locator(".cm-line span", { hasText: text }).first().boundingBox();
+    await page.mouse.move(at.x + at.width / 2 - 3, at.y + at.height / 2);
+    await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
+    await until(async () => told.test(await tooltip.allInnerTexts().then((all) => all.join(" "))), `${text} is explained`);
+  }
   await picture(page, "hover");
   assert.deepEqual(troubles, []);
   await close();

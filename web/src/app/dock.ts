@@ -12,9 +12,10 @@ export class Dock {
   private readonly stale = new Set<string>();
   private frame = 0;
 
-  constructor(readonly name: string, readonly panels: readonly Panel[], private readonly contents: () => Contents, private readonly changed: () => void, front?: string) {
-    const kept = front ?? sessionStorage.getItem(`soarbox.dock.${name}`) ?? "";
-    this.front = panels.some((one) => one.word === kept) ? kept : (panels[0]?.word ?? "");
+  /** `kept`: under this name it is kept which panel is in front. */
+  constructor(readonly name: string, private readonly kept: string, readonly panels: readonly Panel[], private readonly contents: () => Contents, private readonly changed: () => void) {
+    const front = sessionStorage.getItem(`soarbox.dock.${kept}`) ?? "";
+    this.front = panels.some((one) => one.word === front) ? front : (panels[0]?.word ?? "");
     this.element = document.createElement("section");
     this.element.className = `dock ${name}`;
     this.element.setAttribute("aria-label", name === "left" ? "Task" : name === "right" ? "Rules" : "Panels");
@@ -49,7 +50,7 @@ export class Dock {
     if (!this.has(word)) return;
     const before = this.front;
     this.front = word;
-    sessionStorage.setItem(`soarbox.dock.${this.name}`, word);
+    sessionStorage.setItem(`soarbox.dock.${this.kept}`, word);
     for (const [name, body] of this.bodies) body.hidden = name !== word;
     if (before !== word) {
       this.panels.find((one) => one.word === before)?.shown?.(false);

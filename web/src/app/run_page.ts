@@ -17,6 +17,7 @@ import { messagesPanel } from "../panels/messages";
 import { mindPanel } from "../panels/mind";
 import { mindsPanel } from "../panels/minds";
 import type { Panel, PanelContext } from "../panels/panel";
+import { outputPanel } from "../panels/output";
 import { plotsPanel } from "../panels/plots";
 import { problemsPanel } from "../panels/problems";
 import { rulesPanel } from "../panels/rules";
@@ -39,17 +40,17 @@ const NARROW = "(max-width: 900px)";
 const ARRANGEMENTS = {
   lesson: {
     left: ["mission", "agents"], right: ["edit"],
-    bottom: ["why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
+    bottom: ["why", "mind", "output", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
   },
   world: {
     left: ["agents", "mission", "problems"], right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints"],
-    bottom: ["timeline", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "imagery", "futures"],
+    bottom: ["timeline", "output", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "imagery", "futures"],
   },
-  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "messages", "trace", "imagery"] },
-  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "messages", "trace", "imagery"] },
+  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "output", "messages", "trace", "imagery"] },
+  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "output", "messages", "trace", "imagery"] },
   narrow: {
     left: [], right: [],
-    bottom: ["mission", "edit", "agents", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
+    bottom: ["mission", "edit", "agents", "output", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
   },
 } as const;
 
@@ -103,7 +104,7 @@ export class RunPage {
     this.edit = new EditPanel(context, () => this.applied());
     this.panels = [
       missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
-      learningPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel, imageryPanel,
+      learningPanel, outputPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel, imageryPanel,
     ].map((make) => make(context));
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
@@ -133,7 +134,7 @@ export class RunPage {
     this.hasExercise = hasExercise;
     this.element.dataset["shape"] = shape;
     const arranged = withExercise(ARRANGEMENTS[shape], hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
-    const dock = (name: string, words: readonly string[]): Dock => new Dock(name, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
+    const dock = (name: string, words: readonly string[]): Dock => new Dock(name, `${shape}.${name}`, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
     const middle = document.createElement("div");
     middle.className = "middle";
     this.docks = [];
@@ -169,9 +170,10 @@ export class RunPage {
     for (const dock of this.docks) if (dock.has(word)) dock.show(word);
   }
 
-  /** Only what is seen is asked for; checks and problems are counted on tabs, too. */
+  /** Only what is seen is asked for; checks and problems are counted on tabs, too, and what agents print is shown over their heads. */
   private look(): void {
-    this.run.look([...this.docks.map((dock) => dock.shownWord).filter((word) => word !== ""), "mission", "problems", "edit"]);
+    const shown = this.docks.map((dock) => dock.shownWord).filter((word) => word !== "" && word !== "output");
+    this.run.look([...shown, "mission", "problems", "edit", "timeline"]);
   }
 
   private take(names: readonly ContentName[]): void {

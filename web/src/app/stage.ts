@@ -26,6 +26,7 @@ export class Stage {
   private toldSize = "";
   private keeps = false;
   private isLost = false;
+  private isEmpty = false;
   private resized: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly run: Run, private readonly select: (name: string) => void) {
@@ -67,6 +68,7 @@ export class Stage {
       this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title)),
         h("label", { attributes: { title: "Draws everything, however long a picture takes; otherwise the page draws less where pictures are slow" } },
           h("input", { checked: view?.isInFullDetail ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggleDetail() } }), "Full detail")),
+      this.isEmpty && h("div.nobody", { attributes: { role: "status" } }, h("p", null, h("b", null, "Nobody is here yet.")), (this.run.printed.lines.filter((one) => one.agent === "" && one.isPrinted).slice(-2)).map((one) => h("p", null, one.text)), h("p", null, "Keys that this world waits for are heard while the picture has the focus: click it first.")),
       this.isLost && button("Nobody is in the picture. Show everybody", () => view?.frameAll(), {}, "button.small.lost"),
     ]);
   }
@@ -74,8 +76,9 @@ export class Stage {
   /** `data-outside` is the number of living agents that the picture does not show. */
   private noteFramed(keeps: boolean, outside: number, living: number): void {
     this.element.dataset["outside"] = String(outside);
-    const isLost = living > 0 && outside === living;
-    if (keeps === this.keeps && isLost === this.isLost) return;
+    const isLost = living > 0 && outside === living, isEmpty = living === 0 && (this.run.scene?.agents.size ?? 1) === 0 && this.mayAsk;
+    if (keeps === this.keeps && isLost === this.isLost && isEmpty === this.isEmpty) return;
+    this.isEmpty = isEmpty;
     this.keeps = keeps;
     this.isLost = isLost;
     this.draw();
@@ -148,6 +151,8 @@ export class Stage {
       view.take(scene);
       if (scene.components.length > 0) this.tellSize();
     });
+    this.run.on("printed", () => this.isEmpty && this.draw());
+    this.run.on("printed", (lines) => view.print(lines.map(({ agent, text, tick }) => ({ agent, text, time: tick * (this.run.hello?.step_s ?? 1 / 30) }))));
     const tellCovered = (): void => {
       const { offsetLeft: left, offsetTop: top, offsetWidth: width, offsetHeight: height } = this.tools;
       view.covered = [{ left, top, width, height }];

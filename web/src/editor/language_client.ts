@@ -3,6 +3,7 @@ import type { Completion, CompletionContext, CompletionResult, CompletionSource 
 import { hoverTooltip } from "@codemirror/view";
 import type { Run } from "../run/run";
 import type { LspDiagnostic } from "./problem_place";
+import { wordAt } from "./soar_words";
 
 const ANSWER_MS = 8000;
 
@@ -147,10 +148,11 @@ export function wordsOf(line: string): { text: string; kind: "bold" | "code" | "
 export function hoverWith(client: LanguageClient): ReturnType<typeof hoverTooltip> {
   return hoverTooltip(async (view, pos) => {
     const line = view.state.doc.lineAt(pos), word = view.state.wordAt(pos);
-    const about = await client.hover(view.state.doc.toString(), line.number - 1, pos - line.from);
+    // A beginner's word is explained here; names and percepts by the language server.
+    const known = wordAt(line.text, pos - line.from), about = known?.about ?? (await client.hover(view.state.doc.toString(), line.number - 1, pos - line.from));
     if (about === "" || view.state.doc.length < pos) return null;
     return {
-      pos: word?.from ?? pos, end: word?.to ?? pos, above: true,
+      pos: known === null ? (word?.from ?? pos) : line.from + known.from, end: known === null ? (word?.to ?? pos) : line.from + known.to, above: true,
       create: () => {
         const dom = document.createElement("div");
         dom.className = "about-word";

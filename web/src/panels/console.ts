@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h } from "../dom/view";
 import type { MakePanel } from "./panel";
-import { empty } from "./parts";
+import { noMind } from "./parts";
 
 export const consolePanel: MakePanel = (context) => {
   let line = "", place = 0, asked = "";
@@ -10,7 +10,7 @@ export const consolePanel: MakePanel = (context) => {
     word: "console", title: "Console", about: "The Soar command line of the selected agent.", uses: ["console", "moment"],
     view: (contents) => {
       const agent = contents.moment?.agent ?? "", lines = contents.console?.lines ?? [], completion = contents.console?.completion;
-      if (agent === "") return empty("Select an agent with a Soar mind: you can give its kernel commands here, such as print s1 or matches my*rule.");
+      if (agent === "" || (context.run.hello?.minds ?? [agent]).length === 0) return noMind(context, contents, "Select an agent with a Soar mind: you can give its kernel commands here, such as print s1 or matches my*rule.");
       const words = completion !== undefined && contents.console?.completed_line === asked && asked !== "" && line === asked ? completion.words : [];
       const take = (word: string): void => {
         line = line.slice(0, completion?.begin ?? line.length) + word;

@@ -2,7 +2,7 @@
 import { button, h, type View } from "../dom/view";
 import type { MemoryObject, MemoryRow } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { elementRow, empty } from "./parts";
+import { elementRow, lacksMind, noMind } from "./parts";
 
 function treeOf(context: PanelContext, rows: readonly MemoryRow[]): View {
   return h("ul.tree", null, rows.map((row) => {
@@ -23,7 +23,7 @@ export const linksPanel: MakePanel = (context) => ({
   word: "links", title: "Senses", about: "What the agent perceives (input link) and which commands it gives (output link).", uses: ["links", "moment"],
   view: (contents) => {
     const io = contents.links?.io;
-    if (io === undefined) return empty(contents.moment?.not_available || "Select an agent with a Soar mind: what it perceives and what it commands is shown here.");
+    if (io === undefined || lacksMind(context, contents)) return noMind(context, contents, "Select an agent with a Soar mind: what it perceives and what it commands is shown here.");
     return [
       io.commands.length > 0 && h("table", null, h("caption", null, "Commands"), h("tbody", null, io.commands.map((one) => h("tr", { key: `${one.timetag}` }, h("td", null, h("b", null, one.command)), h("td", null, one.parameters),
         h("td", null, one.status, one.progress !== undefined && h("progress", { attributes: { max: 1, value: one.progress, "aria-label": `${one.command} is under way` } }), one.reason !== undefined && h("span.warn", null, ` ${one.reason}`)),

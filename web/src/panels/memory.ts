@@ -2,7 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { ElementStory, Memory, MemoryRow } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { elementLink, elementRow, elementText, empty, filterField, makerView, ruleLink, story as storyOf } from "./parts";
+import { elementLink, elementRow, elementText, filterField, makerView, lacksMind, noMind, ruleLink, story as storyOf } from "./parts";
 
 const DEEPEST = 12;
 
@@ -43,7 +43,7 @@ export const memoryPanel: MakePanel = (context) => {
         search = text;
         context.run.ask("search-memory", { text });
       });
-      if (memory === undefined || memory.stack.states.length === 0) return [field, empty(contents.moment?.not_available || "Select an agent with a Soar mind: its working memory is shown here as a tree.")];
+      if (memory === undefined || lacksMind(context, contents) || memory.stack.states.length === 0) return [field, noMind(context, contents, "Select an agent with a Soar mind: its working memory is shown here as a tree.")];
       // The topmost state is unfolded to begin with.
       const agent = contents.moment?.agent ?? "", top = memory.stack.states[0]!.state;
       if (agent !== unfolded && agent !== "") {

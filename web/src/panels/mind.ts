@@ -2,7 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { OperatorRow, Operators, Stack } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { empty, makerView, short } from "./parts";
+import { makerView, lacksMind, noMind, short } from "./parts";
 
 const PHASES = ["input", "propose", "decide", "apply", "output"] as const;
 
@@ -40,9 +40,7 @@ export const mindPanel: MakePanel = (context) => ({
   word: "mind", title: "Mind", about: "The goal stack, the operators that compete in it, and why the winner won.", uses: ["mind", "moment"],
   view: (contents) => {
     const mind = contents.mind, moment = contents.moment;
-    if (moment !== undefined && moment.agent === "") return empty("Select an agent: click it in the picture or in the list of agents.");
-    if (moment?.not_available !== undefined && moment.not_available !== "" && mind === undefined) return empty(moment.not_available);
-    if (mind === undefined) return empty("The goal stack and the operators come when the world runs.");
+    if (mind === undefined || lacksMind(context, contents) || (moment !== undefined && moment.agent === "")) return noMind(context, contents, moment?.agent === "" ? "Select an agent: click it in the picture or in the list of agents." : "The goal stack and the operators come when the world runs.");
     const stack = mind.stack, phase = stack.phase;
     return [
       h("ol.phases", { attributes: { "aria-label": "Phases" } }, PHASES.map((name) => h(`li${phase === name ? ".now" : ""}`, { attributes: { "aria-current": phase === name ? "step" : undefined } }, name))),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
-import type { Element, Maker, MemoryRow } from "../run/contents";
+import type { Contents, Element, Maker, MemoryRow } from "../run/contents";
 import type { PanelContext } from "./panel";
 
 /** What several panels show in the same way. */
@@ -8,6 +8,25 @@ import type { PanelContext } from "./panel";
 /** Says what would fill an empty panel. */
 export function empty(text: string, ...more: Child[]): View {
   return h("div.empty", null, h("p", null, text), more);
+}
+
+/** Whether the selected agent, or everybody in this world, has no Soar mind. */
+export function lacksMind(context: PanelContext, { moment }: Contents): boolean {
+  const { hello } = context.run;
+  return hello !== null && moment !== undefined && !moment.has_mind && !hello.minds.includes(moment.agent);
+}
+
+/** Why a panel about a mind has nothing to show, and what to do; `otherwise`: if it is none of that. */
+export function noMind(context: PanelContext, contents: Contents, otherwise: string): View {
+  const { hello } = context.run, agent = contents.moment?.agent ?? "";
+  if (hello !== null && hello.minds.length === 0 && (contents.agents?.agents ?? hello.agents).length === 0)
+    return empty("Nobody is in this world yet. Some worlds wait for a key: click the picture, and press what the world names in the panel Output.");
+  if (hello !== null && hello.minds.length === 0)
+    return empty("No agent of this world has a Soar mind: Lua scripts decide for them. Read the scripts in the panel Rules' text, and watch what happens in Timeline and Trace.");
+  if (agent === "") return empty(otherwise);
+  if (hello !== null && !hello.minds.includes(agent) && contents.moment?.has_mind === false)
+    return empty(`${agent} has no Soar mind: a script decides for it. Select one of those who have one:`, h("div.row", null, hello.minds.slice(0, 12).map((one) => button(one, () => context.run.ask("select", { agent: one }), { key: one }, "button.small"))));
+  return empty(contents.moment?.not_available || otherwise);
 }
 
 /** 12.3 s as "0:12.30"; hours are minutes. */

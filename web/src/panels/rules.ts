@@ -3,7 +3,7 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { Contents, RuleView, Rules } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
 import { soarPieces } from "../editor/soar_tokens";
-import { elementLink, empty, filterField, numberHead, passes, story, table } from "./parts";
+import { elementLink, empty, filterField, lacksMind, noMind, numberHead, passes, story, table } from "./parts";
 
 function ruleView(context: PanelContext, rules: Rules, rule: RuleView): View {
   return story(rule.name, "rule", () => context.run.ask("rule", { rule: "" }),
@@ -37,7 +37,7 @@ export const rulesPanel: MakePanel = (context) => {
     word: "rules", title: "Rules", about: "The rules with how often they fired, what they match now, or where they fail.", uses: ["rules", "moment"],
     view: (contents) => {
       const rules = contents.rules;
-      if (rules === undefined) return empty("Select an agent with a Soar mind: its rules are listed here, with how often they fired.");
+      if (rules === undefined || lacksMind(context, contents)) return noMind(context, contents, "Select an agent with a Soar mind: its rules are listed here, with how often they fired.");
       return [
         h("div.row", null, filterField("Filter by text", filter, (text) => {
           filter = text;

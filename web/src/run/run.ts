@@ -3,6 +3,7 @@ import { isFull, SceneReader, unpack } from "../format/scene_reader";
 import type { Scene } from "../format/scene";
 import type { ContentName, Contents } from "./contents";
 import { browserStore, KeptText } from "./kept_text";
+import { Printed, type PrintedLine } from "./printed";
 import type { Connection, Flow, Hello, Request, RunMessage, RunSource } from "./source";
 
 export interface Remark { text: string; hint: string; isError: boolean }
@@ -17,6 +18,7 @@ export interface RunEvents {
   state: RunState;
   connection: { state: Connection; retryAt: number };
   language: unknown;
+  printed: readonly PrintedLine[];
   /** Another tab edits texts, or this one does again. */
   tabs: boolean;
 }
@@ -35,13 +37,15 @@ export class Run {
   retryAt = 0;
   endedText = "";
   canOpenAgain = true;
+  /** What agents printed in this run. */
+  readonly printed = new Printed();
   /** Whether this tab may change texts: one tab of a place at a time. */
   mayType = true;
   readonly kept: KeptText;
 
   private readonly handlers: Handlers = {
     hello: new Set(), flow: new Set(), contents: new Set(), scene: new Set(), remark: new Set(), state: new Set(),
-    connection: new Set(), language: new Set(), tabs: new Set(),
+    connection: new Set(), language: new Set(), printed: new Set(), tabs: new Set(),
   };
   private reader = new SceneReader();
   /** Blocks are unpacked one after another, so that they stay in order. */
@@ -152,6 +156,7 @@ export class Run {
       case "contents": {
         const names = Object.keys(message.contents) as ContentName[];
         this.contents = { ...this.contents, ...message.contents };
+        if (names.includes("timeline")) this.notePrinted();
         this.tell("contents", names);
         break;
       }
@@ -195,10 +200,16 @@ export class Run {
     }
   }
 
+  private notePrinted(): void {
+    const fresh = this.printed.note(this.contents.timeline, Math.max(this.contents.moment?.time.last_tick ?? 0, this.flow.tick));
+    if (fresh.length > 0) this.tell("printed", fresh);
+  }
+
   /** Whatever was known of another run is void. */
   private forget(): void {
     this.hello = null;
     this.contents = {};
+    this.printed.clear();
     this.scene = null;
     this.endedText = "";
     this.reader = new SceneReader();

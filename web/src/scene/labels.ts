@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Vector3, type PerspectiveCamera } from "three";
-import type { NamedPlace, Scene, Vec3 } from "../format/scene";
+import type { NamedPlace, Scene, Speech, Vec3 } from "../format/scene";
 import { h, patch, type Child } from "../dom/view";
 import { LabelLayout, type Box } from "./label_layout";
 import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
-import { DOING_FONT, NAME_FONT, textWidth } from "./text_width";
+import { DOING_FONT, NAME_FONT, SPEECH_FONT, textWidth } from "./text_width";
 
 const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
 /** Who looks from far away sees the names of what is so much further away than what is looked at. */
 const FURTHER = 2, MOST_COVERED = 0.5;
 /** Border and padding of a name, as scene.css has them. */
 const NAME_EDGES_PX = 20;
+/** Longer speech goes on in the next line. */
+const SPEECH_PX = 210;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {
@@ -47,6 +49,8 @@ export interface LabelScene {
   covered: readonly Box[];
   /** From the camera to what is looked at, in m. */
   away: number;
+  /** What agents printed, as they say it. */
+  printed: readonly Speech[];
 }
 
 interface Point { x: number; y: number; away: number }
@@ -130,12 +134,12 @@ export class Labels {
 
   private speech(view: LabelScene, layout: LabelLayout): Child[] {
     if (!view.on.has("labels")) return [];
-    const shown: Child[] = [], said = view.scene.speech.filter((one) => view.time - one.time < SPEECH_S).slice(-MOST_SPEECH);
+    const shown: Child[] = [], said = [...view.scene.speech, ...view.printed].filter((one) => view.time - one.time < SPEECH_S && view.time - one.time > -SPEECH_S).slice(-MOST_SPEECH);
     for (const one of said.reverse()) {
       const speaker = view.placed.get(one.from), text = shortened(one.text, 90);
       if (speaker === undefined || text === "") continue;
       const point = this.project([speaker.place[0], speaker.place[1] + speaker.agent.height / 2 + 0.3, speaker.place[2]], view);
-      const lines = Math.ceil(text.length / 30), box = point === null ? null : layout.place(point.x + 30, point.y - 50, Math.min(text.length, 30) * 7 + 22, lines * 17 + 12);
+      const wide = textWidth(text, SPEECH_FONT) * 1.04, room = Math.min(wide, SPEECH_PX), lines = Math.ceil((wide / room) * (wide > room ? 1.15 : 1)), box = point === null ? null : layout.place(point.x + 30, point.y - 50, room + 24, lines * 16 + 12);
       if (box === null || point === null) continue;
       const fade = Math.min(1, (SPEECH_S - (view.time - one.time)) / 0.6);
       const key = `${one.from}/${one.time}/${one.text}`;

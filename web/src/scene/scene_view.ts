@@ -3,7 +3,7 @@ import {
   ACESFilmicToneMapping, AmbientLight, BasicShadowMap, CapsuleGeometry, Color, DirectionalLight, FogExp2, HemisphereLight, Mesh, MeshBasicMaterial, PCFShadowMap, PointLight, Scene as World, Vector3,
   WebGLRenderer,
 } from "three";
-import { Shape, type Light, type Scene, type Vec3 } from "../format/scene";
+import { Shape, type Light, type Scene, type Speech, type Vec3 } from "../format/scene";
 import type { Ghosts } from "../run/contents";
 import { Playout, type Between } from "../run/playout";
 import { Bodies } from "./bodies";
@@ -28,6 +28,8 @@ import { length, minus, times } from "./vectors";
 
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
+/** Printed texts that are kept to be shown. */
+const MOST_PRINTED = 16;
 /** A body that goes further between two moments was put there. */
 const JUMP_M = 3;
 /** In a world that runs faster than this, velocities say little about where agents will be: where they were counts. */
@@ -128,6 +130,14 @@ export class SceneView {
     return this.shapes.add(key, content);
   }
 
+  /** Agents printed these texts at these times of the world: they are shown over their heads for a while. */
+  print(texts: readonly { agent: string; text: string; time: number }[]): void {
+    const ids = new Map([...(this.scene?.agents ?? [])].map(([id, agent]) => [agent.name, id]));
+    this.printed = [...this.printed, ...texts.map(({ agent, text, time }) => ({ from: ids.get(agent) ?? 0, to: 0, text: text.trim(), time }))].slice(-MOST_PRINTED);
+    this.wake();
+  }
+  private printed: readonly Speech[] = [];
+
   /** What the selected agent imagines or remembers, until the next call. */
   imagine(ghosts: Ghosts | null): void {
     this.imagined = ghosts;
@@ -150,6 +160,7 @@ export class SceneView {
     this.scriptUi.clear();
     this.renderer.shadowMap.needsUpdate = true;
     this.placed.clear();
+    this.printed = [];
     this.isFramed = keepsCamera;
     this.around = null;
     this.recentGround.forget();
@@ -374,7 +385,7 @@ export class SceneView {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
       if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
       const covered = [...this.covered, ...this.drawBoxes(scene)];
-      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered });
+      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered, printed: this.printed });
       this.dots.show(dots, this.renderer.getPixelRatio());
     }
     this.showGhosts(ghosts.filter((one) => one.radius > 0));

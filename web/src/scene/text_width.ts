@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
 /** Fonts of labels, as scene.css has them. */
-export const NAME_FONT = "bold 13px system-ui, sans-serif", DOING_FONT = "12px system-ui, sans-serif";
+export const NAME_FONT = "bold 13px system-ui, sans-serif", DOING_FONT = "12px system-ui, sans-serif", SPEECH_FONT = "13px system-ui, sans-serif";
 
 const MOST_KEPT = 2000;
 const widths = new Map<string, number>();
