@@ -167,6 +167,7 @@ void AddTest(CLI::App& program, TestOptions& options) {
   test->add_option("--rules", options.rules, "As for `soarbox run`");
   AddJobs(*test, options.jobs);
   test->add_option("--junit", options.junit, "Write the results to this file for continuous integration");
+  test->add_option("--tap", options.tap, "Write the results to this file in the Test Anything Protocol");
   test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
   test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
   test->add_flag("--empty", options.empty,
@@ -193,6 +194,10 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1, and no tables")
       ->check(NumberIn(0, 100000));
   sweep->add_option("--partition", options.partition, "Passed on to sbatch");
+  sweep->add_option("--qos", options.qos, "Passed on to sbatch");
+  sweep->add_option("--mem", options.memory, "Memory of a task, passed on to sbatch: 4G");
+  sweep->add_option("--cpus-per-task", options.processors, "Processors of a task, passed on to sbatch");
+  sweep->add_option("--sbatch", options.sbatch, "A further argument of sbatch, such as --sbatch=--constraint=fast");
   sweep->add_option("--account", options.account, "Passed on to sbatch");
   sweep->add_option("--time", options.time, "Passed on to sbatch");
   sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");

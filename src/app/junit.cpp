@@ -38,6 +38,39 @@ std::string Escape(std::string_view text) {
   return out;
 }
 
+std::string Lines(const std::vector<std::string>& texts) {
+  std::string lines;
+  for (const std::string& text : texts) lines += text + "\n";
+  return lines;
+}
+
+/// Whether this run failed though no check of it did: it reported an error.
+bool IsAtFault(const TestedMission& tested, const mission::RunResult& run) {
+  if (run.passed || run.problems.empty() || run.IsUndecided()) return false;
+  const std::vector<mission::Check>& checks = tested.loaded.mission.checks;
+  for (std::size_t i = 0; i < checks.size(); ++i)
+    if (!checks[i].marker && !checks[i].pass && !run.IsTrue(i)) return false;
+  return true;
+}
+
+/// Why nobody knows how this check ends: it was interrupted, and no run that was made failed it. Empty: it is known.
+std::string WhyOpen(const TestedMission& tested, std::size_t check) {
+  const mission::MissionOutcome& outcome = tested.outcome;
+  if (!outcome.IsInterrupted() || outcome.check_true[check] < outcome.runs.size()) return {};
+  return "interrupted after " + std::to_string(outcome.runs.size()) + " of " + std::to_string(outcome.asked);
+}
+
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+Result<void> Save(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream to(file, std::ios::binary);
+  if ((to << text).flush()) return {};
+  return ProblemIn(file.string(), std::string("this file cannot be written: ") + std::strerror(errno));
+}
+
 }  // namespace
 
 bool CheckPassed(const TestedMission& tested, std::size_t check) {
@@ -49,14 +82,17 @@ Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<Tes
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
   for (const TestedMission& each : tested) {
     const mission::Mission& mission = each.loaded.mission;
-    std::size_t failures = 0, cases = 0, errors = 0;
+    std::size_t failures = 0, cases = 0, errors = 0, skipped = 0;
     std::ostringstream body;
     for (std::size_t i = 0; i < mission.checks.size(); ++i) {
       if (mission.checks[i].marker) continue;
       ++cases;
       body << "    <testcase name=\"" << Escape(mission.checks[i].name) << "\" classname=\"" << Escape(mission.name)
            << "\">";
-      if (!CheckPassed(each, i)) {
+      if (const std::string open = WhyOpen(each, i); !open.empty()) {
+        ++skipped;
+        body << "<skipped message=\"" << Escape(open) << "\"/>";
+      } else if (!CheckPassed(each, i)) {
         ++failures;
         body << "<failure message=\"" << each.outcome.check_true[i] << " of " << each.outcome.runs.size() << "\">";
         for (const mission::RunResult& run : each.outcome.runs) {
@@ -73,20 +109,50 @@ Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<Tes
       body << "</testcase>\n";
     }
     for (const mission::RunResult& run : each.outcome.runs) {
-      if (run.outcome == "ok") continue;
+      if (run.outcome == "ok" && !IsAtFault(each, run)) continue;
       ++errors;
       ++cases;
       body << "    <testcase name=\"seed " << run.seed << "\" classname=\"" << Escape(mission.name)
-           << "\"><error message=\"" << Escape(run.outcome) << "\">" << Escape(run.error) << "</error></testcase>\n";
+           << "\"><error message=\"" << Escape(run.outcome == "ok" ? "problem" : run.outcome) << "\">"
+           << Escape(run.outcome == "ok" ? Lines(run.problems) : run.error) << "</error></testcase>\n";
     }
     out << "  <testsuite name=\"" << Escape(mission.name) << "\" tests=\"" << cases << "\" failures=\"" << failures
-        << "\" errors=\"" << errors << "\" time=\"" << mission::NumberText(each.outcome.wall_s) << "\">\n"
+        << "\" errors=\"" << errors << "\" skipped=\"" << skipped << "\" time=\""
+        << mission::NumberText(each.outcome.wall_s) << "\">\n"
         << body.str() << "  </testsuite>\n";
   }
   out << "</testsuites>\n";
-  std::ofstream to(file, std::ios::binary);
-  if ((to << out.str()).flush()) return {};
-  return ProblemIn(file.string(), std::string("this file cannot be written: ") + std::strerror(errno));
+  return Save(file, out.str());
+}
+
+Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested) {
+  std::ostringstream body;
+  std::size_t number = 0;
+  for (const TestedMission& each : tested) {
+    const mission::Mission& mission = each.loaded.mission;
+    for (std::size_t i = 0; i < mission.checks.size(); ++i) {
+      if (mission.checks[i].marker) continue;
+      const std::string open = WhyOpen(each, i);
+      const bool is_good = open.empty() ? CheckPassed(each, i) : true;
+      std::string name = OneLine(mission.name + ": " + mission.checks[i].name);
+      std::replace(name.begin(), name.end(), '#', ' ');
+      body << (is_good ? "ok " : "not ok ") << ++number << " - " << name << (open.empty() ? "" : " # SKIP " + open)
+           << '\n';
+      if (is_good) continue;
+      for (const mission::RunResult& run : each.outcome.runs) {
+        if (run.outcome != "ok" || run.IsTrue(i)) continue;
+        body << "# seed " << run.seed << ", " << mission::SecondsText(run.checks[i].verdict.time_s) << ": "
+             << OneLine(run.checks[i].expected + "; " + run.checks[i].verdict.was) << '\n';
+      }
+    }
+    for (const mission::RunResult& run : each.outcome.runs) {
+      if (run.outcome == "ok" && !IsAtFault(each, run)) continue;
+      body << "not ok " << ++number << " - " << OneLine(mission.name) << ": seed " << run.seed << '\n';
+      if (!run.error.empty()) body << "# " << OneLine(run.error) << '\n';
+      for (const std::string& problem : run.problems) body << "# " << OneLine(problem) << '\n';
+    }
+  }
+  return Save(file, "TAP version 13\n1.." + std::to_string(number) + "\n" + body.str());
 }
 
 }  // namespace soarbox::app

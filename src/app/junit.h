@@ -20,6 +20,10 @@ struct TestedMission {
 /// over all seeds.
 Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
+/// Writes them as the Test Anything Protocol has it: a line for each check over all seeds, and one for each run that
+/// broke.
+Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
+
 /// Whether a check is satisfied over all runs.
 bool CheckPassed(const TestedMission& tested, std::size_t check);
 

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
@@ -147,6 +148,64 @@ int Export(const RecordingOptions& options) {
   return Refuse(problem);
 }
 
+namespace {
+
+/// "file:line" of the first line that two versions of a file do not share.
+std::string FirstOtherLine(const record::KeptFile& a, const record::KeptFile& b) {
+  std::istringstream one(a.content), other(b.content);
+  std::string line_a, line_b;
+  for (int line = 1;; ++line) {
+    const bool has_a = static_cast<bool>(std::getline(one, line_a));
+    const bool has_b = static_cast<bool>(std::getline(other, line_b));
+    if (!has_a && !has_b) return a.name;
+    if (has_a != has_b || line_a != line_b) return a.name + ":" + std::to_string(line);
+  }
+}
+
+void CompareFiles(const record::Header& a, const record::Header& b, std::vector<std::string>& lines) {
+  if (a.files.empty() || b.files.empty()) {
+    if (a.scenario_digest != b.scenario_digest)
+      lines.emplace_back("their files differ; not both recordings hold theirs");
+    return;
+  }
+  const auto in = [](const record::Header& header, const record::KeptFile& file) {
+    return std::ranges::find_if(header.files, [&](const record::KeptFile& other) {
+      return other.folder == file.folder && other.name == file.name;
+    });
+  };
+  for (const record::KeptFile& file : a.files) {
+    const auto other = in(b, file);
+    if (other == b.files.end()) lines.push_back("only A has the file " + file.name);
+    if (other != b.files.end() && other->content != file.content)
+      lines.push_back("files differ from " + FirstOtherLine(file, *other) + " on");
+  }
+  for (const record::KeptFile& file : b.files)
+    if (in(a, file) == a.files.end()) lines.push_back("only B has the file " + file.name);
+}
+
+/// What two runs were not both made with: seeds, builds, rules.
+std::vector<std::string> InputsThatDiffer(const record::Header& a, const record::Header& b) {
+  std::vector<std::string> lines;
+  if (a.seed != b.seed) lines.push_back(fmt::format("seeds differ: A {}, B {}", a.seed, b.seed));
+  if (a.build != b.build) lines.push_back("builds differ: A " + a.build + ", B " + b.build);
+  if (a.step_s != b.step_s) lines.push_back(fmt::format("ticks differ: A {} s, B {} s", a.step_s, b.step_s));
+  if (a.own_kernel != b.own_kernel)
+    lines.push_back(std::string("kernels differ: the minds of ") + (a.own_kernel ? "B" : "A") +
+                    " lived in another kernel");
+  CompareFiles(a, b, lines);
+  if (a.replaced_rules != b.replaced_rules) {
+    const auto tell = [](const record::Header& header) {
+      std::string text;
+      for (const auto& [agent, file] : header.replaced_rules) text += (text.empty() ? "" : ", ") + agent + "=" + file;
+      return text.empty() ? std::string("none") : text;
+    };
+    lines.push_back("rules given on the command line differ: A " + tell(a) + ", B " + tell(b));
+  }
+  return lines;
+}
+
+}  // namespace
+
 int Compare(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> a = Open(options.file);
   if (!a) return Refuse(a.error());
@@ -155,6 +214,8 @@ int Compare(const RecordingOptions& options) {
   const Result<record::Comparison> comparison = record::Compare(**a, **b);
   if (!comparison) return Refuse(comparison.error());
   const double step_s = (*a)->header().step_s;
+  const std::vector<std::string> inputs = InputsThatDiffer((*a)->header(), (*b)->header());
+  for (const std::string& line : inputs) std::cout << line << '\n';
   if (!comparison->difference) {
     std::cout << fmt::format("equal: ticks {} to {}\n", comparison->first_tick, comparison->last_tick);
     return kOk;
@@ -167,8 +228,13 @@ int Compare(const RecordingOptions& options) {
   tell("first difference", *comparison->difference);
   if (comparison->decision) {
     tell("first other decision", *comparison->decision);
+    if (!comparison->why_a.empty()) std::cout << "  A: " << comparison->why_a << '\n';
+    if (!comparison->why_b.empty()) std::cout << "  B: " << comparison->why_b << '\n';
     if (comparison->percepts.empty()) {
-      std::cout << "  it perceived the same in both: its rules or its memory differ\n";
+      std::cout << "  it perceived the same in both: "
+                << (comparison->by_chance ? "chance selected, and came to another result with the other random numbers"
+                                          : "its rules or its memory differ")
+                << '\n';
     } else {
       std::cout << "  it perceived something else (A, B):\n";
       for (const std::string& line : comparison->percepts) std::cout << "    " << line << '\n';

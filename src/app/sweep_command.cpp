@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
@@ -136,6 +137,10 @@ int Sweep(const SweepOptions& asked) {
     settings.partition = options.partition;
     settings.account = options.account;
     settings.time = options.time;
+    settings.qos = options.qos;
+    settings.memory = options.memory;
+    settings.processors = options.processors;
+    settings.more = options.sbatch;
     // What a node that died leaves undone is given out again.
     const auto made = [&] {
       std::vector<Diagnostic> found;
@@ -146,24 +151,30 @@ int Sweep(const SweepOptions& asked) {
     progress.there_before = made();
     auto next_look = begin;
     bool answers = true;
+    std::string told_held;
     for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
       if (made() == planned && (round > 0 || !options.retry)) break;
       if (round > 0) std::cerr << "some runs are missing: given to Slurm again\n";
-      const Result<void> done = sweep::RunOnSlurm(folder, settings, [&](const std::string& no_answer) {
-        if (answers != no_answer.empty()) {
-          answers = no_answer.empty();
-          std::cerr << (is_terminal ? "\n" : "")
-                    << (answers ? "Slurm answers again" : "Slurm does not answer: " + no_answer + "; still waiting")
-                    << '\n';
-        }
-        // Reading all rows takes its time when there are many.
-        if (const auto now = std::chrono::steady_clock::now(); is_terminal && now >= next_look) {
-          progress.done = made() - progress.there_before;
-          Show(progress, is_terminal, begin);
-          next_look = now + 20 * (std::chrono::steady_clock::now() - now);
-        }
-        return !WasInterrupted();
-      });
+      const Result<void> done =
+          sweep::RunOnSlurm(folder, settings, [&](const std::string& no_answer, const std::string& held) {
+            if (held != told_held && !held.empty())
+              std::cerr << (is_terminal ? "\n" : "") << "Slurm holds the jobs back: " << held
+                        << "; squeue and sinfo --list-reasons say more\n";
+            if (no_answer.empty()) told_held = held;
+            if (answers != no_answer.empty()) {
+              answers = no_answer.empty();
+              std::cerr << (is_terminal ? "\n" : "")
+                        << (answers ? "Slurm answers again" : "Slurm does not answer: " + no_answer + "; still waiting")
+                        << '\n';
+            }
+            // Reading all rows takes its time when there are many.
+            if (const auto now = std::chrono::steady_clock::now(); is_terminal && now >= next_look) {
+              progress.done = made() - progress.there_before;
+              Show(progress, is_terminal, begin);
+              next_look = now + 20 * (std::chrono::steady_clock::now() - now);
+            }
+            return !WasInterrupted();
+          });
       if (is_terminal) std::cerr << '\n';
       if (!done) return Refuse(done.error());
     }
@@ -214,7 +225,8 @@ int Sweep(const SweepOptions& asked) {
     std::cerr << planned - rows.size() << " of " << planned << " runs are missing\n";
     return kProblems;
   }
-  return differing.empty() ? kOk : kProblems;
+  const bool has_errors = std::ranges::any_of(rows, [](const sweep::Row& row) { return row.result.has_errors; });
+  return differing.empty() && !has_errors ? kOk : kProblems;
 }
 
 }  // namespace soarbox::app

@@ -16,7 +16,9 @@ struct SweepOptions {
   std::string on = "here";  ///< Or "slurm".
   int tasks = 1;            ///< Of a job array.
   int task = -1;            ///< Only this part of the runs: a task of many; -1: all, and tables at the end.
-  std::string partition, account, time;
+  std::string partition, account, time, qos, memory;
+  int processors = 0;
+  std::vector<std::string> sbatch;  ///< Further arguments of sbatch.
   bool cancel = false;
   bool mix = false;    ///< Rows of other builds count too.
   bool retry = false;  ///< Crashed and hung runs are made again.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/test_command.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -71,11 +72,31 @@ Json ToJson(const mission::Mission& mission, const RunResult& run) {
             {"passed", run.passed},
             {"seconds", run.seconds},
             {"cpu_s", run.cpu_s},
-            {"state_hash", std::to_string(run.state_hash)},
+            {"state_hash", fmt::format("{:016x}", run.state_hash)},
             {"checks", std::move(checks)}};
+  if (!run.problems.empty()) json["problems"] = run.problems;
   if (!run.error.empty()) json["error"] = run.error;
   if (!run.recording.empty()) json["recording"] = run.recording;
   return json;
+}
+
+/// What runs that failed reported themselves, each once: rules that cannot be read, loops, scripts that stop.
+template <typename Head>
+void PrintProblems(const mission::MissionOutcome& outcome, const std::string& margin, const Head& head) {
+  std::vector<std::string> told;
+  for (const RunResult& run : outcome.runs) {
+    if (run.passed) continue;
+    for (const std::string& problem : run.problems) {
+      if (std::ranges::find(told, problem) != told.end()) continue;
+      if (told.empty()) {
+        head("reported");
+        std::cout << "seed " << run.seed << ": " << problem << '\n';
+      } else {
+        std::cout << margin << problem << '\n';
+      }
+      told.push_back(problem);
+    }
+  }
 }
 
 /// Prints what went wrong: each check once, with the first seed that failed it.
@@ -110,6 +131,7 @@ void PrintFailures(const TestedMission& tested) {
     }
     if (more > 1) std::cout << margin << "and with " << more - 1 << " other seeds\n";
   }
+  PrintProblems(tested.outcome, margin, head);
   for (const RunResult& run : tested.outcome.runs) {
     if (run.outcome == "ok" && run.error.empty()) continue;
     head(run.outcome == "ok" ? "note" : run.outcome);
@@ -175,12 +197,14 @@ class Tester {
     }
     const auto bad =
         static_cast<std::size_t>(std::count_if(tested.begin(), tested.end(), [](const TestedMission& each) {
-          return !each.outcome.Passed(each.loaded.mission);
+          return !each.outcome.Passed(each.loaded.mission) && !each.outcome.IsOpen(each.loaded.mission);
         }));
+    const bool is_open = WasInterrupted();
     if (!options_.json) {
       const std::size_t unusable = files.size() - tested.size();
       const std::string came = bad > 0          ? std::to_string(bad) + " failed"
                                : tested.empty() ? std::string("none was run")
+                               : is_open        ? std::string("interrupted")
                                                 : std::string("all passed");
       std::cout << tested.size() << (tested.size() == 1 ? " mission, " : " missions, ") << came << ", ";
       if (unusable > 0 && !WasInterrupted()) std::cout << unusable << " cannot be used, ";
@@ -188,6 +212,12 @@ class Tester {
     }
     if (!options_.junit.empty()) {
       if (const Result<void> written = WriteJunit(options_.junit, tested); !written) {
+        std::cerr << Format(written.error());
+        refused = true;
+      }
+    }
+    if (!options_.tap.empty()) {
+      if (const Result<void> written = WriteTap(options_.tap, tested); !written) {
         std::cerr << Format(written.error());
         refused = true;
       }
@@ -210,6 +240,7 @@ class Tester {
     mission::TestSettings settings;
     settings.jobs = options_.jobs;
     settings.empty_minds = options_.empty;
+    settings.errors_fail = !options_.empty;
     settings.keep = options_.no_keep        ? fs::path()
                     : options_.keep.empty() ? mission::StateFolder("test")
                                             : options_.keep;
@@ -237,6 +268,7 @@ class Tester {
                                  {"mission", mission.name},
                                  {"file", tested.file.string()},
                                  {"passed", passed},
+                                 {"interrupted", came.IsInterrupted()},
                                  {"runs", came.runs.size()},
                                  {"runs_passed", came.passed},
                                  {"needed", came.needed},
@@ -248,8 +280,10 @@ class Tester {
     std::cout << head;
     for (std::size_t i = 0; i < came.runs.size() && i < 60; ++i) std::cout << Mark(came.runs[i]);
     std::cout << "  " << came.passed << " of " << came.runs.size();
-    if (came.needed != came.runs.size()) std::cout << ", " << came.needed << " needed";
-    std::cout << (passed ? "" : "   FAILED") << "   " << mission::SecondsText(came.wall_s) << '\n';
+    if (came.needed != came.asked) std::cout << ", " << came.needed << " needed";
+    const bool is_open = came.IsOpen(mission);
+    if (came.IsInterrupted()) std::cout << ", interrupted after " << came.runs.size() << " of " << came.asked;
+    std::cout << (passed || is_open ? "" : "   FAILED") << "   " << mission::SecondsText(came.wall_s) << '\n';
     PrintFailures(tested);
     PrintNotes(tested);
     return {};
@@ -283,7 +317,7 @@ Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::Dat
     std::vector<fs::path> found = mission::FindMissionFiles(path, data);
     std::error_code error;
     if (found.empty()) {
-      return NewProblem(fs::exists(path, error) || !path.is_relative() || fs::exists(data.scenarios / path, error)
+      return NewProblem(fs::exists(path, error) || fs::exists(data.scenarios / path, error)
                             ? "there is no mission in " + (path == "." ? std::string("this folder") : path.string())
                             : "there is no file, folder or scenario '" + path.string() + "'",
                         "a mission is a scenario.toml with [[check]] tables, or a mission.toml: docs/missions.md");

@@ -13,6 +13,7 @@ struct TestOptions {
   std::string seeds;                         ///< "1..20"; empty: the missions' own.
   std::vector<std::string> rules;            ///< "NAME=FILE", as for `soarbox run`.
   int jobs = 0;                              ///< Processes at a time; 0: one per processor.
+  std::filesystem::path tap;                 ///< The same in the Test Anything Protocol; empty: none.
   std::filesystem::path junit;               ///< A report for continuous integration; empty: none.
   bool json = false;
   bool watch = false;          ///< Again whenever a file of a mission is saved.

@@ -133,6 +133,10 @@ Finding LookForEvents(const Condition& condition, const AgentFacts* agent, const
     if (!condition.reason.empty() && event.reason != condition.reason) continue;
     if (!HoldsAll(condition.with, event.with)) continue;
     ++found.times;
+    if (event.key == Key::kProblem) {
+      if (found.times == 1) found.detail = "it was " + event.reason;
+      continue;
+    }
     found.detail = "it was " + event.word;
     if (is_impasse) found.detail += " impasse";
     if (!event.reason.empty()) found.detail += ": " + event.reason;

@@ -11,6 +11,12 @@
 namespace soarbox::mission {
 namespace {
 
+std::string ListOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 /// Times are multiples of a tick; a bound that is written with few digits means the tick nearest to it.
 constexpr double kSlack_s = 1e-4;
 constexpr double kForever_s = 1e30;
@@ -216,6 +222,10 @@ std::string Evaluator::Miss(const Slot& slot, const Check& check) const {
            (slot.best_detail.empty() ? "" : ": " + slot.best_detail);
   }
   if (slot.nearest < 1e29 && !slot.best_detail.empty()) return slot.best_detail + " at " + SecondsText(slot.best_s);
+  if (check.who == Who::kAny && slot.subjects.size() > 1) {
+    const std::string whom = check.team.empty() ? "them" : "team " + check.team;
+    return "none of " + (check.team.empty() && check.agents.size() > 1 ? ListOf(check.agents) : whom) + " did";
+  }
   return "it never did";
 }
 

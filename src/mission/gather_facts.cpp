@@ -187,14 +187,24 @@ void FactGatherer::GatherItems() {
   }
 }
 
+bool IsProblem(const sim::RunEvent& event) {
+  const bool is_diagnostic = event.kind == sim::EventKind::kDiagnostic || event.kind == sim::EventKind::kAgentFailed ||
+                             event.kind == sim::EventKind::kMindFailed;
+  return is_diagnostic && event.diagnostic.severity != Severity::kNote;
+}
+
+std::string ProblemText(const Diagnostic& diagnostic) {
+  const std::string text = Format(diagnostic);
+  return text.substr(0, text.find('\n'));
+}
+
 void FactGatherer::GatherEvents(const sim::EventList& events) {
   for (const sim::RunEvent& event : events) {
-    const bool is_diagnostic = event.kind == sim::EventKind::kDiagnostic ||
-                               event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed;
     if (event.kind == sim::EventKind::kEnded) facts_.ended.push_back(event.text);
-    if (is_diagnostic && event.diagnostic.severity != Severity::kNote)
-      facts_.problems.push_back(
-          {Key::kProblem, event.diagnostic.severity == Severity::kError ? "error" : "warning", {}, {}, {}});
+    if (IsProblem(event)) {
+      const bool is_error = event.diagnostic.severity == Severity::kError;
+      facts_.problems.push_back({Key::kProblem, is_error ? "error" : "warning", {}, {}, ProblemText(event.diagnostic)});
+    }
     const std::size_t index = IndexOf(event.agent);
     if (index == facts_.agents.size()) continue;
     AgentFacts& agent = facts_.agents[index];

@@ -11,6 +11,11 @@
 
 namespace soarbox::mission {
 
+/// Whether an event tells of an error or a warning.
+bool IsProblem(const sim::RunEvent& event);
+/// "hare.soar:3:4: error: ...", in one line.
+std::string ProblemText(const Diagnostic& diagnostic);
+
 /// Makes the facts of each tick from a simulation. It only reads: the run is the same without it.
 class FactGatherer {
  public:

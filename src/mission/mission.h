@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,5 +104,7 @@ struct Wants {
   std::vector<std::string> elements;                          ///< Paths from the top state.
 };
 Wants WantsOf(const Mission& mission);
+/// Adds what these checks ask for: metrics of a sweep, for example.
+void AddWants(std::span<const Check> checks, Wants& wants);
 
 }  // namespace soarbox::mission

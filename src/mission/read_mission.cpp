@@ -518,27 +518,30 @@ void CheckTimes(const Mission& mission, double seconds, std::vector<Diagnostic>&
   for (const Check& check : mission.mistakes) CheckTimesOf(check, seconds, problems);
 }
 
-Wants WantsOf(const Mission& mission) {
-  Wants wants;
-  for (const std::vector<Check>* checks : {&mission.checks, &mission.mistakes}) {
-    for (const Check& check : *checks) {
-      for (const Condition& condition : check.conditions) {
-        wants.notes |= condition.row->source == Source::kNotes;
-        wants.firings |= condition.row->source == Source::kFirings;
-        wants.insight |= condition.row->source == Source::kInsight ||
-                         (condition.row->key == Key::kOperator && !condition.with.empty());
-        wants.learned |= condition.row->key == Key::kReused;
-        wants.decisions |= condition.row->key == Key::kOperator || condition.row->key == Key::kImpasse;
-        wants.numbers |= condition.row->key == Key::kReward || condition.row->key == Key::kUpdates ||
-                         condition.row->key == Key::kValues;
-        wants.retrievals |= condition.row->key == Key::kRetrieval;
-        if (condition.row->key != Key::kElement) continue;
-        for (const std::string& path : condition.words)
-          if (std::find(wants.elements.begin(), wants.elements.end(), path) == wants.elements.end())
-            wants.elements.push_back(path);
-      }
+void AddWants(std::span<const Check> checks, Wants& wants) {
+  for (const Check& check : checks) {
+    for (const Condition& condition : check.conditions) {
+      wants.notes |= condition.row->source == Source::kNotes;
+      wants.firings |= condition.row->source == Source::kFirings;
+      wants.insight |= condition.row->source == Source::kInsight ||
+                       (condition.row->key == Key::kOperator && !condition.with.empty());
+      wants.learned |= condition.row->key == Key::kReused;
+      wants.decisions |= condition.row->key == Key::kOperator || condition.row->key == Key::kImpasse;
+      wants.numbers |= condition.row->key == Key::kReward || condition.row->key == Key::kUpdates ||
+                       condition.row->key == Key::kValues;
+      wants.retrievals |= condition.row->key == Key::kRetrieval;
+      if (condition.row->key != Key::kElement) continue;
+      for (const std::string& path : condition.words)
+        if (std::find(wants.elements.begin(), wants.elements.end(), path) == wants.elements.end())
+          wants.elements.push_back(path);
     }
   }
+}
+
+Wants WantsOf(const Mission& mission) {
+  Wants wants;
+  AddWants(mission.checks, wants);
+  AddWants(mission.mistakes, wants);
   return wants;
 }
 

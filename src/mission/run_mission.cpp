@@ -24,12 +24,30 @@ namespace {
 constexpr double kAfterFailure_s = 1;
 constexpr std::size_t kMostReasons = 8;
 constexpr std::size_t kMostAsked = 5;
+constexpr std::size_t kMostProblems = 10;
 
-Wants WantsWithNumbers(const Mission& mission, bool all) {
-  Wants wants = WantsOf(mission);
-  wants.notes |= all;
+Wants WantsWithNumbers(const RunSpec& spec) {
+  Wants wants = WantsOf(*spec.mission);
+  AddWants(spec.measured, wants);
+  wants.notes |= spec.to_the_end;
   return wants;
 }
+
+/// Errors and warnings of a run, each once, the first few in words.
+class ProblemList {
+ public:
+  void See(const sim::RunEvent& event, RunResult& result) {
+    if (!IsProblem(event)) return;
+    has_errors_ |= event.diagnostic.severity == Severity::kError;
+    const std::string text = ProblemText(event.diagnostic);
+    if (result.problems.size() < kMostProblems && std::ranges::find(result.problems, text) == result.problems.end())
+      result.problems.push_back(text);
+  }
+  bool has_errors() const { return has_errors_; }
+
+ private:
+  bool has_errors_ = false;
+};
 
 sim::SimulationSettings SettingsOf(const RunSpec& spec, const Wants& wants) {
   sim::SimulationSettings settings;
@@ -209,6 +227,13 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
 
 }  // namespace
 
+bool AsksForProblems(const Mission& mission) {
+  return std::ranges::any_of(mission.checks, [](const Check& check) {
+    return std::ranges::any_of(check.conditions,
+                               [](const Condition& condition) { return condition.row->key == Key::kProblem; });
+  });
+}
+
 std::vector<std::string> ReasonsFor(const Check& check, const std::string& agent, sim::Simulation& simulation) {
   std::vector<std::string> lines;
   if (agent.empty()) return lines;
@@ -251,7 +276,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   RunResult result;
   result.seed = spec.seed;
   const Mission& mission = *spec.mission;
-  const Wants wants = WantsWithNumbers(mission, spec.to_the_end);
+  const Wants wants = WantsWithNumbers(spec);
   const sim::SimulationSettings settings = SettingsOf(spec, wants);
   Result<std::unique_ptr<sim::Simulation>> made = Make(spec, settings);
   if (!made) {
@@ -264,8 +289,10 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   const bool tells_all = TellsAll(simulation);
   Evaluator evaluator(mission, tells_all);
   std::map<std::string, double>& numbers = result.numbers;
+  ProblemList problems;
   const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
     for (const sim::RunEvent& event : events) {
+      problems.See(event, result);
       // From here on the minds do nothing: what the run would show is not what they do.
       if (event.kind == sim::EventKind::kMindLost && result.outcome == "ok") {
         result.outcome = "crashed";
@@ -274,8 +301,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
       numbers["commands"] += event.kind == sim::EventKind::kCommand ? 1 : 0;
       numbers["failed_commands"] += event.kind == sim::EventKind::kOutcome && event.text.starts_with("error") ? 1 : 0;
       numbers["gaps"] += event.kind == sim::EventKind::kGap ? 1 : 0;
-      numbers["problems"] +=
-          event.kind == sim::EventKind::kDiagnostic && event.diagnostic.severity == Severity::kError ? 1 : 0;
+      numbers["problems"] += IsProblem(event) && event.diagnostic.severity == Severity::kError ? 1 : 0;
     }
     for (const AgentFacts& agent : facts.agents) {
       for (const EventFact& event : agent.events) {
@@ -299,6 +325,8 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     if (on_facts) on_facts(facts);
   };
   feed();
+  const bool errors_count = spec.errors_fail && !AsksForProblems(mission);
+  result.is_faulty = errors_count && problems.has_errors();
   if (const std::string unknown = UnknownName(mission, gatherer.facts()); !unknown.empty()) {
     result.outcome = "refused";
     result.error = unknown;
@@ -314,7 +342,8 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   }
   evaluator.Finish();
   if (spec.to_the_end) gatherer.GatherInsight();
-  result.passed = evaluator.HasPassed() && result.outcome == "ok";
+  result.has_errors = errors_count && problems.has_errors();
+  result.passed = evaluator.HasPassed() && result.outcome == "ok" && !result.has_errors;
   result.seconds = simulation.time_s();
   result.ticks = simulation.tick();
   result.state_hash = simulation.StateHash();
@@ -343,7 +372,8 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     CheckResult& check = result.checks.emplace_back();
     check.verdict = verdicts[i];
     const Check& asked = i < mission.checks.size() ? mission.checks[i] : mission.mistakes[i - mission.checks.size()];
-    if (verdicts[i].state != State::kTrue) check.expected = Expectation(asked, verdicts[i].agent, mission);
+    if (verdicts[i].state != State::kTrue)
+      check.expected = Expectation(asked, asked.who == Who::kAny ? std::string() : verdicts[i].agent, mission);
   }
   simulation.Finish();
   const bool all_true =

@@ -34,6 +34,9 @@ struct RunSpec {
   std::string kernel;               ///< HOST:PORT of a kernel elsewhere; empty: our own.
   bool ends_endless = false;        ///< Ends when rules fire without end; the outcome is then "endless".
   AccountSettings account;          ///< Of a run that fails: what it says of one file of rules.
+  std::vector<Check> measured;      ///< What metrics look at besides the checks.
+  /// An error of rules, scripts or files fails the run, unless a check asks for problems.
+  bool errors_fail = false;
 };
 
 /// How a check ended, in words.
@@ -57,6 +60,9 @@ struct RunResult {
   std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
   std::string recording;                  ///< The file that was kept; empty: none.
   std::vector<RunFinding> account;        ///< If it was asked for.
+  std::vector<std::string> problems;      ///< The first errors and warnings, with file and line; each once.
+  bool has_errors = false;                ///< It reported an error, and no check is about that.
+  bool is_faulty = false;                 ///< There was an error before the first tick: rules that cannot be read.
   double cpu_s = 0, peak_mb = 0;
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }
@@ -69,6 +75,9 @@ struct RunResult {
 
 /// Called after each tick with the simulation and its facts, for the metrics of a sweep.
 using OnFacts = std::function<void(const TickFacts&)>;
+
+/// Whether a check asks for problems to be there, or not: then they are judged by it and are no fault of the run.
+bool AsksForProblems(const Mission& mission);
 
 /// Runs it in this process. If it cannot run, the result says why.
 RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts = {});

@@ -34,6 +34,9 @@ std::string ToJsonLine(const RunResult& result) {
   if (!result.recording.empty()) json["recording"] = result.recording;
   for (const RunFinding& finding : result.account)
     json["account"].push_back(Json{{"cause", static_cast<int>(finding.cause)}, {"text", finding.text}});
+  if (!result.problems.empty()) json["problems"] = result.problems;
+  if (result.has_errors) json["has_errors"] = true;
+  if (result.is_faulty) json["faulty"] = true;
   if (!result.idle_checks.empty()) json["idle_checks"] = result.idle_checks;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -55,6 +58,9 @@ Result<RunResult> FromJsonLine(const std::string& line) {
     result.recording = json.value("recording", "");
     for (const Json& each : json.value("account", Json::array()))
       result.account.push_back({static_cast<Cause>(each.value("cause", 0)), each.value("text", "")});
+    result.problems = json.value("problems", std::vector<std::string>{});
+    result.has_errors = json.value("has_errors", false);
+    result.is_faulty = json.value("faulty", false);
     result.idle_checks = json.value("idle_checks", std::vector<std::size_t>{});
     result.numbers = json.value("numbers", std::map<std::string, double>{});
     for (const Json& each : json.at("checks")) {

@@ -43,6 +43,31 @@ double NormalQuantile(double probability) {
   return (low + high) / 2;
 }
 
+/// The regularized incomplete beta function, as a continued fraction (Lentz's method).
+double IncompleteBeta(double a, double b, double x) {
+  if (x <= 0) return 0;
+  if (x >= 1) return 1;
+  if (x > (a + 1) / (a + b + 2)) return 1 - IncompleteBeta(b, a, 1 - x);
+  const double front =
+      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x)) / a;
+  constexpr double kTiny = 1e-300;
+  double fraction = 1, c = 1, d = 0;
+  for (int i = 0; i <= 400; ++i) {
+    const int m = i / 2;
+    double numerator = 1;
+    if (i > 0)
+      numerator = i % 2 == 0 ? m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m))
+                             : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+    d = 1 + numerator * d;
+    d = 1 / (std::abs(d) < kTiny ? kTiny : d);
+    c = 1 + numerator / c;
+    if (std::abs(c) < kTiny) c = kTiny;
+    fraction *= c * d;
+    if (std::abs(1 - c * d) < 1e-15) break;
+  }
+  return front * (fraction - 1);
+}
+
 }  // namespace
 
 Interval WilsonInterval(std::size_t good, std::size_t all) {
@@ -109,6 +134,78 @@ Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
     return means[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(kResamples - 1)))];
   };
   return {at(-kZ95), at(kZ95)};
+}
+
+double StudentCdf(double x, double freedom) {
+  const double below = IncompleteBeta(freedom / 2, 0.5, freedom / (freedom + x * x)) / 2;
+  return x > 0 ? 1 - below : below;
+}
+
+double StudentQuantile(double probability, double freedom) {
+  if (probability < 0.5) return -StudentQuantile(1 - probability, freedom);
+  double low = 0, high = 1;
+  while (StudentCdf(high, freedom) < probability && high < 1e12) high *= 2;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    (StudentCdf(middle, freedom) < probability ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+Interval StudentInterval(std::span<const double> values) {
+  const double mean = Mean(values);
+  if (values.size() < 2) return {mean, mean};
+  const auto n = static_cast<double>(values.size());
+  const double half = StudentQuantile(0.975, n - 1) * StandardDeviation(values) / std::sqrt(n);
+  return {mean - half, mean + half};
+}
+
+double StudentTest(std::span<const double> differences) {
+  if (differences.size() < 2) return 1;
+  const auto n = static_cast<double>(differences.size());
+  const double mean = std::abs(Mean(differences)), error = StandardDeviation(differences) / std::sqrt(n);
+  if (error <= 1e-12 * mean) return mean > 0 ? 0 : 1;
+  return std::min(1.0, 2 * StudentCdf(-mean / error, n - 1));
+}
+
+std::vector<double> Holm(std::span<const double> probabilities) {
+  std::vector<std::size_t> order(probabilities.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return probabilities[i]; });
+  std::vector<double> corrected(probabilities.size());
+  double most = 0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    most = std::max(most, static_cast<double>(order.size() - rank) * probabilities[order[rank]]);
+    corrected[order[rank]] = std::min(1.0, most);
+  }
+  return corrected;
+}
+
+double PairedEffect(std::span<const double> differences) {
+  const double deviation = StandardDeviation(differences);
+  return deviation > 0 ? Mean(differences) / deviation : 0;
+}
+
+double CliffsDelta(std::span<const double> a, std::span<const double> b) {
+  if (a.empty() || b.empty()) return 0;
+  std::vector<double> sorted(a.begin(), a.end());
+  std::ranges::sort(sorted);
+  double sum = 0;
+  for (const double value : b) {
+    const auto below = std::ranges::lower_bound(sorted, value) - sorted.begin();
+    const auto above = sorted.end() - std::ranges::upper_bound(sorted, value);
+    sum += static_cast<double>(below - above);
+  }
+  return sum / static_cast<double>(a.size()) / static_cast<double>(b.size());
+}
+
+std::size_t PairsFor(double effect) {
+  const double size = std::abs(effect);
+  if (size < 1e-4) return 0;
+  constexpr double kZ80 = 0.841621233572914;
+  // The last term makes up for the spread being estimated, too.
+  const double pairs = (kZ95 + kZ80) * (kZ95 + kZ80) / (size * size) + kZ95 * kZ95 / 2;
+  return static_cast<std::size_t>(std::ceil(pairs));
 }
 
 double McNemar(std::size_t only_first, std::size_t only_second) {

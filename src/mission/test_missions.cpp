@@ -46,6 +46,19 @@ bool MissionOutcome::Passed(const Mission& mission) const {
   return true;
 }
 
+bool MissionOutcome::IsOpen(const Mission& mission) const {
+  if (!IsInterrupted() || IsRefused() || Passed(mission)) return false;
+  // So many have failed that those which are missing cannot make up for it.
+  const std::size_t missing = asked - runs.size();
+  if (passed + missing < needed) return false;
+  for (std::size_t i = 0; i < mission.checks.size(); ++i) {
+    if (mission.checks[i].marker || !mission.checks[i].pass) continue;
+    const std::size_t all = NeededOf(mission, *this, i) * asked / std::max<std::size_t>(1, runs.size());
+    if (check_true[i] + missing < all) return false;
+  }
+  return true;
+}
+
 std::vector<std::uint64_t> SeedsOf(const Mission& mission, const TestSettings& settings) {
   if (!settings.seeds.empty()) return settings.seeds;
   return mission.seeds.empty() ? std::vector<std::uint64_t>{1} : mission.seeds;
@@ -108,6 +121,7 @@ Result<MissionOutcome> TestMission(const LoadedMission& loaded, const TestSettin
       spec.seconds = loaded.seconds;
       spec.empty_minds = settings.empty_minds;
       spec.ends_endless = settings.ends_endless;
+      spec.errors_fail = settings.errors_fail;
       spec.account = settings.account;
       if (!settings.keep.empty())
         spec.recording = settings.keep / (mission.name + "-" + std::to_string(seeds[next]) + ".soarrec");
@@ -124,6 +138,7 @@ Result<MissionOutcome> TestMission(const LoadedMission& loaded, const TestSettin
     on_run(results[done->id]);
   }
   MissionOutcome outcome;
+  outcome.asked = seeds.size();
   outcome.needed =
       std::min(seeds.size(), static_cast<std::size_t>(mission.pass.value_or(static_cast<int>(seeds.size()))));
   // Other seeds than the mission's: the same share of them.

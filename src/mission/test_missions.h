@@ -37,6 +37,7 @@ struct TestSettings {
   std::vector<std::uint64_t> seeds;  ///< Instead of the missions' own; empty: those.
   bool empty_minds = false;
   bool ends_endless = false;   ///< Runs in which rules fire without end are ended.
+  bool errors_fail = false;    ///< RunSpec::errors_fail.
   std::filesystem::path keep;  ///< Folder for recordings of runs that fail; empty: none are kept.
   AccountSettings account;     ///< What runs that fail are to say of a file of rules.
 };
@@ -46,11 +47,15 @@ struct MissionOutcome {
   std::vector<RunResult> runs;  ///< In the order of the seeds; those that were interrupted are left out.
   std::size_t needed = 0;       ///< So many must pass.
   std::size_t passed = 0;
+  std::size_t asked = 0;                ///< So many were to be made; more than `runs` if it was interrupted.
   std::vector<std::size_t> check_true;  ///< For each check: in how many runs it was.
   double wall_s = 0;
   bool Passed(const Mission& mission) const;
   bool HasBroken() const;  ///< A run crashed, hung or is undecided.
   bool IsRefused() const;
+  bool IsInterrupted() const { return runs.size() < asked; }
+  /// Interrupted, and no run that was made failed: nobody knows how it would have ended.
+  bool IsOpen(const Mission& mission) const;
 };
 
 /// In how many of so many runs this check must be true.

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "diagnostics/problem.h"
+#include "mind/decision_codec.h"
+#include "tell/decision_text.h"
 
 namespace soarbox::record {
 namespace {
@@ -22,6 +25,20 @@ std::vector<std::string> PerceptsThatDiffer(const PerceptValues& a, const Percep
     }
   }
   return lines;
+}
+
+/// How an agent came to the last operator that it selected in this tick.
+std::string WhyDecided(const TickRecord& tick, std::string_view agent, bool& by_chance) {
+  std::string why;
+  const auto take = [&](const mind::OperatorSelected& selected) {
+    const std::optional<mind::Decision> decision = mind::Unpack(selected.decision);
+    if (!decision || decision->empty()) return;
+    why = tell::WhySelected(*decision);
+    by_chance |= decision->left.size() > 1;
+  };
+  for (const MindRecord& mind : tick.minds)
+    if (mind.agent == agent) mind.events.ForEach(mind::Cases{take, [](const auto&) {}});
+  return why;
 }
 
 Comparison::Moment MomentOf(const TickRecord& a, const TickRecord& b) {
@@ -67,9 +84,12 @@ void Comparer::See(const TickRecord& a, const TickRecord& b) {
     for (const MindRecord& mind : a.minds) ApplyPercepts(mind.events, perceived_a_[mind.agent]);
     for (const MindRecord& mind : b.minds) ApplyPercepts(mind.events, perceived_b_[mind.agent]);
     result_.decision = DecisionThatDiffers(a, b);
-    if (result_.decision)
-      result_.percepts =
-          PerceptsThatDiffer(perceived_a_[result_.decision->agent], perceived_b_[result_.decision->agent]);
+    if (result_.decision) {
+      const std::string& agent = result_.decision->agent;
+      result_.percepts = PerceptsThatDiffer(perceived_a_[agent], perceived_b_[agent]);
+      result_.why_a = WhyDecided(a, agent, result_.by_chance);
+      result_.why_b = WhyDecided(b, agent, result_.by_chance);
+    }
   }
   if (!result_.difference) result_.difference = FirstDifference(a, b);
   if ((a.tick - result_.first_tick) % ticks_per_moment_ == 0) result_.course.push_back(MomentOf(a, b));

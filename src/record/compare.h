@@ -17,7 +17,10 @@ struct Comparison {
   std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks that both hold.
   std::optional<Difference> difference;         ///< The first difference in what could be seen or was thought.
   std::optional<Difference> decision;           ///< The first decision or command that differs: `recorded` is of A.
-  std::vector<std::string> percepts;            ///< What that agent perceived differently in that tick: "path: A, B".
+  /// How each came to its decision, in words ("selected by chance among ..."); empty: it was not told.
+  std::string why_a, why_b;
+  bool by_chance = false;             ///< In one of them or both, chance selected it.
+  std::vector<std::string> percepts;  ///< What that agent perceived differently in that tick: "path: A, B".
 
   /// How far apart the two futures are at a time.
   struct Moment {

@@ -24,12 +24,26 @@ constexpr std::size_t kMostOutliers = 10;
 using Values = std::map<std::uint64_t, double>;  // By seed.
 
 Json IntervalOf(const std::vector<double>& values) {
-  const mission::Interval interval = mission::BootstrapInterval(values);
+  const mission::Interval interval = mission::StudentInterval(values);
   return Json{{"mean", mission::Mean(values)},
               {"low", interval.low},
               {"high", interval.high},
               {"median", mission::Median(values)},
               {"sd", mission::StandardDeviation(values)}};
+}
+
+/// All differences of a page are one family of comparisons: gives each its probability after Holm's correction.
+void CorrectDifferences(Json& metrics) {
+  std::vector<Json*> differences;
+  std::vector<double> probabilities;
+  for (Json& metric : metrics) {
+    for (Json& difference : metric["differences"]) {
+      differences.push_back(&difference);
+      probabilities.push_back(difference["probability"].get<double>());
+    }
+  }
+  const std::vector<double> corrected = mission::Holm(probabilities);
+  for (std::size_t i = 0; i < differences.size(); ++i) (*differences[i])["holm"] = corrected[i];
 }
 
 /// The agents of a tournament, best first.
@@ -151,6 +165,12 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
       Json difference = IntervalOf(paired);
       difference["variant"] = plan->variants[v].variant.name;
       difference["pairs"] = paired.size();
+      difference["probability"] = mission::StudentTest(paired);
+      difference["d"] = mission::PairedEffect(paired);
+      std::vector<double> ones, others;
+      for (const auto& [seed, value] : values[0]) ones.push_back(value);
+      for (const auto& [seed, value] : values[v]) others.push_back(value);
+      difference["delta"] = mission::CliffsDelta(ones, others);
       difference["values"] = paired;
       differences.push_back(std::move(difference));
     }
@@ -165,14 +185,14 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
       for (const auto& [seed, value] : values[v]) {
         const double away = std::abs(value - median) / spread;
         if (away < 3) continue;
-        outliers.push_back(
-            Json{{"away", away},
-                 {"variant", plan->variants[v].variant.name},
-                 {"seed", seed},
-                 {"what", name},
-                 {"value", value},
-                 {"median", median},
-                 {"command", "soarbox run " + plan->variants[v].argument + " --seed " + std::to_string(seed)}});
+        outliers.push_back(Json{{"away", away},
+                                {"variant", plan->variants[v].variant.name},
+                                {"seed", seed},
+                                {"what", name},
+                                {"value", value},
+                                {"median", median},
+                                {"command", "soarbox run " + sweep::ShellWord(plan->variants[v].argument) + " --seed " +
+                                                std::to_string(seed)}});
       }
     }
   }
@@ -212,6 +232,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     const Json& best = made["standings"].front();
     verdict << best["agent"].get<std::string>() << " is ahead, with a rating of " << best["rating"].get<double>();
   }
+  CorrectDifferences(metrics);
   made["verdict"] = verdict.str();
   made["variants"] = std::move(variants);
   made["check_names"] = std::move(check_names);

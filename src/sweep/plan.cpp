@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "record/header.h"
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
+#include "sweep/rows.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -234,20 +236,46 @@ Result<void> RefuseLinks(const fs::path& folder) {
   return {};
 }
 
-/// What a run of a scenario rests on: its own file, and the rules and scripts below its folder. Pages, pictures and
-/// other sweeps may come and go there.
+/// The name of a file stands in this text, so a run may read it.
+bool Names(std::string_view text, const fs::path& file) {
+  return text.find(file.filename().string()) != std::string_view::npos;
+}
+
+/// Of these rules and scripts those that a run of the scenario may read: all scripts, and the rules that the scenario,
+/// a script, or rules of this kind name. A script that puts names of rules together may read all of them.
+void KeepWhatIsUsed(const fs::path& scenario, std::map<fs::path, std::string>& files) {
+  std::vector<std::string> texts = {ReadText(scenario).value_or("")};
+  for (const auto& [file, text] : files) {
+    if (file.extension() != ".lua") continue;
+    if (text.find(".soar") != std::string::npos && text.find("..") != std::string::npos) return;
+    texts.push_back(text);
+  }
+  std::map<fs::path, std::string> used;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (const auto& [file, text] : files) {
+      const bool is_script = file.extension() == ".lua";
+      if (used.contains(file) || (!is_script && file != scenario && !Names(texts[i], file))) continue;
+      used[file] = text;
+      if (!is_script) texts.push_back(text);
+    }
+  }
+  files = std::move(used);
+}
+
+/// What a run of a scenario rests on: its own file, scripts below its folder, and the rules that it uses. Pages,
+/// pictures, other sweeps and the rules of other variants may come and go there.
 void AddFolder(const fs::path& folder, const fs::path& scenario, Digest& digest) {
-  std::vector<fs::path> files;
+  std::map<fs::path, std::string> files;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const fs::path kind = it->path().extension();
     if (it->is_regular_file(error) && (kind == ".soar" || kind == ".lua" || it->path() == folder / scenario))
-      files.push_back(it->path());
+      files[it->path()] = ReadText(it->path()).value_or("");
   }
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) {
+  KeepWhatIsUsed(folder / scenario, files);
+  for (const auto& [file, text] : files) {
     digest.Add(fs::relative(file, folder, error).string());
-    digest.Add(ReadText(file).value_or(""));
+    digest.Add(text);
   }
 }
 
@@ -255,6 +283,19 @@ std::string DigestOfFolder(const fs::path& folder, const fs::path& scenario) {
   Digest digest;
   AddFolder(folder, scenario, digest);
   return digest.Text();
+}
+
+/// Whether a row's key (KeyOf) is of this variant, whatever its digest.
+bool IsOf(std::string_view key, const std::string& variant) {
+  const std::size_t begin = key.find('/'), end = key.rfind('/');
+  return begin != std::string_view::npos && begin < end && key.substr(begin + 1, end - begin - 1) == variant;
+}
+
+/// Whether the sweep's folder holds a run of this variant.
+bool HasRows(const fs::path& folder, const std::string& variant) {
+  std::vector<Diagnostic> ignored;
+  const std::map<std::string, Row> rows = ReadRows(folder / "parts", ignored);
+  return std::ranges::any_of(rows, [&](const auto& row) { return IsOf(row.first, variant); });
 }
 
 /// Where a variant's files lie. They are made in full beside their place, so that a sweep that is killed here begins
@@ -281,9 +322,18 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
     return place;
   }
   const fs::path scenario = copied->filename();
-  const bool is_same = DigestOfFolder(making, scenario) == DigestOfFolder(place, scenario);
+  if (DigestOfFolder(making, scenario) == DigestOfFolder(place, scenario)) {
+    fs::remove_all(making, error);
+    return place;
+  }
+  // Nobody has seen a run of it: it may be corrected.
+  if (!HasRows(folder, variant.name)) {
+    fs::remove_all(place, error);
+    fs::rename(making, place, error);
+    if (error) return ProblemIn(place, "this folder cannot be made: " + error.message());
+    return place;
+  }
   fs::remove_all(making, error);
-  if (is_same) return place;
   return ProblemIn(
       place, "variant '" + variant.name + "' has changed since this sweep began: its scenario, rules or parameters",
       "give the changed variant another name, or name another folder with --folder");
@@ -369,7 +419,12 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
   std::size_t differing = 0;
   for (const ReadyVariant& variant : plan.variants) {
     const auto [at, is_new] = digests.try_emplace(variant.variant.name, variant.digest);
-    differing += !is_new && at->second != variant.digest ? 1 : 0;
+    if (is_new || at->second == variant.digest) continue;
+    if (HasRows(folder, variant.variant.name)) {
+      ++differing;
+    } else {
+      at->second = variant.digest;
+    }
   }
   if (differing > 0) {
     return ProblemIn(folder, "another sweep lives in this folder: its scenario, checks, metrics or seconds differ",

@@ -80,6 +80,8 @@ Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, con
 /// A folder belongs to one sweep and one build: notes them there, or says how they differ from what it holds. Variants
 /// may be added. `mix`: rows of another build count, too.
 Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const std::filesystem::path& folder, bool mix);
+/// A word of a command line, in quotes where a shell wants them.
+std::string ShellWord(const std::string& word);
 /// The spec as ClaimFolder keeps it.
 std::filesystem::path KeptSpec(const std::filesystem::path& folder);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnostics/result.h"
@@ -56,6 +57,9 @@ std::string HostName();
 /// results.csv and results.sqlite, written beside their place and then moved there.
 Result<void> WriteTables(const std::filesystem::path& folder, const Spec& spec, const Plan& plan,
                          const std::vector<Row>& rows);
+
+/// The columns that each table has, besides parameters, checks and metrics.
+bool IsOwnColumn(std::string_view name);
 
 /// What the rows say: rates and means with confidence, differences of variants on equal seeds.
 std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& rows);

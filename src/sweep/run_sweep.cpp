@@ -30,7 +30,11 @@ struct Job {
 class MetricWatch {
  public:
   explicit MetricWatch(const Spec& spec)
-      : spec_(spec), last_(spec.metrics.size()), most_(spec.metrics.size()), sum_(spec.metrics.size()) {}
+      : spec_(spec),
+        last_(spec.metrics.size()),
+        most_(spec.metrics.size()),
+        sum_(spec.metrics.size()),
+        is_measured_(spec.metrics.size()) {}
 
   void See(const mission::TickFacts& facts) {
     ++ticks_;
@@ -43,8 +47,9 @@ class MetricWatch {
         const bool is_named = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
           return mission::MatchesPattern(name, agent.name);
         });
-        if (is_named || (!metric.asked.team.empty() && metric.asked.team == agent.team))
-          sum += mission::LookAt(metric.asked.conditions.front(), &agent, nullptr, facts, {}).value;
+        if (!is_named && (metric.asked.team.empty() || metric.asked.team != agent.team)) continue;
+        is_measured_[i] = is_measured_[i] || Has(agent, *metric.asked.conditions.front().row);
+        sum += mission::LookAt(metric.asked.conditions.front(), &agent, nullptr, facts, {}).value;
       }
       last_[i] = sum;
       most_[i] = ticks_ == 1 ? sum : std::max(most_[i], sum);
@@ -55,7 +60,16 @@ class MetricWatch {
   std::vector<std::optional<double>> Values(const mission::RunResult& run) const {
     std::vector<std::optional<double>> values;
     for (std::size_t i = 0; i < spec_.metrics.size(); ++i) {
-      switch (spec_.metrics[i].of) {
+      const Metric& metric = spec_.metrics[i];
+      // A zero would say that there was nothing of it; here nobody could tell.
+      const bool is_told = metric.of == Metric::Of::kTimeOf || metric.asked.conditions.empty() ||
+                           metric.asked.conditions.front().row->source == mission::Source::kWorld ||
+                           run.numbers.contains("firings");
+      if (metric.of != Metric::Of::kTimeOf && (!is_measured_[i] || !is_told)) {
+        values.emplace_back(std::nullopt);
+        continue;
+      }
+      switch (metric.of) {
         case Metric::Of::kTimeOf:
           values.push_back(run.IsTrue(spec_.metrics[i].check)
                                ? std::optional<double>(run.checks[spec_.metrics[i].check].verdict.time_s)
@@ -76,8 +90,17 @@ class MetricWatch {
   }
 
  private:
+  /// Whether this agent has such a number at all: one without a mind takes no decisions, one without a weapon has no
+  /// rounds, and only games have scores.
+  static bool Has(const mission::AgentFacts& agent, const mission::KeyRow& row) {
+    if (row.key == mission::Key::kScore) return agent.score.has_value();
+    if (row.key == mission::Key::kAmmunition) return agent.ammunition.has_value();
+    return row.source == mission::Source::kWorld || agent.has_mind;
+  }
+
   const Spec& spec_;
   std::vector<double> last_, most_, sum_;
+  std::vector<bool> is_measured_;
   double ticks_ = 0;
 };
 
@@ -90,6 +113,9 @@ std::string Work(const Spec& spec, const ReadyVariant& variant, std::uint64_t se
   run.seconds = variant.loaded.seconds;
   run.to_the_end = true;
   run.kernel = variant.variant.kernel;
+  run.errors_fail = true;
+  for (const Metric& metric : spec.metrics)
+    if (metric.of != Metric::Of::kTimeOf) run.measured.push_back(metric.asked);
   if (spec.record != "none") run.recording = recording;
   run.record_always = spec.record == "all";
   MetricWatch watch(spec);
@@ -196,6 +222,13 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
     if (row.result.outcome == "refused") {
       return ProblemIn(spec.file.string(),
                        "variant '" + plan.variants[job.variant].variant.name + "' cannot run: " + row.result.error);
+    }
+    if (row.result.is_faulty) {
+      const std::string& name = plan.variants[job.variant].variant.name;
+      std::string text = "variant '" + name + "' has an error before its first tick";
+      for (const std::string& problem : row.result.problems) text += "\n  " + problem;
+      return ProblemIn(spec.file.string(), std::move(text),
+                       "correct it and give the same command again; runs of other variants that were made stay");
     }
     if (row.result.outcome != "ok" && row.tries < kMostTries) {
       waiting.push_back({job.variant, job.seed, row.tries});

@@ -3,16 +3,22 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
+#include "sweep/plan.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -60,16 +66,50 @@ std::string JobOf(const fs::path& folder) {
 
 enum class Known : std::uint8_t { kYes, kNo, kNoAnswer };
 
-/// Whether Slurm still has tasks of it to run. Without an answer (the controller is busy or down) nobody knows.
-Known IsKnown(const std::string& job, std::string& why) {
-  const Answer answer = Ask({"squeue", "--noheader", "--jobs", job, "--format", "%T"});
+/// Why tasks that wait cannot begin, as Slurm says it; empty if only others are before them.
+std::string HeldBy(const std::string& listing) {
+  std::istringstream lines(listing);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("PENDING ")) continue;
+    const std::string reason = line.substr(8);
+    if (reason != "None" && reason != "Priority" && reason != "Resources" && reason != "BeginTime") return reason;
+  }
+  return {};
+}
+
+/// Whether Slurm still has tasks of it to run. Without an answer (the controller is busy or down) nobody knows. `held`
+/// becomes the reason why tasks that wait cannot begin.
+Known IsKnown(const std::string& job, std::string& why, std::string& held) {
+  const Answer answer = Ask({"squeue", "--noheader", "--jobs", job, "--format", "%T %r"});
+  held = answer.code == 0 ? HeldBy(answer.text) : std::string();
   if (answer.code == 0) return answer.text.find_first_not_of(" \n") != std::string::npos ? Known::kYes : Known::kNo;
   if (answer.text.find("Invalid job id") != std::string::npos) return Known::kNo;
   why = answer.text.substr(0, answer.text.find('\n'));
   return Known::kNoAnswer;
 }
 
+/// The most tasks that an array may have here; none if the cluster does not tell.
+std::optional<int> MostTasks() {
+  const Answer answer = Ask({"scontrol", "show", "config"});
+  const std::size_t at = answer.text.find("MaxArraySize");
+  const std::size_t sign = answer.text.find('=', at);
+  if (answer.code != 0 || at == std::string::npos || sign == std::string::npos) return std::nullopt;
+  const std::size_t digits = answer.text.find_first_not_of(' ', sign + 1);
+  int most = 0;
+  if (digits == std::string::npos) return std::nullopt;
+  const char* const end = answer.text.data() + answer.text.size();
+  if (std::from_chars(answer.text.data() + digits, end, most).ec != std::errc() || most < 1) return std::nullopt;
+  return most;
+}
+
 }  // namespace
+
+std::string ShellWord(const std::string& word) {
+  const bool is_plain = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("/._-+~=:,@").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  return is_plain ? word : Quoted(word);
+}
 
 std::string WhyNoSlurm() {
   for (const char* program : {"sbatch", "squeue", "scancel"}) {
@@ -80,41 +120,55 @@ std::string WhyNoSlurm() {
 }
 
 Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
-                        const std::function<bool(const std::string& no_answer)>& goes_on) {
+                        const std::function<bool(const std::string& no_answer, const std::string& held)>& goes_on) {
   if (const std::string missing = WhyNoSlurm(); !missing.empty())
     return NewProblem(missing,
                       "run this on a login node of the cluster, or without --on slurm to use this machine's cores");
   std::string job = JobOf(folder);
-  std::string why;
-  if (job.empty() || IsKnown(job, why) == Known::kNo) {
+  std::string why, held;
+  if (job.empty() || IsKnown(job, why, held) == Known::kNo) {
+    // The index of a task stays below MaxArraySize. Fewer tasks make larger shares.
+    int tasks = settings.tasks;
+    if (const std::optional<int> most = MostTasks(); most && tasks > *most) {
+      std::cerr << "Slurm takes at most " << *most << " tasks in an array here (MaxArraySize): " << tasks << " become "
+                << *most << ", each with a larger share of the runs\n";
+      tasks = *most;
+    }
     std::error_code error;
     fs::create_directories(folder / "slurm", error);
     const fs::path script = fs::absolute(folder / "slurm" / "task.sh", error);
     std::ostringstream text;
     text << "#!/bin/sh\n# One task of a sweep; Soarbox wrote this.\nexec";
     for (const std::string& word : settings.task_command) text << ' ' << Quoted(word);
-    text << " --tasks " << settings.tasks << " --task \"$SLURM_ARRAY_TASK_ID\" --jobs \"${SLURM_CPUS_ON_NODE:-0}\"\n";
+    text << " --tasks " << tasks
+         << " --task \"$SLURM_ARRAY_TASK_ID\" --jobs \"${SLURM_CPUS_PER_TASK:-${SLURM_CPUS_ON_NODE:-0}}\"\n";
     if (!(std::ofstream(script) << text.str()).flush())
       return NewProblem("'" + script.string() + "' cannot be written");
     std::vector<std::string> words = {"sbatch",
                                       "--parsable",
                                       "--requeue",
                                       "--job-name=soarbox-sweep",
-                                      "--array=0-" + std::to_string(settings.tasks - 1),
+                                      "--array=0-" + std::to_string(tasks - 1),
                                       "--output=" + fs::absolute(folder / "slurm", error).string() + "/%A_%a.log"};
     if (!settings.partition.empty()) words.push_back("--partition=" + settings.partition);
     if (!settings.account.empty()) words.push_back("--account=" + settings.account);
     if (!settings.time.empty()) words.push_back("--time=" + settings.time);
+    if (!settings.qos.empty()) words.push_back("--qos=" + settings.qos);
+    if (!settings.memory.empty()) words.push_back("--mem=" + settings.memory);
+    if (settings.processors > 0) words.push_back("--cpus-per-task=" + std::to_string(settings.processors));
+    words.insert(words.end(), settings.more.begin(), settings.more.end());
     words.push_back(script.string());
     const Answer submitted = Ask(words);
     job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));
     if (submitted.code != 0 || !IsJob(job))
-      return NewProblem("Slurm did not take the job: " + submitted.text, "sinfo shows the partitions and their nodes");
+      return NewProblem(
+          "Slurm did not take the job: " + submitted.text,
+          "sinfo shows the partitions and their nodes; scontrol show config the limits, such as MaxArraySize");
     if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
       return NewProblem("the job's number cannot be written below '" + folder.string() + "'");
   }
-  for (Known known; (known = IsKnown(job, why)) != Known::kNo;) {
-    if (!goes_on(known == Known::kNoAnswer ? why : std::string())) return {};
+  for (Known known; (known = IsKnown(job, why, held)) != Known::kNo;) {
+    if (!goes_on(known == Known::kNoAnswer ? why : std::string(), held)) return {};
     std::this_thread::sleep_for(kLook);
   }
   // Another command took the job's number away when it ended the job.

@@ -9,6 +9,7 @@
 #include "mission/read_mission.h"
 #include "sim/table_reader.h"
 #include "sweep/plan.h"
+#include "sweep/rows.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -236,6 +237,12 @@ class SpecReader : public sim::TableReader {
     return text;
   }
 
+  /// As databases compare the names of columns.
+  static bool IsSameName(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
+  }
+
   void ReadMetric(const toml::table& table) {
     CheckKeys(table, "a metric", {"name", "time_of", "at_end", "max", "mean", "agent", "team"});
     Metric metric;
@@ -266,8 +273,18 @@ class SpecReader : public sim::TableReader {
       if (const std::string agent = Text(table, "agent"); !agent.empty()) metric.asked.agents = {agent};
       metric.asked.team = Text(table, "team");
       if (metric.asked.agents.empty() && metric.asked.team.empty()) metric.asked.agents = {"*"};
-      if (metric.name.empty()) metric.name = key;
+      const char* const how = metric.of == Metric::Of::kMax    ? "most"
+                              : metric.of == Metric::Of::kMean ? "mean"
+                                                               : "final";
+      if (metric.name.empty()) metric.name = std::string(how) + " " + key;
     }
+    if (IsOwnColumn(metric.name))
+      return Problem(table, "each table has a column '" + metric.name + "' already", "give this metric another name");
+    const auto is_it = [&](const Metric& other) { return IsSameName(other.name, metric.name); };
+    if (std::ranges::any_of(spec_.metrics, is_it))
+      return Problem(table, "there are two metrics named '" + metric.name + "'", "give each a name of its own");
+    if (std::ranges::any_of(spec_.parameters, [&](const std::string& one) { return IsSameName(one, metric.name); }))
+      return Problem(table, "there is a parameter '" + metric.name + "' already", "give this metric another name");
     spec_.metrics.push_back(std::move(metric));
   }
 

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "mission/sentences.h"
 #include "mission/statistics.h"
@@ -14,8 +16,9 @@ namespace {
 
 using mission::NumberText;
 
-constexpr std::size_t kMostDifferences = 12;
-constexpr std::size_t kFewestPairs = 5;
+constexpr std::size_t kFewestPairs = 3;
+constexpr std::size_t kFewSeeds = 10;
+constexpr std::size_t kMostPairwise = 100;
 
 /// The numbers that a reader compares first; the table has all.
 constexpr const char* kShown[] = {"distance", "commands", "failed_commands", "decisions", "firings",
@@ -56,18 +59,19 @@ std::vector<Quantity> Quantities(const Spec& spec, const Plan& plan, const std::
         quantities[i].by_variant[row.variant][row.seed] = *value;
     }
   }
-  // What is the same number in every run tells nothing.
-  std::erase_if(quantities, [&](const Quantity& quantity) {
-    std::optional<double> first;
-    for (const auto& values : quantity.by_variant) {
-      for (const auto& [seed, value] : values) {
-        if (first && *first != value) return false;
-        first = value;
-      }
-    }
-    return true;
-  });
   return quantities;
+}
+
+/// Whether it is the same number in every run.
+bool IsConstant(const Quantity& quantity) {
+  std::optional<double> first;
+  for (const auto& values : quantity.by_variant) {
+    for (const auto& [seed, value] : values) {
+      if (first && *first != value) return false;
+      first = value;
+    }
+  }
+  return true;
 }
 
 std::vector<double> Values(const std::map<std::uint64_t, double>& by_seed) {
@@ -85,22 +89,128 @@ bool AreAlike(const std::vector<Quantity>& quantities, std::size_t a, std::size_
   });
 }
 
-void TellDifference(std::ostringstream& out, const Plan& plan, const Quantity& quantity, std::size_t a, std::size_t b) {
-  std::vector<double> differences;
+/// One comparison of a variant with the first one; all of a sweep are one family for Holm's correction.
+struct Compared {
+  std::size_t variant = 0;
+  std::string before, after;  ///< The line, around what the correction adds.
+  double probability = 1, effect = 0;
+  bool is_number = false;
+  std::size_t pairs = 0;
+};
+
+/// Below this a difference of two numbers is rounding.
+double RoundingOf(double a, double b) {
+  return 1e-9 * std::max({1e-3, std::abs(a), std::abs(b)});
+}
+
+std::optional<Compared> CompareNumbers(const Plan& plan, const Quantity& quantity, std::size_t a, std::size_t b) {
+  std::vector<double> differences, ones, others;
   std::size_t more = 0;
   for (const auto& [seed, value] : quantity.by_variant[b]) {
     const auto other = quantity.by_variant[a].find(seed);
     if (other == quantity.by_variant[a].end()) continue;
-    differences.push_back(value - other->second);
+    const double difference = value - other->second;
+    differences.push_back(std::abs(difference) < RoundingOf(value, other->second) ? 0 : difference);
+    ones.push_back(other->second);
+    others.push_back(value);
     more += differences.back() > 0 ? 1 : 0;
   }
-  if (differences.size() < kFewestPairs) return;
-  const mission::Interval interval = mission::BootstrapInterval(differences);
-  out << "  " << quantity.name << ": " << plan.variants[b].variant.name << " has " << Short(mission::Mean(differences))
-      << " more than " << plan.variants[a].variant.name << " (95 %: " << Short(interval.low) << " to "
-      << Short(interval.high) << "), more in "
-      << Percent(static_cast<double>(more) / static_cast<double>(differences.size())) << " % of " << differences.size()
-      << " equal seeds" << (interval.low > 0 || interval.high < 0 ? "" : "; that may be chance") << '\n';
+  if (differences.size() < kFewestPairs || std::ranges::all_of(differences, [](double d) { return d == 0; }))
+    return std::nullopt;
+  const mission::Interval interval = mission::StudentInterval(differences);
+  Compared compared{
+      b, {}, {}, mission::StudentTest(differences), mission::PairedEffect(differences), true, differences.size()};
+  compared.before = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " +
+                    Short(mission::Mean(differences)) + " more than " + plan.variants[a].variant.name +
+                    " (95 %: " + Short(interval.low) + " to " + Short(interval.high) + "), more in " +
+                    Percent(static_cast<double>(more) / static_cast<double>(differences.size())) + " % of " +
+                    std::to_string(differences.size()) + " equal seeds; d " + Short(compared.effect) +
+                    ", Cliff's delta " + Short(mission::CliffsDelta(ones, others));
+  return compared;
+}
+
+using Good = std::map<std::uint64_t, bool>;
+
+std::optional<Compared> CompareRates(const Plan& plan, const std::string& what, const Good& first, const Good& second,
+                                     std::size_t variant) {
+  std::size_t only_first = 0, only_second = 0, both = 0;
+  for (const auto& [seed, good] : second) {
+    const auto other = first.find(seed);
+    if (other == first.end()) continue;
+    ++both;
+    only_first += other->second && !good ? 1 : 0;
+    only_second += good && !other->second ? 1 : 0;
+  }
+  if (both == 0) return std::nullopt;
+  Compared compared;
+  compared.variant = variant;
+  compared.probability = mission::McNemar(only_first, only_second);
+  compared.pairs = both;
+  compared.before = "  " + what + ": " + std::to_string(only_second) + " seeds with " +
+                    plan.variants[variant].variant.name + " only, " + std::to_string(only_first) + " with " +
+                    plan.variants.front().variant.name + " only";
+  return compared;
+}
+
+/// Whether each check came true, by variant and seed.
+std::vector<std::vector<Good>> GoodOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
+  std::vector<std::vector<Good>> good(spec.mission.checks.size(), std::vector<Good>(plan.variants.size()));
+  for (const Row& row : rows) {
+    if (row.result.outcome != "ok") continue;
+    for (std::size_t i = 0; i < good.size() && i < row.result.checks.size(); ++i)
+      if (row.result.checks[i].verdict.state != mission::State::kUndecided)
+        good[i][row.variant][row.seed] = row.result.IsTrue(i);
+  }
+  return good;
+}
+
+void TellCompared(std::ostringstream& out, const std::vector<Compared>& family) {
+  std::vector<double> probabilities;
+  for (const Compared& each : family) probabilities.push_back(each.probability);
+  const std::vector<double> corrected = mission::Holm(probabilities);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    const Compared& each = family[i];
+    out << each.before << "; by chance with probability " << Short(each.probability);
+    if (family.size() > 1) out << ", " << Short(corrected[i]) << " after Holm";
+    if (corrected[i] >= 0.05) {
+      out << "; that may be chance";
+      const std::size_t pairs = each.is_number ? mission::PairsFor(each.effect) : 0;
+      if (pairs > each.pairs && pairs < 100'000) out << " (" << pairs << " seeds would show this d, if it is one)";
+    }
+    out << '\n';
+  }
+}
+
+/// The first words of what runs of a variant reported, and how many did.
+void TellErrors(std::ostringstream& out, const Plan& plan, const std::vector<Row>& rows) {
+  for (std::size_t v = 0; v < plan.variants.size(); ++v) {
+    std::size_t count = 0;
+    const Row* first = nullptr;
+    for (const Row& row : rows) {
+      if (row.variant != v || !row.result.has_errors) continue;
+      if (count++ == 0) first = &row;
+    }
+    if (first == nullptr) continue;
+    out << plan.variants[v].variant.name << ": " << count << (count == 1 ? " run" : " runs")
+        << " reported errors, and failed; seed " << first->seed << ":\n";
+    for (const std::string& problem : first->result.problems) out << "  " << problem << '\n';
+  }
+}
+
+/// What no line below speaks of: numbers that are the same everywhere.
+void TellConstants(std::ostringstream& out, const std::vector<Quantity>& constants) {
+  if (constants.empty()) return;
+  out << "the same in all runs:";
+  const char* separator = " ";
+  for (const Quantity& quantity : constants) {
+    for (const auto& values : quantity.by_variant) {
+      if (values.empty()) continue;
+      out << separator << quantity.name << ' ' << Short(values.begin()->second);
+      separator = ", ";
+      break;
+    }
+  }
+  out << '\n';
 }
 
 }  // namespace
@@ -141,20 +251,30 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
     }
     out << '\n';
   }
-  const std::vector<Quantity> quantities = Quantities(spec, plan, rows);
+  TellErrors(out, plan, rows);
+  std::vector<Quantity> quantities = Quantities(spec, plan, rows), constants;
+  const auto varying = std::stable_partition(quantities.begin(), quantities.end(), IsConstant);
+  constants.assign(quantities.begin(), varying);
+  quantities.erase(quantities.begin(), varying);
   for (const Quantity& quantity : quantities) {
     for (std::size_t v = 0; v < plan.variants.size(); ++v) {
       const std::vector<double> values = Values(quantity.by_variant[v]);
       if (values.empty()) continue;
-      const mission::Interval interval = mission::BootstrapInterval(values);
+      const mission::Interval interval = mission::StudentInterval(values);
       out << "  " << quantity.name << ", " << plan.variants[v].variant.name << ": mean " << Short(mission::Mean(values))
           << " (95 %: " << Short(interval.low) << " to " << Short(interval.high) << "), median "
           << Short(mission::Median(values)) << '\n';
     }
   }
+  TellConstants(out, constants);
+  const std::size_t seeds = hashes.empty() ? 0 : hashes.front().size();
+  if (seeds > 1 && seeds < kFewSeeds)
+    out << "these are few seeds: the intervals hold if the numbers are spread like a normal distribution, and small "
+           "differences do not show\n";
   if (plan.variants.size() < 2) return out.str();
-  out << "differences from " << plan.variants.front().variant.name << ", on equal seeds:\n";
-  std::size_t told = 0;
+  std::vector<Compared> family;
+  std::ostringstream alike_lines;
+  const std::vector<std::vector<Good>> good = GoodOf(spec, plan, rows);
   for (std::size_t v = 1; v < plan.variants.size(); ++v) {
     std::size_t only_first = 0, only_second = 0, equal = 0, alike = 0, both = 0;
     for (const auto& [seed, good] : passed[v]) {
@@ -166,25 +286,40 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
       equal += hashes[v][seed] == hashes.front()[seed] ? 1 : 0;
       alike += AreAlike(quantities, 0, v, seed) ? 1 : 0;
     }
+    const std::string &name = plan.variants[v].variant.name, &base = plan.variants.front().variant.name;
     if (both > 0 && equal == both && only_first == 0 && only_second == 0) {
-      out << "  " << plan.variants[v].variant.name << " never differs from " << plan.variants.front().variant.name
-          << ": does what it changes reach the agents?\n";
+      alike_lines << "  " << name << " never differs from " << base << ": does what it changes reach the agents?\n";
       continue;
     }
     if (both > 0 && alike == both && only_first == 0 && only_second == 0) {
-      out << "  " << plan.variants[v].variant.name << " and " << plan.variants.front().variant.name
-          << " have the same numbers on each seed; does what it changes matter in these runs?\n";
+      alike_lines << "  " << name << " and " << base
+                  << " have the same numbers on each seed; does what it changes matter in these runs?\n";
       continue;
     }
-    if (has_checks && both > 0) {
-      out << "  passed: " << only_second << " seeds with " << plan.variants[v].variant.name << " only, " << only_first
-          << " with " << plan.variants.front().variant.name << " only; by chance with probability "
-          << Short(mission::McNemar(only_first, only_second)) << '\n';
-    }
-    for (const Quantity& quantity : quantities) {
-      if (told++ < kMostDifferences * plan.variants.size()) TellDifference(out, plan, quantity, 0, v);
+    const auto add = [&](std::optional<Compared> compared) {
+      if (compared) family.push_back(std::move(*compared));
+    };
+    if (has_checks) add(CompareRates(plan, "passed", passed.front(), passed[v], v));
+    for (std::size_t i = 0; i < good.size() && good.size() > 1; ++i)
+      add(CompareRates(plan, "check \"" + spec.mission.checks[i].name + "\"", good[i].front(), good[i][v], v));
+    for (const Quantity& quantity : quantities) add(CompareNumbers(plan, quantity, 0, v));
+  }
+  // Of those that differ from the first one, some may be equal to each other.
+  for (std::size_t a = 1; a < plan.variants.size() && plan.variants.size() <= kMostPairwise; ++a) {
+    for (std::size_t b = a + 1; b < plan.variants.size(); ++b) {
+      if (hashes[a].empty() || hashes[a].size() != hashes[b].size() || passed[a] != passed[b]) continue;
+      const bool is_alike =
+          std::ranges::all_of(hashes[a], [&](const auto& run) { return AreAlike(quantities, a, b, run.first); });
+      if (is_alike)
+        alike_lines << "  " << plan.variants[a].variant.name << " and " << plan.variants[b].variant.name
+                    << " have the same numbers on each seed\n";
     }
   }
+  out << "differences from " << plan.variants.front().variant.name << ", on equal seeds";
+  if (family.size() > 1)
+    out << " (" << family.size() << " comparisons, corrected after Holm; d: mean difference in standard deviations)";
+  out << ":\n" << alike_lines.str();
+  TellCompared(out, family);
   return out.str();
 }
 

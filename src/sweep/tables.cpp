@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -34,6 +36,12 @@ Diagnostic Unwritten(const fs::path& file, std::string message) {
                    "the rows are safe in the folder parts: run the same command again when there is room");
 }
 
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
 /// "40" as a number, "\"soldier\"" as a text.
 Cell ParameterCell(const std::string& text) {
   try {
@@ -45,10 +53,21 @@ Cell ParameterCell(const std::string& text) {
   return text.size() > 1 && (text.front() == '\'' || text.front() == '"') ? text.substr(1, text.size() - 2) : text;
 }
 
+/// Databases take "Time: a" and "time: a" for one name.
+void MakeNamesDiffer(std::vector<Column>& columns) {
+  std::set<std::string> taken;
+  for (Column& column : columns) {
+    const std::string name = column.name;
+    for (int number = 2; !taken.insert(Lower(column.name)).second; ++number)
+      column.name = name + " (" + std::to_string(number) + ")";
+  }
+}
+
 Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
   Table table;
   table.columns = {{"variant", kText}, {"seed", kWhole}};
-  for (const std::string& parameter : spec.parameters) table.columns.push_back({parameter, ""});
+  for (const std::string& parameter : spec.parameters)
+    table.columns.push_back({IsOwnColumn(parameter) ? "parameter: " + parameter : parameter, ""});
   table.columns.push_back({"outcome", kText});
   table.columns.push_back({"passed", kWhole});
   for (const mission::Check& check : spec.mission.checks) {
@@ -65,6 +84,7 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
   for (const char* name : {"state_hash", "host"}) table.columns.push_back({name, kText});
   table.columns.push_back({"tries", kWhole});
   table.columns.push_back({"recording", kText});
+  MakeNamesDiffer(table.columns);
   for (const Row& row : rows) {
     const Variant& variant = plan.variants[row.variant].variant;
     const mission::RunResult& run = row.result;
@@ -189,6 +209,17 @@ Result<void> WriteSqlite(const fs::path& file, const Table& table) {
 }
 
 }  // namespace
+
+bool IsOwnColumn(std::string_view name) {
+  static constexpr const char* kOwn[] = {
+      "variant",    "seed",      "outcome",  "passed",          "seconds",  "cpu_s",      "peak_mb",
+      "state_hash", "host",      "tries",    "recording",       "alive",    "collisions", "commands",
+      "damage",     "decisions", "distance", "failed_commands", "firings",  "gaps",       "health",
+      "hits",       "idle",      "learned",  "messages",        "problems", "rounds",     "score"};
+  const std::string lower = Lower(name);
+  return lower.starts_with("impasses_") || lower.starts_with("check: ") || lower.starts_with("time: ") ||
+         lower.starts_with("parameter: ") || std::ranges::find(kOwn, lower) != std::end(kOwn);
+}
 
 Result<void> WriteTables(const fs::path& folder, const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
   const Table table = MakeTable(spec, plan, rows);

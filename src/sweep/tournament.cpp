@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <sstream>
 
 namespace soarbox::sweep {
@@ -19,6 +20,7 @@ constexpr double kMean = 1500, kScale = 400;
 struct Game {
   const Seating* seating = nullptr;
   std::vector<double> points;  ///< By seat.
+  std::uint64_t seed = 0;      ///< Games with one seed share a board.
 
   /// What share of the win the one has against the other: 1, a half, or 0.
   double Share(std::size_t seat, std::size_t other) const {
@@ -30,7 +32,7 @@ std::vector<Game> Games(const Spec& spec, const std::vector<Row>& rows) {
   std::vector<Game> games;
   for (const Row& row : rows) {
     if (row.result.outcome != "ok" || row.variant >= spec.seatings.size()) continue;
-    Game game{&spec.seatings[row.variant], {}};
+    Game game{&spec.seatings[row.variant], {}, row.seed};
     const std::size_t seats = game.seating->size(), metric = spec.metrics.size() - seats;
     for (std::size_t i = metric; i < metric + seats && i < row.metrics.size() && row.metrics[i]; ++i)
       game.points.push_back(*row.metrics[i]);
@@ -114,9 +116,17 @@ std::vector<Standing> Standings(const Spec& spec, const std::vector<Row>& rows) 
   const std::vector<double> ratings = Ratings(players, games);
   std::vector<std::vector<double>> resampled(players);
   Picker picker;
+  // Games of one seed share a board, so boards are drawn, each with all its games.
+  std::map<std::uint64_t, std::vector<Game>> by_seed;
+  for (const Game& game : games) by_seed[game.seed].push_back(game);
+  std::vector<const std::vector<Game>*> boards;
+  for (const auto& [seed, of_seed] : by_seed) boards.push_back(&of_seed);
   for (int i = 0; i < kResamples && !games.empty(); ++i) {
-    std::vector<Game> drawn(games.size());
-    for (Game& game : drawn) game = games[picker.Below(games.size())];
+    std::vector<Game> drawn;
+    for (std::size_t board = 0; board < boards.size(); ++board) {
+      const std::vector<Game>& one = *boards[picker.Below(boards.size())];
+      drawn.insert(drawn.end(), one.begin(), one.end());
+    }
     const std::vector<double> found = Ratings(players, drawn);
     for (std::size_t player = 0; player < players; ++player) resampled[player].push_back(found[player]);
   }

@@ -64,7 +64,7 @@ export interface Metric {
   name: string;
   /** Of each variant; without values it has no numbers. */
   variants: readonly (Partial<Statistics> & { values: readonly number[] })[];
-  differences: readonly (Statistics & { variant: string; pairs: number })[];
+  differences: readonly (Statistics & { variant: string; pairs: number; probability: number; holm: number; d: number; delta: number })[];
 }
 export interface Standing { agent: string; rating: number; low: number; high: number; games: number; won: number; drawn: number; lost: number; place: number; points: number }
 export type Cell = string | number | boolean;

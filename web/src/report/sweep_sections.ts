@@ -60,17 +60,20 @@ export function sweepSections(sweep: SweepReport): Child {
     const share = one.checks[i];
     return share === undefined ? "" : `${share.true} of ${share.of} (${percent(share.low)} to ${percent(share.high)})`;
   })]);
-  const differences = sweep.metrics.flatMap((metric) => metric.differences.map((one) => [metric.name, one.variant, one.mean, one.low, one.high, one.pairs, one.low > 0 || one.high < 0 ? "yes" : "may be chance"]));
+  const differences = sweep.metrics.flatMap((metric) => metric.differences.map((one) => [metric.name, one.variant, one.mean, one.low, one.high, one.pairs, one.d, one.delta, one.probability, one.holm, one.holm < 0.05 ? "differs" : "may be chance"]));
+  const few = Math.min(...sweep.metrics.flatMap((metric) => metric.differences.map((one) => one.pairs)));
   const outliers = sweep.outliers.map((one): TableCell[] => [one.variant, one.seed, one.what, one.value, one.median, h("code", null, one.command)]);
   return [
     sweep.standings !== undefined && sweep.standings.length > 0 && standings(sweep.standings),
     section("variants", "Variants", table(["variant", "runs", "crashed or hung", "undecided", "passed", "share", "95 %"], variants, "Runs of each variant")),
     checks.length > 0 && section("checks", "Checks", table(["check", ...names], checks, "How often each check was true, with 95 % intervals")),
     sweep.metrics.length > 0 && section("distributions", "Distributions", h("p.quiet", null, "Each run, with the mean and its 95 % interval below."), h("div.even", null, sweep.metrics.slice(0, MOST_METRICS).map((metric) => distribution(metric, names)))),
-    differences.length > 0 && section("differences", `Differences from ${names[0] ?? ""}, on equal seeds`, table(["number", "variant", "mean difference", "low", "high", "pairs", "real"], differences, "Paired differences with 95 % intervals")),
+    differences.length > 0 && section("differences", `Differences from ${names[0] ?? ""}, on equal seeds`,
+      h("p.quiet", null, `${differences.length} comparisons. The intervals (95 %, Student's t) and p are those of each alone; "after Holm" corrects for all ${differences.length}. d: the mean difference in standard deviations of the differences; Cliff's delta: how much likelier a larger value is than a smaller one.${few < 10 ? ` ${few} pairs are few: small differences do not show, and the intervals hold only if the numbers are spread like a normal distribution.` : ""}`),
+      table(["number", "variant", "mean difference", "low", "high", "pairs", "d", "Cliff's delta", "p", "after Holm", "in all"], differences, "Paired differences with 95 % intervals")),
     outliers.length > 0 && section("outliers", "Seeds that stand out", table(["variant", "seed", "what", "value", "median", "see it"], outliers, "Furthest from the median of their variant")),
     sweep.failed.length > 0 && section("failed", "Runs that broke", table(["variant", "seed", "outcome", "why"], sweep.failed.map((one) => [one.variant, one.seed, one.outcome, one.error]), "Crashed and hung runs")),
     section("rows", "All runs", table(sweep.columns, sweep.rows.map((row) => row.map((cell) => (typeof cell === "boolean" ? (cell ? "yes" : "no") : cell))), "All runs")),
-    section("about", "About", h("p.quiet", null, `Build ${sweep.build}. Intervals of means: 10,000 bootstrap resamples; of rates: Wilson.`)),
+    section("about", "About", h("p.quiet", null, `Build ${sweep.build}. Intervals of means: Student's t; of rates: Wilson; of ratings: resampling.`)),
   ];
 }
