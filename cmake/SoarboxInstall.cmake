@@ -14,6 +14,7 @@ if(TARGET soarbox_window)
   install(TARGETS soarbox_window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT window)
 endif()
 install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command)
+install(FILES "${PROJECT_BINARY_DIR}/share/soarbox/commit" DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command OPTIONAL)
 # The page for browsers, where npm has built it, and a service that serves it.
 install(DIRECTORY web/dist/page DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command OPTIONAL)
 install(CODE "set(SOARBOX_BINDIR \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")

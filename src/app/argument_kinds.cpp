@@ -84,6 +84,7 @@ constexpr Row kRows[] = {
     {"", "--qos", kName},
     {"", "--mem", {"SIZE"}},
     {"", "--cpus-per-task", kNumber},
+    {"", "--sample", kNumber},
     {"", "--sbatch", {"ARGUMENT"}},
     {"", "--account", kName},
     {"", "--time", {"TIME"}},

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "app/argument_kinds.h"
+#include "app/commit.h"
 #include "app/command_options.h"
 #include "app/completion.h"
 #include "app/data_folders.h"
@@ -84,7 +85,7 @@ int WithServer(const PageServer* server, char** argv, const CommandOptions& opti
 
 int Main(int argc, char** argv, const PageServer* server) {
   CLI::App program("Soarbox: a 3D sandbox in which people learn and develop Soar agents", "soarbox");
-  program.set_version_flag("--version", SOARBOX_VERSION);
+  program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);
   CommandOptions options;
   AddCommands(program, options);
@@ -138,7 +139,10 @@ int Main(int argc, char** argv, const PageServer* server) {
   if (program.got_subcommand("resume")) return Resume(options.recording);
   if (program.got_subcommand("compare")) return Compare(options.recording);
   if (program.got_subcommand("kernel")) return ServeKernel(options.kernel);
-  if (program.got_subcommand("sweep")) return Sweep(options.sweep);
+  if (program.got_subcommand("sweep")) {
+    options.sweep.command.assign(argv, argv + argc);
+    return Sweep(options.sweep);
+  }
   if (program.got_subcommand("report")) return Report(options.report);
   if (program.got_subcommand("learn")) return FollowedByOthers(Learn(options.learn), options.learn.window);
   if (program.got_subcommand("test")) return Test(options.test);

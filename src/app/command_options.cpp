@@ -181,6 +181,10 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
       "sweep", "Run each variant of a scenario with each seed and make a table, on all cores or on Slurm");
   sweep->add_option("spec", options.spec, "What to run: a file (docs/sweeps.md), or a scenario that comes with a sweep")
       ->required();
+  sweep->add_flag("--verify", options.verify,
+                  "Make runs of this folder of a sweep again and compare them with what the folder holds");
+  sweep->add_option("--sample", options.sample, "How many runs --verify makes again, 0 for all")->capture_default_str();
+  sweep->add_flag("--json", options.json, "One line of JSON per run, then one about the sweep");
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
   sweep->add_option("--rules", options.rules, "As for `soarbox run`, in each variant");

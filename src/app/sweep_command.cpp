@@ -12,7 +12,9 @@
 #include <iostream>
 #include <set>
 
+#include "app/commit.h"
 #include "app/data_folders.h"
+#include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
@@ -20,8 +22,10 @@
 #include "diagnostics/read_text.h"
 #include "mission/sentences.h"
 #include "record/header.h"
+#include "sweep/manifest.h"
 #include "sweep/run_sweep.h"
 #include "sweep/slurm.h"
+#include "sweep/verify_sweep.h"
 
 namespace soarbox::app {
 namespace {
@@ -81,11 +85,28 @@ SweepOptions WithFile(SweepOptions options, const sim::DataFolders& data) {
   return options;
 }
 
+/// Makes runs of a sweep's folder again.
+int Verify(const SweepOptions& options, const sim::DataFolders& data) {
+  CatchInterrupts();
+  const Result<sweep::Verification> found =
+      sweep::VerifySweep(options.spec, data, options.sample, options.jobs, [] { return !WasInterrupted(); });
+  if (!found) return Refuse(found.error());
+  if (!found->other_build.empty())
+    std::cerr << "runs of this folder were made by another build: " << found->other_build << '\n';
+  for (const std::string& line : found->differing) std::cout << line << '\n';
+  if (found->unmatched > 0)
+    std::cout << found->unmatched << " rows belong to no variant that the folder holds: its files have changed\n";
+  std::cout << found->made << " of " << found->all << " runs made again, " << found->differing.size() << " differ\n";
+  if (WasInterrupted()) return 130;
+  return found->differing.empty() && found->unmatched == 0 ? static_cast<int>(kOk) : static_cast<int>(kProblems);
+}
+
 }  // namespace
 
 int Sweep(const SweepOptions& asked) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
+  if (asked.verify) return Verify(asked, *data);
   const SweepOptions options = WithFile(asked, *data);
   std::vector<Diagnostic> problems;
   const sweep::Spec spec = sweep::ReadSpec(options.spec, problems);
@@ -115,6 +136,10 @@ int Sweep(const SweepOptions& asked) {
   if (options.on != "slurm" && options.task < 0 && !LockFolder(folder))
     return Refuse(
         ProblemIn(folder, "another sweep is making runs here", "wait for it, or name another folder with --folder"));
+  if (options.task < 0) {
+    if (const Result<void> tried = sweep::TryVariants(spec, *plan, folder, options.jobs); !tried)
+      return Refuse(tried.error());
+  }
   CatchInterrupts();
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -213,10 +238,22 @@ int Sweep(const SweepOptions& asked) {
   std::vector<Diagnostic> differing;
   const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, folder, differing);
   for (const Diagnostic& problem : differing) std::cerr << Format(problem);
-  if (const Result<void> written = sweep::WriteTables(folder, spec, *plan, rows); !written)
+  const std::string manifest = sweep::ManifestOf(spec, *plan, rows, folder, {Version(), Commit(), options.command});
+  if (const Result<void> written = sweep::WriteTables(folder, spec, *plan, rows, manifest); !written)
     return Refuse(written.error());
-  std::cout << sweep::Summary(spec, *plan, rows) << "tables: " << (folder / "results.csv").string() << ", "
-            << (folder / "results.sqlite").string() << '\n';
+  const bool has_errors = std::ranges::any_of(rows, [](const sweep::Row& row) { return row.result.has_errors; });
+  if (options.json) {
+    std::cout << sweep::JsonLines(spec, *plan, rows)
+              << JsonText(Json{{"event", "sweep"},
+                               {"folder", folder.string()},
+                               {"runs", rows.size()},
+                               {"missing", planned - rows.size()},
+                               {"has_errors", has_errors}})
+              << '\n';
+  } else {
+    std::cout << sweep::Summary(spec, *plan, rows) << "tables: " << (folder / "results.csv").string() << ", "
+              << (folder / "results.sqlite").string() << '\n';
+  }
   if (WasInterrupted()) {
     std::cerr << planned - rows.size() << " runs are missing; run the same command again to continue\n";
     return 130;
@@ -225,7 +262,6 @@ int Sweep(const SweepOptions& asked) {
     std::cerr << planned - rows.size() << " of " << planned << " runs are missing\n";
     return kProblems;
   }
-  const bool has_errors = std::ranges::any_of(rows, [](const sweep::Row& row) { return row.result.has_errors; });
   return differing.empty() && !has_errors ? kOk : kProblems;
 }
 

@@ -22,6 +22,11 @@ struct SweepOptions {
   bool cancel = false;
   bool mix = false;    ///< Rows of other builds count too.
   bool retry = false;  ///< Crashed and hung runs are made again.
+  bool json = false;   ///< Lines of JSON instead of text.
+  /// `spec` is the folder of a sweep, of which so many runs are made again and compared.
+  bool verify = false;
+  std::size_t sample = 20;           ///< 0: all.
+  std::vector<std::string> command;  ///< The words of the command line, for the manifest.
 };
 
 int Sweep(const SweepOptions& options);

@@ -80,6 +80,37 @@ Json ToJson(const mission::Mission& mission, const RunResult& run) {
   return json;
 }
 
+/// Passes lines of runs on in the order of their seeds, each as soon as those before it are there.
+class LinesInOrder {
+ public:
+  explicit LinesInOrder(std::vector<std::uint64_t> seeds) : seeds_(std::move(seeds)) {}
+
+  void Add(std::uint64_t seed, std::string line) {
+    waiting_.emplace(seed, std::move(line));
+    for (auto at = waiting_.end(); next_ < seeds_.size() && (at = waiting_.find(seeds_[next_])) != waiting_.end();
+         ++next_)
+      Print(at);
+    std::cout << std::flush;
+  }
+  /// The others were interrupted.
+  void Finish() {
+    for (; next_ < seeds_.size(); ++next_)
+      if (const auto at = waiting_.find(seeds_[next_]); at != waiting_.end()) Print(at);
+    std::cout << std::flush;
+  }
+
+ private:
+  using Waiting = std::multimap<std::uint64_t, std::string>;
+  void Print(Waiting::iterator at) {
+    std::cout << at->second << '\n';
+    waiting_.erase(at);
+  }
+
+  std::vector<std::uint64_t> seeds_;
+  std::size_t next_ = 0;
+  Waiting waiting_;
+};
+
 /// What runs that failed reported themselves, each once: rules that cannot be read, loops, scripts that stop.
 template <typename Head>
 void PrintProblems(const mission::MissionOutcome& outcome, const std::string& margin, const Head& head) {
@@ -246,7 +277,9 @@ class Tester {
                                             : options_.keep;
     if (!options_.seeds.empty())
       settings.seeds = mission::ParseSeeds(options_.seeds).value_or(std::vector<std::uint64_t>{});
-    const std::size_t count = mission::SeedsOf(mission, settings).size();
+    const std::vector<std::uint64_t> seeds = mission::SeedsOf(mission, settings);
+    const std::size_t count = seeds.size();
+    LinesInOrder lines(seeds);
     const std::string head = mission.name + std::string(mission.name.size() < 22 ? 22 - mission.name.size() : 1, ' ') +
                              std::to_string(count) + (count == 1 ? " seed   " : " seeds  ");
     const bool shows = !options_.json && is_terminal_;
@@ -256,9 +289,10 @@ class Tester {
         tested.loaded, settings,
         [&](const RunResult& run) {
           if (shows && ++shown <= 60) std::cout << Mark(run) << std::flush;
-          if (options_.json) std::cout << JsonText(ToJson(mission, run)) << '\n' << std::flush;
+          if (options_.json) lines.Add(run.seed, JsonText(ToJson(mission, run)));
         },
         [] { return !WasInterrupted(); });
+    lines.Finish();
     if (!outcome) return outcome.error();
     tested.outcome = std::move(*outcome);
     const mission::MissionOutcome& came = tested.outcome;

@@ -445,15 +445,21 @@ std::optional<toml::table> ParseToml(std::string_view text, const std::filesyste
 
 void CheckTimesOf(const Check& check, double seconds, std::vector<Diagnostic>& problems) {
   const double begin_s = std::max(check.from_s.value_or(0), check.after_s.value_or(0));
-  const bool never_begins = begin_s > 0 && begin_s >= seconds;
-  if (!never_begins && check.for_s.value_or(0) <= seconds - begin_s) return;
+  const std::string end = "the run ends at " + NumberText(seconds) + " s";
+  std::string message;
+  if (begin_s > 0 && begin_s >= seconds) {
+    message = "this is looked at from " + NumberText(begin_s) + " s on, and " + end;
+  } else if (check.for_s.value_or(0) > seconds - begin_s) {
+    message = "this cannot last for " + NumberText(*check.for_s) + " s: " + end;
+  } else if (check.by_s.value_or(0) > seconds) {
+    message = "this has time until " + NumberText(*check.by_s) + " s, and " + end;
+  } else {
+    return;
+  }
   Diagnostic& problem = problems.emplace_back();
   problem.file = check.file;
   problem.line = check.line;
-  problem.message =
-      never_begins
-          ? "this is looked at from " + NumberText(begin_s) + " s on, and the run ends at " + NumberText(seconds) + " s"
-          : "this cannot last for " + NumberText(*check.for_s) + " s: the run ends at " + NumberText(seconds) + " s";
+  problem.message = std::move(message);
   problem.hint = "seconds = N makes runs longer";
 }
 

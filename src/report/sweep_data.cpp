@@ -9,6 +9,7 @@
 
 #include "mission/statistics.h"
 #include "report/page.h"
+#include "sweep/manifest.h"
 #include "sweep/run_sweep.h"
 #include "sweep/tournament.h"
 
@@ -86,6 +87,8 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
             {"title", place.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
             {"command", "soarbox run " + plan->variants.front().argument}};
   made["build"] = rows.front().build;
+  if (Json manifest = Json::parse(sweep::ReadManifest(place), nullptr, false); manifest.is_object())
+    made["manifest"] = std::move(manifest);
   Json names = Json::array(), variants = Json::array(), summary = Json::array();
   const std::size_t count = plan->variants.size();
   std::vector<std::string> numbers;

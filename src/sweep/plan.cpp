@@ -13,6 +13,7 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/cast.h"
+#include "mission/read_mission.h"
 #include "record/header.h"
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
@@ -382,6 +383,9 @@ Result<Plan> MakePlan(const Spec& spec, const fs::path& folder, const sim::DataF
       mission::CheckNames(asked, cast, problems);
       if (!problems.empty()) return problems.front();
     }
+    std::vector<Diagnostic> late;
+    mission::CheckTimes(spec.mission, ready.loaded.seconds, late);
+    if (!late.empty()) return late.front();
     Digest digest;
     digest.Add(variant.kernel);
     digest.Add(std::to_string(ready.loaded.seconds));

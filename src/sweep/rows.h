@@ -54,9 +54,13 @@ std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::ve
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed);
 std::string HostName();
 
-/// results.csv and results.sqlite, written beside their place and then moved there.
+/// results.csv has a row for each run, numbers.csv one for each number of each run; results.sqlite has both, as `runs`
+/// and `numbers`, and the entries of the manifest as `metadata`. manifest.json is the manifest. Each is written beside
+/// its place and then moved there.
 Result<void> WriteTables(const std::filesystem::path& folder, const Spec& spec, const Plan& plan,
-                         const std::vector<Row>& rows);
+                         const std::vector<Row>& rows, const std::string& manifest);
+/// A line of JSON for each run, with the columns of results.csv.
+std::string JsonLines(const Spec& spec, const Plan& plan, const std::vector<Row>& rows);
 
 /// The columns that each table has, besides parameters, checks and metrics.
 bool IsOwnColumn(std::string_view name);

@@ -6,11 +6,15 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <utility>
 #include <variant>
 
 #include "diagnostics/problem.h"
 #include "mission/sentences.h"
+#include "sweep/manifest.h"
 #include "sweep/rows.h"
 
 namespace soarbox::sweep {
@@ -119,7 +123,9 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
     cells.emplace_back(std::string(hash));
     cells.emplace_back(row.host);
     cells.emplace_back(std::int64_t{row.tries});
-    cells.emplace_back(run.recording);
+    // From the sweep's folder, which can be moved.
+    cells.emplace_back(run.recording.empty() ? std::string()
+                                             : "recordings/" + fs::path(run.recording).filename().string());
   }
   return table;
 }
@@ -167,7 +173,83 @@ std::string Identifier(const std::string& name) {
   return quoted + "\"";
 }
 
-Result<void> WriteSqlite(const fs::path& file, const Table& table) {
+/// What a run is named by, before the first column that a run measures.
+std::size_t NamesIn(const Spec& spec) {
+  return 2 + spec.parameters.size();
+}
+
+/// A cell as a number: whether a check came true is 1 or 0. None if it is empty, or another text.
+std::optional<double> NumberIn(const Column& column, const Cell& cell) {
+  if (const double* number = std::get_if<double>(&cell)) return *number;
+  if (const std::int64_t* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  const std::string* text = std::get_if<std::string>(&cell);
+  if (text == nullptr || !column.name.starts_with("check: ") || *text == "undecided") return std::nullopt;
+  return *text == "true" ? 1 : 0;
+}
+
+/// The same in long form: a row for each number of each run.
+Table TidyOf(const Spec& spec, const Table& wide) {
+  Table tidy;
+  const std::size_t names = NamesIn(spec);
+  for (std::size_t i = 0; i < names; ++i) tidy.columns.push_back(wide.columns[i]);
+  tidy.columns.push_back({"name", kText});
+  tidy.columns.push_back({"value"});
+  for (const std::vector<Cell>& row : wide.rows) {
+    for (std::size_t i = names; i < row.size(); ++i) {
+      const std::optional<double> number = NumberIn(wide.columns[i], row[i]);
+      if (!number) continue;
+      std::vector<Cell>& cells = tidy.rows.emplace_back();
+      for (std::size_t name = 0; name < names; ++name) cells.push_back(row[name]);
+      cells.emplace_back(wide.columns[i].name);
+      cells.emplace_back(*number);
+    }
+  }
+  return tidy;
+}
+
+/// The manifest as a table of names and values.
+Table MetadataOf(const std::string& manifest) {
+  Table table;
+  table.columns = {{"name", kText}, {"value", kText}};
+  for (auto& [name, value] : EntriesOf(manifest)) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    cells.emplace_back(name);
+    cells.emplace_back(value);
+  }
+  return table;
+}
+
+/// Adds a table to an open database; false if that fails.
+bool AddTable(sqlite3* database, const std::string& name, const Table& table) {
+  std::string create = "CREATE TABLE " + name + " (", insert = "INSERT INTO " + name + " VALUES (";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    create += (i > 0 ? ", " : "") + Identifier(table.columns[i].name) + table.columns[i].type;
+    insert += i > 0 ? ", ?" : "?";
+  }
+  if (sqlite3_exec(database, (create + ")").c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) return false;
+  sqlite3_stmt* prepared = nullptr;
+  if (sqlite3_prepare_v2(database, (insert + ")").c_str(), -1, &prepared, nullptr) != SQLITE_OK) return false;
+  const std::unique_ptr<sqlite3_stmt, EndStatement> statement(prepared);
+  for (const std::vector<Cell>& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const int place = static_cast<int>(i) + 1;
+      if (const double* number = std::get_if<double>(&row[i])) {
+        sqlite3_bind_double(prepared, place, *number);
+      } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
+        sqlite3_bind_int64(prepared, place, *whole);
+      } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
+        sqlite3_bind_text(prepared, place, text->c_str(), static_cast<int>(text->size()), nullptr);
+      } else {
+        sqlite3_bind_null(prepared, place);
+      }
+    }
+    if (sqlite3_step(prepared) != SQLITE_DONE) return false;
+    sqlite3_reset(prepared);
+  }
+  return true;
+}
+
+Result<void> WriteSqlite(const fs::path& file, const Table& runs, const Table& tidy, const Table& metadata) {
   std::error_code error;
   fs::remove(file, error);
   sqlite3* opened = nullptr;
@@ -175,35 +257,11 @@ Result<void> WriteSqlite(const fs::path& file, const Table& table) {
   const std::unique_ptr<sqlite3, CloseDatabase> database(opened);
   const auto fail = [&] { return Unwritten(file, opened != nullptr ? sqlite3_errmsg(opened) : "no memory"); };
   if (code != SQLITE_OK) return fail();
-  std::string create = "CREATE TABLE runs (", insert = "INSERT INTO runs VALUES (";
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    create += (i > 0 ? ", " : "") + Identifier(table.columns[i].name) + table.columns[i].type;
-    insert += i > 0 ? ", ?" : "?";
-  }
   // The file is thrown away if this does not come to its end: no journal, one transaction.
-  for (const std::string& line : {std::string("PRAGMA journal_mode = OFF"), std::string("BEGIN"), create + ")"})
-    if (sqlite3_exec(opened, line.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) return fail();
-  sqlite3_stmt* prepared = nullptr;
-  if (sqlite3_prepare_v2(opened, (insert + ")").c_str(), -1, &prepared, nullptr) != SQLITE_OK) return fail();
-  {
-    const std::unique_ptr<sqlite3_stmt, EndStatement> statement(prepared);
-    for (const std::vector<Cell>& row : table.rows) {
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const int place = static_cast<int>(i) + 1;
-        if (const double* number = std::get_if<double>(&row[i])) {
-          sqlite3_bind_double(prepared, place, *number);
-        } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
-          sqlite3_bind_int64(prepared, place, *whole);
-        } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
-          sqlite3_bind_text(prepared, place, text->c_str(), static_cast<int>(text->size()), nullptr);
-        } else {
-          sqlite3_bind_null(prepared, place);
-        }
-      }
-      if (sqlite3_step(prepared) != SQLITE_DONE) return fail();
-      sqlite3_reset(prepared);
-    }
-  }
+  for (const char* line : {"PRAGMA journal_mode = OFF", "BEGIN"})
+    if (sqlite3_exec(opened, line, nullptr, nullptr, nullptr) != SQLITE_OK) return fail();
+  for (const auto& [name, table] : {std::pair{"runs", &runs}, {"numbers", &tidy}, {"metadata", &metadata}})
+    if (!AddTable(opened, name, *table)) return fail();
   if (sqlite3_exec(opened, "COMMIT", nullptr, nullptr, nullptr) != SQLITE_OK) return fail();
   return {};
 }
@@ -221,17 +279,36 @@ bool IsOwnColumn(std::string_view name) {
          lower.starts_with("parameter: ") || std::ranges::find(kOwn, lower) != std::end(kOwn);
 }
 
-Result<void> WriteTables(const fs::path& folder, const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
-  const Table table = MakeTable(spec, plan, rows);
+Result<void> WriteTables(const fs::path& folder, const Spec& spec, const Plan& plan, const std::vector<Row>& rows,
+                         const std::string& manifest) {
+  const Table runs = MakeTable(spec, plan, rows), tidy = TidyOf(spec, runs);
   std::error_code error;
-  for (const char* name : {"results.csv", "results.sqlite"}) {
+  for (const char* name : {"results.csv", "numbers.csv", "results.sqlite"}) {
     const fs::path file = folder / name, making = folder / (std::string(".") + name);
-    const Result<void> written = file.extension() == ".csv" ? WriteCsv(making, table) : WriteSqlite(making, table);
+    const Result<void> written = file.extension() == ".sqlite"
+                                     ? WriteSqlite(making, runs, tidy, MetadataOf(manifest))
+                                     : WriteCsv(making, file.stem() == "results" ? runs : tidy);
     if (!written) return written;
     fs::rename(making, file, error);
     if (error) return Unwritten(file, error.message());
   }
-  return {};
+  return WriteManifest(folder, manifest);
+}
+
+std::string JsonLines(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
+  const Table table = MakeTable(spec, plan, rows);
+  std::string lines;
+  for (const std::vector<Cell>& row : table.rows) {
+    nlohmann::ordered_json line{{"event", "run"}};
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      auto& value = line[table.columns[i].name];
+      if (const double* number = std::get_if<double>(&row[i])) value = *number;
+      if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) value = *whole;
+      if (const std::string* text = std::get_if<std::string>(&row[i])) value = *text;
+    }
+    lines += line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+  return lines;
 }
 
 }  // namespace soarbox::sweep

@@ -69,6 +69,7 @@ SlurmctldLogFile={self.folder}/slurmctld.log
 SlurmdLogFile={self.folder}/slurmd.log
 SchedulerParameters=sched_interval=1
 MinJobAge=5
+MaxArraySize=8
 NodeName={host} NodeAddr=127.0.0.1 CPUs={processors} State=UNKNOWN
 PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 """, encoding="utf-8")
@@ -190,6 +191,34 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         counts = [int(number) for number in re.findall(r"\r(\d+) of 300 runs", self.shown)]
         self.assertEqual(counts, sorted(counts))
         self.assertEqual(len(self.rows(there)), 300)
+
+    def test_more_tasks_than_an_array_may_have_become_larger_ones(self):
+        there = self.folder / "there"
+        run = Run("sweep", self.sweep_of("1..4"), "--folder", there, "--on", "slurm", "--tasks", "64", code=0)
+        self.assertIn("Slurm takes at most 8 tasks in an array here (MaxArraySize): 64 become 8", run.err)
+        self.assertEqual(len(self.rows(there)), 8)
+
+    def test_a_node_that_is_drained_is_named_while_somebody_waits(self):
+        there, host = self.folder / "there", socket.gethostname().split(".")[0]
+        def node(state):
+            subprocess.run(["scontrol", "update", f"NodeName={host}", f"State={state}", "Reason=cleaning"], check=True)
+        node("DRAIN")
+        process = self.on_a_terminal("sweep", self.sweep_of("1..2"), "--folder", there, "--on", "slurm")
+        self.wait_until_shown(r"Slurm holds the jobs back: .*; squeue and sinfo --list-reasons say more")
+        self.assertIsNone(process.poll())
+        node("RESUME")
+        self.assertEqual(process.wait(120), 0, self.shown)
+        self.assertEqual(len(self.rows(there)), 4)
+
+    def test_what_a_task_needs_is_passed_on(self):
+        there, kept = self.folder / "there", self.folder / "comment"
+        # The last of two equal options counts, so this one shows that it came to Slurm.
+        run = Run("sweep", self.sweep_of("1..2"), "--folder", there, "--on", "slurm", "--cpus-per-task", "1", "--mem", "200M",
+                  "--time", "5", f"--sbatch=--output={kept}", code=0)
+        self.assertTrue(kept.is_file(), run.err)
+        self.assertIn("4 runs made", kept.read_text(encoding="utf-8"))
+        wrong = Run("sweep", self.sweep_of("1..2"), "--folder", self.folder / "other", "--on", "slurm", "--qos", "nosuch", "--mem", "much", code=3)
+        self.assertIn("Slurm did not take the job", wrong.err)
 
     def test_who_waits_for_a_job_that_is_cancelled_is_told_and_continues_later(self):
         there = self.folder / "there"

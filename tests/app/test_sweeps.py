@@ -3,7 +3,6 @@
 import csv
 import fcntl
 import os
-import pathlib
 import resource
 import shutil
 import signal
@@ -203,7 +202,7 @@ class Sweeps(MissionCase):
         self.assertEqual(told, [(1,), (2,), (3,), (12345678901,)])
         run = Run("sweep", self.write("sweep.toml", more.replace("seconds = 8", 'seconds = 8\nrecord = "all"')))
         self.assertIn("12 runs made, 0 were there", run.err)
-        self.assertEqual({pathlib.Path(row["recording"]).exists() for row in self.rows()}, {True})
+        self.assertEqual({(self.folder / "sweep.sweep" / row["recording"]).is_file() for row in self.rows()}, {True})
         self.assertIn("0 runs made, 12 were there", Run("sweep", spec).err)
 
     def test_a_sweep_says_that_a_variant_has_the_numbers_of_the_first(self):

@@ -72,6 +72,8 @@ export type Cell = string | number | boolean;
 export interface SweepReport extends Head {
   kind: "sweep";
   standings?: readonly Standing[];
+  /** What the runs were made from and with; sweeps of earlier versions have none. */
+  manifest?: Readonly<Record<string, unknown>>;
   variants: readonly { name: string; runs: number; broken: number; judged: number; passed: number; low: number; high: number; checks: readonly { true: number; of: number; low: number; high: number }[] }[];
   check_names: readonly string[];
   metrics: readonly Metric[];

@@ -74,6 +74,7 @@ export function sweepSections(sweep: SweepReport): Child {
     outliers.length > 0 && section("outliers", "Seeds that stand out", table(["variant", "seed", "what", "value", "median", "see it"], outliers, "Furthest from the median of their variant")),
     sweep.failed.length > 0 && section("failed", "Runs that broke", table(["variant", "seed", "outcome", "why"], sweep.failed.map((one) => [one.variant, one.seed, one.outcome, one.error]), "Crashed and hung runs")),
     section("rows", "All runs", table(sweep.columns, sweep.rows.map((row) => row.map((cell) => (typeof cell === "boolean" ? (cell ? "yes" : "no") : cell))), "All runs")),
-    section("about", "About", h("p.quiet", null, `Build ${sweep.build}. Intervals of means: Student's t; of rates: Wilson; of ratings: resampling.`)),
+    section("about", "About", h("p.quiet", null, `Build ${sweep.build}. Intervals of means: Student's t; of rates: Wilson; of ratings: resampling.`),
+      sweep.manifest !== undefined && h("details", null, h("summary", null, "Manifest: what the runs were made from"), h("pre", null, JSON.stringify(sweep.manifest, null, 1)))),
   ];
 }

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sweep/manifest.h"
+
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "diagnostics/problem.h"
+#include "diagnostics/read_text.h"
+#include "record/header.h"
+#include "sweep/sha256.h"
+
+namespace soarbox::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kName = "manifest.json";
+
+std::string NowText() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  char text[32] = "";
+  if (gmtime_r(&now, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string SystemText() {
+  utsname name{};
+  if (uname(&name) != 0) return {};
+  return std::string(name.sysname) + " " + name.release + " " + name.machine;
+}
+
+/// The SHA-256 of each file below the folder, by its path from there.
+Json FilesBelow(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file(error) && !it->is_symlink(error)) files.push_back(it->path());
+  std::ranges::sort(files);
+  Json made = Json::object();
+  for (const fs::path& file : files) made[fs::relative(file, folder, error).string()] = Sha256OfFile(file);
+  return made;
+}
+
+Json VariantOf(const ReadyVariant& ready, const fs::path& folder) {
+  const Variant& variant = ready.variant;
+  Json made{{"name", variant.name}, {"digest", ready.digest}, {"seconds", ready.loaded.seconds}};
+  if (!variant.kernel.empty()) made["kernel"] = variant.kernel;
+  if (!variant.setup.empty()) made["setup"] = variant.setup;
+  Json parameters = Json::object(), rules = Json::object();
+  for (const auto& [name, value] : variant.parameters) parameters[name] = value;
+  for (const auto& [agent, file] : variant.rules) rules[agent] = fs::path(file).filename().string();
+  if (!parameters.empty()) made["parameters"] = std::move(parameters);
+  if (!rules.empty()) made["rules"] = std::move(rules);
+  made["sha256"] = FilesBelow(folder / "variants" / variant.name);
+  return made;
+}
+
+}  // namespace
+
+std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows, const fs::path& folder,
+                       const Origin& origin) {
+  std::error_code error;
+  std::set<std::string> hosts, builds;
+  for (const Row& row : rows) {
+    hosts.insert(row.host);
+    builds.insert(row.build);
+  }
+  Json made{{"program", "soarbox " + origin.version}, {"build", record::BuildId()}};
+  if (!origin.commit.empty()) made["commit"] = origin.commit;
+  made["command"] = origin.command;
+  made["working_folder"] = fs::current_path(error).string();
+  made["host"] = HostName();
+  made["system"] = SystemText();
+  made["written"] = NowText();
+  made["sweep"] = spec.file.string();
+  made["sweep_sha256"] = Sha256OfFile(spec.file);
+  made["runs"] = rows.size();
+  made["seeds"] = spec.mission.seeds;
+  made["hosts_of_runs"] = hosts;
+  made["builds_of_runs"] = builds;
+  Json& variants = made["variants"] = Json::array();
+  for (const ReadyVariant& variant : plan.variants) variants.push_back(VariantOf(variant, folder));
+  return made.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string ReadManifest(const fs::path& folder) {
+  return ReadText(folder / kName).value_or("");
+}
+
+Result<void> WriteManifest(const fs::path& folder, const std::string& manifest) {
+  const fs::path file = folder / kName, making = folder / (std::string(".") + kName);
+  std::error_code error;
+  const bool is_written = static_cast<bool>((std::ofstream(making, std::ios::binary) << manifest).flush());
+  if (is_written) fs::rename(making, file, error);
+  if (is_written && !error) return {};
+  return ProblemIn(file.string(), "this file cannot be written: " + (error ? error.message() : "is the disk full?"),
+                   "the rows are safe in the folder parts: run the same command again when there is room");
+}
+
+std::vector<std::pair<std::string, std::string>> EntriesOf(const std::string& manifest) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  const Json read = Json::parse(manifest, nullptr, false);
+  if (!read.is_object()) return entries;
+  for (const auto& [name, value] : read.items())
+    entries.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  return entries;
+}
+
+}  // namespace soarbox::sweep
