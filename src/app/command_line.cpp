@@ -13,8 +13,8 @@
 #include <string_view>
 
 #include "app/argument_kinds.h"
-#include "app/commit.h"
 #include "app/command_options.h"
+#include "app/commit.h"
 #include "app/completion.h"
 #include "app/data_folders.h"
 #include "app/exit_codes.h"

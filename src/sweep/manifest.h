@@ -18,8 +18,8 @@ struct Origin {
 
 /// What the tables of a sweep were made from and with, as JSON: version, build, commit, command line, folder, host,
 /// system, time, the digest of the sweep's file, seeds, and for each variant its digest, its parameters and the SHA-256
-/// of each of its files. `manifest.json` holds it. It says when and where, so nothing that must be equal on each machine
-/// may contain it.
+/// of each of its files. `manifest.json` holds it. It says when and where, so nothing that must be equal on each
+/// machine may contain it.
 std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows,
                        const std::filesystem::path& folder, const Origin& origin);
 

@@ -56,9 +56,8 @@ Result<void> TryVariants(const Spec& spec, const Plan& plan, const fs::path& fol
   const std::map<std::string, Row> there = ReadRows(folder / "parts", ignored);
   std::deque<std::size_t> waiting;
   for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
-    const bool has_rows = std::ranges::any_of(spec.mission.seeds, [&](std::uint64_t seed) {
-      return there.contains(KeyOf(plan, variant, seed));
-    });
+    const bool has_rows = std::ranges::any_of(
+        spec.mission.seeds, [&](std::uint64_t seed) { return there.contains(KeyOf(plan, variant, seed)); });
     if (!has_rows && plan.variants[variant].variant.kernel.empty()) waiting.push_back(variant);
   }
   const int most = jobs > 0 ? jobs : mission::Processors();

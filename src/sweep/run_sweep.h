@@ -23,8 +23,8 @@ struct Progress {
   std::vector<std::string> problems;  ///< What is wrong with variants that were left out.
 };
 
-/// Loads each variant that has no row yet, without a tick. Fails with the errors of the first variant that reports some:
-/// rules that cannot be read, files that are missing, scripts that stop.
+/// Loads each variant that has no row yet, without a tick. Fails with the errors of the first variant that reports
+/// some: rules that cannot be read, files that are missing, scripts that stop.
 Result<void> TryVariants(const Spec& spec, const Plan& plan, const std::filesystem::path& folder, int jobs);
 
 /// Makes the runs that no part holds yet, each in a process of its own, and adds them to a part. A run that crashes is

@@ -47,7 +47,8 @@ Result<Verification> VerifySweep(const fs::path& folder, const sim::DataFolders&
   std::vector<Diagnostic> problems;
   std::error_code error;
   if (!fs::exists(KeptSpec(folder), error))
-    return ProblemIn(folder.string(), "this is no folder of a sweep: it holds no " + KeptSpec(folder).filename().string(),
+    return ProblemIn(folder.string(),
+                     "this is no folder of a sweep: it holds no " + KeptSpec(folder).filename().string(),
                      "soarbox sweep SPEC makes one: SPEC.sweep");
   const Spec spec = ReadSpec(KeptSpec(folder), problems, true);
   if (!problems.empty()) return problems.front();
@@ -86,8 +87,8 @@ Result<Verification> VerifySweep(const fs::path& folder, const sim::DataFolders&
     if (!done) continue;
     const Row& row = sample[done->id];
     const ReadyVariant& variant = plan->variants[row.variant];
-    const Row again = RowOf(*plan, row.variant, row.seed, 1, std::move(done->end),
-                            mission::LimitsOf(variant.loaded, at_a_time));
+    const Row again =
+        RowOf(*plan, row.variant, row.seed, 1, std::move(done->end), mission::LimitsOf(variant.loaded, at_a_time));
     ++found.made;
     if (const std::string difference = DifferenceOf(spec, row, again); !difference.empty())
       differing[done->id] =

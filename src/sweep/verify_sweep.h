@@ -18,10 +18,10 @@ struct Verification {
   std::string other_build;             ///< The build of the rows, if it is not this one.
 };
 
-/// Makes a sample of the runs of a sweep's folder again, from the files that the folder holds, and compares state hashes
-/// and metrics. The sample is spread evenly over all rows, so the same folder gives the same sample; `most` = 0: all
-/// rows. Rows of crashed and hung runs, and of variants with a kernel elsewhere, are left out. It asks `goes_on` now and
-/// then.
+/// Makes a sample of the runs of a sweep's folder again, from the files that the folder holds, and compares state
+/// hashes and metrics. The sample is spread evenly over all rows, so the same folder gives the same sample; `most` = 0:
+/// all rows. Rows of crashed and hung runs, and of variants with a kernel elsewhere, are left out. It asks `goes_on`
+/// now and then.
 Result<Verification> VerifySweep(const std::filesystem::path& folder, const sim::DataFolders& data, std::size_t most,
                                  int jobs, const std::function<bool()>& goes_on);
 

@@ -20,11 +20,10 @@ sp {scout*a
    (<s> ^flag on)
 }
 """
+# The script of a scenario that stops after a few ticks.
 SCRIPT = """
 local ticks = 0
-function Agent_Initialize(agent)
-end
-function Agent_Update(agent, deltaTimeInMillis, command)
+function Sandbox_Update(sandbox, deltaTimeInMillis)
     ticks = ticks + 1;
     if ticks > 5 then
         local nothing = nil
@@ -32,6 +31,7 @@ function Agent_Update(agent, deltaTimeInMillis, command)
     end
 end
 """
+SCRIPTED = 'script = "world.lua"\n' + WORLD
 
 
 class LoudErrors(MissionCase):
@@ -60,11 +60,10 @@ class LoudErrors(MissionCase):
         self.assertRegex(run.out, r"nothing .*it was .*scout\.soar:\d+:\d+: error: ")
 
     def test_a_script_that_stops_fails_a_mission_with_its_line(self):
-        self.write("walker.lua", SCRIPT)
-        world = WORLD + '[[agent]]\nname = "walker"\nscript = "walker.lua"\nposition = [4, 4]\n'
-        run = self.judge(GOOD.replace('"off*"', '"off*"\nby = 5') + '[[check]]\nname = "long"\nagent = "scout"\nat = "gate"\n', world=world)
+        self.write("world.lua", SCRIPT)
+        run = self.judge(GOOD + '[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\n', world=SCRIPTED)
         self.assertEqual(run.code, 1, run.out + run.err)
-        self.assertRegex(run.out, r"reported +seed 1: .*walker\.lua:9")
+        self.assertRegex(run.out, r"reported +seed 1: .*world\.lua:7")
 
     def test_a_file_that_is_missing_fails_a_mission(self):
         run = self.judge(GOOD, world=WORLD.replace("scout.soar", "absent.soar"))
@@ -98,10 +97,10 @@ class LoudErrors(MissionCase):
         self.assertIn("6 runs made, 12 were there", Run("sweep", spec, code=0).err)
 
     def test_an_error_in_the_middle_of_runs_is_told_by_the_sweep(self):
-        self.write("walker.lua", SCRIPT)
-        self.mission("", world=WORLD + '[[agent]]\nname = "walker"\nscript = "walker.lua"\nposition = [4, 4]\n')
+        self.write("world.lua", SCRIPT)
+        self.mission("", world=SCRIPTED)
         run = Run("sweep", self.write("sweep.toml", SWEEP), code=1)
-        self.assertRegex(run.out, r"slow: 6 runs reported errors, and failed; seed 1:\n .*walker\.lua:9")
+        self.assertRegex(run.out, r"slow: 6 runs reported errors, and failed; seed 1:\n .*world\.lua:7")
 
     def test_any_of_several_is_told_of_all(self):
         other = WORLD + '[[agent]]\nname = "other"\nrules = "scout.soar"\nposition = [3, 0]\n'

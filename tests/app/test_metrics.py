@@ -16,7 +16,8 @@ WORLDS = {
                                      "decisions", "firings", "elements"),
     ("soar_town", "learner", 90): ("depth", "learned", "reused"),
     ("soar_reward", "learner", 12): ("reward", "updates", "values"),
-    ("eaters", "eater", 4): ("score",),
+    # It finds nothing to eat around this second, so what it perceives is its score.
+    ("eaters", "eater", 24.5): ("score",),
 }
 
 
@@ -62,7 +63,14 @@ class Recording:
                    for a, b in zip(self.body, self.body[1:]))
 
     def idle(self):
-        return sum(self.step_s for body in self.body[1:] if body["alive"] and "command" not in body)
+        by_tick = [next((mind for mind in tick.get("minds", []) if mind["agent"] == self.agent), {}) for tick in self.ticks]
+        running, idle = set(), 0
+        for mind, body in list(zip(by_tick, self.body))[1:]:
+            for line in mind.get("commands", []):
+                name = line.split()[0].rstrip(":")
+                (running.discard if line.startswith(f"{name}: ") else running.add)(name)
+            idle += 0 if running or not body["alive"] else self.step_s
+        return idle
 
     def ammunition(self):
         return self.percept("self.ammunition") + self.percept("self.reserve")
