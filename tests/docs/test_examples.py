@@ -13,7 +13,7 @@ import examples
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMAND = pathlib.Path(os.environ["SOARBOX"])
-LIMIT_S = 240
+LIMIT_S = 600
 
 
 def pages():
