@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "diagnostics/number_from_chars.h"
+
 namespace soarbox::cli {
 namespace {
 
@@ -105,7 +107,7 @@ std::optional<std::int64_t> ParseLeadingInteger(std::string_view text) {
 std::optional<double> ParseDouble(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = NumberFromChars(text, value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
     return std::nullopt;
   }

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "debugger/learning_log.h"
 #include "debugger/percept_help.h"
+#include "diagnostics/number_from_chars.h"
 #include "explain/learning_facts.h"
 #include "explain/rule_text.h"
 #include "tell/mind_words.h"
@@ -20,7 +20,7 @@ namespace {
 
 std::optional<double> Number(std::string_view text) {
   double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto read = NumberFromChars(text, value);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

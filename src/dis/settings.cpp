@@ -2,8 +2,8 @@
 #include "dis/settings.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "diagnostics/number_from_chars.h"
 #include "diagnostics/problem.h"
 
 namespace soarbox::dis {
@@ -15,7 +15,7 @@ std::array<std::uint16_t, 7> PartsOf(const EntityType& type) {
 
 template <class Number>
 bool ReadNumber(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = NumberFromChars(text, value);
   return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 

@@ -2,18 +2,19 @@
 #include "explain/rule_makers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+
+#include "diagnostics/number_from_chars.h"
 
 namespace soarbox::explain {
 namespace {
 
 std::optional<double> NumberOf(const std::string& word) {
   double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const auto [end, error] = NumberFromChars(word, number);
   if (word.empty() || error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return number;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/number_from_chars.h"
 #include "explain/former_soar.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
@@ -331,7 +331,7 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
 
 bool IsZero(const std::string& word) {
   double number = 1;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const auto [end, error] = NumberFromChars(word, number);
   return error == std::errc{} && end == word.data() + word.size() && number == 0;
 }
 

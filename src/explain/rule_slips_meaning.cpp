@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <sstream>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/number_from_chars.h"
 #include "explain/mind_view.h"
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
@@ -354,7 +354,7 @@ class MeaningChecker {
     const std::string word = FirstWord(action.value);
     if (IsNumber(word)) {
       double number = 0;
-      std::from_chars(word.data(), word.data() + word.size(), number);
+      NumberFromChars(word, number);
       if (word.find_first_of(".eE") == std::string::npos) {
         given.value = static_cast<std::int64_t>(number);
       } else {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <charconv>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "diagnostics/number_from_chars.h"
 #include "explain/rule_text.h"
 
 // What several of the searches for slips (rule_slips_*.cpp) ask of a rule and its words.
@@ -14,7 +14,7 @@ namespace soarbox::explain {
 
 inline bool IsNumber(std::string_view word) {
   double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const auto [end, error] = NumberFromChars(word, number);
   return error == std::errc{} && end == word.data() + word.size();
 }
 

@@ -2,10 +2,10 @@
 #include "language/datamap.h"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "diagnostics/number_from_chars.h"
 #include "vocabulary/vocabulary.h"
 
 namespace soarbox::language {
@@ -61,7 +61,7 @@ std::string NearestOf(const std::string& word, const std::set<std::string>& know
 }
 
 bool IsNumber(const std::string& text, double& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] = NumberFromChars(text, number);
   return error == std::errc{} && end == text.data() + text.size();
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "diagnostics/number_from_chars.h"
 #include "diagnostics/plain_text.h"
 #include "diagnostics/read_text.h"
 
@@ -45,7 +46,7 @@ fs::path PathOf(std::string written) {
 /// "-Infinity", "2147483647"; what is no number counts as no limit.
 double Limit(const std::string& word) {
   double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const auto [end, error] = NumberFromChars(word, number);
   if (error != std::errc{} || end != word.data() + word.size())
     return word.starts_with('-') ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   return number;

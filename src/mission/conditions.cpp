@@ -2,10 +2,10 @@
 #include "mission/conditions.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "diagnostics/number_from_chars.h"
 #include "diagnostics/wildcard.h"
 #include "mission/sentences.h"
 
@@ -43,7 +43,7 @@ bool Holds(const std::vector<std::string>& list, std::string_view word) {
 
 std::optional<double> ToNumber(std::string_view text) {
   double value = 0;
-  const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [at, error] = NumberFromChars(text, value);
   if (error != std::errc{} || at != text.data() + text.size()) return std::nullopt;
   return value;
 }

@@ -1,56 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "record/header.h"
 
-#include <elf.h>
-#include <link.h>
-
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
+#include "record/linkers_id.h"
 
 namespace soarbox::record {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::string_view, 3> kLevels = {"world", "decisions", "all"};
-
-/// The linker's note that identifies the program (ld --build-id), in hexadecimal; empty if it has none.
-std::string LinkersId() {
-  std::string id;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* found) {
-        for (int i = 0; i < info->dlpi_phnum; ++i) {
-          const ElfW(Phdr)& segment = info->dlpi_phdr[i];
-          if (segment.p_type != PT_NOTE) continue;
-          const char* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
-          const char* const end = at + segment.p_memsz;
-          while (at + sizeof(ElfW(Nhdr)) <= end) {
-            ElfW(Nhdr) note;
-            std::memcpy(&note, at, sizeof note);
-            const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
-            const char* const name = at + sizeof note;
-            const char* const content = name + padded(note.n_namesz);
-            if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0) {
-              for (std::size_t b = 0; b < note.n_descsz; ++b) {
-                constexpr char kDigits[] = "0123456789abcdef";
-                const auto byte = static_cast<unsigned char>(content[b]);
-                static_cast<std::string*>(found)->append({kDigits[byte >> 4], kDigits[byte & 15]});
-              }
-              return 1;
-            }
-            at = content + padded(note.n_descsz);
-          }
-        }
-        return 1;  // The first object is the program itself.
-      },
-      &id);
-  return id;
-}
 
 std::string& TheBuildId() {
   static std::string id = std::string(SOARBOX_VERSION) + " " + LinkersId();

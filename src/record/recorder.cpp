@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "record/recorder.h"
 
+#include <system_error>
 #include <utility>
 
 #include "sim/input_text.h"
@@ -41,8 +42,13 @@ void Observe(const sim::Simulation& simulation, sim::EventList events, Level lev
   KeepLevel(record, level);
 }
 
-Recorder::Recorder(std::unique_ptr<Writer> writer, Level level)
-    : writer_(std::move(writer)), level_(level), thread_([this] { Write(); }) {}
+Recorder::Recorder(std::unique_ptr<Writer> writer, Level level) : writer_(std::move(writer)), level_(level) {
+  try {
+    thread_ = std::thread([this] { Write(); });
+  } catch (const std::system_error&) {
+    // Too many threads, or a platform without threads.
+  }
+}
 
 Recorder::~Recorder() {
   (void)Finish();  // Nobody is left to be told.
@@ -85,6 +91,7 @@ Result<void> Recorder::Take(TickRecord record) {
 }
 
 Result<void> Recorder::Push(TickRecord tick) {
+  if (!thread_.joinable()) Write(tick);
   // A run that is faster than the disk waits for it here.
   constexpr std::size_t kMostWaiting = 120;
   std::unique_lock lock(mutex_);
@@ -93,21 +100,43 @@ Result<void> Recorder::Push(TickRecord tick) {
     is_told_ = true;
     return *failure_;
   }
+  if (!thread_.joinable()) {
+    written_.push_back(std::move(tick));
+    return {};
+  }
   waiting_.push_back(std::move(tick));
   if (waiting_.size() == 1) changed_.notify_all();
   return {};
 }
 
 Result<void> Recorder::Finish() {
-  if (!thread_.joinable()) return {};
   {
     const std::lock_guard lock(mutex_);
-    is_over_ = true;
+    if (std::exchange(is_over_, true)) return {};
   }
-  changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) {
+    changed_.notify_all();
+    thread_.join();
+  } else {
+    Flush();
+  }
   if (failure_ && !is_told_) return *failure_;
   return {};
+}
+
+/// Writes one tick, and clears it so that its memory can be used again.
+void Recorder::Write(TickRecord& tick) {
+  // A window notes more of the agent that is selected than its recording is to hold.
+  KeepLevel(tick, level_);
+  const Result<void> added = writer_->AddAndSwap(tick);
+  if (added) return tick.events.clear();
+  const std::lock_guard lock(mutex_);
+  failure_ = added.error();
+}
+
+void Recorder::Flush() {
+  if (failure_) return;
+  if (const Result<void> flushed = writer_->Flush(); !flushed) failure_ = flushed.error();
 }
 
 /// The writing thread. Ticks that wait are taken all at once, so that the run is seldom disturbed.
@@ -122,25 +151,18 @@ void Recorder::Write() {
     }
     changed_.notify_all();
     for (TickRecord& tick : taken) {
-      // A window notes more of the agent that is selected than its recording is to hold.
-      KeepLevel(tick, level_);
-      const Result<void> added = writer_->AddAndSwap(tick);
-      if (added) continue;
-      const std::lock_guard lock(mutex_);
-      failure_ = added.error();
-      break;
+      // Cleared here, so that the run's thread need not.
+      Write(tick);
+      if (failure_) break;
     }
     if (failure_) break;
-    // Given back here, so that the run's thread need not.
-    for (TickRecord& tick : taken) tick.events.clear();
     constexpr std::size_t kMostBlank = 8;
     const std::lock_guard lock(mutex_);
     for (; !taken.empty(); taken.pop_front())
       if (written_.size() < kMostBlank) written_.push_back(std::move(taken.front()));
   }
   changed_.notify_all();
-  if (failure_) return;
-  if (const Result<void> flushed = writer_->Flush(); !flushed) failure_ = flushed.error();
+  Flush();
 }
 
 sim::MindDetail DetailOf(Level level) {

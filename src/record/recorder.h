@@ -23,7 +23,8 @@ void Observe(const sim::Simulation& simulation, sim::EventList events, Level lev
 /// Leaves out what a recording of this level does not hold.
 void KeepLevel(TickRecord& record, Level level);
 
-/// Writes each tick of a run to a file. The run's thread only notes the tick; another thread writes it.
+/// Writes each tick of a run to a file. The run's thread only notes the tick; another thread writes it. If no thread
+/// can be started, the run's thread writes it.
 class Recorder {
  public:
   Recorder(std::unique_ptr<Writer> writer, Level level);
@@ -44,6 +45,8 @@ class Recorder {
 
  private:
   void Write();
+  void Write(TickRecord& tick);
+  void Flush();
   TickRecord Blank();
   Result<void> Push(TickRecord tick);
 
@@ -57,7 +60,7 @@ class Recorder {
   std::vector<TickRecord> written_;  ///< Written records, whose memory is used again.
   bool is_over_ = false;             ///< Nothing more comes.
   std::optional<Diagnostic> failure_;
-  std::thread thread_;
+  std::thread thread_;  ///< Not joinable: the run's thread writes.
 };
 
 /// The detail to ask of minds (Simulation settings) for a complete recording of this level.

@@ -10,10 +10,14 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
 
+#include "diagnostics/without_threads.h"
 #include "mind/decision_codec.h"
 #include "record/reader.h"
+#include "record/recorder.h"
 #include "record/test_ticks.h"
 #include "record/writer.h"
 #include "world/animation/pose.h"
@@ -74,6 +78,23 @@ TEST_F(RecordingTest, TheSameRunGivesTheSameBytes) {
   const std::string first = Content(file());
   Write(file(), SomeTicks(100));
   EXPECT_EQ(Content(file()), first);
+}
+
+TEST_F(RecordingTest, WhereNoThreadCanBeStartedTheRunsThreadWritesTheSame) {
+  const std::vector<TickRecord> ticks = SomeTicks(200);
+  const auto record = [&](const fs::path& to) {
+    Result<std::unique_ptr<Writer>> writer = Writer::Create(to, SomeHeader(), {});
+    ASSERT_TRUE(writer) << Format(writer.error());
+    Recorder recorder(std::move(*writer), Level::kAll);
+    for (const TickRecord& tick : ticks) ASSERT_TRUE(recorder.Take(tick));
+    ASSERT_TRUE(recorder.Finish());
+  };
+  record(file());
+  const WithoutThreads none;
+  ASSERT_THROW(std::thread([] {}).join(), std::system_error);
+  record(folder() / "one-thread.soarrec");
+  EXPECT_GT(Content(file()).size(), 1'000u);
+  EXPECT_EQ(Content(file()), Content(folder() / "one-thread.soarrec"));
 }
 
 TEST_F(RecordingTest, AFileThatEndsAnywhereKeepsItsCompleteBlocks) {

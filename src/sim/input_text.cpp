@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "diagnostics/number_from_chars.h"
 #include "diagnostics/plain_text.h"
 #include "sim/input_names.h"
 
@@ -68,7 +69,7 @@ class LineReader {
   Number Value(const char* what) {
     const std::string word = Word(what);
     Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, error] = NumberFromChars(word, value);
     const bool is_number = error == std::errc{} && end == word.data() + word.size() && !word.empty();
     if (ok() && (!is_number || !std::isfinite(static_cast<double>(value))))
       Fail("'" + word + "' is not " + what + (is_number ? ": it must be finite" : ""));

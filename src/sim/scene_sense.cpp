@@ -24,8 +24,8 @@ using world::Vec3;
 std::string NumberText(float value) {
   const double rounded = std::round(static_cast<double>(value) * 1000) / 1000 + 0.0;
   std::array<char, 64> text{};
-  const auto end = std::to_chars(text.begin(), text.end(), rounded).ptr;
-  return std::string(text.begin(), end);
+  char* const end = std::to_chars(text.data(), text.data() + text.size(), rounded).ptr;
+  return std::string(text.data(), end);
 }
 
 std::string CoordinatesText(Vec3 vector) {

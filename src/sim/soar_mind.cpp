@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include "sim/senses.h"
@@ -333,7 +334,8 @@ void SoarMind::AllowMatches(std::uint64_t most) {
 
 void SoarMind::AllowMemory(std::size_t bytes) {
   // A power of two, so that it seldom changes.
-  const std::size_t rounded = std::bit_ceil(std::clamp<std::size_t>(bytes, 1, std::size_t{1} << 62));
+  constexpr std::size_t kLargest = std::numeric_limits<std::size_t>::max() / 2 + 1;
+  const std::size_t rounded = std::bit_ceil(std::clamp<std::size_t>(bytes, 1, kLargest));
   if (rounded != std::exchange(memory_limit_, rounded)) SetMindMemoryLimit(*agent_, rounded);
 }
 #else

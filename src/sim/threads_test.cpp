@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "diagnostics/without_threads.h"
 #include "sim/simulation.h"
 #include "sim/worker_pool.h"
 
@@ -21,6 +23,17 @@ TEST(WorkerPool, EachRoundCallsEachNumberOnce) {
     for (int round = 0; round < 200; ++round) pool.Run([&](std::size_t number) { ++calls[number]; });
     EXPECT_EQ(calls, std::vector<int>(threads, 200));
   }
+}
+
+TEST(WorkerPool, WhereNoThreadCanBeStartedTheOwnerDoesAllJobs) {
+  const WithoutThreads none;
+  WorkerPool pool(3);
+  std::vector<int> calls(3);
+  for (int round = 0; round < 10; ++round) pool.Run([&](std::size_t number) { ++calls[number]; });
+  const std::function<void(std::size_t)> job = [&](std::size_t number) { ++calls[number]; };
+  pool.Begin(job);
+  EXPECT_EQ(calls, (std::vector<int>{10, 11, 11}));
+  pool.Join();
 }
 
 TEST(WorkerPool, ThoseWhoLookAroundInOneTickAreSpreadOverAllThreads) {

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim/worker_pool.h"
 
+#include <system_error>
+
 namespace soarbox::sim {
 
-WorkerPool::WorkerPool(std::size_t threads) {
-  for (std::size_t number = 1; number < threads; ++number) threads_.emplace_back([this, number] { Work(number); });
+WorkerPool::WorkerPool(std::size_t threads) : wanted_(threads) {
+  try {
+    for (std::size_t number = 1; number < threads; ++number) threads_.emplace_back([this, number] { Work(number); });
+  } catch (const std::system_error&) {
+    // Too many threads, or a platform without threads.
+  }
 }
 
 WorkerPool::~WorkerPool() {
@@ -23,14 +29,14 @@ void WorkerPool::Run(const std::function<void(std::size_t)>& job) {
 }
 
 void WorkerPool::Begin(const std::function<void(std::size_t)>& job) {
-  if (threads_.empty()) return;
-  {
+  if (!threads_.empty()) {
     const std::lock_guard lock(mutex_);
     job_ = &job;
     busy_ = threads_.size();
     ++round_;
   }
   begun_.notify_all();
+  for (std::size_t number = threads_.size() + 1; number < wanted_; ++number) job(number);
 }
 
 void WorkerPool::Join() {

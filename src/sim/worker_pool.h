@@ -17,7 +17,8 @@ constexpr std::size_t ThreadOf(std::uint64_t number, std::size_t threads) {
   return static_cast<std::size_t>((threads % 3 == 0 ? number + number / threads : number) % threads);
 }
 
-/// A few threads that do one job together, again and again. The thread that owns the pool is one of them.
+/// A few threads that do one job together, again and again. The thread that owns the pool is one of them. If fewer
+/// threads can be started, it does the work of the missing ones.
 class WorkerPool {
  public:
   /// `threads`: how many take part, the owner included; at least 1.
@@ -30,14 +31,15 @@ class WorkerPool {
   /// owner's is job(0). A job must not throw.
   void Run(const std::function<void(std::size_t)>& job);
   /// The same in two halves, between which the owner does something else: job(1), job(2), ... begin; the owner's own
-  /// job is up to the owner. `job` must live until Join, which returns when all have returned, at once if nothing was
-  /// begun.
+  /// job is up to the owner. Jobs of missing threads are done before Begin returns. `job` must live until Join, which
+  /// returns when all have returned, at once if nothing was begun.
   void Begin(const std::function<void(std::size_t)>& job);
   void Join();
 
  private:
   void Work(std::size_t number);
 
+  std::size_t wanted_;  ///< Threads, the owner and missing ones included.
   std::mutex mutex_;
   std::condition_variable begun_, ended_;
   const std::function<void(std::size_t)>* job_ = nullptr;

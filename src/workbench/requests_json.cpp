@@ -2,6 +2,7 @@
 #include "workbench/requests_json.h"
 
 #include <algorithm>
+#include <concepts>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -247,8 +248,9 @@ struct Reader {
     if (!is_whole) return Refuse(name, "is to be a whole number, 0 or more");
     value = static_cast<Whole>(found->get<std::uint64_t>());
   }
-  void operator()(std::string_view name, int& value, std::string_view, Need need) { ReadWhole(name, value, need); }
-  void operator()(std::string_view name, std::uint64_t& value, std::string_view, Need need) {
+  /// For int and unsigned types of every size: std::size_t and std::uint64_t are two types on some platforms.
+  template <std::integral Whole>
+  void operator()(std::string_view name, Whole& value, std::string_view, Need need) {
     ReadWhole(name, value, need);
   }
   void operator()(std::string_view name, PanelSet& value, std::string_view, Need need) {

@@ -6,7 +6,10 @@
 
 #include <cstring>
 #include <limits>
+#include <system_error>
+#include <thread>
 
+#include "diagnostics/without_threads.h"
 #include "world/navigation_mesh.h"
 #include "world/navigation_store.h"
 #include "world/shared_navigation.h"
@@ -46,6 +49,12 @@ class NavigationTest : public testing::Test {
   World world_;
   NavigationConfig config_;
 };
+
+TEST_F(NavigationTest, WhereNoThreadCanBeStartedTheMeshIsBuiltWhenItIsNeeded) {
+  const WithoutThreads none;
+  ASSERT_THROW(std::thread([] {}).join(), std::system_error);
+  EXPECT_GE(Make(config_).FindPath({-8, 0, -5}, {-8, 0, 5}).size(), 3u);
+}
 
 TEST_F(NavigationTest, PathsLeadThroughTheGapAndKeepTheRadiusFromTheWall) {
   const NavigationMesh& mesh = Make(config_);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "diagnostics/number_from_chars.h"
 #include "kernel/base/characters.h"
 
 namespace soarbox::kernel {
@@ -139,7 +139,7 @@ bool ReadNumber(std::string_view text, Number& number) {
     text.remove_prefix(1);
   }
   Number read = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), read);
+  const auto result = NumberFromChars(text, read);
   if (result.ec == std::errc()) {
     number = read;
   }

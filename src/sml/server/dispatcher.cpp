@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -374,7 +373,7 @@ void Dispatcher::Handle(const wire::Message& call, wire::Message& response) {
   if (!command) return wire::AddError(response, "Incoming message did not contain a <command> tag");
   const std::string* name = command->Attribute("name");
   if (!name) return wire::AddError(response, "Incoming message did not contain a name attribute in the <command> tag");
-  const auto* entry =
+  const auto entry =
       std::find_if(kEntries.begin(), kEntries.end(), [&](const Entry& known) { return known.name == *name; });
   if (entry == kEntries.end()) {
     return wire::AddError(response, "Command " + *name + " is not recognized by the kernel");

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "diagnostics/number_from_chars.h"
 #include "kernel/rules/functions/function_bodies.h"
 
 namespace soarbox::kernel::function_bodies {
@@ -150,12 +151,11 @@ bool ReadFloat(std::string_view text, double& value) {
   const bool negative = !text.empty() && text[0] == '-';
   const std::string_view digits = text.substr(negative ? 1 : 0);
   if (digits.size() > 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')) {
-    const char* const first = digits.data() + 2;
-    const auto read = std::from_chars(first, digits.data() + digits.size(), value, std::chars_format::hex);
+    const auto read = NumberFromChars(digits.substr(2), value, std::chars_format::hex);
     value = negative ? -value : value;
     return read.ec != std::errc::result_out_of_range;
   }
-  return std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc::result_out_of_range;
+  return NumberFromChars(text, value).ec != std::errc::result_out_of_range;
 }
 
 }  // namespace
