@@ -16,7 +16,7 @@ def tried_as_it_should(case, numbers, wrong):
     """Tries these lessons as their authors do: starter, solution and wrong answers, of which there are so many at least."""
     told = []
     for number in numbers:
-        run = Run("learn", "test", number, code=0)
+        run = Run("learn", "test", number, code=0, limit_s=480)
         case.assertEqual(len({line.split("  ")[0] for line in run.out.splitlines()}), 1, "one lesson alone is tried")
         told += run.out.splitlines()
     case.assertEqual(sum("  solution: as it should" in line for line in told), len(numbers))
