@@ -34,17 +34,20 @@ std::string WithName(std::string_view text, const std::string& name) {
   return filled;
 }
 
-/// What comes next, in words that can be typed as they stand: `dev` says how it was called.
-void TellNextSteps(const fs::path& folder) {
+/// Prints the next commands, as they are to be typed: `dev` says how it was called. A starter with checks is tested by
+/// `soarbox test`, all others by their script.
+void TellNextSteps(const fs::path& folder, bool has_checks) {
   const char* called = std::getenv("SOARBOX_CALLED_AS");
   const std::string command = called != nullptr && *called != '\0' ? called : "soarbox";
-  std::string tester;
-  if (command != "soarbox") {
+  std::string tester = "sh " + (folder / "test.sh").string();
+  if (has_checks) {
+    tester = command + " test " + folder.string();
+  } else if (command != "soarbox") {
     std::error_code error;
-    tester = "SOARBOX=" + fs::read_symlink("/proc/self/exe", error).string() + " ";
+    tester = "SOARBOX=" + fs::read_symlink("/proc/self/exe", error).string() + " " + tester;
   }
   std::cout << "\nrun it:   " << command << " run " << folder.string() << "\ncheck it: " << command << " check "
-            << folder.string() << "\ntest it:  " << tester << "sh " << (folder / "test.sh").string() << '\n';
+            << folder.string() << "\ntest it:  " << tester << '\n';
 }
 
 }  // namespace
@@ -74,7 +77,9 @@ int NewScenario(const NewOptions& options) {
     if (!out) return Refuse("this file cannot be written", "check that the folder may be written to", path.string());
     std::cout << path.string() << ": " << file.meaning << '\n';
   }
-  TellNextSteps(folder);
+  TellNextSteps(folder, std::ranges::any_of(files, [](const StarterFile& file) {
+                  return file.text.find("[[check]]") != std::string::npos;
+                }));
   return kOk;
 }
 

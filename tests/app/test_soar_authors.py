@@ -318,7 +318,11 @@ class Starters(ScenarioCase):
                 done = subprocess.run([COMMAND, "new", name], cwd=self.folder, capture_output=True, text=True, check=True,
                                       env=dict(os.environ, SOARBOX_CALLED_AS=called))
                 self.assertIn(f"run it:   {command} run {name}\n", done.stdout)
+                self.assertIn(f"test it:  {command} test {name}\n", done.stdout)
+                done = subprocess.run([COMMAND, "new", name + "-lua", "--lua"], cwd=self.folder, capture_output=True, text=True, check=True,
+                                      env=dict(os.environ, SOARBOX_CALLED_AS=called))
                 self.assertEqual("SOARBOX=/" in done.stdout, bool(called))
+                self.assertIn(f"sh {name}-lua/test.sh\n", done.stdout)
 
     def test_overwrite_nothing(self):
         self.assertEqual(Run("new", self.folder).code, 3)
