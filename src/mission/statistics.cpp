@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -43,29 +44,19 @@ double NormalQuantile(double probability) {
   return (low + high) / 2;
 }
 
-/// The regularized incomplete beta function, as a continued fraction (Lentz's method).
-double IncompleteBeta(double a, double b, double x) {
-  if (x <= 0) return 0;
-  if (x >= 1) return 1;
-  if (x > (a + 1) / (a + b + 2)) return 1 - IncompleteBeta(b, a, 1 - x);
-  const double front =
-      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x)) / a;
-  constexpr double kTiny = 1e-300;
-  double fraction = 1, c = 1, d = 0;
-  for (int i = 0; i <= 400; ++i) {
-    const int m = i / 2;
-    double numerator = 1;
-    if (i > 0)
-      numerator = i % 2 == 0 ? m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m))
-                             : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
-    d = 1 + numerator * d;
-    d = 1 / (std::abs(d) < kTiny ? kTiny : d);
-    c = 1 + numerator / c;
-    if (std::abs(c) < kTiny) c = kTiny;
-    fraction *= c * d;
-    if (std::abs(1 - c * d) < 1e-15) break;
+/// The probability that Student's t lies between -t and t. For a whole number of degrees of freedom it is a finite sum
+/// of powers of the cosine of an angle (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.3 and 26.7.4).
+double StudentWithin(double t, std::size_t freedom) {
+  const auto degrees = static_cast<double>(freedom);
+  const double angle = std::atan2(std::abs(t), std::sqrt(degrees));
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const bool is_odd = freedom % 2 == 1;
+  double sum = 0, term = is_odd ? cosine : 1;
+  for (double below = is_odd ? 2 : 1; below < degrees; below += 2) {
+    sum += term;
+    term *= cosine * cosine * below / (below + 1);
   }
-  return front * (fraction - 1);
+  return is_odd ? (angle + sine * sum) * 2 / std::numbers::pi : sine * sum;
 }
 
 }  // namespace
@@ -136,12 +127,12 @@ Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
   return {at(-kZ95), at(kZ95)};
 }
 
-double StudentCdf(double x, double freedom) {
-  const double below = IncompleteBeta(freedom / 2, 0.5, freedom / (freedom + x * x)) / 2;
-  return x > 0 ? 1 - below : below;
+double StudentCdf(double x, std::size_t freedom) {
+  const double beyond = (1 - StudentWithin(x, freedom)) / 2;
+  return x > 0 ? 1 - beyond : beyond;
 }
 
-double StudentQuantile(double probability, double freedom) {
+double StudentQuantile(double probability, std::size_t freedom) {
   if (probability < 0.5) return -StudentQuantile(1 - probability, freedom);
   double low = 0, high = 1;
   while (StudentCdf(high, freedom) < probability && high < 1e12) high *= 2;
@@ -156,7 +147,7 @@ Interval StudentInterval(std::span<const double> values) {
   const double mean = Mean(values);
   if (values.size() < 2) return {mean, mean};
   const auto n = static_cast<double>(values.size());
-  const double half = StudentQuantile(0.975, n - 1) * StandardDeviation(values) / std::sqrt(n);
+  const double half = StudentQuantile(0.975, values.size() - 1) * StandardDeviation(values) / std::sqrt(n);
   return {mean - half, mean + half};
 }
 
@@ -165,7 +156,7 @@ double StudentTest(std::span<const double> differences) {
   const auto n = static_cast<double>(differences.size());
   const double mean = std::abs(Mean(differences)), error = StandardDeviation(differences) / std::sqrt(n);
   if (error <= 1e-12 * mean) return mean > 0 ? 0 : 1;
-  return std::min(1.0, 2 * StudentCdf(-mean / error, n - 1));
+  return std::min(1.0, 2 * StudentCdf(-mean / error, differences.size() - 1));
 }
 
 std::vector<double> Holm(std::span<const double> probabilities) {

@@ -23,8 +23,8 @@ double StandardDeviation(std::span<const double> values);
 /// 95 % confidence interval of a mean from resampling: the same seed gives the same interval.
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed = 1);
 /// The probability that a value of Student's t with so many degrees of freedom lies below x, and its inverse.
-double StudentCdf(double x, double freedom);
-double StudentQuantile(double probability, double freedom);
+double StudentCdf(double x, std::size_t freedom);
+double StudentQuantile(double probability, std::size_t freedom);
 /// 95 % confidence interval of a mean after Student: unlike those from resampling it keeps its 5 % for few values.
 Interval StudentInterval(std::span<const double> values);
 /// The probability of a mean so far from 0, if the true one is 0 (Student's t test, two-sided; of differences of pairs
