@@ -70,7 +70,7 @@ SlurmdLogFile={self.folder}/slurmd.log
 SchedulerParameters=sched_interval=1
 MinJobAge=5
 MaxArraySize=8
-NodeName={host} NodeAddr=127.0.0.1 CPUs={processors} State=UNKNOWN
+NodeName={host} NodeAddr=127.0.0.1 CPUs={processors} RealMemory=1000 State=UNKNOWN
 PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 """, encoding="utf-8")
         (self.folder / "state").mkdir()
