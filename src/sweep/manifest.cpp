@@ -18,7 +18,7 @@ namespace soarbox::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kName = "manifest.json";
 
@@ -37,23 +37,23 @@ std::string SystemText() {
 }
 
 /// The SHA-256 of each file below the folder, by its path from there.
-Json FilesBelow(const fs::path& folder) {
+OrderedJson FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     if (it->is_regular_file(error) && !it->is_symlink(error)) files.push_back(it->path());
   std::ranges::sort(files);
-  Json made = Json::object();
+  OrderedJson made = OrderedJson::object();
   for (const fs::path& file : files) made[fs::relative(file, folder, error).string()] = Sha256OfFile(file);
   return made;
 }
 
-Json VariantOf(const ReadyVariant& ready, const fs::path& folder) {
+OrderedJson VariantOf(const ReadyVariant& ready, const fs::path& folder) {
   const Variant& variant = ready.variant;
-  Json made{{"name", variant.name}, {"digest", ready.digest}, {"seconds", ready.loaded.seconds}};
+  OrderedJson made{{"name", variant.name}, {"digest", ready.digest}, {"seconds", ready.loaded.seconds}};
   if (!variant.kernel.empty()) made["kernel"] = variant.kernel;
   if (!variant.setup.empty()) made["setup"] = variant.setup;
-  Json parameters = Json::object(), rules = Json::object();
+  OrderedJson parameters = OrderedJson::object(), rules = OrderedJson::object();
   for (const auto& [name, value] : variant.parameters) parameters[name] = value;
   for (const auto& [agent, file] : variant.rules) rules[agent] = fs::path(file).filename().string();
   if (!parameters.empty()) made["parameters"] = std::move(parameters);
@@ -72,7 +72,7 @@ std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row
     hosts.insert(row.host);
     builds.insert(row.build);
   }
-  Json made{{"program", "soarbox " + origin.version}, {"build", record::BuildId()}};
+  OrderedJson made{{"program", "soarbox " + origin.version}, {"build", record::BuildId()}};
   if (!origin.commit.empty()) made["commit"] = origin.commit;
   made["command"] = origin.command;
   made["working_folder"] = fs::current_path(error).string();
@@ -85,9 +85,9 @@ std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row
   made["seeds"] = spec.mission.seeds;
   made["hosts_of_runs"] = hosts;
   made["builds_of_runs"] = builds;
-  Json& variants = made["variants"] = Json::array();
+  OrderedJson& variants = made["variants"] = OrderedJson::array();
   for (const ReadyVariant& variant : plan.variants) variants.push_back(VariantOf(variant, folder));
-  return made.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return made.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string ReadManifest(const fs::path& folder) {
@@ -106,7 +106,7 @@ Result<void> WriteManifest(const fs::path& folder, const std::string& manifest) 
 
 std::vector<std::pair<std::string, std::string>> EntriesOf(const std::string& manifest) {
   std::vector<std::pair<std::string, std::string>> entries;
-  const Json read = Json::parse(manifest, nullptr, false);
+  const OrderedJson read = OrderedJson::parse(manifest, nullptr, false);
   if (!read.is_object()) return entries;
   for (const auto& [name, value] : read.items())
     entries.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
