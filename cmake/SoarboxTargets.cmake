@@ -9,13 +9,20 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
+# Sockets, processes and the like have a file without this ending, and one with it for where there are none: WebAssembly.
+set(SOARBOX_ABSENT "")
+if(EMSCRIPTEN)
+  set(SOARBOX_ABSENT _absent)
+endif()
+
 find_program(SOARBOX_CCACHE ccache)
-if(SOARBOX_CCACHE)
+# em++ calls it itself (cmake/wasm/get).
+if(SOARBOX_CCACHE AND NOT EMSCRIPTEN)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
 endif()
 find_program(SOARBOX_MOLD mold)
-if(SOARBOX_MOLD)
+if(SOARBOX_MOLD AND NOT EMSCRIPTEN)
   add_link_options(-fuse-ld=mold)
 endif()
 

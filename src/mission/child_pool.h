@@ -29,7 +29,7 @@ struct ChildEnd {
 
 /// Runs pieces of work in processes of their own, a fixed number at a time: a piece that crashes, hangs or runs out of
 /// memory costs nothing but itself. The process that owns the pool must have one thread, as its children are forks of
-/// it.
+/// it. On platforms without processes the work runs in this one (child_pool_absent.cpp).
 class ChildPool {
  public:
   explicit ChildPool(int jobs);
@@ -37,8 +37,8 @@ class ChildPool {
   ChildPool(const ChildPool&) = delete;
   ChildPool& operator=(const ChildPool&) = delete;
 
-  bool HasRoom() const { return static_cast<int>(running_.size()) < jobs_; }
-  bool IsIdle() const { return running_.empty(); }
+  bool HasRoom() const { return static_cast<int>(running_.size()) < jobs_ && !ended_; }
+  bool IsIdle() const { return running_.empty() && !ended_; }
   /// Begins a piece of work. Fails if the system gives no process.
   Result<void> Start(std::size_t id, const std::function<std::string()>& work, const ChildLimits& limits);
   /// Waits at most so long for any of them to end.
@@ -60,6 +60,7 @@ class ChildPool {
 
   int jobs_;
   std::map<int, Child> running_;  ///< By process id.
+  std::optional<Done> ended_;     ///< Without processes: what Wait returns next.
 };
 
 /// How many processors this process may use.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Where there is no libedit (WebAssembly): lines as they come, without history and completion.
+#include <iostream>
+
+#include "app/line_editor.h"
+
+namespace soarbox::app {
+
+struct LineEditor::Impl {};
+
+LineEditor::LineEditor(Completer) {}
+LineEditor::~LineEditor() = default;
+
+std::optional<std::string> LineEditor::Read(std::string_view prompt) {
+  std::cout << prompt << std::flush;
+  std::string line;
+  if (!std::getline(std::cin, line)) return std::nullopt;
+  return line;
+}
+
+void LineEditor::Remember(const std::string&) {}
+
+}  // namespace soarbox::app
