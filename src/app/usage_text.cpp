@@ -47,7 +47,7 @@ constexpr ExampleRow kExamples[] = {
     {"test", {"soarbox test scout --seeds 1..3", "The checks of this scenario, with three seeds"}},
     {"sweep",
      {"soarbox sweep soar_skirmish", "Three variants with ten seeds each; the table goes into soar_skirmish.sweep"}},
-    {"sweep", {"soarbox sweep --verify soar_skirmish.sweep", "20 of its runs made again, and compared"}},
+    {"sweep", {"soarbox sweep --verify soar_skirmish.sweep --sample 3", "Three of its runs made again, and compared"}},
     {"report", {"soarbox report hallway.soarrec -o hallway.html", "A page about this run"}},
     {"learn", {"soarbox learn", "List the lessons"}},
     {"learn", {"soarbox learn 1", "Begin the first: copy its files and open its world"}},
