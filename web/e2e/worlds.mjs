@@ -140,6 +140,40 @@ test("with the keyboard alone: run, step, select, cameras, panels, keys", async 
   await close();
 });
 
+test("lists and trees are walked with arrow keys, bars between panels moved; zoomed to 200 % everything can be used", async () => {
+  const { page, troubles, close } = await openPage("/", { draws: false });
+  await openLesson(page, 6);
+  await show(page, "Agents");
+  const names = page.locator("table.agents button");
+  await names.first().focus();
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), await names.nth(1).innerText());
+  await page.keyboard.press("Home");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), await names.first().innerText());
+  await show(page, "Senses");
+  const fold = page.locator(".panel.links button.fold").first();
+  await fold.focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForSelector(".panel.links button.fold[aria-expanded=false]:focus");
+  await page.keyboard.press("ArrowRight");
+  await page.waitForSelector(".panel.links button.fold[aria-expanded=true]:focus");
+  const bar = page.locator("[role=separator][aria-orientation=horizontal]"), high = async () => (await page.locator(".dock.bottom").boundingBox()).height;
+  const before = await high();
+  await bar.focus();
+  await page.keyboard.press("ArrowUp");
+  await until(async () => (await high()) > before, "the bar moves");
+  // 200 % of 1280 x 800.
+  await page.setViewportSize({ width: 640, height: 400 });
+  await page.waitForSelector("[data-shape=narrow]");
+  for (const selector of [".stage", ".dock"]) assert.ok((await page.locator(selector).boundingBox()).height >= 190, `${selector} is large enough`);
+  await show(page, "Task");
+  await page.locator(".panel.mission .task").scrollIntoViewIfNeeded();
+  assert.ok(await page.locator(".panel.mission .task").isVisible());
+  await picture(page, "zoom_200");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 for (const scheme of ["light", "dark"]) {
   test(`nothing bars people, in ${scheme} colours: the beginning, a lesson, a dialog, a phone`, async () => {
     const { page, troubles, close } = await openPage("/", { scheme });

@@ -209,7 +209,7 @@ export class App {
     document.title = this.isHome || title === "" ? "Soarbox" : `${title} - Soarbox`;
     patch(this.head, [
       button([icon("home"), h("span.brand", null, "Soarbox")], () => this.goHome(), { attributes: { title: "Lessons and worlds", "aria-label": "Soarbox: lessons and worlds" } }, "button.home"),
-      h("h1.run-title", null, this.isHome ? "" : title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
+      !this.isHome && title !== "" && h("h1.run-title", null, title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
       this.watchKey !== "" && h("span.pill", null, "You watch; only the learner can change anything"), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
       this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
       h("span.space"), this.connectionView(),

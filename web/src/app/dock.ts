@@ -3,6 +3,31 @@ import { button, h, patch, type Child } from "../dom/view";
 import type { ContentName, Contents } from "../run/contents";
 import type { Panel } from "../panels/panel";
 
+const ROWS = "tr, li, .reason, details", PRESSED = "button, summary, a[href]";
+
+/** Arrow keys in lists, tables and trees: up and down go from row to row, left and right fold what is folded by a press. */
+function listKey(event: KeyboardEvent, body: HTMLElement): void {
+  const now = event.target as HTMLElement;
+  if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || !now.matches(PRESSED) || now.closest(ROWS) === null || now.closest(".editor") !== null) return;
+  if (event.key === "ArrowLeft" || event.key === "ArrowRight") {
+    const isOpen = now.tagName === "SUMMARY" ? (now.parentElement as HTMLDetailsElement).open : now.getAttribute("aria-expanded") === "true";
+    if ((now.tagName !== "SUMMARY" && !now.hasAttribute("aria-expanded")) || isOpen === (event.key === "ArrowRight")) return;
+    event.preventDefault();
+    return now.click();
+  }
+  // One stop in each row: the first thing in it that can be pressed.
+  const stops = new Map<Element, HTMLElement>();
+  for (const one of body.querySelectorAll<HTMLElement>(PRESSED)) {
+    const row = one.closest(ROWS);
+    if (row !== null && one.offsetParent !== null && !stops.has(row)) stops.set(row, one);
+  }
+  const all = [...stops.values()], at = all.indexOf(stops.get(now.closest(ROWS)!) ?? now);
+  const next = event.key === "ArrowDown" ? at + 1 : event.key === "ArrowUp" ? at - 1 : event.key === "Home" ? 0 : event.key === "End" ? all.length - 1 : -1;
+  if (at < 0 || !["ArrowDown", "ArrowUp", "Home", "End"].includes(event.key)) return;
+  event.preventDefault();
+  all[next]?.focus();
+}
+
 /** A place for panels, with a tab for each; one is in front. */
 export class Dock {
   readonly element: HTMLElement;
@@ -30,6 +55,7 @@ export class Dock {
       body.setAttribute("role", "tabpanel");
       body.setAttribute("aria-labelledby", `tab-${panel.word}`);
       body.tabIndex = 0;
+      body.addEventListener("keydown", (event) => listKey(event, body));
       this.bodies.set(panel.word, body);
       this.element.append(body);
       this.stale.add(panel.word);
@@ -94,7 +120,8 @@ export class Dock {
       return;
     }
     this.stale.delete(this.front);
-    patch(body, [panel.view(this.contents())]);
+    // A panel begins with its name, for those who hear the page; the task has a heading of its own.
+    patch(body, [panel.word !== "mission" && h("h2.hidden", { key: "heading" }, panel.title), panel.view(this.contents())]);
   }
 
   private drawTabs(): void {

@@ -65,7 +65,7 @@ function withExercise(arranged: Arrangement, hasExercise: boolean, isNarrow: boo
 /** A run with its picture, panels and flow: the lesson's or the world's page. */
 export class RunPage {
   readonly element = document.createElement("div");
-  private readonly work = document.createElement("div");
+  private readonly work = document.createElement("main");
   private readonly foot = document.createElement("footer");
   private readonly stage: Stage;
   private readonly panels: Panel[];
@@ -203,9 +203,9 @@ export class RunPage {
   /** The run has changed rules: in a lesson it begins again, so that checks and what one sees are about them. */
   private applied(): void {
     const { run, attempt } = this, isLive = run.contents.moment?.time.is_live !== false;
-    attempt.applied(run.flow.tick);
+    attempt.applied(run.flow.tick, run.contents.edit?.edit.file);
     if (attempt.isLesson && attempt.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
-    for (const dock of this.docks) dock.note(["mission"]);
+    for (const dock of this.docks) dock.note(["mission", "problems"]);
   }
 
   private grade(): void {

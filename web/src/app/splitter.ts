@@ -31,6 +31,10 @@ export function splitter(label: string, property: string, direction: "vertical" 
   bar.addEventListener("dblclick", () => set(usual, true));
   bar.addEventListener("keydown", (event) => {
     const more = direction === "vertical" ? "ArrowRight" : "ArrowDown", less = direction === "vertical" ? "ArrowLeft" : "ArrowUp";
+    if (event.key === "Home" || event.key === "End") {
+      event.preventDefault();
+      return set(event.key === "Home" ? least : Math.max(least, most()), true);
+    }
     if (event.key !== more && event.key !== less) return;
     event.preventDefault();
     set(size + sign * (event.key === more ? STEP_PX : -STEP_PX), true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { button, h, type Child } from "../dom/view";
+import { button, h, type Child, type View } from "../dom/view";
 import type { Contents } from "../run/contents";
 import type { Panel, PanelContext } from "../panels/panel";
 import { problemView } from "../panels/problems";
@@ -9,6 +9,7 @@ import { fileName, firstFile } from "./first_file";
 import { LanguageClient } from "./language_client";
 import { merged, problemOf, type PlacedProblem } from "./problem_place";
 
+const SIGNS = ["(", ")", "<", ">", "^", ".", "-->", "{", "}", "|", "*", "+", "-", "="] as const;
 const ANSWERED_AFTER_MS = 500;
 /** What the run says when it has taken over changed rules. */
 const RELOADED = /^Reloaded/;
@@ -32,6 +33,7 @@ export class EditPanel implements Panel {
   /** Rules were sent to be applied, and the run has not answered yet. */
   private isApplying = false;
   private wanted = "";
+  private tellsAgain = false;
   private offered: { file: string; text: string } | null = null;
   /** What was typed here before somebody changed the text elsewhere. */
   private older: string | null = null;
@@ -55,6 +57,7 @@ export class EditPanel implements Panel {
         this.editor?.showProblems([]);
         this.problems = "";
       }
+      this.tellsAgain = what === this.what;
       this.what = what;
       this.editor?.setReadOnly(!this.mayType);
     });
@@ -94,12 +97,22 @@ export class EditPanel implements Panel {
       !this.context.run.mayType && h("div.row.bar", { key: "tabs", attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
       isOpen && this.older !== null && h("div.row.bar", { key: "older", attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
         mayEdit && button("Show what I typed", () => this.bringBack(edit.file)), button("Forget it", () => this.forget(edit.file))),
+      mayEdit && isOpen && edit.is_rules && this.signs(),
       h("div.editor", { key: "editor", foreign: true, mounted: (element) => void this.load(element) }),
       h("div.under", { attributes: { "aria-live": "polite" } },
         isOpen && edit.notice !== "" && !(edit.notice === "No errors." && problems.length > 0) && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
         isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
         !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
     ];
+  }
+
+  /** Signs of rules that a phone's keyboard hides; shown where fingers type. */
+  private signs(): View {
+    return h("div.row.signs", { key: "signs", attributes: { role: "group", "aria-label": "Signs of rules" } }, SIGNS.map((sign) => button(sign, () => this.editor?.type(sign), {
+      key: sign, attributes: { "aria-label": `Type ${sign}` },
+      // The keyboard stays where it is.
+      on: { pointerdown: (event) => event.preventDefault() },
+    }, "button.small")));
   }
 
   /** The rules of the selected agent, until the user chooses something else. */
@@ -184,6 +197,7 @@ export class EditPanel implements Panel {
     this.offered = null;
     if (editor.text === offered.text) return;
     editor.show(offered.text, true);
+    this.isOwn = true;
     this.context.run.ask("edit-text", { what: "check", text: offered.text });
     this.context.run.remark(`The link brought this text of ${offered.file}.`, "Apply puts it into effect. Revert brings your own back.", false);
   }
@@ -211,6 +225,9 @@ export class EditPanel implements Panel {
       if (edit.is_rules) this.client.look(edit.file, edit.text);
       this.problems = "";
     }
+    // A run that has begun again, or whose server has, may lack what was typed last.
+    if (this.tellsAgain && !isNew && this.isOwn && this.mayType && edit.text !== editor.text) this.context.run.ask("edit-text", { what: "check", text: editor.text });
+    this.tellsAgain = false;
     this.context.run.kept.confirm(edit.file, edit.text);
     this.takeOffered();
     this.mark();

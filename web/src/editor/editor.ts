@@ -120,6 +120,12 @@ export class Editor {
     this.view.focus();
   }
 
+  /** As if this was typed at the caret. */
+  type(text: string): void {
+    this.view.dispatch({ ...this.view.state.replaceSelection(text), userEvent: "input.type", scrollIntoView: true });
+    this.view.focus();
+  }
+
   private changed(update: ViewUpdate): void {
     if (!update.docChanged || this.fromElsewhere) return;
     this.events.typing(this.text);

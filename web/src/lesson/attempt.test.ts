@@ -41,6 +41,14 @@ test("checks begin anew with each Apply", () => {
   assert.equal(whyOpen(time(), attempt), "");
 });
 
+test("a problem of a file that was changed since without errors is over", () => {
+  const attempt = new Attempt(shelf());
+  attempt.begin("scenario:x");
+  assert.equal(attempt.isMended({ file: "a.soar", tick: 5 }), false);
+  attempt.applied(9, "a.soar");
+  assert.deepEqual([{ file: "a.soar", tick: 9 }, { file: "a.soar", tick: 10 }, { file: "b.soar", tick: 5 }, { tick: 5 }].map((one) => attempt.isMended(one)), [true, false, false, false]);
+});
+
 test("at an earlier moment checks say what was known then", () => {
   const attempt = new Attempt(shelf()), past = time({ is_live: false, shown_tick: 50 }), mission: Mission = { checks: [check("true", 40), check("true", 60), check("open", 0)], lesson: null, lessons: [] };
   attempt.begin("scenario:x");

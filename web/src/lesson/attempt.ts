@@ -14,6 +14,8 @@ export class Attempt {
   private what = "";
   /** The tick at which rules changed while the run went on; null: it has had the same rules from the beginning. */
   changedAt: number | null = null;
+  /** The ticks at which files were changed without errors. */
+  private readonly mended = new Map<string, number>();
 
   constructor(private readonly shelf: Shelf) {}
 
@@ -22,6 +24,7 @@ export class Attempt {
     const isSame = what === this.what;
     this.what = what;
     this.changedAt = null;
+    this.mended.clear();
     return isSame;
   }
 
@@ -38,10 +41,16 @@ export class Attempt {
     if (this.isLesson && !this.isTried) this.shelf.setItem(TRIED + this.what, "yes");
   }
 
-  /** Rules were changed at this tick of the run. */
-  applied(tick: number): void {
+  /** Rules were changed at this tick of the run, without errors; `file`: what was mended by that. */
+  applied(tick: number, file = ""): void {
     this.note();
     this.changedAt = tick;
+    if (file !== "") this.mended.set(file, tick);
+  }
+
+  /** Whether a problem was in a file that has been changed since, without errors: it is over. */
+  isMended(problem: { readonly file?: string; readonly tick: number }): boolean {
+    return problem.file !== undefined && problem.tick <= (this.mended.get(problem.file) ?? -1);
   }
 
   /** Whether a lesson's run begins again with each Apply. */

@@ -134,7 +134,7 @@ export const missionPanel: MakePanel = (context) => {
       if (mission === undefined) return empty("The task and its checks come when the world runs.");
       if (mission.lesson === null && mission.checks.every((one) => one.is_marker)) return empty("Nothing is checked in this world. A scenario's file mission.toml can say what its agents are to do; worlds of Lua scripts alone are checked by soarbox test.");
       const { lesson } = mission, mayAsk = context.run.hello?.may_edit !== false;
-      return [lesson !== null && lessonView(lesson, mission.lessons), checksView(contents), lesson !== null && mayAsk && actions(context, lesson, !lesson.is_graded && gradeLines(lesson.grade).isPass)];
+      return [lesson === null && h("h2.hidden", { key: "heading" }, "Task"), lesson !== null && lessonView(lesson, mission.lessons), checksView(contents), lesson !== null && mayAsk && actions(context, lesson, !lesson.is_graded && gradeLines(lesson.grade).isPass)];
     },
   };
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { button, h, type Child, type View } from "../dom/view";
+import { button, h, type View } from "../dom/view";
 import type { Contents, WhyNode } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
 import { empty, lineField, rowForm } from "./parts";
@@ -19,8 +19,7 @@ function asks(node: WhyNode): { about: string; title: string } | null {
 /** A tree of reasons; those near the top are unfolded. */
 export function reasonView(context: PanelContext, node: WhyNode, depth = 0): View {
   const below = node.below ?? [], ask = asks(node);
-  const line: Child[] = [
-    h("span.text", null, node.text),
+  const text = h("span.text", null, node.text), tools = [
     ask !== null && button("Why?", () => context.why(ask.about, node.link), { attributes: { title: ask.title, "aria-label": `Why? ${node.text}` } }, "button.small"),
     (node.kind === "rule" || node.kind === "learned") && node.link !== undefined && node.link !== "" && button("Rule", () => {
       context.run.ask("rule", { rule: node.link });
@@ -30,9 +29,10 @@ export function reasonView(context: PanelContext, node: WhyNode, depth = 0): Vie
       context.run.ask("imagine", { state: context.run.contents.imagery?.state ?? "", record: node.link });
       context.reveal("imagery");
     }, { attributes: { title: "Show it in the picture", "aria-label": `Show in the picture: ${node.text}` } }, "button.small"),
-  ];
-  if (below.length === 0) return h(`div.reason.${node.kind}`, null, line);
-  return h(`details.reason.${node.kind}`, { open: depth < 3 }, h("summary", null, line), below.map((one) => reasonView(context, one, depth + 1)));
+  ].filter((one) => one !== false);
+  if (below.length === 0) return h(`div.reason.${node.kind}`, null, text, tools);
+  // What can be pressed stands beside what is folded: a summary holds text alone.
+  return h(`div.reason.folds.${node.kind}`, null, tools.length > 0 && h("span.tools", null, tools), h(`details${tools.length > 0 ? `.with-tools.n${tools.length}` : ""}`, { open: depth < 3 }, h("summary", null, text), below.map((one) => reasonView(context, one, depth + 1))));
 }
 
 export const whyPanel: MakePanel = (context) => {
