@@ -2,6 +2,7 @@
 #include "debugger/why.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "debugger/links.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
+#include "explain/origin_tree.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -38,6 +40,18 @@ class Tracer {
  public:
   explicit Tracer(explain::Inspector& mind) : mind_(mind) {}
 
+  /// What has o-support came to be at one moment, whatever its rule matches now.
+  void AddOrigin(std::uint64_t timetag, const explain::MakerFact& maker, int depth, WhyNode& node) {
+    std::vector<WhyNode> then = explain::OriginTree(mind_.OriginOf(timetag), mind_.decision_time(), false);
+    if (then.empty()) {
+      node.below.push_back(Rule(maker, depth));
+      return;
+    }
+    if (std::optional<WhyNode> learned = OriginOf(mind_, then.front().link))
+      then.front().below.insert(then.front().below.begin(), *std::move(learned));
+    for (WhyNode& part : then) node.below.push_back(std::move(part));
+  }
+
   WhyNode Element(const explain::ElementFact& element, int depth) {
     WhyNode node{Describe(element), "element", std::to_string(element.timetag), {}};
     if (followed_.contains(element.timetag)) return node;
@@ -57,6 +71,8 @@ class Tracer {
         node.text += " (perceived)";
       } else if (maker.kind == explain::MakerFact::Kind::kArchitecture) {
         node.text += " (made by the architecture)";
+      } else if (maker.o_supported) {
+        AddOrigin(element.timetag, maker, depth, node);
       } else {
         node.below.push_back(Rule(maker, depth));
       }
@@ -146,7 +162,13 @@ std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view com
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
     WhyNode node{CommandText(row), "command", row.name, {}};
-    if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
+    const mind::OriginFacts origin = mind.OriginOf(row.timetag);
+    node.below = explain::OriginTree(origin, mind.decision_time(), true);
+    if (!node.below.empty()) {
+      std::vector<std::string> selected;
+      for (const explain::StateFact& state : mind.Stack()) selected.push_back(state.operator_id);
+      for (WhyNode& reason : explain::PresentReason(origin, selected)) node.below.push_back(std::move(reason));
+    } else if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kRulesBack).below;
       if (!mind.TellsAll())
         node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), "reason", "", {}});
@@ -176,24 +198,19 @@ WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std:
 }
 
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
-  std::optional<WhyNode> root = simulation.Why(agent);
+  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
+  const bool tells_all = mind != nullptr && mind->TellsAll();
+  std::optional<WhyNode> root = simulation.Why(agent, !tells_all);
   if (!root)
     return {"there is no agent " + std::string(agent) + " with a mind of rules", "agent", std::string(agent), {}};
-  const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
-  if (mind == nullptr || !mind->TellsAll()) return *std::move(root);
-  for (WhyNode& node : root->below) {
-    // The operators stand below the command that they led to; our own kernel tells more of them.
-    if (node.kind == "command") {
-      node.below.clear();
-      for (const explain::StateFact& state : mind->Stack())
-        if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) node.below.push_back(*std::move(op));
-      if (node.below.empty()) {
-        // What said it may still stand, with what it rested on.
-        if (const std::optional<WhyNode> command = WhyCommand(*mind, node.link)) node.below = command->below;
-        node.below.push_back({"no operator is selected now", "reason", "", {}});
-      }
-    }
-  }
+  // Our own kernel tells more of the operators that are selected now. They stand after the command.
+  const auto command = std::ranges::find(root->below, "command", &WhyNode::kind);
+  if (!tells_all || command == root->below.end()) return *std::move(root);
+  std::vector<WhyNode> operators;
+  for (const explain::StateFact& state : mind->Stack())
+    if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) operators.push_back(*std::move(op));
+  if (operators.empty()) operators.push_back({"no operator is selected now", "reason", "", {}});
+  root->below.insert(command + 1, std::make_move_iterator(operators.begin()), std::make_move_iterator(operators.end()));
   return *std::move(root);
 }
 

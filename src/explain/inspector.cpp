@@ -32,6 +32,7 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
   }
   std::optional<ElementFact> Element(std::uint64_t timetag) override { return mind_->Element(timetag); }
   std::vector<MakerFact> MakersOf(std::uint64_t timetag) override { return mind_->MakersOf(timetag); }
+  mind::OriginFacts OriginOf(std::uint64_t timetag) override { return AskOrigin(agent_, timetag); }
   std::vector<TesterFact> TestersOf(std::uint64_t timetag) override { return mind_->TestersOf(timetag); }
   OperatorFacts Operators(std::string_view state) override { return mind_->Operators(state); }
   std::vector<RuleFact> Rules() override { return mind_->Rules(); }

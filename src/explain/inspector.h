@@ -7,9 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "explain/origin_tree.h"
 #include "mind/facts.h"
+#include "mind/origin.h"
 
 namespace sml {
 class Agent;
@@ -48,6 +51,8 @@ class Inspector {
   virtual std::vector<ElementFact> Search(std::string_view text, std::size_t most) = 0;
   virtual std::optional<ElementFact> Element(std::uint64_t timetag) = 0;
   virtual std::vector<MakerFact> MakersOf(std::uint64_t timetag) = 0;
+  /// What made it, as the kernel noted it then (mind/origin.h). Nothing is noted by an official kernel.
+  virtual mind::OriginFacts OriginOf(std::uint64_t timetag) = 0;
   virtual std::vector<TesterFact> TestersOf(std::uint64_t timetag) = 0;
   virtual OperatorFacts Operators(std::string_view state) = 0;
   /// In the order of loading.
@@ -57,6 +62,13 @@ class Inspector {
   virtual std::optional<MatchFacts> Match(std::string_view rule) = 0;
   /// How the last word of a command line may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
+
+  /// When decisions were made, for texts about origins. Empty: not known.
+  const DecisionTime& decision_time() const { return time_; }
+  void SetDecisionTime(DecisionTime time) { time_ = std::move(time); }
+
+ private:
+  DecisionTime time_;
 };
 
 /// For an agent of any kernel; the agent must live longer.

@@ -7,7 +7,11 @@
 #include "diagnostics/diagnostic.h"
 #include "explain/reasons.h"
 #include "explain/rule_makers.h"
+#include "sml_Client.h"
 #include "tell/sentences.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Inspection.h"
+#endif
 
 namespace soarbox::explain {
 namespace {
@@ -123,6 +127,13 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
 }
 
 void MindReasons::TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into) {
+  const bool was_given = std::ranges::any_of(
+      rules(), [&](const RuleText& rule) { return rule.says.contains(command) && view_.HasFired(rule.name); });
+  if (was_given) {
+    into = CommandTree(command, {});
+  } else {
+    into.push_back({tell::Say(tell::Situation::kNeverGiven, {{"command", command}}), "reason", "", {}});
+  }
   for (const RuleText& rule : rules()) {
     if (!rule.says.contains(command)) continue;
     WhyNode& node = into.emplace_back(
@@ -167,15 +178,35 @@ Result<std::vector<WhyNode>> MindReasons::WhyTopic(const std::string& topic, con
   return problem;
 }
 
-std::vector<WhyNode> MindReasons::OperatorTree(const std::string& command) {
-  std::vector<WhyNode> nodes;
+std::vector<WhyNode> MindReasons::CommandTree(const std::string& command, const DecisionTime& time) {
+#ifdef SOARBOX_OWN_KERNEL
+  const mind::OriginFacts facts = AskCommandOrigin(agent_, command);
+#else
+  const mind::OriginFacts facts;
+#endif
+  std::vector<WhyNode> nodes = OriginTree(facts, time, true);
+  if (!nodes.empty()) {
+    std::vector<std::string> selected;
+    for (const StackEntry& entry : view_.Stack())
+      if (!entry.is_state) selected.push_back(entry.id);
+    for (WhyNode& reason : PresentReason(facts, selected)) nodes.push_back(std::move(reason));
+    return nodes;
+  }
+  // What the rules show; which operator was selected then they cannot tell.
   std::vector<std::string> speakers;
   for (const RuleText& rule : rules())
-    if (!command.empty() && rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
+    if (rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
   if (speakers.size() == 1)
     nodes.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}), "rule", speakers.front(), {}});
   if (speakers.size() > 1)
     nodes.push_back({tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}), "reason", "", {}});
+  nodes.push_back(
+      {tell::Say(facts.noted ? tell::Situation::kOriginNotNoted : tell::Situation::kOriginUnknown), "reason", "", {}});
+  return nodes;
+}
+
+std::vector<WhyNode> MindReasons::OperatorTree() {
+  std::vector<WhyNode> nodes;
   const std::vector<StackEntry> stack = view_.Stack();
   const auto selected =
       std::find_if(stack.begin(), stack.end(), [](const StackEntry& entry) { return !entry.is_state; });

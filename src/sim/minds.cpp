@@ -10,6 +10,7 @@
 #include "explain/reasons.h"
 #include "sim/directions.h"
 #include "sim/senses.h"
+#include "sml_Client.h"
 #include "tell/sentences.h"
 
 namespace soarbox::sim {
@@ -586,7 +587,22 @@ Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, co
   return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
-std::optional<explain::WhyNode> Minds::Why(std::string_view agent) {
+void Minds::NoteDecisions(Mind& mind) {
+  if (mind.settings.detail == MindDetail::kNone) return;
+  mind.clock.Note(static_cast<std::uint64_t>(mind.soar.agent().GetDecisionCycleCounter()), world_.time_s(),
+                  world_.settings().step_s);
+}
+
+explain::DecisionTime Minds::TimeOf(const Mind& mind) const {
+  return [clock = &mind.clock](std::uint64_t decision) { return clock->TimeOf(decision); };
+}
+
+std::optional<double> Minds::TimeOfDecision(std::string_view agent, std::uint64_t decision) {
+  const Mind* const mind = FindNamed(agent);
+  return mind == nullptr ? std::nullopt : mind->clock.TimeOf(decision);
+}
+
+std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_operators) {
   Mind* at = FindNamed(agent);
   if (at == nullptr) return std::nullopt;
   const world::Agent& body = *world_.FindAgent(at->agent);
@@ -596,25 +612,37 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent) {
   const auto add = [&root](std::string line, const char* kind) -> explain::WhyNode& {
     return root.below.emplace_back(explain::WhyNode{std::move(line), kind, "", {}});
   };
-  if (at->gone || body.Health() <= 0) {
-    add(at->gone ? std::string(kHaltedForMemory) : std::string("is dead"), "reason");
+  if (at->gone) {
+    add(std::string(kHaltedForMemory), "reason");
     return root;
   }
   explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
   Actor* actor = arena_.Find(at->agent);
-  const std::string command = at->last_said.substr(0, at->last_said.find(' '));
-  std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
-  explain::WhyNode& said = add(at->last_said.empty() ? std::string("has given no command")
-                                                     : "command " + at->last_said + text +
-                                                           (at->last_answer.empty() ? "under way" : at->last_answer),
-                               "command");
-  said.link = command;
-  said.below = reasons.OperatorTree(command);
+  const bool is_dead = body.Health() <= 0;
+  if (is_dead) add("is dead", "reason");
+  // A command without an answer is under way until its body has nothing to do any more.
+  const bool has_ended = !at->last_answer.empty() || (actor != nullptr && actor->running().empty());
+  if (at->last_said.empty()) {
+    add("has given no command", "command");
+  } else {
+    const std::string command = at->last_said.substr(0, at->last_said.find(' '));
+    std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
+    std::string status = at->last_answer.empty() ? (is_dead     ? "not finished"
+                                                    : has_ended ? "over"
+                                                                : "under way")
+                                                 : at->last_answer;
+    explain::WhyNode& said = add("command " + at->last_said + text + status, "command");
+    said.link = command;
+    said.below = reasons.CommandTree(command, TimeOf(*at));
+  }
+  if (is_dead) return root;
+  if (with_operators)
+    for (explain::WhyNode& op : reasons.OperatorTree()) root.below.push_back(std::move(op));
   if (at->soar.Halted()) {
     std::string halted = tell::Say(tell::Situation::kHalted);
     if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
     add(std::move(halted), "reason");
-  } else if (actor == nullptr || actor->running().empty()) {
+  } else if (at->last_said.empty() || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because", "reason");
     for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
       idle.below.push_back({std::move(reason), "reason", "", {}});

@@ -288,4 +288,19 @@ std::optional<mind::Decision> AskDecision(sml::Agent& agent, std::string_view st
   return link == nullptr ? std::nullopt : link->Decision(state);
 }
 
+bool NoteOrigins(sml::Agent& agent) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link != nullptr && link->NoteOrigins();
+}
+
+mind::OriginFacts AskOrigin(sml::Agent& agent, std::uint64_t timetag) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link == nullptr ? mind::OriginFacts() : link->Origin(timetag, {});
+}
+
+mind::OriginFacts AskCommandOrigin(sml::Agent& agent, std::string_view command) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link == nullptr || command.empty() ? mind::OriginFacts() : link->Origin(0, command);
+}
+
 }  // namespace soarbox

@@ -51,6 +51,8 @@ class LocalAgentLink final : public AgentLink {
   void Register(int event) override { host_.Register(connection_, &hosted_, event); }
   void Unregister(int event) override { host_.Unregister(connection_, &hosted_, event); }
   std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  bool NoteOrigins() override;
+  soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) override;
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 

@@ -54,6 +54,8 @@ class RemoteAgentLink final : public AgentLink {
   void Register(int event) override;
   void Unregister(int event) override;
   std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  bool NoteOrigins() override;
+  soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) override;
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 
