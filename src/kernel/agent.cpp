@@ -459,13 +459,6 @@ DecisionReport Agent::ExplainDecision(const Goal& goal) const {
   return engine_->decision.Explain(goal);
 }
 
-void Agent::NoteOrigins(std::function<std::string(const DecisionReport&)> describe) {
-  if (!engine_->run.running() && !out_of_memory()) engine_->origins.Begin(std::move(describe));
-}
-const Origins& Agent::origins() const {
-  return engine_->origins;
-}
-
 // Input and output ----------------------------------------------------------------------------------------------------
 
 InputLink& Agent::input() {

@@ -44,7 +44,6 @@ struct LearnSettings;
 struct LearnedRules;
 struct LearnStatistics;
 class Imagery;
-class Origins;
 class Singletons;
 
 enum class RunUnit : std::uint8_t { kElaboration, kPhase, kDecision, kOutput, kForever };
@@ -236,11 +235,6 @@ class Agent {
   /// What the decision procedure says of the preferences that stand in a goal's operator slot now, with who would be
   /// dropped and why (decide/decision_trace.h). Draws nothing at random. Valid until the agent runs or is asked again.
   DecisionReport ExplainDecision(const Goal& goal) const;
-
-  /// What made elements and who proposed operators, as noted when they were made (decide/origins.h). `describe` turns
-  /// decisions into bytes. Refused while running.
-  void NoteOrigins(std::function<std::string(const DecisionReport&)> describe);
-  const Origins& origins() const;
 
   // Input and output ------------------------------------------------------------------------------------------------
 

@@ -48,9 +48,7 @@ Engine::Engine(Agent& owner, std::string agent_name)
       elaboration(*this),
       run(*this),
       long_term({owner, symbols, memory, goals, instantiations, rete, observers, counters, changes, preferences, firing,
-                 chunker, elaboration, run, output, justifier, goal_changes, modules, long_term}),
-      origins({memory, goals, instantiations, rete, decision, counters, goal_changes, output_marks, modules}) {
-  modules.Attach(origins, Origins::kPlace);
+                 chunker, elaboration, run, output, justifier, goal_changes, modules, long_term}) {
   rete.OnMixedSupport([this](ProductionId production) {
     const std::string rule(rete.production(production)->name);
     observers.Print("WARNING:  Operator elaborations mixed with operator applications\nAssigning i_support to prod " +

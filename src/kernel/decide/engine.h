@@ -23,7 +23,6 @@
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/modules.h"
 #include "kernel/decide/observers.h"
-#include "kernel/decide/origins.h"
 #include "kernel/decide/preference_changes.h"
 #include "kernel/decide/preference_semantics.h"
 #include "kernel/decide/production_record.h"
@@ -102,7 +101,6 @@ struct Engine {
   Elaboration elaboration;
   RunControl run;
   LongTerm long_term;
-  Origins origins;
   std::unique_ptr<Imagery> imagery;  ///< Null until somebody asks for it.
 
   // Host.

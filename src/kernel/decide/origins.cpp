@@ -4,18 +4,29 @@
 #include <algorithm>
 #include <new>
 
+#include "kernel/agent.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/decide/agent_counters.h"
-#include "kernel/decide/decision.h"
 #include "kernel/decide/decision_trace.h"
 #include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/modules.h"
+#include "kernel/longterm/agent_parts.h"
+#include "kernel/longterm/long_term.h"
 #include "kernel/match/rete.h"
-#include "kernel/memory/output_marks.h"
 
 namespace soarbox::kernel {
+
+Origins::Origins(Agent& agent)
+    : uses_{agent,
+            agent.long_term().parts().memory,
+            agent.long_term().parts().goals,
+            agent.long_term().parts().instantiations,
+            agent.long_term().parts().rete,
+            agent.long_term().parts().counters,
+            agent.long_term().parts().goal_changes,
+            agent.long_term().parts().modules} {}
 
 /// If memory runs out, nothing more is noted. The agent goes on.
 template <typename Work>
@@ -32,7 +43,8 @@ void Origins::Guarded(Work work) {
 void Origins::Begin(Describe describe) {
   describe_ = std::move(describe);
   if (on_) return;
-  on_ = true;
+  if (!attached_) uses_.modules.Attach(*this, kPlace);
+  attached_ = on_ = true;
   uses_.modules.SetHooks(*this, ModuleHook::kRulesFire | ModuleHook::kAsserted | ModuleHook::kAfterElaboration |
                                     ModuleHook::kFlush | ModuleHook::kChoices | ModuleHook::kStates);
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) installed_.push_back(level);
@@ -119,7 +131,7 @@ void Origins::Mark(const std::function<void(Symbol)>& mark) {
 // --------------------------------------------------------------------------------------------------------
 
 bool Origins::IsOutput(Symbol id) const {
-  return id == uses_.goal_changes.output_link() || uses_.output.IsMarked(id);
+  return id == uses_.goal_changes.output_link();
 }
 
 bool Origins::GivesCommand(const Preference& preference) {
@@ -270,8 +282,8 @@ void Origins::NoteSelected(GoalLevel level) {
     origin.state = goal.id;
     origin.op = op;
     origin.op_name = NameOf(op);
-    if (describe_) origin.decided = describe_(uses_.decision.Explain(goal));
-    origin.attached = true;
+    if (describe_) origin.decided = describe_(uses_.agent.ExplainDecision(goal));
+    origin.attached = 1;
   }
   for (const PreferenceId p : proposals) {
     const std::uint32_t proposal = OriginOfFiring(MadeBy(uses_.memory.preference(p)), 1);
@@ -306,20 +318,19 @@ void Origins::Attach(WmeId wme, std::uint32_t origin) {
   const std::uint32_t old = of_[Index(wme)];
   if (old == origin) return;
   Hold(origin);
-  origins_[origin].attached = true;
+  ++origins_[origin].attached;
   of_[Index(wme)] = origin;
   if (old != kNone) {
-    origins_[old].attached = false;
+    --origins_[old].attached;
     Drop(old);
   }
 }
 
-/// An origin that several elements share counts as that of an element that has gone when the first of them goes.
 void Origins::Detach(WmeId wme) {
   const std::uint32_t origin = Of(wme);
   if (origin == kNone) return;
   of_[Index(wme)] = kNone;
-  origins_[origin].attached = false;
+  --origins_[origin].attached;
   const Wme& content = uses_.memory.wme(wme);
   if (content.id == uses_.goal_changes.output_link()) {
     past_.push_back({content.attribute, content.timetag, origin});
@@ -336,7 +347,7 @@ void Origins::ForgetSelected(GoalLevel level) {
   const std::uint32_t origin = OfOperator(level);
   if (origin == kNone) return;
   selected_[level] = kNone;
-  origins_[origin].attached = false;
+  --origins_[origin].attached;
   Drop(origin);
 }
 
@@ -388,7 +399,7 @@ void Origins::CutBehind(std::uint32_t first) {
   for (std::size_t n = 0; n < queue_.size(); ++n) {
     const auto [place, distance] = queue_[n];
     if (distance >= kDeepest || n >= kMostBehind) {
-      if (!origins_[place].attached) ReleaseLinks(place, dropped);
+      if (origins_[place].attached == 0) ReleaseLinks(place, dropped);
       continue;
     }
     const auto visit = [&, next = distance + 1](std::uint32_t to) {

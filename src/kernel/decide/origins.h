@@ -18,14 +18,13 @@
 
 namespace soarbox::kernel {
 
+class Agent;
 struct AgentCounters;
 struct DecisionReport;
-class Decision;
 class GoalChanges;
 class GoalStack;
 class InstantiationTable;
 class Modules;
-class OutputMarks;
 class Rete;
 
 /// An element as it was when a rule matched it.
@@ -61,7 +60,7 @@ struct Origin {
   std::uint32_t references = 0;  ///< 0: the place is free.
   std::uint32_t serial = 0;      ///< Of the instantiation, to find out whether it is still the maker.
   std::uint32_t seen = 0;
-  bool attached = false;  ///< An element that lives, or a selected operator, has it.
+  std::uint32_t attached = 0;  ///< How many elements that live, or selected operators, have it.
 };
 
 /// Remembers what made each element with o-support, each element of a command, and each selected operator. Off until
@@ -79,24 +78,13 @@ class Origins final : public Module {
   static constexpr std::size_t kMostPast = 8;
   static constexpr int kPlace = 100;  ///< Among the modules.
 
-  /// What it uses of the agent.
-  struct Uses {
-    WorkingMemory& memory;
-    const GoalStack& goals;
-    const InstantiationTable& instantiations;
-    const Rete& rete;
-    Decision& decision;
-    const AgentCounters& counters;
-    const GoalChanges& goal_changes;
-    const OutputMarks& output;
-    Modules& modules;
-  };
+  /// Of an agent that lives no longer than this. Nothing is noted before Begin.
+  explicit Origins(Agent& agent);
+
   /// Turns the report of a decision into bytes.
   using Describe = std::function<std::string(const DecisionReport&)>;
 
-  explicit Origins(const Uses& uses) : uses_(uses) {}
-
-  /// Begins. Forgets nothing if it has begun already.
+  /// Begins, between two runs. Forgets nothing if it has begun already.
   void Begin(Describe describe);
   bool on() const { return on_; }
 
@@ -161,8 +149,19 @@ class Origins final : public Module {
   void CutBehind(std::uint32_t origin);
   void Clear();
 
+  /// What it uses of the agent.
+  struct Uses {
+    const Agent& agent;
+    WorkingMemory& memory;
+    const GoalStack& goals;
+    const InstantiationTable& instantiations;
+    const Rete& rete;
+    const AgentCounters& counters;
+    const GoalChanges& goal_changes;
+    Modules& modules;
+  };
   Uses uses_;
-  bool on_ = false;
+  bool on_ = false, attached_ = false;
   Describe describe_;
   std::vector<Origin> origins_;
   std::vector<std::uint32_t> free_, of_, selected_;  ///< of_: by element; selected_: by level.

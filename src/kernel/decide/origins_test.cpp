@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +20,9 @@ namespace {
 
 /// An agent that notes origins, with the questions that these tests ask.
 struct Mind {
-  explicit Mind(std::initializer_list<std::string_view> rules, bool notes = true) : agent("mind") {
+  explicit Mind(std::initializer_list<std::string_view> rules, bool notes = true) {
     for (const std::string_view rule : rules) EXPECT_TRUE(agent.LoadProduction(rule).loaded) << rule;
-    if (notes) agent.NoteOrigins({});
+    if (notes) origins.Begin({});
   }
 
   Symbol Word(std::string_view text) {
@@ -37,8 +38,8 @@ struct Mind {
   }
   WmeId Top(std::string_view attribute) { return Find(agent.goals().top().id, attribute); }
   const Origin* Of(WmeId wme) {
-    const std::uint32_t place = wme == WmeId::kNone ? Origins::kNone : agent.origins().Of(wme);
-    return place == Origins::kNone ? nullptr : &agent.origins().at(place);
+    const std::uint32_t place = wme == WmeId::kNone ? Origins::kNone : origins.Of(wme);
+    return place == Origins::kNone ? nullptr : &origins.at(place);
   }
   std::string Text(Symbol symbol) { return ToString(agent.symbols(), symbol); }
   const OriginElement* Matched(const Origin& origin, std::string_view attribute) {
@@ -48,10 +49,13 @@ struct Mind {
   }
   void Run(std::uint64_t decisions) { agent.Run(RunUnit::kDecision, decisions); }
 
-  Agent agent;
+  std::unique_ptr<Origins> made;  ///< Before the agent, which calls it until it ends.
+  Agent agent{"mind"};
+  Origins& origins = *(made = std::make_unique<Origins>(agent));
 };
 
-constexpr std::string_view kProposeGo = "propose*go (state <s> ^superstate nil ^x 3 -^hum yes) --> (<s> ^operator.name go)";
+constexpr std::string_view kProposeGo =
+    "propose*go (state <s> ^superstate nil ^x 3 -^hum yes) --> (<s> ^operator.name go)";
 constexpr std::string_view kApplyGo = "apply*go (state <s> ^operator.name go ^x <x>) --> (<s> ^gone <x> ^hum yes)";
 constexpr std::string_view kProposeHum = "propose*hum (state <s> ^hum yes) --> (<s> ^operator.name hum)";
 
@@ -65,17 +69,17 @@ TEST(Origins, KeepTheOperatorThatWasSelectedThenWhenAnotherIsSelectedNow) {
   EXPECT_TRUE(origin->o_supported);
   EXPECT_EQ(mind.Text(origin->op_name), "go");
   ASSERT_NE(origin->op_origin, Origins::kNone);
-  const Origin& op = mind.agent.origins().at(origin->op_origin);
+  const Origin& op = mind.origins.at(origin->op_origin);
   EXPECT_TRUE(op.is_operator);
   EXPECT_EQ(op.op, origin->op);
   ASSERT_EQ(op.proposals.size(), 1u);
-  const Origin& proposal = mind.agent.origins().at(op.proposals.front());
+  const Origin& proposal = mind.origins.at(op.proposals.front());
   EXPECT_EQ(proposal.rule->name, "propose*go");
   const OriginElement* const x = mind.Matched(proposal, "x");
   ASSERT_NE(x, nullptr);
   EXPECT_EQ(mind.Text(x->value), "3");
   ASSERT_NE(x->origin, Origins::kNone);
-  EXPECT_EQ(mind.agent.origins().at(x->origin).rule->name, "x");
+  EXPECT_EQ(mind.origins.at(x->origin).rule->name, "x");
   EXPECT_EQ(mind.agent.CheckInvariants(), "");
 }
 
@@ -98,7 +102,7 @@ TEST(Origins, AreFreedWithTheirElements) {
   mind.Run(1);
   EXPECT_EQ(mind.Top("lamp"), WmeId::kNone);
   mind.agent.InitSoar();
-  EXPECT_EQ(mind.agent.origins().count(), 0u);
+  EXPECT_EQ(mind.origins.count(), 0u);
 }
 
 /// Each value of the counter rests on the one before: a chain without end if links were never cut.
@@ -110,18 +114,18 @@ TEST(Origins, StayBoundedOver100000Decisions) {
              "apply*count (state <s> ^operator <o> ^n <n>) (<o> ^name count ^from <n>) -->"
              " (<s> ^n <n> - ^n (+ <n> 1))"});
   mind.Run(1000);
-  const std::size_t count = mind.agent.origins().count(), bytes = mind.agent.origins().Bytes();
+  const std::size_t count = mind.origins.count(), bytes = mind.origins.Bytes();
   EXPECT_GT(count, 3u);
   EXPECT_LT(count, 100u);
   mind.Run(99'000);
-  EXPECT_LE(mind.agent.origins().count(), count + 2);
-  EXPECT_LE(mind.agent.origins().Bytes(), 2 * bytes);
+  EXPECT_LE(mind.origins.count(), count + 2);
+  EXPECT_LE(mind.origins.Bytes(), 2 * bytes);
   const Origin* const origin = mind.Of(mind.Top("n"));
   ASSERT_NE(origin, nullptr);
   const OriginElement* const n = mind.Matched(*origin, "n");
   ASSERT_NE(n, nullptr);
   ASSERT_NE(n->origin, Origins::kNone);
-  EXPECT_EQ(mind.agent.origins().at(n->origin).rule->name, "apply*count");
+  EXPECT_EQ(mind.origins.at(n->origin).rule->name, "apply*count");
   EXPECT_EQ(mind.agent.CheckInvariants(), "");
 }
 
@@ -178,8 +182,8 @@ TEST(Origins, ChangeNothingOfARun) {
 TEST(Origins, NothingIsNotedUntilSomebodyAsks) {
   Mind mind({"x (state <s> ^superstate nil) --> (<s> ^x 3)", kProposeGo, kApplyGo}, false);
   mind.Run(3);
-  EXPECT_FALSE(mind.agent.origins().on());
-  EXPECT_EQ(mind.agent.origins().count(), 0u);
+  EXPECT_FALSE(mind.origins.on());
+  EXPECT_EQ(mind.origins.count(), 0u);
 }
 
 }  // namespace

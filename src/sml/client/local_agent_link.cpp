@@ -23,14 +23,13 @@ std::optional<soarbox::mind::Decision> LocalAgentLink::Decision(std::string_view
 }
 
 bool LocalAgentLink::NoteOrigins() {
-  soarbox::server::NoteOrigins(hosted_.agent());
+  soarbox::server::NoteOrigins(hosted_);
   return true;
 }
 
 soarbox::mind::OriginFacts LocalAgentLink::Origin(std::uint64_t timetag, std::string_view command) {
-  const kernel::Agent& agent = std::as_const(hosted_).agent();
-  return command.empty() ? soarbox::server::OriginOfElement(agent, timetag)
-                         : soarbox::server::OriginOfCommand(agent, command);
+  return command.empty() ? soarbox::server::OriginOfElement(hosted_, timetag)
+                         : soarbox::server::OriginOfCommand(hosted_, command);
 }
 
 void LocalAgentLink::Note(const InputWme& wme) {

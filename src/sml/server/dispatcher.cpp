@@ -145,14 +145,14 @@ void TellDecision(Request& request) {
 }
 
 void BeginOrigins(Request& request) {
-  NoteOrigins(request.agent->agent());
+  NoteOrigins(*request.agent);
 }
 
 void TellOrigin(Request& request) {
   const std::string* const command = request.Arg("command");
   const std::string* const timetag = request.Arg("timetag");
   if (!command && !timetag) return request.Invalid("Time tag or command is missing");
-  const kernel::Agent& agent = request.agent->agent();
+  const HostedAgent& agent = *request.agent;
   wire::AddOrigins(request.response.root.Add("result"),
                    command ? OriginOfCommand(agent, *command)
                            : OriginOfElement(agent, std::strtoull(timetag->c_str(), nullptr, 10)));

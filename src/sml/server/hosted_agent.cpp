@@ -26,6 +26,7 @@ HostedAgent::HostedAgent(std::string name)
       input_(agent_),
       relay_(std::make_unique<EventRelay>(*this)),
       tracer_(std::make_unique<XmlTracer>(*this)) {
+  origins_ = std::make_unique<kernel::Origins>(agent_);
   session_.UpdateTrace();
 }
 

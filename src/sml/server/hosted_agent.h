@@ -12,6 +12,7 @@
 #include "cli/fence.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
+#include "kernel/decide/origins.h"
 #include "sml/server/agent_input.h"
 #include "sml/server/connection.h"
 #include "sml/server/event_set.h"
@@ -50,6 +51,9 @@ class HostedAgent {
   std::uint64_t number() const { return number_; }
   kernel::Agent& agent() { return agent_; }
   const kernel::Agent& agent() const { return agent_; }
+  /// What made elements, if somebody asked to note it.
+  kernel::Origins& origins() { return *origins_; }
+  const kernel::Origins& origins() const { return *origins_; }
   HostedSession& session() { return session_; }
   AgentInput& input() { return input_; }
 
@@ -127,6 +131,7 @@ class HostedAgent {
 
   std::string name_;
   std::uint64_t number_;
+  std::unique_ptr<kernel::Origins> origins_;  ///< Before the agent, which calls it until it ends.
   kernel::Agent agent_;
   HostedSession session_;
   AgentInput input_;

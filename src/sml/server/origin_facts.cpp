@@ -8,9 +8,11 @@
 
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
+#include "kernel/agent.h"
 #include "kernel/decide/origins.h"
 #include "mind/decision_codec.h"
 #include "sml/server/decision_packer.h"
+#include "sml/server/hosted_agent.h"
 
 namespace soarbox::server {
 namespace {
@@ -26,12 +28,12 @@ static_assert(static_cast<int>(kernel::OriginElement::Source::kArchitecture) ==
 /// Copies an origin and all that it leads to, breadth first.
 class OriginReader {
  public:
-  explicit OriginReader(const kernel::Agent& agent) : agent_(agent) {}
+  OriginReader(const kernel::Agent& agent, const Origins& origins) : agent_(agent), origins_(origins) {}
 
   std::vector<mind::OriginFact> Read(std::uint32_t first) {
     PlaceOf(first);
     for (std::size_t n = 0; n < found_.size(); ++n) {
-      mind::OriginFact fact = ReadOne(agent_.origins().at(found_[n]));
+      mind::OriginFact fact = ReadOne(origins_.at(found_[n]));
       facts_.push_back(std::move(fact));
     }
     return std::move(facts_);
@@ -77,46 +79,51 @@ class OriginReader {
   }
 
   const kernel::Agent& agent_;
+  const Origins& origins_;
   std::vector<mind::OriginFact> facts_;
   std::vector<std::uint32_t> found_;  ///< By place in facts_.
   std::map<std::uint32_t, std::uint32_t> places_;
 };
 
-mind::OriginFacts Facts(const kernel::Agent& agent, std::uint64_t timetag, std::uint32_t origin) {
+mind::OriginFacts Facts(const HostedAgent& hosted, std::uint64_t timetag, std::uint32_t origin) {
   mind::OriginFacts facts;
-  facts.noted = agent.origins().on();
+  facts.noted = hosted.origins().on();
   facts.timetag = timetag;
-  if (origin != Origins::kNone) facts.origins = OriginReader(agent).Read(origin);
+  if (origin != Origins::kNone) facts.origins = OriginReader(hosted.agent(), hosted.origins()).Read(origin);
   return facts;
+}
+
+mind::OriginFacts Facts(const HostedAgent& hosted, const Origins::Past* past) {
+  return past == nullptr ? Facts(hosted, 0, Origins::kNone) : Facts(hosted, past->timetag, past->origin);
 }
 
 }  // namespace
 
-void NoteOrigins(kernel::Agent& agent) {
-  if (agent.origins().on()) return;
+void NoteOrigins(HostedAgent& hosted) {
+  if (hosted.origins().on() || hosted.agent().running() || hosted.agent().out_of_memory()) return;
   const auto packer = std::make_shared<DecisionPacker>();
-  agent.NoteOrigins(
-      [packer, &agent](const kernel::DecisionReport& report) { return std::string(packer->Pack(agent, report)); });
+  hosted.origins().Begin([packer, &agent = hosted.agent()](const kernel::DecisionReport& report) {
+    return std::string(packer->Pack(agent, report));
+  });
 }
 
-mind::OriginFacts OriginOfElement(const kernel::Agent& agent, std::uint64_t timetag) {
+mind::OriginFacts OriginOfElement(const HostedAgent& hosted, std::uint64_t timetag) {
+  const kernel::Agent& agent = hosted.agent();
   const kernel::WmeId wme = agent.memory().FindByTimetag(timetag);
-  if (wme == kernel::WmeId::kNone) {
-    const Origins::Past* const past =
-        agent.origins().FindPast([&](const Origins::Past& it) { return it.timetag == timetag; });
-    return past == nullptr ? Facts(agent, 0, Origins::kNone) : Facts(agent, timetag, past->origin);
-  }
-  std::uint32_t origin = agent.origins().Of(wme);
+  if (wme == kernel::WmeId::kNone)
+    return Facts(hosted, hosted.origins().FindPast([&](const Origins::Past& it) { return it.timetag == timetag; }));
+  std::uint32_t origin = hosted.origins().Of(wme);
   for (kernel::GoalLevel level = 1; level <= agent.goals().depth(); ++level) {
     const kernel::Goal& goal = agent.goals().at(level);
     if (goal.operator_slot != kernel::SlotId::kNone && agent.memory().record(wme).slot() == goal.operator_slot &&
         agent.OperatorOf(goal) == agent.memory().wme(wme).value)
-      origin = agent.origins().OfOperator(level);
+      origin = hosted.origins().OfOperator(level);
   }
-  return Facts(agent, timetag, origin);
+  return Facts(hosted, timetag, origin);
 }
 
-mind::OriginFacts OriginOfCommand(const kernel::Agent& agent, std::string_view command) {
+mind::OriginFacts OriginOfCommand(const HostedAgent& hosted, std::string_view command) {
+  const kernel::Agent& agent = hosted.agent();
   kernel::WmeId newest = kernel::WmeId::kNone;
   if (const kernel::Symbol link = agent.OutputLinkIdentifier()) {
     agent.memory().ForEachWmeOf(link, [&](kernel::WmeId wme) {
@@ -126,10 +133,9 @@ mind::OriginFacts OriginOfCommand(const kernel::Agent& agent, std::string_view c
     });
   }
   if (newest != kernel::WmeId::kNone)
-    return Facts(agent, agent.memory().wme(newest).timetag, agent.origins().Of(newest));
-  const Origins::Past* const past = agent.origins().FindPast(
-      [&](const Origins::Past& it) { return cli::SymbolText(agent, it.attribute) == command; });
-  return past == nullptr ? Facts(agent, 0, Origins::kNone) : Facts(agent, past->timetag, past->origin);
+    return Facts(hosted, agent.memory().wme(newest).timetag, hosted.origins().Of(newest));
+  return Facts(hosted, hosted.origins().FindPast(
+                           [&](const Origins::Past& it) { return cli::SymbolText(agent, it.attribute) == command; }));
 }
 
 }  // namespace soarbox::server

@@ -4,17 +4,18 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kernel/agent.h"
 #include "mind/origin.h"
 
 namespace soarbox::server {
 
+class HostedAgent;
+
 /// Lets the kernel note origins from now on (kernel/decide/origins.h), with decisions as mind/decision_codec.h packs
 /// them.
-void NoteOrigins(kernel::Agent& agent);
+void NoteOrigins(HostedAgent& agent);
 /// The origin of an element, with those that it leads to. A command that has gone is found for a while, too.
-mind::OriginFacts OriginOfElement(const kernel::Agent& agent, std::uint64_t timetag);
+mind::OriginFacts OriginOfElement(const HostedAgent& agent, std::uint64_t timetag);
 /// The same for the newest element with this attribute on the output link.
-mind::OriginFacts OriginOfCommand(const kernel::Agent& agent, std::string_view command);
+mind::OriginFacts OriginOfCommand(const HostedAgent& agent, std::string_view command);
 
 }  // namespace soarbox::server
