@@ -156,7 +156,8 @@ std::optional<soarbox::mind::Decision> RemoteAgentLink::Decision(std::string_vie
 }
 
 bool RemoteAgentLink::NoteOrigins() {
-  const std::optional<Message> response = caller_.Ask(Call(soarbox::wire::kNoteOriginsCall));
+  Message call = Call(soarbox::wire::kNoteOriginsCall);
+  const std::optional<Message> response = caller_.Ask(call);
   return response && !response->ErrorTag();
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
+#include "cli/rule_text.h"
 #include "kernel/agent.h"
 #include "kernel/decide/origins.h"
 #include "mind/decision_codec.h"
