@@ -15,7 +15,6 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/instantiation_table.cpp
   decide/invariants.cpp
   decide/modules.cpp
-  decide/origins.cpp
   decide/preference_changes.cpp
   decide/preference_semantics.cpp
   decide/rule_context.cpp
@@ -27,8 +26,7 @@ list(APPEND SOARBOX_KERNEL_TESTS
   decide/exploration_test.cpp
   decide/preference_semantics_test.cpp
   decide/decision_trace_test.cpp
-  decide/modules_test.cpp
-  decide/origins_test.cpp)
+  decide/modules_test.cpp)
 # Looks at the memory of its process.
 soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp decide/rule_sharing_test.cpp)
 soarbox_kernel_test(kernel_allocation_test STAGES release sanitized SOURCES decide/allocation_test.cpp DEPENDS soarbox_counted_allocations)

@@ -12,7 +12,7 @@
 #include "cli/fence.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
-#include "kernel/decide/origins.h"
+#include "kernel/longterm/origins.h"
 #include "sml/server/agent_input.h"
 #include "sml/server/connection.h"
 #include "sml/server/event_set.h"

@@ -10,7 +10,7 @@
 #include "cli/object_printer.h"
 #include "cli/rule_text.h"
 #include "kernel/agent.h"
-#include "kernel/decide/origins.h"
+#include "kernel/longterm/origins.h"
 #include "mind/decision_codec.h"
 #include "sml/server/decision_packer.h"
 #include "sml/server/hosted_agent.h"

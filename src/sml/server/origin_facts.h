@@ -10,7 +10,7 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// Lets the kernel note origins from now on (kernel/decide/origins.h), with decisions as mind/decision_codec.h packs
+/// Lets the kernel note origins from now on (kernel/longterm/origins.h), with decisions as mind/decision_codec.h packs
 /// them.
 void NoteOrigins(HostedAgent& agent);
 /// The origin of an element, with those that it leads to. A command that has gone is found for a while, too.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "kernel/decide/origins.h"
+#include "kernel/longterm/origins.h"
 
 #include <gtest/gtest.h>
 
