@@ -4,29 +4,20 @@
 #include <algorithm>
 #include <new>
 
-#include "kernel/agent.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/decide/agent_counters.h"
-#include "kernel/decide/decision_trace.h"
 #include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_stack.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/modules.h"
 #include "kernel/longterm/agent_parts.h"
-#include "kernel/longterm/long_term.h"
 #include "kernel/match/rete.h"
 
 namespace soarbox::kernel {
 
-Origins::Origins(Agent& agent)
-    : uses_{agent,
-            agent.long_term().parts().memory,
-            agent.long_term().parts().goals,
-            agent.long_term().parts().instantiations,
-            agent.long_term().parts().rete,
-            agent.long_term().parts().counters,
-            agent.long_term().parts().goal_changes,
-            agent.long_term().parts().modules} {}
+Origins::Origins(AgentParts& parts)
+    : uses_{parts.memory,   parts.goals,        parts.instantiations, parts.rete,
+            parts.counters, parts.goal_changes, parts.modules} {}
 
 /// If memory runs out, nothing more is noted. The agent goes on.
 template <typename Work>
@@ -282,7 +273,7 @@ void Origins::NoteSelected(GoalLevel level) {
     origin.state = goal.id;
     origin.op = op;
     origin.op_name = NameOf(op);
-    if (describe_) origin.decided = describe_(uses_.agent.ExplainDecision(goal));
+    if (describe_) origin.decided = describe_(goal);
     origin.attached = 1;
   }
   for (const PreferenceId p : proposals) {

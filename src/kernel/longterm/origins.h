@@ -18,9 +18,9 @@
 
 namespace soarbox::kernel {
 
-class Agent;
 struct AgentCounters;
-struct DecisionReport;
+struct AgentParts;
+struct Goal;
 class GoalChanges;
 class GoalStack;
 class InstantiationTable;
@@ -79,10 +79,10 @@ class Origins final : public Module {
   static constexpr int kPlace = 100;  ///< Among the modules.
 
   /// Of an agent that lives no longer than this. Nothing is noted before Begin.
-  explicit Origins(Agent& agent);
+  explicit Origins(AgentParts& parts);
 
-  /// Turns the report of a decision into bytes.
-  using Describe = std::function<std::string(const DecisionReport&)>;
+  /// Why the operator of a goal is selected (Agent::ExplainDecision), as bytes.
+  using Describe = std::function<std::string(const Goal&)>;
 
   /// Begins, between two runs. Forgets nothing if it has begun already.
   void Begin(Describe describe);
@@ -151,7 +151,6 @@ class Origins final : public Module {
 
   /// What it uses of the agent.
   struct Uses {
-    const Agent& agent;
     WorkingMemory& memory;
     const GoalStack& goals;
     const InstantiationTable& instantiations;

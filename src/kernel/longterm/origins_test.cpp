@@ -14,6 +14,7 @@
 #include "kernel/base/known_symbols.h"
 #include "kernel/base/symbol_table.h"
 #include "kernel/learn/learn_settings.h"
+#include "kernel/longterm/long_term.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -51,7 +52,7 @@ struct Mind {
 
   std::unique_ptr<Origins> made;  ///< Before the agent, which calls it until it ends.
   Agent agent{"mind"};
-  Origins& origins = *(made = std::make_unique<Origins>(agent));
+  Origins& origins = *(made = std::make_unique<Origins>(agent.long_term().parts()));
 };
 
 constexpr std::string_view kProposeGo =

@@ -103,8 +103,8 @@ mind::OriginFacts Facts(const HostedAgent& hosted, const Origins::Past* past) {
 void NoteOrigins(HostedAgent& hosted) {
   if (hosted.origins().on() || hosted.agent().running() || hosted.agent().out_of_memory()) return;
   const auto packer = std::make_shared<DecisionPacker>();
-  hosted.origins().Begin([packer, &agent = hosted.agent()](const kernel::DecisionReport& report) {
-    return std::string(packer->Pack(agent, report));
+  hosted.origins().Begin([packer, &agent = hosted.agent()](const kernel::Goal& goal) {
+    return std::string(packer->Pack(agent, agent.ExplainDecision(goal)));
   });
 }
 
