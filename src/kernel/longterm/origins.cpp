@@ -15,7 +15,7 @@
 
 namespace soarbox::kernel {
 
-Origins::Origins(AgentParts& parts)
+Origins::Origins(const AgentParts& parts)
     : uses_{parts.memory,   parts.goals,        parts.instantiations, parts.rete,
             parts.counters, parts.goal_changes, parts.modules} {}
 

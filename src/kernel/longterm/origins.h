@@ -79,7 +79,7 @@ class Origins final : public Module {
   static constexpr int kPlace = 100;  ///< Among the modules.
 
   /// Of an agent that lives no longer than this. Nothing is noted before Begin.
-  explicit Origins(AgentParts& parts);
+  explicit Origins(const AgentParts& parts);
 
   /// Why the operator of a goal is selected (Agent::ExplainDecision), as bytes.
   using Describe = std::function<std::string(const Goal&)>;
