@@ -252,7 +252,13 @@ void Arena::Order(world::EntityId agent, const std::string& order) {
   board_.Post(std::move(message), world_.tick());
 }
 
+const Arena::Death* Arena::DeathOf(world::EntityId agent) const {
+  const auto death = deaths_.find(agent);
+  return death == deaths_.end() ? nullptr : &death->second;
+}
+
 void Arena::Tell(world::EntityId agent, std::string_view news, std::string text) {
+  if (news == "dies") deaths_[agent] = {text, world_.time_s()};
   RunEvent event;
   event.kind = EventKind::kNews;
   event.agent = world_.FindAgent(agent)->name();

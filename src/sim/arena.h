@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -68,6 +69,13 @@ class Arena {
   /// An order of the user: "advance waypoint gate" becomes ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
   void Tell(world::EntityId agent, std::string_view news, std::string text);
+  /// How an agent died: "shot by rival".
+  struct Death {
+    std::string how;
+    double time_s = 0;
+  };
+  /// The last time that it was told; null if it was not told, as when a script took its health.
+  const Death* DeathOf(world::EntityId agent) const;
 
   /// The slab that carries the ways; nobody would call it a thing.
   world::EntityId ground() const { return ground_; }
@@ -93,6 +101,7 @@ class Arena {
   std::vector<world::EntityId> things_of_ways_;  ///< What was there when the mesh was made, in ascending id.
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
   std::deque<PastShot> shots_;
+  std::map<world::EntityId, Death> deaths_;
 };
 
 }  // namespace soarbox::sim

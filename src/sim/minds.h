@@ -28,6 +28,10 @@
 #include "sim/worker_pool.h"
 #include "world/world.h"
 
+namespace soarbox::explain {
+class MindReasons;
+}
+
 namespace soarbox::sim {
 
 /// The Soar minds of a world: makes them when scripts or scenario files ask for agents that have one, and lets them
@@ -149,6 +153,8 @@ class Minds final : public script::MindFactory {
   /// Notes when the decisions of this tick were made, for Why.
   void NoteDecisions(Mind& mind);
   explain::DecisionTime TimeOf(const Mind& mind) const;
+  /// The last command: how it went, and what made it.
+  explain::WhyNode WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended);
   /// Lets the scripted minds decide that have not decided yet; until Answer, the minds then stand still.
   void AwaitAll();
   void BeginBesideScripts();

@@ -174,6 +174,8 @@ constexpr std::array kSentences = {
     Sentence{kNeverGiven, "a command that a mind has not given in the run", "command {command} was never given"},
     Sentence{kOriginNotNoted, "nobody asked the kernel to note origins when the command was given",
              "which rule gave it, and for which operator, was not noted"},
+    Sentence{kDead, "an agent is dead, and nothing told how it died", "is dead"},
+    Sentence{kDied, "an agent is dead", "died at {time} s: {how}"},
     Sentence{kHaltedBy, "the program halted itself", "rule {rule} calls (halt)"},
     Sentence{kHaltedByOneOf, "the program halted itself, several rules have called it",
              "one of the rules {rules} calls (halt)"},

@@ -128,6 +128,8 @@ enum class Situation : std::uint8_t {
   kOriginUnknown,
   kNeverGiven,
   kOriginNotNoted,
+  kDead,
+  kDied,
   kHaltedBy,
   kHaltedByOneOf,
   kHalted,

@@ -9,6 +9,7 @@
 #include "kernel/agent.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/rules/print_production.h"
+#include "rule_reading/rule_reading.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/inspection_learning.h"
 #include "sml/client/inspection_match.h"
@@ -173,6 +174,16 @@ class LocalInspection final : public MindInspection {
       rule.firings = agent_.FiringCount(id);
       if (!agent_.out_of_memory()) rule.matches = CountMatches(agent_, id);
       rule.breaks = agent_.HasBreak(id);
+    }
+    return rules;
+  }
+
+  std::vector<mind::RuleFacts> RuleContents() override {
+    std::vector<mind::RuleFacts> rules;
+    for (const ProductionId id : agent_.Productions()) {
+      const kernel::Production& production = agent_.production(id);
+      if (production.type != ProductionType::kJustification)
+        rules.push_back(rule_reading::FactsOf(production, agent_.symbols()));
     }
     return rules;
   }

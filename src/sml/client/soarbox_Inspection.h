@@ -12,6 +12,7 @@
 #include "Export.h"
 #include "mind/facts.h"
 #include "mind/origin.h"
+#include "mind/rule_facts.h"
 
 namespace sml {
 class Agent;
@@ -39,6 +40,8 @@ class EXPORT MindInspection {
   virtual mind::OperatorFacts Operators(std::string_view state) = 0;
   /// In the order of loading.
   virtual std::vector<mind::RuleFact> Rules() = 0;
+  /// What the rules say, in the order of loading. Justifications are not among them.
+  virtual std::vector<mind::RuleFacts> RuleContents() = 0;
   /// As `print` shows it; empty if there is none of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<mind::MatchFacts> Match(std::string_view rule) = 0;
