@@ -119,6 +119,8 @@ enum class Situation : std::uint8_t {
   kMadeApplying,
   kSelectedThen,
   kSelectedThenBecause,
+  kSelectedWhenGiven,
+  kSelectedWhenGivenBecause,
   kProposedThen,
   kMatchedMore,
   kAtTime,
