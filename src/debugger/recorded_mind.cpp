@@ -215,8 +215,6 @@ class RecordInspector final : public explain::Inspector {
   }
 
   std::vector<explain::MakerFact> MakersOf(std::uint64_t) override { return {}; }
-  /// A recording holds what happened, not what rules matched.
-  mind::OriginFacts OriginOf(std::uint64_t) override { return {}; }
   std::vector<explain::TesterFact> TestersOf(std::uint64_t) override { return {}; }
 
   /// Candidates stand in memory, if that is recorded; what else speaks for or against them does not.

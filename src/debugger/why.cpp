@@ -42,7 +42,7 @@ class Tracer {
 
   /// What has o-support came to be at one moment, whatever its rule matches now.
   void AddOrigin(std::uint64_t timetag, const explain::MakerFact& maker, int depth, WhyNode& node) {
-    std::vector<WhyNode> then = explain::OriginTree(mind_.OriginOf(timetag), mind_.decision_time(), false);
+    std::vector<WhyNode> then = explain::OriginTree(mind_.origins.Of(timetag), mind_.origins.time, false);
     if (then.empty()) {
       node.below.push_back(Rule(maker, depth));
       return;
@@ -162,8 +162,8 @@ std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view com
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
     WhyNode node{CommandText(row), "command", row.name, {}};
-    const mind::OriginFacts origin = mind.OriginOf(row.timetag);
-    node.below = explain::OriginTree(origin, mind.decision_time(), true);
+    const mind::OriginFacts origin = mind.origins.Of(row.timetag);
+    node.below = explain::OriginTree(origin, mind.origins.time, true);
     if (!node.below.empty()) {
       std::vector<std::string> selected;
       for (const explain::StateFact& state : mind.Stack()) selected.push_back(state.operator_id);

@@ -255,14 +255,6 @@ std::vector<TesterFact> CommandInspector::TestersOf(std::uint64_t) {
   return {};
 }
 
-mind::OriginFacts CommandInspector::OriginOf([[maybe_unused]] std::uint64_t timetag) {
-#ifdef SOARBOX_OWN_KERNEL
-  return AskOrigin(agent_, timetag);
-#else
-  return {};
-#endif
-}
-
 OperatorFacts CommandInspector::Operators(std::string_view state) {
   OperatorFacts facts;
   const std::vector<StateFact> stack = Stack();

@@ -23,8 +23,6 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   std::optional<ElementFact> Element(std::uint64_t timetag) override;
   /// Not reported.
   std::vector<MakerFact> MakersOf(std::uint64_t timetag) override;
-  /// Of Soarbox's own kernel in another process only.
-  mind::OriginFacts OriginOf(std::uint64_t timetag) override;
   /// Not reported.
   std::vector<TesterFact> TestersOf(std::uint64_t timetag) override;
   OperatorFacts Operators(std::string_view state) override;

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "explain/origin_tree.h"
@@ -32,6 +32,15 @@ using mind::RuleFact;
 using mind::StateFact;
 using mind::TesterFact;
 
+/// Where an inspector has the origins of elements from.
+struct OriginSource {
+  std::function<mind::OriginFacts(std::uint64_t timetag)> ask;  ///< Empty: none are noted.
+  DecisionTime time;  ///< When decisions were made, for texts about origins. Empty: not known.
+
+  /// What made an element, as the kernel noted it then (mind/origin.h). Nothing is noted by an official kernel.
+  mind::OriginFacts Of(std::uint64_t timetag) const { return ask ? ask(timetag) : mind::OriginFacts(); }
+};
+
 /// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. It only reads: no
 /// run differs because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.
 ///
@@ -51,8 +60,6 @@ class Inspector {
   virtual std::vector<ElementFact> Search(std::string_view text, std::size_t most) = 0;
   virtual std::optional<ElementFact> Element(std::uint64_t timetag) = 0;
   virtual std::vector<MakerFact> MakersOf(std::uint64_t timetag) = 0;
-  /// What made it, as the kernel noted it then (mind/origin.h). Nothing is noted by an official kernel.
-  virtual mind::OriginFacts OriginOf(std::uint64_t timetag) = 0;
   virtual std::vector<TesterFact> TestersOf(std::uint64_t timetag) = 0;
   virtual OperatorFacts Operators(std::string_view state) = 0;
   /// In the order of loading.
@@ -63,12 +70,8 @@ class Inspector {
   /// How the last word of a command line may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
 
-  /// When decisions were made, for texts about origins. Empty: not known.
-  const DecisionTime& decision_time() const { return time_; }
-  void SetDecisionTime(DecisionTime time) { time_ = std::move(time); }
-
- private:
-  DecisionTime time_;
+  /// What made elements, as the kernel noted it then.
+  OriginSource origins;
 };
 
 /// For an agent of any kernel; the agent must live longer.

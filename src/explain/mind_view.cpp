@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <unordered_set>
@@ -84,9 +84,9 @@ std::string MindView::Ask(const std::string& command) {
 const std::vector<RuleText>& MindView::rules() {
   if (std::exchange(read_, true)) return rules_;
 #ifdef SOARBOX_OWN_KERNEL
-  if (const std::unique_ptr<MindInspection> mind = InspectMind(agent_)) {
+  if (const std::optional<std::vector<mind::RuleFacts>> contents = AskRuleContents(agent_)) {
     // The newest first, as `print --all` lists them.
-    for (const mind::RuleFacts& facts : mind->RuleContents()) rules_.push_back(TextOf(facts));
+    for (const mind::RuleFacts& facts : *contents) rules_.push_back(TextOf(facts));
     std::ranges::reverse(rules_);
     return rules_;
   }

@@ -94,8 +94,6 @@ class Minds final : public script::MindFactory {
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
   /// `with_operators`: with the operators that are selected now, from the answers of commands.
   std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true);
-  /// When an agent made a decision, in seconds; nothing if that was not noted.
-  std::optional<double> TimeOfDecision(std::string_view agent, std::uint64_t decision);
   /// Why it gives or does not give a command, selects or does not select an operator, or a rule matches or does not. An
   /// error if there is no such agent, or its rules know nothing of that name.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);

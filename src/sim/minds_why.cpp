@@ -24,9 +24,10 @@ std::string Seconds(double time_s) {
   return text;
 }
 
-std::string DeathText(const Arena::Death* death) {
-  return death == nullptr ? Say(Situation::kDead)
-                          : Say(Situation::kDied, {{"time", Seconds(death->time_s)}, {"how", death->how}});
+std::string DeathText(const Arena& arena, world::EntityId agent) {
+  const auto death = arena.past().deaths.find(agent);
+  if (death == arena.past().deaths.end()) return Say(Situation::kDead);
+  return Say(Situation::kDied, {{"time", Seconds(death->second.time_s)}, {"how", death->second.how}});
 }
 
 /// How far a command without an answer is.
@@ -54,11 +55,6 @@ explain::DecisionTime Minds::TimeOf(const Mind& mind) const {
   return [clock = &mind.clock](std::uint64_t decision) { return clock->TimeOf(decision); };
 }
 
-std::optional<double> Minds::TimeOfDecision(std::string_view agent, std::uint64_t decision) {
-  const Mind* const mind = FindNamed(agent);
-  return mind == nullptr ? std::nullopt : mind->clock.TimeOf(decision);
-}
-
 explain::WhyNode Minds::WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended) {
   if (mind.last_said.empty()) return {"has given no command", "command", "", {}};
   const std::string command = mind.last_said.substr(0, mind.last_said.find(' '));
@@ -84,7 +80,7 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
   const bool is_dead = body.Health() <= 0;
   // A command without an answer is under way until its body has nothing to do any more.
   const bool has_ended = !at->last_answer.empty() || (actor != nullptr && actor->running().empty());
-  if (is_dead) add(DeathText(arena_.DeathOf(at->agent)));
+  if (is_dead) add(DeathText(arena_, at->agent));
   root.below.push_back(WhyCommand(*at, reasons, is_dead, has_ended));
   if (is_dead) return root;
   if (with_operators)

@@ -508,9 +508,10 @@ std::unique_ptr<explain::Inspector> Simulation::Inspect(std::string_view agent) 
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
   if (mind == nullptr || mind->lost || !impl_->soar->IsConnected()) return nullptr;
   std::unique_ptr<explain::Inspector> inspector = explain::MakeInspector(mind->soar.agent());
-  inspector->SetDecisionTime([minds = impl_->minds.get(), name = std::string(agent)](std::uint64_t decision) {
-    return minds->TimeOfDecision(name, decision);
-  });
+  inspector->origins.time = [minds = impl_->minds.get(), name = std::string(agent)](std::uint64_t decision) {
+    const Minds::Mind* const asked = minds->FindNamed(name);
+    return asked == nullptr ? std::nullopt : asked->clock.TimeOf(decision);
+  };
   return inspector;
 }
 bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {

@@ -111,6 +111,7 @@ class Origins final : public Module {
   /// What they take, about. Not part of the agent's MemoryBytes: limits must not depend on who looks.
   std::size_t Bytes() const;
 
+ private:
   void RulesFire() override;
   void Asserted(PreferenceId preference) override;
   void AfterElaboration() override;
@@ -120,7 +121,6 @@ class Origins final : public Module {
   void BeforeInit() override;
   void Mark(const std::function<void(Symbol)>& mark) override;
 
- private:
   /// An element that is about to be made.
   struct Pending {
     Symbol id, attribute, value;

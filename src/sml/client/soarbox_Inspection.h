@@ -40,8 +40,6 @@ class EXPORT MindInspection {
   virtual mind::OperatorFacts Operators(std::string_view state) = 0;
   /// In the order of loading.
   virtual std::vector<mind::RuleFact> Rules() = 0;
-  /// What the rules say, in the order of loading. Justifications are not among them.
-  virtual std::vector<mind::RuleFacts> RuleContents() = 0;
   /// As `print` shows it; empty if there is none of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<mind::MatchFacts> Match(std::string_view rule) = 0;
@@ -59,6 +57,10 @@ class EXPORT MindInspection {
 
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.
 std::unique_ptr<MindInspection> EXPORT InspectMind(sml::Agent& agent);
+
+/// What the rules say, in the order of loading, without justifications. None if the agent's kernel is in another
+/// process.
+std::optional<std::vector<mind::RuleFacts>> EXPORT AskRuleContents(sml::Agent& agent);
 
 /// What the decision procedure says of a state's operators now; also of an agent whose kernel is in another process, if
 /// that is Soarbox's own. None if it is not. Empty if there is no such state, or no preference.

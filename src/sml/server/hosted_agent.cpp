@@ -27,7 +27,7 @@ HostedAgent::HostedAgent(std::string name)
       input_(agent_),
       relay_(std::make_unique<EventRelay>(*this)),
       tracer_(std::make_unique<XmlTracer>(*this)) {
-  origins_ = std::make_unique<kernel::Origins>(agent_.long_term().parts());
+  origins = std::make_unique<kernel::Origins>(agent_.long_term().parts());
   session_.UpdateTrace();
 }
 

@@ -51,9 +51,6 @@ class HostedAgent {
   std::uint64_t number() const { return number_; }
   kernel::Agent& agent() { return agent_; }
   const kernel::Agent& agent() const { return agent_; }
-  /// What made elements, if somebody asked to note it.
-  kernel::Origins& origins() { return *origins_; }
-  const kernel::Origins& origins() const { return *origins_; }
   HostedSession& session() { return session_; }
   AgentInput& input() { return input_; }
 
@@ -111,6 +108,9 @@ class HostedAgent {
   /// What holds for the files that its client loads, and for what its rules carry out; null: what holds in the kernel.
   std::unique_ptr<const cli::Fence> fence;
 
+  /// What made elements, if somebody asked to note it. Before the agent, which calls it until it ends. Never null.
+  std::unique_ptr<kernel::Origins> origins;
+
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;
 
@@ -131,7 +131,6 @@ class HostedAgent {
 
   std::string name_;
   std::uint64_t number_;
-  std::unique_ptr<kernel::Origins> origins_;  ///< Before the agent, which calls it until it ends.
   kernel::Agent agent_;
   HostedSession session_;
   AgentInput input_;

@@ -88,9 +88,9 @@ class OriginReader {
 
 mind::OriginFacts Facts(const HostedAgent& hosted, std::uint64_t timetag, std::uint32_t origin) {
   mind::OriginFacts facts;
-  facts.noted = hosted.origins().on();
+  facts.noted = hosted.origins->on();
   facts.timetag = timetag;
-  if (origin != Origins::kNone) facts.origins = OriginReader(hosted.agent(), hosted.origins()).Read(origin);
+  if (origin != Origins::kNone) facts.origins = OriginReader(hosted.agent(), *hosted.origins).Read(origin);
   return facts;
 }
 
@@ -101,9 +101,9 @@ mind::OriginFacts Facts(const HostedAgent& hosted, const Origins::Past* past) {
 }  // namespace
 
 void NoteOrigins(HostedAgent& hosted) {
-  if (hosted.origins().on() || hosted.agent().running() || hosted.agent().out_of_memory()) return;
+  if (hosted.origins->on() || hosted.agent().running() || hosted.agent().out_of_memory()) return;
   const auto packer = std::make_shared<DecisionPacker>();
-  hosted.origins().Begin([packer, &agent = hosted.agent()](const kernel::Goal& goal) {
+  hosted.origins->Begin([packer, &agent = hosted.agent()](const kernel::Goal& goal) {
     return std::string(packer->Pack(agent, agent.ExplainDecision(goal)));
   });
 }
@@ -112,13 +112,13 @@ mind::OriginFacts OriginOfElement(const HostedAgent& hosted, std::uint64_t timet
   const kernel::Agent& agent = hosted.agent();
   const kernel::WmeId wme = agent.memory().FindByTimetag(timetag);
   if (wme == kernel::WmeId::kNone)
-    return Facts(hosted, hosted.origins().FindPast([&](const Origins::Past& it) { return it.timetag == timetag; }));
-  std::uint32_t origin = hosted.origins().Of(wme);
+    return Facts(hosted, hosted.origins->FindPast([&](const Origins::Past& it) { return it.timetag == timetag; }));
+  std::uint32_t origin = hosted.origins->Of(wme);
   for (kernel::GoalLevel level = 1; level <= agent.goals().depth(); ++level) {
     const kernel::Goal& goal = agent.goals().at(level);
     if (goal.operator_slot != kernel::SlotId::kNone && agent.memory().record(wme).slot() == goal.operator_slot &&
         agent.OperatorOf(goal) == agent.memory().wme(wme).value)
-      origin = hosted.origins().OfOperator(level);
+      origin = hosted.origins->OfOperator(level);
   }
   return Facts(hosted, timetag, origin);
 }
@@ -134,8 +134,8 @@ mind::OriginFacts OriginOfCommand(const HostedAgent& hosted, std::string_view co
     });
   }
   if (newest != kernel::WmeId::kNone)
-    return Facts(hosted, agent.memory().wme(newest).timetag, hosted.origins().Of(newest));
-  return Facts(hosted, hosted.origins().FindPast(
+    return Facts(hosted, agent.memory().wme(newest).timetag, hosted.origins->Of(newest));
+  return Facts(hosted, hosted.origins->FindPast(
                            [&](const Origins::Past& it) { return cli::SymbolText(agent, it.attribute) == command; }));
 }
 
