@@ -38,9 +38,10 @@ class OriginTeller {
     const bool applies = !origin.op.empty() && origin.o_supported && TestsOperator(origin);
     WhyNode node{
         Say(applies ? applying : alone, {{"rule", origin.rule}, {"when", When(origin)}, {"op", OperatorText(origin)}}),
-        "rule",
+        WhyKind::kRule,
         origin.rule,
         {}};
+    node.time_s = TimeOf(origin);
     if (!followed_.insert(place).second || depth <= 0) return node;
     if (applies && origin.op_origin != mind::kNoOrigin) node.below.push_back(Operator(origin.op_origin, depth - 1));
     AddMatched(origin, depth, node);
@@ -52,9 +53,10 @@ class OriginTeller {
     const std::string why = origin.decided ? tell::WhySelected(*origin.decided) : std::string();
     WhyNode node{Say(why.empty() ? Situation::kSelectedThen : Situation::kSelectedThenBecause,
                      {{"op", OperatorText(origin)}, {"when", When(origin)}, {"why", why}}),
-                 "operator",
+                 WhyKind::kOperator,
                  origin.op,
                  {}};
+    node.time_s = TimeOf(origin);
     if (!followed_.insert(place).second || depth <= 0) return node;
     for (const std::uint32_t proposal : origin.proposals)
       node.below.push_back(Firing(proposal, Situation::kProposedThen, Situation::kProposedThen, depth - 1));
@@ -68,10 +70,14 @@ class OriginTeller {
     });
   }
 
+  std::optional<double> TimeOf(const OriginFact& origin) const {
+    return time_ && origin.decision > 0 ? time_(origin.decision) : std::nullopt;
+  }
+
   std::string When(const OriginFact& origin) const {
     if (origin.decision == 0) return {};
     const std::string decision = std::to_string(origin.decision);
-    if (const std::optional<double> at = time_ ? time_(origin.decision) : std::nullopt) {
+    if (const std::optional<double> at = TimeOf(origin)) {
       char time[32];
       std::snprintf(time, sizeof time, "%.2f", *at);
       return Say(Situation::kAtTime, {{"time", time}, {"decision", decision}});
@@ -103,17 +109,17 @@ class OriginTeller {
       node.below.push_back(Element(matched, depth - 1));
     }
     if (more > 0)
-      node.below.push_back({Say(Situation::kMatchedMore, {{"count", std::to_string(more)}}), "reason", "", {}});
+      node.below.push_back({Say(Situation::kMatchedMore, {{"count", std::to_string(more)}}), WhyKind::kReason, "", {}});
   }
 
   WhyNode Element(const OriginElementFact& matched, int depth) {
     const mind::ElementFact& element = matched.element;
     WhyNode node{"^" + element.attribute + " " + element.value + (element.acceptable ? " +" : "") + " of " + element.id,
-                 "element",
+                 WhyKind::kElement,
                  std::to_string(element.timetag),
                  {}};
     if (matched.source == OriginElementFact::Source::kInput) {
-      node.kind = "percept";
+      node.kind = WhyKind::kPercept;
       node.text += " (perceived)";
     } else if (matched.source == OriginElementFact::Source::kArchitecture) {
       node.text += " (made by the architecture)";
@@ -148,7 +154,7 @@ std::vector<WhyNode> PresentReason(const mind::OriginFacts& facts, const std::ve
   const OriginFact& origin = facts.origins.front();
   const bool is_selected = std::ranges::find(selected, origin.op) != selected.end();
   return {{Say(is_selected ? Situation::kOperatorStays : Situation::kOperatorGone, {{"op", OperatorText(origin)}}),
-           "reason",
+           WhyKind::kReason,
            "",
            {}}};
 }

@@ -13,6 +13,7 @@
 namespace soarbox::sim {
 namespace {
 
+using explain::WhyKind;
 using tell::Say;
 using tell::Situation;
 
@@ -41,7 +42,7 @@ std::string StatusOf(bool is_dead, bool has_ended) {
 Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
-  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
+  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), WhyKind::kReason, "", {}}};
   return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
@@ -56,20 +57,20 @@ explain::DecisionTime Minds::TimeOf(const Mind& mind) const {
 }
 
 explain::WhyNode Minds::WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended) {
-  if (mind.last_said.empty()) return {"has given no command", "command", "", {}};
+  if (mind.last_said.empty()) return {"has given no command", WhyKind::kCommand, "", {}};
   const std::string command = mind.last_said.substr(0, mind.last_said.find(' '));
   const std::string status = mind.last_answer.empty() ? StatusOf(is_dead, has_ended) : mind.last_answer;
-  return {"command " + mind.last_said + ", given at " + Seconds(mind.last_said_s) + " s: " + status, "command", command,
-          reasons.CommandTree(command, TimeOf(mind))};
+  return {"command " + mind.last_said + ", given at " + Seconds(mind.last_said_s) + " s: " + status, WhyKind::kCommand,
+          command, reasons.CommandTree(command, TimeOf(mind))};
 }
 
 std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_operators) {
   Mind* at = FindNamed(agent);
   if (at == nullptr) return std::nullopt;
   const world::Agent& body = *world_.FindAgent(at->agent);
-  explain::WhyNode root{body.name() + " at " + Seconds(world_.time_s()) + " s", "agent", body.name(), {}};
+  explain::WhyNode root{body.name() + " at " + Seconds(world_.time_s()) + " s", WhyKind::kAgent, body.name(), {}};
   const auto add = [&root](std::string line) -> explain::WhyNode& {
-    return root.below.emplace_back(explain::WhyNode{std::move(line), "reason", "", {}});
+    return root.below.emplace_back(explain::WhyNode{std::move(line), WhyKind::kReason, "", {}});
   };
   if (at->gone) {
     add(std::string(kHaltedForMemory));
@@ -92,14 +93,14 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
   } else if (at->last_said.empty() || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
     for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
-      idle.below.push_back({std::move(reason), "reason", "", {}});
+      idle.below.push_back({std::move(reason), WhyKind::kReason, "", {}});
   }
   if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2));
   if (actor != nullptr) {
     explain::WhyNode& perceives = add("perceives");
     for (const vocabulary::Percept& percept : AllPercepts(*actor))
       perceives.below.push_back(
-          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), "percept", "", {}});
+          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), WhyKind::kPercept, "", {}});
   }
   return root;
 }
