@@ -36,15 +36,15 @@ class OriginTeller {
     const OriginFact& origin = facts_.origins[place];
     // Only what has o-support is made for an operator; the rest is there as long as its rule matches.
     const bool applies = !origin.op.empty() && origin.o_supported && TestsOperator(origin);
-    WhyNode node{
-        Say(applies ? applying : alone, {{"rule", origin.rule}, {"when", When(origin)}, {"op", OperatorText(origin)}}),
-        WhyKind::kRule,
-        origin.rule,
-        {}};
-    node.time_s = TimeOf(origin);
-    if (!followed_.insert(place).second || depth <= 0) return node;
-    if (applies && origin.op_origin != mind::kNoOrigin) node.below.push_back(Operator(origin.op_origin, depth - 1));
-    AddMatched(origin, depth, node);
+    WhyNode node{{}, WhyKind::kRule, origin.rule, {}, TimeOf(origin)};
+    if (followed_.insert(place).second && depth > 0) {
+      if (applies && origin.op_origin != mind::kNoOrigin) node.below.push_back(Operator(origin.op_origin, depth - 1));
+      AddMatched(origin, depth, node);
+    }
+    const std::string matched = node.below.empty() ? std::string() : Say(Situation::kWhichMatched);
+    node.text =
+        Say(applies ? applying : alone,
+            {{"rule", origin.rule}, {"when", When(origin)}, {"op", OperatorText(origin)}, {"matched", matched}});
     return node;
   }
 

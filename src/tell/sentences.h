@@ -122,6 +122,7 @@ enum class Situation : std::uint8_t {
   kSelectedWhenGiven,
   kSelectedWhenGivenBecause,
   kProposedThen,
+  kWhichMatched,
   kMatchedMore,
   kAtTime,
   kAtDecision,
