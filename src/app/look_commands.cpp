@@ -179,7 +179,7 @@ int Why(const WhyOptions& options) {
     return kOk;
   }
   std::cout << account->text << ", " << options.topic << '\n';
-  if (why->kind == "topic") {
+  if (why->kind == debugger::WhyKind::kTopic) {
     for (const debugger::WhyNode& reason : why->below) std::cout << debugger::ToText(reason, 1);
   } else {
     std::cout << debugger::ToText(*why, 1);

@@ -171,6 +171,40 @@ void PrintFailures(const TestedMission& tested) {
   }
 }
 
+/// The agent that the first check that failed in a run is about; empty if it is about none, or about several.
+std::string AgentOfFailure(const mission::Mission& mission, const RunResult& run) {
+  for (std::size_t i = 0; i < mission.checks.size() && i < run.checks.size(); ++i) {
+    const mission::State state = run.checks[i].verdict.state;
+    if (mission.checks[i].marker || state == mission::State::kTrue || state == mission::State::kUndecided) continue;
+    if (!run.checks[i].verdict.agent.empty()) return run.checks[i].verdict.agent;
+    if (mission.checks[i].agents.size() == 1) return mission.checks[i].agents.front();
+  }
+  return {};
+}
+
+/// The cause that a mission failed: its first run that failed is made again, and the mind is asked of the
+/// agent that the first failed check is about. Empty if there is no such agent, or nothing certain was found.
+std::string CauseOf(const TestedMission& tested, const mission::TestSettings& settings) {
+  const mission::Mission& mission = tested.loaded.mission;
+  const auto failed = std::ranges::find_if(tested.outcome.runs, [](const RunResult& run) {
+    return run.outcome == "ok" && !run.passed && !run.IsUndecided();
+  });
+  if (failed == tested.outcome.runs.end() || settings.empty_minds) return {};
+  mission::TestSettings again;
+  again.seeds = {failed->seed};
+  again.account.agent = AgentOfFailure(mission, *failed);
+  if (!again.account.IsAsked()) return {};
+  const Result<mission::MissionOutcome> outcome = mission::TestMission(
+      tested.loaded, again, [](const RunResult&) {}, [] { return !WasInterrupted(); });
+  if (!outcome || outcome->runs.empty() || outcome->runs.front().account.empty()) return {};
+  // Rules that never fire are no fault of an agent that had something to do all the time.
+  const std::vector<mission::RunFinding>& found = outcome->runs.front().account;
+  const bool was_idle = std::ranges::any_of(found, [](const mission::RunFinding& finding) {
+    return finding.cause == mission::Cause::kStalled || finding.cause == mission::Cause::kSymptom;
+  });
+  return was_idle || found.front().cause <= mission::Cause::kRefused ? found.front().text : std::string();
+}
+
 /// Whether a mission's world, as this file describes it, takes part in an exercise of other simulations.
 bool JoinsAnExercise(const fs::path& scenario) {
   if (scenario.empty()) return false;
@@ -297,17 +331,20 @@ class Tester {
     tested.outcome = std::move(*outcome);
     const mission::MissionOutcome& came = tested.outcome;
     const bool passed = came.Passed(mission);
+    const bool is_open = came.IsOpen(mission);
+    const std::string cause = passed || is_open ? std::string() : CauseOf(tested, settings);
     if (options_.json) {
-      std::cout << JsonText(Json{{"event", "mission"},
-                                 {"mission", mission.name},
-                                 {"file", tested.file.string()},
-                                 {"passed", passed},
-                                 {"interrupted", came.IsInterrupted()},
-                                 {"runs", came.runs.size()},
-                                 {"runs_passed", came.passed},
-                                 {"needed", came.needed},
-                                 {"wall_s", came.wall_s}})
-                << '\n';
+      Json json{{"event", "mission"},
+                {"mission", mission.name},
+                {"file", tested.file.string()},
+                {"passed", passed},
+                {"interrupted", came.IsInterrupted()},
+                {"runs", came.runs.size()},
+                {"runs_passed", came.passed},
+                {"needed", came.needed},
+                {"wall_s", came.wall_s}};
+      if (!cause.empty()) json["cause"] = cause;
+      std::cout << JsonText(json) << '\n';
       return {};
     }
     if (shows) std::cout << '\r';
@@ -315,9 +352,9 @@ class Tester {
     for (std::size_t i = 0; i < came.runs.size() && i < 60; ++i) std::cout << Mark(came.runs[i]);
     std::cout << "  " << came.passed << " of " << came.runs.size();
     if (came.needed != came.asked) std::cout << ", " << came.needed << " needed";
-    const bool is_open = came.IsOpen(mission);
     if (came.IsInterrupted()) std::cout << ", interrupted after " << came.runs.size() << " of " << came.asked;
     std::cout << (passed || is_open ? "" : "   FAILED") << "   " << mission::SecondsText(came.wall_s) << '\n';
+    if (!cause.empty()) std::cout << "  " << cause << "\n";
     PrintFailures(tested);
     PrintNotes(tested);
     return {};

@@ -40,7 +40,7 @@ std::vector<double> NumbersIn(const Json& json, const char* name) {
 /// "hull distance from self to box-1: 1.4": a value with what it was made from.
 WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& begin) {
   WhyNode node;
-  node.kind = "imagined";
+  node.kind = WhyKind::kImagined;
   node.link = TextIn(value, "record");
   const std::string text = TextIn(value, "value");
   node.text = begin + text;
@@ -264,7 +264,8 @@ std::optional<WhyNode> WhyRecord(explain::Inspector& mind, std::string_view reco
       if (value.record != record) continue;
       WhyNode why = value.why;
       why.text = "imagined by " + extract.command + " " + extract.id + " in " + line->state + ": " + why.text;
-      if (!extract.rule.empty()) why.below.push_back({"asked by rule " + extract.rule, "rule", extract.rule, {}});
+      if (!extract.rule.empty())
+        why.below.push_back({"asked by rule " + extract.rule, WhyKind::kRule, extract.rule, {}});
       return why;
     }
   }

@@ -162,7 +162,7 @@ TEST_F(Lessons, FollowWhatALearnedRuleMadeBackToTheSubstate) {
   const std::string rule = models.learning["hero"].rules()[0].name;
   const Result<WhyNode> why = WhyName(*simulation_, "hero", rule);
   ASSERT_TRUE(why.ok());
-  EXPECT_EQ(why->kind, "learned");
+  EXPECT_EQ(why->kind, WhyKind::kLearned);
   const auto mind = Mind();
   std::uint64_t timetag = 0;
   for (const explain::ElementFact& element : mind->ElementsOf("S1")) {

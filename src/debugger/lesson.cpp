@@ -63,23 +63,23 @@ class FiringTeller {
   explicit FiringTeller(const LessonFact& lesson) : lesson_(lesson) {}
 
   WhyNode Tell(const FiringFact& firing) {
-    WhyNode node{FiringName(firing), "rule", firing.rule, {}};
+    WhyNode node{FiringName(firing), WhyKind::kRule, firing.rule, {}};
     if (!told_.insert(firing.serial).second) {
       node.text += ", see above";
       return node;
     }
     for (const TripleFact& condition : firing.conditions) {
       if (condition.negated) {
-        node.below.push_back({"required no " + condition.id, "reason", "", {}});
+        node.below.push_back({"required no " + condition.id, WhyKind::kReason, "", {}});
         continue;
       }
       const std::string met = condition.met.empty() ? TripleText(condition) : "(" + condition.met + ")";
       if (condition.above) {
-        node.below.push_back({met + " of a higher state", "percept", "", {}});
+        node.below.push_back({met + " of a higher state", WhyKind::kPercept, "", {}});
         continue;
       }
       const FiringFact* const creator = FindFiring(lesson_, condition.creator);
-      WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", "element", "", {}});
+      WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", WhyKind::kElement, "", {}});
       if (creator != nullptr && told_.size() < kMostFirings) {
         local.text += ", made by";
         local.below.push_back(Tell(*creator));
@@ -96,20 +96,20 @@ class FiringTeller {
 };
 
 WhyNode ConditionNode(const LessonFact& lesson, const TripleFact& condition) {
-  WhyNode node{TripleText(condition), "condition", "", {}};
+  WhyNode node{TripleText(condition), WhyKind::kCondition, "", {}};
   if (condition.negated) {
-    node.below.push_back({"a rule of the substate required that this is absent", "reason", "", {}});
+    node.below.push_back({"a rule of the substate required that this is absent", WhyKind::kReason, "", {}});
     return node;
   }
-  if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", "element", "", {}});
+  if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", WhyKind::kElement, "", {}});
   for (std::size_t n = 0; n < condition.path.size(); ++n) {
     const FiringFact* const firing = FindFiring(lesson, condition.path[n]);
     if (firing == nullptr) continue;
     std::string text = (n == 0 ? "tested by " : "which led to ") + FiringName(*firing);
     if (firing->made_result) text += ", which gave the result";
-    node.below.push_back({std::move(text), "rule", firing->rule, {}});
+    node.below.push_back({std::move(text), WhyKind::kRule, firing->rule, {}});
   }
-  if (condition.path.empty()) node.below.push_back({"leads to what other conditions test", "reason", "", {}});
+  if (condition.path.empty()) node.below.push_back({"leads to what other conditions test", WhyKind::kReason, "", {}});
   return node;
 }
 
@@ -164,35 +164,37 @@ std::string ImpasseOf(const LessonFact& lesson) {
 }
 
 WhyNode TellOrigin(const LessonFact& lesson) {
-  WhyNode node{DecisionText(lesson), "learned", lesson.rule, {}};
+  WhyNode node{DecisionText(lesson), WhyKind::kLearned, lesson.rule, {}};
   if (const FiringFact* const base = FindFiring(lesson, lesson.base)) {
-    node.below.push_back({"from " + FiringName(*base) + ", which gave the result", "rule", base->rule, {}});
+    node.below.push_back({"from " + FiringName(*base) + ", which gave the result", WhyKind::kRule, base->rule, {}});
   }
   constexpr std::size_t kMostOthers = 8;
   std::size_t others = 0;
   for (auto firing = lesson.firings.rbegin(); firing != lesson.firings.rend(); ++firing) {
     if (firing->serial == lesson.base) continue;
     if (++others <= kMostOthers)
-      node.below.push_back({"which rested on " + FiringName(*firing), "rule", firing->rule, {}});
+      node.below.push_back({"which rested on " + FiringName(*firing), WhyKind::kRule, firing->rule, {}});
   }
   if (others > kMostOthers)
-    node.below.push_back({"and on " + std::to_string(others - kMostOthers) + " more firings", "reason", "", {}});
+    node.below.push_back(
+        {"and on " + std::to_string(others - kMostOthers) + " more firings", WhyKind::kReason, "", {}});
   return node;
 }
 
 WhyNode TellLesson(const LessonFact& lesson) {
-  WhyNode root{lesson.rule + ": " + DecisionText(lesson), "learned", lesson.rule, {}};
+  WhyNode root{lesson.rule + ": " + DecisionText(lesson), WhyKind::kLearned, lesson.rule, {}};
   if (const std::string misgivings = Misgivings(lesson); !misgivings.empty())
-    root.below.push_back({"note: " + misgivings, "reason", "", {}});
-  WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", "reason", "", {}});
+    root.below.push_back({"note: " + misgivings, WhyKind::kReason, "", {}});
+  WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", WhyKind::kReason, "", {}});
   for (const TripleFact& condition : lesson.conditions) conditions.below.push_back(ConditionNode(lesson, condition));
-  WhyNode& actions = root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(lesson), "reason", "", {}});
+  WhyNode& actions =
+      root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(lesson), WhyKind::kReason, "", {}});
   for (const TripleFact& action : lesson.actions) {
-    WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), "condition", "", {}});
-    made.below.push_back({"it was (" + action.met + ")", "element", "", {}});
+    WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), WhyKind::kCondition, "", {}});
+    made.below.push_back({"it was (" + action.met + ")", WhyKind::kElement, "", {}});
   }
   WhyNode& firings = root.below.emplace_back(
-      WhyNode{"how the substate came to the result, from its last firing back", "reason", "", {}});
+      WhyNode{"how the substate came to the result, from its last firing back", WhyKind::kReason, "", {}});
   FiringTeller teller(lesson);
   if (const FiringFact* const base = FindFiring(lesson, lesson.base)) firings.below.push_back(teller.Tell(*base));
   return root;
@@ -204,11 +206,11 @@ std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rul
   }
   for (const explain::RuleFact& known : mind.Rules()) {
     if (known.name != rule || known.type != "chunk") continue;
-    WhyNode root{known.name + ": a learned rule", "learned", known.name, {}};
+    WhyNode root{known.name + ": a learned rule", WhyKind::kLearned, known.name, {}};
     root.below.push_back({mind.TellsAll() ? "how it was learned is not known: it was loaded, or learned before anybody "
                                             "watched, or more than 1,000 rules ago"
                                           : "how it was learned: this kernel does not report it",
-                          "reason",
+                          WhyKind::kReason,
                           "",
                           {}});
     return root;

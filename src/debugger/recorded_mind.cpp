@@ -67,6 +67,12 @@ class MindReader {
     }
     command.rule = said.rule;
     command.tick = tick_;
+    for (const explain::StateFact& state : mind_.stack) {
+      if (state.operator_id.empty()) continue;
+      const auto account = mind_.accounts.find(state.level);
+      command.selected.push_back({state.operator_id, state.operator_name,
+                                  account == mind_.accounts.end() ? std::string() : account->second.decision});
+    }
     mind_.commands.push_front(std::move(command));
     if (mind_.commands.size() > kMostCommands) mind_.commands.pop_back();
   }
@@ -400,9 +406,21 @@ WhyNode NodeOf(const RecordedMind::Command& command) {
   if (!command.parameters.empty()) text += " " + command.parameters;
   text += ": " + (command.status.empty() ? std::string("under way") : command.status);
   if (!command.reason.empty()) text += " " + command.reason;
-  WhyNode node{std::move(text), "command", command.name, {}};
+  WhyNode node{std::move(text), WhyKind::kCommand, command.name, {}};
   if (!command.rule.empty())
-    node.below.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), "rule", command.rule, {}});
+    node.below.push_back(
+        {tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), WhyKind::kRule, command.rule, {}});
+  for (const RecordedMind::Selected& selected : command.selected) {
+    const std::optional<mind::Decision> decision =
+        selected.decision.empty() ? std::nullopt : mind::Unpack(selected.decision);
+    const std::string why = decision ? tell::WhySelected(*decision) : std::string();
+    node.below.push_back(
+        {tell::Say(why.empty() ? tell::Situation::kSelectedWhenGiven : tell::Situation::kSelectedWhenGivenBecause,
+                   {{"op", NameAndId(selected.name, selected.id)}, {"why", why}}),
+         WhyKind::kOperator,
+         "",
+         {}});
+  }
   return node;
 }
 
@@ -414,13 +432,9 @@ std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_
 }
 
 WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
-  WhyNode root{std::string(agent) + ", as it was recorded", "agent", std::string(agent), {}};
-  WhyNode* below = &root;
-  if (mind.commands.empty()) {
-    root.below.push_back({"has given no command", "command", "", {}});
-  } else {
-    below = &root.below.emplace_back(NodeOf(mind.commands.front()));
-  }
+  WhyNode root{std::string(agent) + ", as it was recorded", WhyKind::kAgent, std::string(agent), {}};
+  root.below.push_back(mind.commands.empty() ? WhyNode{"has given no command", WhyKind::kCommand, "", {}}
+                                             : NodeOf(mind.commands.front()));
   bool has_operator = false;
   for (const explain::StateFact& state : mind.stack) {
     const RecordedMind::Account* account = AccountOf(mind, state);
@@ -429,28 +443,28 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
       // An impasse has a reason, too.
       if (!decision) continue;
       if (std::string why = tell::WhyNothing(*decision); !why.empty())
-        below->below.push_back({"no operator is selected in " + state.id + ": " + why, "reason", "", {}});
+        root.below.push_back({"no operator is selected in " + state.id + ": " + why, WhyKind::kReason, "", {}});
       continue;
     }
     has_operator = true;
-    WhyNode& node = below->below.emplace_back(
+    WhyNode& node = root.below.emplace_back(
         WhyNode{"operator " + NameAndId(state.operator_name, state.operator_id) + " is selected in " + state.id,
-                "operator",
+                WhyKind::kOperator,
                 "",
                 {}});
     if (account == nullptr) continue;
-    if (!account->remark.empty()) node.below.push_back({account->remark, "reason", "", {}});
+    if (!account->remark.empty()) node.below.push_back({account->remark, WhyKind::kReason, "", {}});
     if (!decision) continue;
-    node.below.push_back({tell::WhyDecided(*decision), "reason", "", {}});
+    node.below.push_back({tell::WhyDecided(*decision), WhyKind::kReason, "", {}});
     for (const mind::Decision::Drop& drop : decision->drops) {
       node.below.push_back(
           {"also there: " + tell::OperatorText(*decision, drop.op) + ", " + tell::WhyDropped(*decision, drop.op),
-           "reason",
+           WhyKind::kReason,
            "",
            {}});
     }
   }
-  if (!has_operator) below->below.push_back({"no operator is selected now", "reason", "", {}});
+  if (!has_operator) root.below.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
   return root;
 }
 

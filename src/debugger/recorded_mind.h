@@ -23,12 +23,18 @@ namespace soarbox::debugger {
 
 /// What the records of ticks tell of one mind at the end of the last of them.
 struct RecordedMind {
+  /// An operator that was selected, and why.
+  struct Selected {
+    std::string id, name;
+    std::string decision;  ///< Packed (mind/decision_codec.h); may be empty.
+  };
   struct Command {
     std::string name, parameters;                             ///< "^waypoint gate ^within 0.8"
     std::vector<std::pair<std::string, std::string>> values;  ///< The same by attribute.
     std::string status;                                       ///< Empty: under way.
     std::string reason;
-    std::string rule;  ///< That said it; empty if it is not known.
+    std::string rule;                ///< That said it; empty if it is not known.
+    std::vector<Selected> selected;  ///< When it was given, from the top state down.
     std::uint64_t tick = 0;
   };
 

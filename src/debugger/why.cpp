@@ -2,6 +2,7 @@
 #include "debugger/why.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "debugger/links.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
+#include "explain/origin_tree.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -38,8 +40,20 @@ class Tracer {
  public:
   explicit Tracer(explain::Inspector& mind) : mind_(mind) {}
 
+  /// What has o-support came to be at one moment, whatever its rule matches now.
+  void AddOrigin(std::uint64_t timetag, const explain::MakerFact& maker, int depth, WhyNode& node) {
+    std::vector<WhyNode> then = explain::OriginTree(mind_.origins.Of(timetag), mind_.origins.time, false);
+    if (then.empty()) {
+      node.below.push_back(Rule(maker, depth));
+      return;
+    }
+    if (std::optional<WhyNode> learned = OriginOf(mind_, then.front().link))
+      then.front().below.insert(then.front().below.begin(), *std::move(learned));
+    for (WhyNode& part : then) node.below.push_back(std::move(part));
+  }
+
   WhyNode Element(const explain::ElementFact& element, int depth) {
-    WhyNode node{Describe(element), "element", std::to_string(element.timetag), {}};
+    WhyNode node{Describe(element), WhyKind::kElement, std::to_string(element.timetag), {}};
     if (followed_.contains(element.timetag)) return node;
     // What was imagined is told however deep it stands: it rests on nothing else in memory.
     if (element.attribute == "value") {
@@ -53,10 +67,12 @@ class Tracer {
     followed_.insert(element.timetag);
     for (const explain::MakerFact& maker : mind_.MakersOf(element.timetag)) {
       if (maker.kind == explain::MakerFact::Kind::kInput) {
-        node.kind = "percept";
+        node.kind = WhyKind::kPercept;
         node.text += " (perceived)";
       } else if (maker.kind == explain::MakerFact::Kind::kArchitecture) {
         node.text += " (made by the architecture)";
+      } else if (maker.o_supported) {
+        AddOrigin(element.timetag, maker, depth, node);
       } else {
         node.below.push_back(Rule(maker, depth));
       }
@@ -65,7 +81,7 @@ class Tracer {
   }
 
   WhyNode Rule(const explain::MakerFact& maker, int depth) {
-    WhyNode node{Describe(maker), "rule", maker.rule, {}};
+    WhyNode node{Describe(maker), WhyKind::kRule, maker.rule, {}};
     if (maker.elements.empty() && maker.o_supported) node.text += ": it matched then, and what it made stays";
     if (std::optional<WhyNode> origin = OriginOf(mind_, maker.rule)) node.below.push_back(*std::move(origin));
     for (const explain::ElementFact& element : Telling(maker.elements))
@@ -74,7 +90,7 @@ class Tracer {
   }
 
   WhyNode Preference(const explain::PreferenceFact& preference) {
-    WhyNode node{Describe(preference), "preference", preference.maker.rule, {}};
+    WhyNode node{Describe(preference), WhyKind::kPreference, preference.maker.rule, {}};
     if (std::optional<WhyNode> origin = OriginOf(mind_, preference.maker.rule))
       node.below.push_back(*std::move(origin));
     for (const explain::ElementFact& element : Telling(preference.maker.elements))
@@ -121,9 +137,10 @@ std::string CommandText(const CommandRow& command) {
 
 WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag) {
   const std::optional<explain::ElementFact> element = mind.Element(timetag);
-  if (!element) return {"there is no element " + std::to_string(timetag) + " now", "reason", "", {}};
+  if (!element) return {"there is no element " + std::to_string(timetag) + " now", WhyKind::kReason, "", {}};
   WhyNode node = Tracer(mind).Element(*element, kRulesBack);
-  if (!mind.TellsAll()) node.below.push_back({"which rule made it: " + std::string(Absence(mind)), "reason", "", {}});
+  if (!mind.TellsAll())
+    node.below.push_back({"which rule made it: " + std::string(Absence(mind)), WhyKind::kReason, "", {}});
   return node;
 }
 
@@ -131,13 +148,13 @@ std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op
   const std::optional<FoundOperator> found = Find(mind, op);
   if (!found) return std::nullopt;
   const auto& [view, row] = *found;
-  WhyNode node{view.sentence, "operator", row.id, {}};
+  WhyNode node{view.sentence, WhyKind::kOperator, row.id, {}};
   if (!row.selected) node.text = Title(row) + ": " + row.verdict + ". " + view.sentence;
   Tracer tracer(mind);
   for (const explain::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
   for (const OperatorRow& other : view.rows) {
     if (other.id == row.id || node.below.size() >= kMostBelow) continue;
-    node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, "operator", other.id, {}});
+    node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, WhyKind::kOperator, other.id, {}});
   }
   return node;
 }
@@ -145,11 +162,17 @@ std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op
 std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view command) {
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
-    WhyNode node{CommandText(row), "command", row.name, {}};
-    if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
+    WhyNode node{CommandText(row), WhyKind::kCommand, row.name, {}};
+    const mind::OriginFacts origin = mind.origins.Of(row.timetag);
+    node.below = explain::OriginTree(origin, mind.origins.time, true);
+    if (!node.below.empty()) {
+      std::vector<std::string> selected;
+      for (const explain::StateFact& state : mind.Stack()) selected.push_back(state.operator_id);
+      for (WhyNode& reason : explain::PresentReason(origin, selected)) node.below.push_back(std::move(reason));
+    } else if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kRulesBack).below;
       if (!mind.TellsAll())
-        node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), "reason", "", {}});
+        node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), WhyKind::kReason, "", {}});
     }
     return node;
   }
@@ -164,7 +187,7 @@ Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std
   }
   Result<std::vector<WhyNode>> reasons = simulation.WhyTopic(agent, std::string(name));
   if (!reasons) return reasons.error();
-  return WhyNode{"why not " + std::string(name), "topic", "", std::move(*reasons)};
+  return WhyNode{"why not " + std::string(name), WhyKind::kTopic, "", std::move(*reasons)};
 }
 
 WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
@@ -172,29 +195,32 @@ WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std:
   if (why) return std::move(*why);
   std::string text = why.error().message;
   if (!why.error().hint.empty()) text += ": " + why.error().hint;
-  return {std::move(text), "reason", "", {}};
+  return {std::move(text), WhyKind::kReason, "", {}};
 }
 
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
-  std::optional<WhyNode> root = simulation.Why(agent);
-  if (!root)
-    return {"there is no agent " + std::string(agent) + " with a mind of rules", "agent", std::string(agent), {}};
   const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
-  if (mind == nullptr || !mind->TellsAll()) return *std::move(root);
-  for (WhyNode& node : root->below) {
-    // The operators stand below the command that they led to; our own kernel tells more of them.
-    if (node.kind == "command") {
-      node.below.clear();
-      for (const explain::StateFact& state : mind->Stack())
-        if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) node.below.push_back(*std::move(op));
-      if (node.below.empty()) {
-        // What said it may still stand, with what it rested on.
-        if (const std::optional<WhyNode> command = WhyCommand(*mind, node.link)) node.below = command->below;
-        node.below.push_back({"no operator is selected now", "reason", "", {}});
-      }
-    }
-  }
+  const bool tells_all = mind != nullptr && mind->TellsAll();
+  std::optional<WhyNode> root = simulation.Why(agent, !tells_all);
+  if (!root)
+    return {
+        "there is no agent " + std::string(agent) + " with a mind of rules", WhyKind::kAgent, std::string(agent), {}};
+  // Our own kernel tells more of the operators that are selected now. They stand after the command.
+  const auto command = std::ranges::find(root->below, WhyKind::kCommand, &WhyNode::kind);
+  if (!tells_all || command == root->below.end()) return *std::move(root);
+  std::vector<WhyNode> operators;
+  for (const explain::StateFact& state : mind->Stack())
+    if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) operators.push_back(*std::move(op));
+  if (operators.empty()) operators.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
+  root->below.insert(command + 1, std::make_move_iterator(operators.begin()), std::make_move_iterator(operators.end()));
   return *std::move(root);
+}
+
+std::string_view KindWord(WhyKind kind) {
+  static constexpr std::string_view kWords[] = {"reason", "agent",   "command", "operator", "preference",
+                                                "rule",   "element", "percept", "learned",  "condition",
+                                                "recall", "topic",   "imagined"};
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 std::string ToText(const WhyNode& node, std::size_t indent) {
@@ -206,8 +232,9 @@ std::string ToText(const WhyNode& node, std::size_t indent) {
 Json ToJson(const WhyNode& node) {
   Json json;
   json["text"] = node.text;
-  json["kind"] = node.kind;
+  json["kind"] = KindWord(node.kind);
   if (!node.link.empty()) json["link"] = node.link;
+  if (node.time_s) json["time"] = *node.time_s;
   if (!node.below.empty()) {
     json["below"] = Json::array();
     for (const WhyNode& below : node.below) json["below"].push_back(ToJson(below));

@@ -14,6 +14,7 @@
 
 namespace soarbox::debugger {
 
+using explain::WhyKind;
 using explain::WhyNode;
 
 /// Why an agent does what it does now: command, operators, preferences, elements, percepts.
@@ -33,5 +34,7 @@ WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag);
 /// `indent`: steps of two blanks.
 std::string ToText(const WhyNode& node, std::size_t indent = 0);
 Json ToJson(const WhyNode& node);
+/// The word for a kind in JSON: "operator".
+std::string_view KindWord(WhyKind kind);
 
 }  // namespace soarbox::debugger

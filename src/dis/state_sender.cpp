@@ -134,7 +134,7 @@ void StateSender::AddStates(const sim::Simulation& simulation, double now_s, boo
 }
 
 void StateSender::AddShots(const sim::Simulation& simulation, std::vector<Pdu>& pdus) {
-  for (const sim::Arena::PastShot& past : simulation.arena().shots()) {
+  for (const sim::Arena::PastShot& past : simulation.arena().past().shots) {
     const world::Shot& shot = past.shot;
     if (past.tick != simulation.tick() || !IsOurs(simulation, shot.shooter)) continue;
     const Vector along = ToVector(shot.to - shot.from);

@@ -59,9 +59,14 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
 }  // namespace
 
 std::unique_ptr<Inspector> MakeInspector(sml::Agent& agent) {
-  if (std::unique_ptr<MindInspection> mind = InspectMind(agent))
-    return std::make_unique<OwnInspector>(std::move(mind), agent);
-  return std::make_unique<CommandInspector>(agent);
+  std::unique_ptr<Inspector> inspector;
+  if (std::unique_ptr<MindInspection> mind = InspectMind(agent)) {
+    inspector = std::make_unique<OwnInspector>(std::move(mind), agent);
+  } else {
+    inspector = std::make_unique<CommandInspector>(agent);
+  }
+  inspector->origins.ask = [&agent](std::uint64_t timetag) { return AskOrigin(agent, timetag); };
+  return inspector;
 }
 
 #else

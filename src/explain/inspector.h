@@ -3,13 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "explain/origin_tree.h"
 #include "mind/facts.h"
+#include "mind/origin.h"
 
 namespace sml {
 class Agent;
@@ -28,6 +31,15 @@ using mind::PreferenceFact;
 using mind::RuleFact;
 using mind::StateFact;
 using mind::TesterFact;
+
+/// Where an inspector has the origins of elements from.
+struct OriginSource {
+  std::function<mind::OriginFacts(std::uint64_t timetag)> ask;  ///< Empty: none are noted.
+  DecisionTime time;  ///< When decisions were made, for texts about origins. Empty: not known.
+
+  /// What made an element, as the kernel noted it then (mind/origin.h). Nothing is noted by an official kernel.
+  mind::OriginFacts Of(std::uint64_t timetag) const { return ask ? ask(timetag) : mind::OriginFacts(); }
+};
 
 /// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. It only reads: no
 /// run differs because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.
@@ -57,6 +69,9 @@ class Inspector {
   virtual std::optional<MatchFacts> Match(std::string_view rule) = 0;
   /// How the last word of a command line may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
+
+  /// What made elements, as the kernel noted it then.
+  OriginSource origins;
 };
 
 /// For an agent of any kernel; the agent must live longer.

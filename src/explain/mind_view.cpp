@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <unordered_set>
@@ -11,13 +12,16 @@
 
 #include "explain/command_inspector.h"
 #include "explain/command_text.h"
+#include "explain/rule_from_facts.h"
 #include "explain/rule_text.h"
 #include "sml_Client.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Inspection.h"
+#endif
 
 namespace soarbox::explain {
 namespace {
 
-constexpr std::size_t kMostRules = 2000;
 constexpr std::size_t kMostFollowed = 50;  ///< Identifiers of one step of a path.
 
 /// The values behind each ^attribute in "(I2 ^attribute a ^attribute b)".
@@ -79,13 +83,20 @@ std::string MindView::Ask(const std::string& command) {
 
 const std::vector<RuleText>& MindView::rules() {
   if (std::exchange(read_, true)) return rules_;
+#ifdef SOARBOX_OWN_KERNEL
+  if (const std::optional<std::vector<mind::RuleFacts>> contents = AskRuleContents(agent_)) {
+    // The newest first, as `print --all` lists them.
+    for (const mind::RuleFacts& facts : *contents) rules_.push_back(TextOf(facts));
+    std::ranges::reverse(rules_);
+    return rules_;
+  }
+#endif
   // Names first: `print --all` lists them, `print --full` shows one.
   for (const std::string& line : Lines(Ask("print --all --user"))) {
     const std::string name = Trimmed(line);
     if (name.empty() || name.find(' ') != std::string::npos) continue;
     std::vector<RuleText> read = ReadRules(Ask("print --full " + name));
     rules_.insert(rules_.end(), read.begin(), read.end());
-    if (rules_.size() >= kMostRules) break;
   }
   return rules_;
 }

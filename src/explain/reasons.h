@@ -11,6 +11,7 @@
 #include "diagnostics/result.h"
 #include "explain/failed_rule.h"
 #include "explain/mind_view.h"
+#include "explain/origin_tree.h"
 #include "explain/why_node.h"
 #include "mind/decision.h"
 
@@ -28,8 +29,10 @@ class MindReasons {
   std::vector<std::string> WhyIdle(const std::set<std::string>& known);
   /// Attributes that its rules test and that no percept, rule or answer ever writes.
   std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
+  /// How a command came to be, as it was then, and why it is still there. Without an origin: that it is not known.
+  std::vector<WhyNode> CommandTree(const std::string& command, const DecisionTime& time);
   /// What led to the operator that is selected: proposals, preferences and the elements that they rest on.
-  std::vector<WhyNode> OperatorTree(const std::string& command);
+  std::vector<WhyNode> OperatorTree();
   /// Why a command is or is not given, an operator is or is not selected, or a rule does or does not match. An error if
   /// its rules know nothing of that name.
   Result<std::vector<WhyNode>> WhyTopic(const std::string& topic, const std::set<std::string>& known);

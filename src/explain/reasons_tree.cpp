@@ -7,7 +7,11 @@
 #include "diagnostics/diagnostic.h"
 #include "explain/reasons.h"
 #include "explain/rule_makers.h"
+#include "sml_Client.h"
 #include "tell/sentences.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Inspection.h"
+#endif
 
 namespace soarbox::explain {
 namespace {
@@ -46,7 +50,7 @@ void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vec
   std::string why = ExplainRule(rule, told.known);
   const bool matches = why.empty();
   if (matches) why = "rule " + rule.name + ": all its conditions hold now";
-  WhyNode& node = into.emplace_back(WhyNode{std::move(why), "rule", rule.name, {}});
+  WhyNode& node = into.emplace_back(WhyNode{std::move(why), WhyKind::kRule, rule.name, {}});
   if (matches) return;
   const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
   if (!waits.empty() && AsksForSelected(rule, waits.front())) {
@@ -63,11 +67,12 @@ WhyNode MindReasons::OfPreference(const Preference& preference, bool with_elemen
   WhyNode node{
       preference.section + ": " + preference.text +
           (preference.rule.empty() ? "" : (preference.text.empty() ? "by rule " : " by rule ") + preference.rule),
-      "preference",
+      WhyKind::kPreference,
       preference.rule,
       {}};
   if (!with_elements || preference.section != "acceptable") return node;
-  for (std::string& element : view_.Elements(preference)) node.below.push_back({std::move(element), "element", "", {}});
+  for (std::string& element : view_.Elements(preference))
+    node.below.push_back({std::move(element), WhyKind::kElement, "", {}});
   return node;
 }
 
@@ -80,8 +85,8 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
       continue;
     }
     if (entry.about != name) continue;
-    WhyNode& node = into.emplace_back(
-        WhyNode{"operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, "operator", entry.id, {}});
+    WhyNode& node = into.emplace_back(WhyNode{
+        "operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, WhyKind::kOperator, entry.id, {}});
     for (Preference preference : view_.Preferences(state, true)) {
       if (preference.operator_id != entry.id) continue;
       preference.text.clear();
@@ -98,7 +103,7 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
     WhyNode& node =
         into.emplace_back(WhyNode{"operator " + name + " is proposed in " + top +
                                       (chosen.empty() ? ", and none is selected" : ", and " + chosen + " is selected"),
-                                  "operator",
+                                  WhyKind::kOperator,
                                   name,
                                   {}});
     for (const Preference& preference : preferences)
@@ -108,7 +113,7 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
   }
   WhyNode& node = into.emplace_back(
       WhyNode{"operator " + name + " is not proposed now" + (chosen.empty() ? "" : "; " + chosen + " is selected"),
-              "operator",
+              WhyKind::kOperator,
               name,
               {}});
   RuleList proposers;
@@ -117,17 +122,24 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
   const std::string failed = WhatFailed();
   if (proposers.empty())
     node.below.push_back(
-        {failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it", "reason", "", {}});
-  if (!failed.empty()) node.below.push_back({failed, "reason", "", {}});
+        {failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it", WhyKind::kReason, "", {}});
+  if (!failed.empty()) node.below.push_back({failed, WhyKind::kReason, "", {}});
   for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) TellRule(*proposers[i], depth + 1, told, node.below);
 }
 
 void MindReasons::TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into) {
+  const bool was_given = std::ranges::any_of(
+      rules(), [&](const RuleText& rule) { return rule.says.contains(command) && view_.HasFired(rule.name); });
+  if (was_given) {
+    into = CommandTree(command, {});
+  } else {
+    into.push_back({tell::Say(tell::Situation::kNeverGiven, {{"command", command}}), WhyKind::kReason, "", {}});
+  }
   for (const RuleText& rule : rules()) {
     if (!rule.says.contains(command)) continue;
     WhyNode& node = into.emplace_back(
         WhyNode{"rule " + rule.name + " gives it" + (rule.applies.empty() ? "" : " when it applies an operator"),
-                "rule",
+                WhyKind::kRule,
                 rule.name,
                 {}});
     for (const std::string& name : rule.applies)
@@ -156,7 +168,7 @@ Result<std::vector<WhyNode>> MindReasons::WhyTopic(const std::string& topic, con
   if (const RuleText* rule = view_.FindRule(topic)) TellRule(*rule, 1, told, reasons);
   const std::vector<FailedRule> failed = StillFailed();
   if (std::ranges::find(failed, topic, &FailedRule::rule) != failed.end())
-    reasons.push_back({WhatFailed(), "reason", "", {}});
+    reasons.push_back({WhatFailed(), WhyKind::kReason, "", {}});
   if (!reasons.empty()) return reasons;
   Diagnostic problem;
   problem.message =
@@ -167,26 +179,50 @@ Result<std::vector<WhyNode>> MindReasons::WhyTopic(const std::string& topic, con
   return problem;
 }
 
-std::vector<WhyNode> MindReasons::OperatorTree(const std::string& command) {
-  std::vector<WhyNode> nodes;
+std::vector<WhyNode> MindReasons::CommandTree(const std::string& command, const DecisionTime& time) {
+#ifdef SOARBOX_OWN_KERNEL
+  const mind::OriginFacts facts = AskCommandOrigin(agent_, command);
+#else
+  const mind::OriginFacts facts;
+#endif
+  std::vector<WhyNode> nodes = OriginTree(facts, time, true);
+  if (!nodes.empty()) {
+    std::vector<std::string> selected;
+    for (const StackEntry& entry : view_.Stack())
+      if (!entry.is_state) selected.push_back(entry.id);
+    for (WhyNode& reason : PresentReason(facts, selected)) nodes.push_back(std::move(reason));
+    return nodes;
+  }
+  // What the rules show; which operator was selected then they cannot tell.
   std::vector<std::string> speakers;
   for (const RuleText& rule : rules())
-    if (!command.empty() && rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
+    if (rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
   if (speakers.size() == 1)
-    nodes.push_back({tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}), "rule", speakers.front(), {}});
+    nodes.push_back(
+        {tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}), WhyKind::kRule, speakers.front(), {}});
   if (speakers.size() > 1)
-    nodes.push_back({tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}), "reason", "", {}});
+    nodes.push_back(
+        {tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}), WhyKind::kReason, "", {}});
+  nodes.push_back({tell::Say(facts.noted ? tell::Situation::kOriginNotNoted : tell::Situation::kOriginUnknown),
+                   WhyKind::kReason,
+                   "",
+                   {}});
+  return nodes;
+}
+
+std::vector<WhyNode> MindReasons::OperatorTree() {
+  std::vector<WhyNode> nodes;
   const std::vector<StackEntry> stack = view_.Stack();
   const auto selected =
       std::find_if(stack.begin(), stack.end(), [](const StackEntry& entry) { return !entry.is_state; });
   if (selected == stack.end()) {
-    nodes.push_back({"no operator is selected now", "reason", "", {}});
+    nodes.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
     return nodes;
   }
   const std::string state = stack.front().is_state ? stack.front().id : "S1";
   WhyNode& node = nodes.emplace_back(
       WhyNode{"operator " + view_.DescribeOperator(selected->id) + " (" + selected->id + "), selected in " + state,
-              "operator",
+              WhyKind::kOperator,
               selected->id,
               {}});
   for (const Preference& preference : view_.Preferences(state, true)) {
@@ -194,7 +230,7 @@ std::vector<WhyNode> MindReasons::OperatorTree(const std::string& command) {
     if (preference.section == "acceptable" && !is_mine) {
       node.below.push_back(
           {"also proposed: " + view_.DescribeOperator(preference.operator_id) + " (" + preference.operator_id + ")",
-           "operator",
+           WhyKind::kOperator,
            preference.operator_id,
            {}});
     } else {

@@ -76,9 +76,9 @@ std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const 
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
     const std::string agent = simulation.AgentOfMind(i);
     const auto inspector = simulation.Inspect(agent);
-    if (inspector == nullptr) continue;
+    if (inspector == nullptr || !settings.IsAboutAgent(agent)) continue;
     for (const explain::RuleFact& rule : inspector->Rules()) {
-      if (FileName(rule.file) != settings.file || rule.firings > 0 || !settings.given.contains(rule.name)) continue;
+      if (!settings.IsAbout(rule.file) || rule.firings > 0 || !settings.given.contains(rule.name)) continue;
       const std::string why = WhyRuleWaits(simulation, agent, rule.name);
       if (!why.empty() && told.size() < kMostRules) told.push_back("rule " + rule.name + " never fired: it " + why);
     }
@@ -88,8 +88,12 @@ std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const 
 
 }  // namespace
 
+bool AccountSettings::IsAbout(const std::string& rule_file) const {
+  return file.empty() ? !rule_file.empty() : FileName(rule_file) == file;
+}
+
 Account::Account(sim::Simulation& simulation, AccountSettings settings)
-    : simulation_(simulation), settings_(std::move(settings)), watch_(simulation, settings_.file, settings_.given) {}
+    : simulation_(simulation), settings_(std::move(settings)), watch_(simulation, settings_) {}
 
 bool Account::IsAboutGiven(const std::string& message) const {
   constexpr std::string_view kRule = "rule ";
@@ -102,10 +106,10 @@ bool Account::IsAboutGiven(const std::string& message) const {
 }
 
 void Account::See(const sim::EventList& events) {
-  if (settings_.file.empty()) return;
+  if (!settings_.IsAsked()) return;
   watch_.See();
   for (const sim::RunEvent& event : events) {
-    if (event.kind == sim::EventKind::kGap && idle_.empty()) {
+    if (event.kind == sim::EventKind::kGap && idle_.empty() && settings_.IsAboutAgent(event.agent)) {
       idle_agent_ = event.agent;
       idle_s_ = event.time_s - kToldAfter_s;
       for (std::size_t i = 0; i < event.reasons.size() && idle_.size() < kMostIdleReasons; ++i) {
@@ -120,7 +124,7 @@ void Account::See(const sim::EventList& events) {
       }
       idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
     }
-    if (event.kind == sim::EventKind::kOutcome && refused_.empty()) {
+    if (event.kind == sim::EventKind::kOutcome && refused_.empty() && settings_.IsAboutAgent(event.agent)) {
       if (const std::string text = RefusedText(event.text); !text.empty()) {
         refused_agent_ = event.agent;
         refused_s_ = event.time_s;
@@ -130,9 +134,9 @@ void Account::See(const sim::EventList& events) {
     }
     const Diagnostic& problem = event.diagnostic;
     if (event.kind != sim::EventKind::kDiagnostic || problem.severity == Severity::kNote ||
-        FileName(problem.file) != settings_.file || slips_.size() >= kMostSlips || IsAboutGiven(problem.message))
+        !settings_.IsAbout(problem.file) || slips_.size() >= kMostSlips || IsAboutGiven(problem.message))
       continue;
-    std::string text = settings_.file + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": " +
+    std::string text = FileName(problem.file) + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": " +
                        problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
     if (std::ranges::find(slips_, text, &RunFinding::text) == slips_.end())
       slips_.push_back({IsEndless(problem) ? Cause::kEndless : Cause::kSlip, std::move(text)});
@@ -145,9 +149,9 @@ std::vector<RunFinding> Account::Finish(double failed_s) {
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
-    if (inspector != nullptr && std::ranges::any_of(inspector->Rules(), [&](const explain::RuleFact& rule) {
-          return FileName(rule.file) == settings_.file;
-        }))
+    if (inspector != nullptr && settings_.IsAboutAgent(agent) &&
+        std::ranges::any_of(inspector->Rules(),
+                            [&](const explain::RuleFact& rule) { return settings_.IsAbout(rule.file); }))
       agents.insert(agent);
   }
   const std::vector<RuleWatch::Waiting> waiting = watch_.Finish();

@@ -38,8 +38,14 @@ struct RunFinding {
 
 /// Whose rules an account is about.
 struct AccountSettings {
-  std::string file;             ///< Name of the file of rules; empty: no account is asked for.
+  std::string file;             ///< Name of the file of rules; empty: every file.
+  std::string agent;            ///< The agent whose mind is asked; empty: all that run rules of the file.
   std::set<std::string> given;  ///< Rules in it that came with the lesson. Nothing but symptoms is said about them.
+
+  /// Without a file and without an agent no account is given.
+  bool IsAsked() const { return !file.empty() || !agent.empty(); }
+  bool IsAbout(const std::string& rule_file) const;
+  bool IsAboutAgent(const std::string& name) const { return agent.empty() || agent == name; }
 };
 
 /// What a run shows of one file of rules, for the person who wrote it. Follows a run through all its ticks.

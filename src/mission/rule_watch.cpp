@@ -2,11 +2,11 @@
 #include "mission/rule_watch.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include "explain/inspector.h"
+#include "mission/account.h"
 #include "sim/simulation.h"
 
 namespace soarbox::mission {
@@ -95,18 +95,18 @@ std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, 
   return {};
 }
 
-RuleWatch::RuleWatch(sim::Simulation& simulation, std::string file, std::set<std::string> given)
-    : simulation_(simulation), file_(std::move(file)), given_(std::move(given)) {}
+RuleWatch::RuleWatch(sim::Simulation& simulation, const AccountSettings& settings)
+    : simulation_(simulation), settings_(settings) {}
 
 void RuleWatch::See() {
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
+    if (!settings_.IsAboutAgent(agent)) continue;
     const auto inspector = simulation_.Inspect(agent);
     if (inspector == nullptr || !inspector->TellsAll()) continue;
     std::size_t watched = 0;
     for (const explain::RuleFact& rule : inspector->Rules()) {
-      if (rule.firings > 0 || given_.contains(rule.name)) continue;
-      if (std::filesystem::path(rule.file).filename().string() != file_) continue;
+      if (rule.firings > 0 || settings_.given.contains(rule.name) || !settings_.IsAbout(rule.file)) continue;
       if (++watched > kMostWatched) break;
       Look(*inspector, agent, rule.name);
     }

@@ -18,20 +18,23 @@ class Simulation;
 
 namespace soarbox::mission {
 
+struct AccountSettings;
+
 /// Why a rule does not match now, "requires ^next 3, but it is 2"; empty if it does. If something that the rule
 /// excludes is there, the rule that made it is named.
 std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule);
 
-/// Follows the rules of one file that have not fired yet, and keeps for each what it waited for at the tick at which it
-/// got furthest. At the end of a run it is too late to ask: the operator is another one, and the message is gone.
+/// Follows the rules of a file, or of an agent, that have not fired yet, and keeps for each what it waited for at the
+/// tick at which it got furthest. At the end of a run it is too late to ask: the operator is another one, and the
+/// message is gone.
 ///
 /// How far a rule gets: first how many of its conditions find an element at all, then how many match one after the
 /// other. So a rule that an absent attribute blocks counts as further when everything else is there. A rule is
 /// explained only when it gets further than before.
 class RuleWatch {
  public:
-  /// `file`: name of the file, without its folder. `given`: rules in it that are not followed.
-  RuleWatch(sim::Simulation& simulation, std::string file, std::set<std::string> given);
+  /// Rules that came with the lesson are not followed. The settings must live longer.
+  RuleWatch(sim::Simulation& simulation, const AccountSettings& settings);
 
   /// Call once for each tick.
   void See();
@@ -63,8 +66,7 @@ class RuleWatch {
   void Look(explain::Inspector& inspector, const std::string& agent, const std::string& rule);
 
   sim::Simulation& simulation_;
-  std::string file_;
-  std::set<std::string> given_;
+  const AccountSettings& settings_;
   std::map<Key, Best> best_;
   std::vector<Key> order_;  ///< As the rules were loaded.
 };

@@ -189,7 +189,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   // The recording holds the checks, too, as that of a run in a window does.
   const auto keep = [&] {
     sim::EventList events = simulation.TakeEvents();
-    if (!spec.account.file.empty()) account.See(events);
+    if (spec.account.IsAsked()) account.See(events);
     if (!keeper) return;
     const std::uint64_t tick = simulation.tick();
     for (std::size_t i = 0; i < spec.mission->checks.size() && i < result.checks.size(); ++i) {
@@ -222,7 +222,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   if (simulation.StateHash() != result.state_hash)
     result.error = "the same run came to another state when it was made again: that is a fault of Soarbox";
   if (keeper && keeper->Finish()) result.recording = spec.recording.string();
-  if (!spec.account.file.empty()) result.account = account.Finish(FirstFailure(*spec.mission, result));
+  if (spec.account.IsAsked()) result.account = account.Finish(FirstFailure(*spec.mission, result));
 }
 
 }  // namespace
@@ -379,7 +379,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   const bool all_true =
       std::all_of(verdicts.begin(), verdicts.begin() + static_cast<std::ptrdiff_t>(mission.checks.size()),
                   [](const Verdict& verdict) { return verdict.state == State::kTrue; });
-  const bool is_asked = !spec.recording.empty() || !spec.account.file.empty();
+  const bool is_asked = !spec.recording.empty() || spec.account.IsAsked();
   if (is_asked && (spec.record_always || !result.passed || !all_true)) {
     made->reset();
     TellWhy(spec, result);

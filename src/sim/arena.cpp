@@ -209,9 +209,9 @@ void Arena::OnShot(const world::Shot& shot) {
   }();
   world_.debug().Line(shot.from, shot.to, {1, 0.8f, 0.2f});
   const auto kept = static_cast<std::uint64_t>(kShotsKept_s / world_.settings().step_s);
-  while (!shots_.empty() && shots_.front().tick + kept < world_.tick()) shots_.pop_front();
-  if (shots_.size() >= kMostShots) shots_.pop_front();
-  shots_.push_back({shot, world_.tick()});
+  while (!past_.shots.empty() && past_.shots.front().tick + kept < world_.tick()) past_.shots.pop_front();
+  if (past_.shots.size() >= kMostShots) past_.shots.pop_front();
+  past_.shots.push_back({shot, world_.tick()});
   for (const auto& actor : actors_) {
     if (actor->id() == shot.shooter || !actor->IsAlive()) continue;
     const bool is_hit = actor->id() == shot.hit;
@@ -253,6 +253,7 @@ void Arena::Order(world::EntityId agent, const std::string& order) {
 }
 
 void Arena::Tell(world::EntityId agent, std::string_view news, std::string text) {
+  if (news == "dies") past_.deaths[agent] = {text, world_.time_s()};
   RunEvent event;
   event.kind = EventKind::kNews;
   event.agent = world_.FindAgent(agent)->name();

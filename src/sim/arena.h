@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -59,12 +60,22 @@ class Arena {
   /// Makes the collisions of the world's last step happenings of those who took part.
   void HearCollisions();
   void OnShot(const world::Shot& shot);
-  /// The shots of the last two seconds, oldest first; for whoever watches.
   struct PastShot {
     world::Shot shot;
     std::uint64_t tick = 0;
   };
-  const std::deque<PastShot>& shots() const { return shots_; }
+  /// How an agent died: "shot by rival".
+  struct Death {
+    std::string how;
+    double time_s = 0;
+  };
+  struct Past {
+    std::deque<PastShot> shots;  ///< Of the last two seconds, oldest first.
+    /// By agent. Who is not among them did not die, or a script took its health.
+    std::map<world::EntityId, Death> deaths;
+  };
+  /// What happened, for whoever watches or asks.
+  const Past& past() const { return past_; }
   /// An order of the user: "advance waypoint gate" becomes ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
   void Tell(world::EntityId agent, std::string_view news, std::string text);
@@ -92,7 +103,7 @@ class Arena {
   bool has_ways_ = false;
   std::vector<world::EntityId> things_of_ways_;  ///< What was there when the mesh was made, in ascending id.
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
-  std::deque<PastShot> shots_;
+  Past past_;
 };
 
 }  // namespace soarbox::sim

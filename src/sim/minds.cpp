@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "diagnostics/problem.h"
 #include "explain/reasons.h"
@@ -14,8 +13,6 @@
 
 namespace soarbox::sim {
 namespace {
-
-constexpr std::string_view kHaltedForMemory = "was halted: the minds of this world needed too much memory";
 
 /// An agent that does nothing for so long is asked why.
 constexpr float kIdleUntilTold_s = 1;
@@ -575,58 +572,6 @@ void Minds::TellCounts() {
     for (const auto& [fault, count] : mind.told)
       if (count > 1) Tell(EventKind::kGap, body, std::to_string(count) + " times in all: " + fault);
   }
-}
-
-Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
-  Mind* mind = FindNamed(agent);
-  if (mind == nullptr) {
-    return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
-  }
-  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), "reason", "", {}}};
-  return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
-}
-
-std::optional<explain::WhyNode> Minds::Why(std::string_view agent) {
-  Mind* at = FindNamed(agent);
-  if (at == nullptr) return std::nullopt;
-  const world::Agent& body = *world_.FindAgent(at->agent);
-  char text[160];
-  std::snprintf(text, sizeof text, "%s at %.2f s", body.name().c_str(), world_.time_s());
-  explain::WhyNode root{text, "agent", body.name(), {}};
-  const auto add = [&root](std::string line, const char* kind) -> explain::WhyNode& {
-    return root.below.emplace_back(explain::WhyNode{std::move(line), kind, "", {}});
-  };
-  if (at->gone || body.Health() <= 0) {
-    add(at->gone ? std::string(kHaltedForMemory) : std::string("is dead"), "reason");
-    return root;
-  }
-  explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
-  Actor* actor = arena_.Find(at->agent);
-  const std::string command = at->last_said.substr(0, at->last_said.find(' '));
-  std::snprintf(text, sizeof text, ", given at %.2f s: ", at->last_said_s);
-  explain::WhyNode& said = add(at->last_said.empty() ? std::string("has given no command")
-                                                     : "command " + at->last_said + text +
-                                                           (at->last_answer.empty() ? "under way" : at->last_answer),
-                               "command");
-  said.link = command;
-  said.below = reasons.OperatorTree(command);
-  if (at->soar.Halted()) {
-    std::string halted = tell::Say(tell::Situation::kHalted);
-    if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
-    add(std::move(halted), "reason");
-  } else if (actor == nullptr || actor->running().empty()) {
-    explain::WhyNode& idle = add("nothing is under way, because", "reason");
-    for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
-      idle.below.push_back({std::move(reason), "reason", "", {}});
-  }
-  if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2), "reason");
-  if (actor != nullptr) {
-    explain::WhyNode& perceives = add("perceives", "reason");
-    for (const vocabulary::Percept& percept : AllPercepts(*actor))
-      perceives.below.push_back(
-          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), "percept", "", {}});
-  }
-  return root;
 }
 
 }  // namespace soarbox::sim

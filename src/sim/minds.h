@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "explain/failed_rule.h"
+#include "explain/origin_tree.h"
 #include "explain/rule_surroundings.h"
 #include "explain/why_node.h"
 #include "script/mind_factory.h"
@@ -19,12 +20,17 @@
 #include "script/world_budget.h"
 #include "sim/agent_options.h"
 #include "sim/arena.h"
+#include "sim/decision_clock.h"
 #include "sim/run_event.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
 #include "sim/soar_mind.h"
 #include "sim/worker_pool.h"
 #include "world/world.h"
+
+namespace soarbox::explain {
+class MindReasons;
+}
 
 namespace soarbox::sim {
 
@@ -86,7 +92,8 @@ class Minds final : public script::MindFactory {
   /// Reports how often each cause came up that was reported only once.
   void TellCounts();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  std::optional<explain::WhyNode> Why(std::string_view agent);
+  /// `with_operators`: with the operators that are selected now, from the answers of commands.
+  std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true);
   /// Why it gives or does not give a command, selects or does not select an operator, or a rule matches or does not. An
   /// error if there is no such agent, or its rules know nothing of that name.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
@@ -123,7 +130,8 @@ class Minds final : public script::MindFactory {
     std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
     std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
     double last_said_s = 0;
-    double decide_s = 0;  ///< Real time that the last tick's decisions took.
+    DecisionClock clock = {};  ///< If what it does is noted (MindSettings::detail).
+    double decide_s = 0;       ///< Real time that the last tick's decisions took.
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
@@ -140,6 +148,11 @@ class Minds final : public script::MindFactory {
   Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
                                 const MindSettings& settings, bool is_scripted);
   void DecideNow(Mind& mind);
+  /// Notes when the decisions of this tick were made, for Why.
+  void NoteDecisions(Mind& mind);
+  explain::DecisionTime TimeOf(const Mind& mind) const;
+  /// The last command: how it went, and what made it.
+  explain::WhyNode WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended);
   /// Lets the scripted minds decide that have not decided yet; until Answer, the minds then stand still.
   void AwaitAll();
   void BeginBesideScripts();

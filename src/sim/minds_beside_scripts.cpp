@@ -12,6 +12,7 @@ namespace soarbox::sim {
 void Minds::DecideNow(Mind& mind) {
   const auto begin = std::chrono::steady_clock::now();
   mind.soar.Decide();
+  NoteDecisions(mind);
   mind.decide_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

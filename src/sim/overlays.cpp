@@ -141,7 +141,7 @@ world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const worl
     if (mind != nullptr && mind->settings.has_distance) AddMeasured(world, body, *mind, out);
     if (!has_actor || (mind != nullptr && mind->is_scripted)) AddScripted(body, out);
   }
-  for (const Arena::PastShot& past : arena.shots()) {
+  for (const Arena::PastShot& past : arena.past().shots) {
     const bool hit_agent = world.FindAgent(past.shot.hit) != nullptr;
     all.shots.push_back({past.shot.from, past.shot.to, Number(past.shot.shooter), hit_agent ? Number(past.shot.hit) : 0,
                          SecondsSince(world, past.tick)});

@@ -507,7 +507,12 @@ bool Simulation::HasMind(std::string_view agent) const {
 std::unique_ptr<explain::Inspector> Simulation::Inspect(std::string_view agent) const {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
   if (mind == nullptr || mind->lost || !impl_->soar->IsConnected()) return nullptr;
-  return explain::MakeInspector(mind->soar.agent());
+  std::unique_ptr<explain::Inspector> inspector = explain::MakeInspector(mind->soar.agent());
+  inspector->origins.time = [minds = impl_->minds.get(), name = std::string(agent)](std::uint64_t decision) {
+    const Minds::Mind* const asked = minds->FindNamed(name);
+    return asked == nullptr ? std::nullopt : asked->clock.TimeOf(decision);
+  };
+  return inspector;
 }
 bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
@@ -565,8 +570,8 @@ std::vector<WatchedFile> Simulation::Files() {
   return files;
 }
 
-std::optional<explain::WhyNode> Simulation::Why(std::string_view agent) const {
-  return impl_->minds->Why(agent);
+std::optional<explain::WhyNode> Simulation::Why(std::string_view agent, bool with_operators) const {
+  return impl_->minds->Why(agent, with_operators);
 }
 
 Result<std::vector<explain::WhyNode>> Simulation::WhyTopic(std::string_view agent, const std::string& topic) {

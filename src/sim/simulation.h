@@ -132,7 +132,8 @@ class Simulation {
   /// The files that its minds and scripts were made from.
   std::vector<WatchedFile> Files();
   /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  std::optional<explain::WhyNode> Why(std::string_view agent) const;
+  /// `with_operators`: with the operators that are selected now, in the words of any kernel's commands.
+  std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true) const;
   /// Why it does or does not give this command, select this operator or match this rule now.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
   /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.

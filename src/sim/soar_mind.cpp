@@ -9,6 +9,7 @@
 #include "sim/senses.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_Inspection.h"
 #include "soarbox_Observation.h"
 #endif
 
@@ -119,6 +120,9 @@ void SoarMind::SetDetail(MindDetail detail) {
   is_logged_ = detail != MindDetail::kNone;
   log_.Clear();
   log_.Listen(*agent_, detail);
+#ifdef SOARBOX_OWN_KERNEL
+  if (is_logged_) NoteOrigins(*agent_);
+#endif
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
     mirror->SetLog(is_logged_ ? &log_.events() : nullptr);
   graph_.SetLog(is_logged_ ? &log_.events() : nullptr);

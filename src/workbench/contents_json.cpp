@@ -273,7 +273,8 @@ constexpr ContentField kFields[] = {
 
     {"why", "question", "", "\"Why does scout do what it does?\"",
      [](const Contents& c) -> Json { return c.why.question; }},
-    {"why", "answer", "why", "a tree of reasons; null: there is none",
+    {"why", "answer", "why",
+     "a tree of reasons: `text`, `kind`, `link`, `time` (in seconds, of a moment that has passed), `below`; null: none",
      [](const Contents& c) { return OrNull(c.why.answer); }},
 
     {"links", "io", "io", "input link, output link and commands",

@@ -39,6 +39,20 @@ class Missions(MissionCase):
         self.assertEqual(run.code, 1, run.out + run.err)
         self.assertIn("health", run.out, "the rule that would propose it stops there")
 
+    def test_a_mission_that_failed_begins_with_the_cause(self):
+        check = '[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
+        wrong = RULES.replace("^name gate ^here no", "^name gaet ^here no")
+        run = self.judge(check, rules=wrong)
+        self.assertEqual(run.code, 1, run.out + run.err)
+        lines = run.out.splitlines()
+        self.assertIn("FAILED", lines[0])
+        self.assertTrue(lines[1].startswith("  rule scout*propose*go never fired: it requires ^io.input-link.waypoint.name gaet, but"), run.out)
+        self.assertRegex(lines[2], r"^  there +seed 1")
+        done = self.judge(check, "--json", rules=wrong)
+        ended = [json.loads(line) for line in done.out.splitlines() if '"event":"mission"' in line.replace(" ", "")]
+        self.assertTrue(ended[0]["cause"].startswith("rule scout*propose*go never fired"), done.out)
+        self.assertNotIn("cause", self.judge(check, "--json").out)
+
     def test_exit_codes_tell_what_is_wrong(self):
         self.assertEqual(self.judge('[[check]]\nagent = "scuot"\nat = "gate"\n').code, 3)
         refused = self.judge('[[check]]\nagent = "scout"\nat = "gtae"\n')

@@ -35,6 +35,35 @@ position = [12, 0]
 name = "tower"
 position = [0, 15]
 """
+FIGHT = """
+[[agent]]
+name = "victim"
+rules = "hero.soar"
+body = "soldier"
+position = [0, 10]
+
+[[agent]]
+name = "rival"
+rules = "rival.soar"
+body = "soldier"
+team = "red"
+position = [0, 0]
+"""
+RIVAL = """
+sp {rival*propose*shoot
+   (state <s> ^superstate nil ^io.input-link.self -^shot yes)
+-->
+   (<s> ^operator <o> +)
+   (<o> ^name shoot)
+}
+sp {rival*apply*shoot
+   (state <s> ^operator.name shoot ^io.output-link <out>)
+-->
+   (<out> ^shoot <c>)
+   (<c> ^agent victim ^rounds 20)
+   (<s> ^shot yes)
+}
+"""
 EXPECTED = re.compile(r"# (?:(live|again|recorded|elsewhere|asked) )?"
                       r"((?:why|operators|stack|io|rule|trace|learning|longterm)\b[^:]*): (not )?(.*)")
 
@@ -94,3 +123,18 @@ class Why(ScenarioCase):
                             continue
                         with self.subTest(situation=situation.name, way=way, view=view):
                             (self.assertNotIn if is_absent else self.assertIn)(text, shown)
+
+    def test_a_dead_agent_is_told_how_it_died_and_what_its_last_command_rested_on(self):
+        walk = (SITUATIONS / "41-command-outlives-its-operator.soar").read_text(encoding="utf-8")
+        self.write("hero.soar", walk.replace("hero*", "victim*").replace("^waypoint gate", "^x 40 ^z 10"))
+        self.write("rival.soar", RIVAL)
+        self.write("scenario.toml", FIGHT)
+        recording = self.folder / "fight.soarrec"
+        Run("run", self.folder, "--headless", "--seconds", 20, "--record", recording, code=0)
+        for source in (self.folder, recording):
+            told = Run("why", source, "--agent", "victim", "--at", 20, code=0).out
+            self.assertRegex(told, r"^victim at 20\.00 s\ndied at \d+\.\d\d s: shot by rival\n")
+            self.assertIn("command move-to", told)
+            self.assertIn(": move-to failed: dead: ", told)
+            self.assertIn("given by rule victim*apply*go at 0.03 s (decision 1), which applied operator go (O1)", told)
+            self.assertNotIn("nothing is under way", told)

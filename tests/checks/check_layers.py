@@ -28,7 +28,7 @@ ALLOWED = {
     "vocabulary": {"diagnostics"},
     "journal": {"bytes", "diagnostics", "kernel"},
     "cli": {"bytes", "diagnostics", "kernel", "journal"},
-    "sml": {"diagnostics", "kernel", "mind", "cli"},
+    "sml": {"diagnostics", "kernel", "mind", "cli", "rule_reading"},
     # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
     "explain": {"diagnostics", "mind", "rule_reading", "tell", "vocabulary"},
     "world": {"diagnostics"},

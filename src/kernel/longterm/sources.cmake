@@ -16,6 +16,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/link_weights.cpp
   longterm/long_term.cpp
   longterm/recall_words.cpp
+  longterm/origins.cpp
   longterm/semantic_commands.cpp
   longterm/semantic_memory.cpp
   longterm/semantic_query.cpp
@@ -30,4 +31,5 @@ list(APPEND SOARBOX_KERNEL_TESTS
   longterm/episode_store_test.cpp
   longterm/episodic_memory_test.cpp
   longterm/naive_episodes.cpp
+  longterm/origins_test.cpp
   longterm/semantic_search_test.cpp)

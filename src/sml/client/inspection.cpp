@@ -9,6 +9,7 @@
 #include "kernel/agent.h"
 #include "kernel/learn/reinforcement.h"
 #include "kernel/rules/print_production.h"
+#include "rule_reading/rule_reading.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/inspection_learning.h"
 #include "sml/client/inspection_match.h"
@@ -283,9 +284,37 @@ std::unique_ptr<MindInspection> InspectMind(sml::Agent& agent) {
   return std::make_unique<LocalInspection>(*link);
 }
 
+std::optional<std::vector<mind::RuleFacts>> AskRuleContents(sml::Agent& agent) {
+  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  if (link == nullptr) return std::nullopt;
+  const Agent& mind = link->hosted().agent();
+  std::vector<mind::RuleFacts> rules;
+  for (const ProductionId id : mind.Productions()) {
+    const kernel::Production& production = mind.production(id);
+    if (production.type != ProductionType::kJustification)
+      rules.push_back(rule_reading::FactsOf(production, mind.symbols()));
+  }
+  return rules;
+}
+
 std::optional<mind::Decision> AskDecision(sml::Agent& agent, std::string_view state) {
   sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
-  return link == nullptr ? std::nullopt : link->Decision(state);
+  return link == nullptr ? std::nullopt : link->mind().Decision(state);
+}
+
+bool NoteOrigins(sml::Agent& agent) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link != nullptr && link->mind().NoteOrigins();
+}
+
+mind::OriginFacts AskOrigin(sml::Agent& agent, std::uint64_t timetag) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link == nullptr ? mind::OriginFacts() : link->mind().Origin(timetag, {});
+}
+
+mind::OriginFacts AskCommandOrigin(sml::Agent& agent, std::string_view command) {
+  sml::AgentLink* link = sml::AgentData::Of(agent).link.get();
+  return link == nullptr || command.empty() ? mind::OriginFacts() : link->mind().Origin(0, command);
 }
 
 }  // namespace soarbox

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mind/decision.h"
+#include "mind/origin.h"
 #include "sml/client/sml_Events.h"
 #include "sml/server/call_mutex.h"
 #include "sml/server/connection.h"
@@ -78,6 +79,18 @@ struct LineRequest {
 using InputHandle = std::uint32_t;
 constexpr InputHandle kNoInputHandle = 0xFFFFFFFFu;
 
+/// What Soarbox's own kernel tells of a mind besides Soar's client API (soarbox_Inspection.h).
+class MindLink {
+ public:
+  virtual ~MindLink() = default;
+  /// What the decision procedure says of a state's operators now; none if that kernel does not tell.
+  virtual std::optional<soarbox::mind::Decision> Decision(std::string_view state) = 0;
+  /// Lets the kernel note origins; false if it cannot.
+  virtual bool NoteOrigins() = 0;
+  /// Of the element with a time tag, or of a command if `command` is not empty.
+  virtual soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) = 0;
+};
+
 /// The way to one agent.
 class AgentLink {
  public:
@@ -128,8 +141,7 @@ class AgentLink {
   virtual void Register(int event) = 0;
   virtual void Unregister(int event) = 0;
 
-  /// What the decision procedure says of a state's operators now; none if that kernel does not tell.
-  virtual std::optional<soarbox::mind::Decision> Decision(std::string_view state) = 0;
+  virtual MindLink& mind() = 0;
 
   /// Everything on the input link and below the output link now, parents first.
   virtual void ListInput(const std::function<void(const OutputWme&)>& visit) = 0;

@@ -6,6 +6,7 @@
 #include "sml/client/agent_data.h"
 #include "sml/server/decision_facts.h"
 #include "sml/server/listing.h"
+#include "sml/server/origin_facts.h"
 #include "sml/server/scene_calls.h"
 
 namespace sml {
@@ -19,6 +20,16 @@ std::string LocalAgentLink::InputLinkName() {
 
 std::optional<soarbox::mind::Decision> LocalAgentLink::Decision(std::string_view state) {
   return soarbox::server::DecisionNow(std::as_const(hosted_).agent(), state);
+}
+
+bool LocalAgentLink::NoteOrigins() {
+  soarbox::server::NoteOrigins(hosted_);
+  return true;
+}
+
+soarbox::mind::OriginFacts LocalAgentLink::Origin(std::uint64_t timetag, std::string_view command) {
+  return command.empty() ? soarbox::server::OriginOfElement(hosted_, timetag)
+                         : soarbox::server::OriginOfCommand(hosted_, command);
 }
 
 void LocalAgentLink::Note(const InputWme& wme) {

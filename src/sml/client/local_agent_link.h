@@ -13,7 +13,7 @@ namespace sml {
 struct AgentData;
 
 /// The direct way to an agent of a kernel in this process: no documents, no copies beyond the elements themselves.
-class LocalAgentLink final : public AgentLink {
+class LocalAgentLink final : public AgentLink, private MindLink {
  public:
   LocalAgentLink(soarbox::server::KernelHost& host, soarbox::server::Connection& connection,
                  soarbox::server::HostedAgent& hosted)
@@ -50,11 +50,15 @@ class LocalAgentLink final : public AgentLink {
   std::string QueryScene(std::string_view queries) override;
   void Register(int event) override { host_.Register(connection_, &hosted_, event); }
   void Unregister(int event) override { host_.Unregister(connection_, &hosted_, event); }
-  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  MindLink& mind() override { return *this; }
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 
  private:
+  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  bool NoteOrigins() override;
+  soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) override;
+
   /// Valid until the next call; of the fields for values only that of the value's type means anything.
   const OutputWme& Describe(long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
                             soarbox::kernel::Symbol value);

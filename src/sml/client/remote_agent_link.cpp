@@ -5,6 +5,7 @@
 
 #include "sml/client/agent_data.h"
 #include "sml/wire/decision_element.h"
+#include "sml/wire/origin_element.h"
 
 namespace sml {
 
@@ -152,6 +153,24 @@ std::optional<soarbox::mind::Decision> RemoteAgentLink::Decision(std::string_vie
   const std::optional<Message> response = caller_.Ask(call);
   if (!response || response->ErrorTag() || !response->ResultTag()) return std::nullopt;
   return soarbox::wire::ReadDecision(*response->ResultTag());
+}
+
+bool RemoteAgentLink::NoteOrigins() {
+  Message call = Call(soarbox::wire::kNoteOriginsCall);
+  const std::optional<Message> response = caller_.Ask(call);
+  return response && !response->ErrorTag();
+}
+
+soarbox::mind::OriginFacts RemoteAgentLink::Origin(std::uint64_t timetag, std::string_view command) {
+  Message call = Call(soarbox::wire::kOriginCall);
+  if (command.empty()) {
+    call.root.children.front().AddArg("timetag", std::to_string(timetag));
+  } else {
+    call.root.children.front().AddArg("command", std::string(command));
+  }
+  const std::optional<Message> response = caller_.Ask(call);
+  if (!response || response->ErrorTag() || !response->ResultTag()) return {};
+  return soarbox::wire::ReadOrigins(*response->ResultTag());
 }
 
 bool RemoteAgentLink::SendScene(std::string_view lines) {

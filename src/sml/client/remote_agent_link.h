@@ -27,7 +27,7 @@ class RemoteCaller {
 };
 
 /// The way to an agent of a kernel elsewhere.
-class RemoteAgentLink final : public AgentLink {
+class RemoteAgentLink final : public AgentLink, private MindLink {
  public:
   RemoteAgentLink(RemoteCaller& caller, std::string name) : caller_(caller), name_(std::move(name)) {}
 
@@ -53,11 +53,15 @@ class RemoteAgentLink final : public AgentLink {
   std::string QueryScene(std::string_view queries) override;
   void Register(int event) override;
   void Unregister(int event) override;
-  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  MindLink& mind() override { return *this; }
   void ListInput(const std::function<void(const OutputWme&)>& visit) override;
   void ListOutput(const std::function<void(const OutputWme&)>& visit) override;
 
  private:
+  std::optional<soarbox::mind::Decision> Decision(std::string_view state) override;
+  bool NoteOrigins() override;
+  soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) override;
+
   soarbox::wire::Message Call(const char* command) const;
   std::string Text(soarbox::wire::Message& call);
   int RunStateOf(const char* what);

@@ -11,6 +11,8 @@
 
 #include "Export.h"
 #include "mind/facts.h"
+#include "mind/origin.h"
+#include "mind/rule_facts.h"
 
 namespace sml {
 class Agent;
@@ -56,8 +58,22 @@ class EXPORT MindInspection {
 /// Null if the agent's kernel is in another process: then only the client API tells what there is.
 std::unique_ptr<MindInspection> EXPORT InspectMind(sml::Agent& agent);
 
+/// What the rules say, in the order of loading, without justifications. None if the agent's kernel is in another
+/// process.
+std::optional<std::vector<mind::RuleFacts>> EXPORT AskRuleContents(sml::Agent& agent);
+
 /// What the decision procedure says of a state's operators now; also of an agent whose kernel is in another process, if
 /// that is Soarbox's own. None if it is not. Empty if there is no such state, or no preference.
 std::optional<mind::Decision> EXPORT AskDecision(sml::Agent& agent, std::string_view state);
+
+/// Lets the kernel note what makes elements and who proposes operators, from now on (mind/origin.h). False if it is not
+/// Soarbox's own. An agent runs the same with it.
+bool EXPORT NoteOrigins(sml::Agent& agent);
+
+/// What made an element, as it was then, by time tag; also of an agent whose kernel is in another process, if that is
+/// Soarbox's own. Elements that have gone are known only if they were commands, the last 8.
+mind::OriginFacts EXPORT AskOrigin(sml::Agent& agent, std::uint64_t timetag);
+/// The same for the newest command of this name.
+mind::OriginFacts EXPORT AskCommandOrigin(sml::Agent& agent, std::string_view command);
 
 }  // namespace soarbox

@@ -12,10 +12,12 @@
 #include "sml/server/decision_facts.h"
 #include "sml/server/kernel_host.h"
 #include "sml/server/listing.h"
+#include "sml/server/origin_facts.h"
 #include "sml/server/output_documents.h"
 #include "sml/server/scene_calls.h"
 #include "sml/wire/decision_element.h"
 #include "sml/wire/message.h"
+#include "sml/wire/origin_element.h"
 
 namespace soarbox::server {
 
@@ -140,6 +142,20 @@ void TellDecision(Request& request) {
   const std::string* state = request.Arg("state");
   if (!state) return request.Invalid("State is missing");
   wire::AddDecision(request.response.root.Add("result"), DecisionNow(request.agent->agent(), *state));
+}
+
+void BeginOrigins(Request& request) {
+  NoteOrigins(*request.agent);
+}
+
+void TellOrigin(Request& request) {
+  const std::string* const command = request.Arg("command");
+  const std::string* const timetag = request.Arg("timetag");
+  if (!command && !timetag) return request.Invalid("Time tag or command is missing");
+  const HostedAgent& agent = *request.agent;
+  wire::AddOrigins(request.response.root.Add("result"),
+                   command ? OriginOfCommand(agent, *command)
+                           : OriginOfElement(agent, std::strtoull(timetag->c_str(), nullptr, 10)));
 }
 
 /// The files that this client loads for the agent are a stranger's: where they may read, a folder a line.
@@ -344,6 +360,8 @@ constexpr std::array kEntries = {
     Entry{"set_interrupt_check_rate", NeedsAgent::kNo, SetInterruptCheckRate},
     Entry{"shutdown", NeedsAgent::kNo, Shutdown},
     Entry{wire::kDecisionCall, NeedsAgent::kYes, TellDecision},
+    Entry{wire::kNoteOriginsCall, NeedsAgent::kYes, BeginOrigins},
+    Entry{wire::kOriginCall, NeedsAgent::kYes, TellOrigin},
     Entry{"suppress_event", NeedsAgent::kNo, SuppressEvent},
     Entry{"svs_input", NeedsAgent::kYes, SvsInput},
     Entry{"svs_output", NeedsAgent::kYes, SvsOutput},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernel/longterm/long_term.h"
 #include "sml/server/event_relay.h"
 #include "sml/server/xml_trace.h"
 
@@ -26,6 +27,7 @@ HostedAgent::HostedAgent(std::string name)
       input_(agent_),
       relay_(std::make_unique<EventRelay>(*this)),
       tracer_(std::make_unique<XmlTracer>(*this)) {
+  origins = std::make_unique<kernel::Origins>(agent_.long_term().parts());
   session_.UpdateTrace();
 }
 

@@ -12,6 +12,7 @@
 #include "cli/fence.h"
 #include "cli/session.h"
 #include "kernel/agent.h"
+#include "kernel/longterm/origins.h"
 #include "sml/server/agent_input.h"
 #include "sml/server/connection.h"
 #include "sml/server/event_set.h"
@@ -106,6 +107,9 @@ class HostedAgent {
 
   /// What holds for the files that its client loads, and for what its rules carry out; null: what holds in the kernel.
   std::unique_ptr<const cli::Fence> fence;
+
+  /// What made elements, if somebody asked to note it. Before the agent, which calls it until it ends. Never null.
+  std::unique_ptr<kernel::Origins> origins;
 
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;

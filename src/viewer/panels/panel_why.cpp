@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "viewer/panels/mind_note.h"
@@ -11,35 +13,48 @@
 namespace soarbox::viewer {
 namespace {
 
+using debugger::WhyKind;
 using debugger::WhyNode;
 
-ImVec4 ColorOfReason(const std::string& kind) {
-  if (kind == "agent") return theme::kText;
-  if (kind == "command") return theme::kNumber;
-  if (kind == "operator") return theme::kGood;
-  if (kind == "preference") return theme::kWarn;
-  if (kind == "rule") return theme::kAccent;
-  if (kind == "element") return theme::kVariable;
-  if (kind == "learned") return theme::kWarn;
-  if (kind == "condition") return theme::kText;
-  if (kind == "percept") return theme::kGood;
-  if (kind == "imagined") return theme::kNumber;
+ImVec4 ColorOfReason(WhyKind kind) {
+  switch (kind) {
+    case WhyKind::kAgent:
+    case WhyKind::kCondition:
+      return theme::kText;
+    case WhyKind::kCommand:
+    case WhyKind::kImagined:
+      return theme::kNumber;
+    case WhyKind::kOperator:
+    case WhyKind::kPercept:
+      return theme::kGood;
+    case WhyKind::kPreference:
+    case WhyKind::kLearned:
+      return theme::kWarn;
+    case WhyKind::kRule:
+      return theme::kAccent;
+    case WhyKind::kElement:
+      return theme::kVariable;
+    case WhyKind::kReason:
+    case WhyKind::kRecall:
+    case WhyKind::kTopic:
+      break;
+  }
   return theme::kQuiet;
 }
 
 void FollowReason(PanelFrame& frame, const WhyNode& node) {
   using About = workbench::WhyRequest::About;
-  if (node.kind == "rule") {
+  if (node.kind == WhyKind::kRule) {
     frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{node.link});
-  } else if (node.kind == "learned") {
+  } else if (node.kind == WhyKind::kLearned) {
     frame.AskIn(workbench::PanelId::kLearning, workbench::LearnedRuleRequest{node.link});
-  } else if (node.kind == "operator") {
+  } else if (node.kind == WhyKind::kOperator) {
     frame.Ask(workbench::WhyRequest{About::kOperator, node.link});
-  } else if (node.kind == "command") {
+  } else if (node.kind == WhyKind::kCommand) {
     frame.Ask(workbench::WhyRequest{About::kCommand, node.link});
-  } else if (node.kind == "imagined") {
+  } else if (node.kind == WhyKind::kImagined) {
     frame.AskIn(workbench::PanelId::kImagery, workbench::ImagineRequest{frame.contents.imagined_state, node.link});
-  } else if (node.kind == "agent") {
+  } else if (node.kind == WhyKind::kAgent) {
     frame.Select(node.link);
   } else if (std::all_of(node.link.begin(), node.link.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
     frame.Ask(workbench::WhyRequest{About::kElement, node.link});
@@ -61,15 +76,18 @@ void DrawReason(PanelFrame& frame, const WhyNode& node, int number, int depth, i
   WrappedText(ColorOfReason(node.kind), node.text);
   ImGui::EndGroup();
   if (ImGui::BeginPopupContextItem("menu")) {
+    const workbench::Moment& now = frame.contents.moment;
+    if (node.time_s && now.can_go_back && ImGui::MenuItem("Go to that moment"))
+      frame.Ask(workbench::SeekRequest{static_cast<std::uint64_t>(std::lround(*node.time_s / now.step_s))});
     if (ImGui::MenuItem("Copy with everything below it")) ImGui::SetClipboardText(debugger::ToText(node, 0).c_str());
     ImGui::EndPopup();
   }
   if (!node.link.empty()) {
     if (ClickedLikeALink()) FollowReason(frame, node);
-    Tooltip(node.kind == "rule"       ? "Click to see this rule"
-            : node.kind == "imagined" ? "Click to see it in the picture"
-            : node.kind == "learned"  ? "Click to see how it was learned"
-                                      : "Click to ask further");
+    Tooltip(node.kind == WhyKind::kRule       ? "Click to see this rule"
+            : node.kind == WhyKind::kImagined ? "Click to see it in the picture"
+            : node.kind == WhyKind::kLearned  ? "Click to see how it was learned"
+                                              : "Click to ask further");
   }
   if (open) {
     int below = 0;

@@ -61,6 +61,18 @@ test("names with markup are text and nothing else", () => {
   }
 });
 
+test("a reason of then goes to its moment", () => {
+  const asked: [string, unknown][] = [];
+  const answer = { text: "command move-to", kind: "command", below: [{ text: "given by rule go", kind: "rule", time: 1.5 }] };
+  const contents: Contents = { moment: MOMENT, why: { question: "Why?", answer } };
+  const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), true), contents };
+  const view = whyPanel({ run, why: () => {} } as unknown as PanelContext).view(contents);
+  const time = all(view).find((one) => one.props.attributes?.["title"] === "Go to tick 45");
+  assert.ok(time);
+  time.props.on!.click!({} as MouseEvent);
+  assert.deepEqual(asked, [["seek", { tick: 45 }]]);
+});
+
 test("imagery is told state by state, and an answer is drawn when it is pressed", () => {
   const { panel, asked } = made(imageryPanel);
   const answer = { record: "R5", value: "1.400000", why: { text: "1.4: distance", kind: "imagined", link: "R5" }, nodes: ["self", MARKUP], lines: [] };

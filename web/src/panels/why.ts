@@ -2,7 +2,7 @@
 import { button, h, type View } from "../dom/view";
 import type { Contents, WhyNode } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
-import { empty, lineField, rowForm } from "./parts";
+import { empty, lineField, moment, rowForm } from "./parts";
 
 /** What a link of a reason leads to; null: it cannot be asked about. */
 function asks(node: WhyNode): { about: string; title: string } | null {
@@ -16,11 +16,18 @@ function asks(node: WhyNode): { about: string; title: string } | null {
   }
 }
 
+/** A time that goes to that moment, if the run can go back. */
+function goTo(context: PanelContext, seconds: number): Child {
+  const now = context.run.contents.moment?.time;
+  return now !== undefined && now.can_go_back && moment(context, Math.round(seconds / now.step_s), seconds);
+}
+
 /** A tree of reasons; those near the top are unfolded. */
 export function reasonView(context: PanelContext, node: WhyNode, depth = 0): View {
   const below = node.below ?? [], ask = asks(node);
   const text = h("span.text", null, node.text), tools = [
     ask !== null && button("Why?", () => context.why(ask.about, node.link), { attributes: { title: ask.title, "aria-label": `Why? ${node.text}` } }, "button.small"),
+    node.time !== undefined && goTo(context, node.time),
     (node.kind === "rule" || node.kind === "learned") && node.link !== undefined && node.link !== "" && button("Rule", () => {
       context.run.ask("rule", { rule: node.link });
       context.reveal("rules");

@@ -107,7 +107,8 @@ export interface Rules {
   coverage: readonly Coverage[];
 }
 
-export interface WhyNode { text: string; kind: string; link?: string; below?: readonly WhyNode[] }
+/** `time`: the moment that it is about, in seconds, if that is another one than now. */
+export interface WhyNode { text: string; kind: string; link?: string; time?: number; below?: readonly WhyNode[] }
 export interface Why { question: string; answer: WhyNode | null }
 
 export interface Command { command: string; id?: string; timetag: number; parameters: string; status: string; reason?: string; progress?: number }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What an agent and its mind answer to *why*.
+#include <algorithm>
+#include <cstdio>
+
+#include "diagnostics/problem.h"
+#include "explain/reasons.h"
+#include "sim/minds.h"
+#include "sim/senses.h"
+#include "sml_Client.h"
+#include "tell/sentences.h"
+
+namespace soarbox::sim {
+namespace {
+
+using explain::WhyKind;
+using tell::Say;
+using tell::Situation;
+
+constexpr std::string_view kHaltedForMemory = "was halted: the minds of this world needed too much memory";
+
+std::string Seconds(double time_s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", time_s);
+  return text;
+}
+
+std::string DeathText(const Arena& arena, world::EntityId agent) {
+  const auto death = arena.past().deaths.find(agent);
+  if (death == arena.past().deaths.end()) return Say(Situation::kDead);
+  return Say(Situation::kDied, {{"time", Seconds(death->second.time_s)}, {"how", death->second.how}});
+}
+
+/// How far a command without an answer is.
+std::string StatusOf(bool is_dead, bool has_ended) {
+  if (is_dead) return "not finished when the agent died";
+  return has_ended ? "over" : "under way";
+}
+
+}  // namespace
+
+Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
+  Mind* mind = FindNamed(agent);
+  if (mind == nullptr) return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
+  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), WhyKind::kReason, "", {}}};
+  return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
+}
+
+void Minds::NoteDecisions(Mind& mind) {
+  if (mind.settings.detail == MindDetail::kNone) return;
+  mind.clock.Note(static_cast<std::uint64_t>(mind.soar.agent().GetDecisionCycleCounter()), world_.time_s(),
+                  world_.settings().step_s);
+}
+
+explain::DecisionTime Minds::TimeOf(const Mind& mind) const {
+  return [clock = &mind.clock](std::uint64_t decision) { return clock->TimeOf(decision); };
+}
+
+explain::WhyNode Minds::WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended) {
+  if (mind.last_said.empty()) return {"has given no command", WhyKind::kCommand, "", {}};
+  const std::string command = mind.last_said.substr(0, mind.last_said.find(' '));
+  const std::string status = mind.last_answer.empty() ? StatusOf(is_dead, has_ended) : mind.last_answer;
+  return {"command " + mind.last_said + ", given at " + Seconds(mind.last_said_s) + " s: " + status, WhyKind::kCommand,
+          command, reasons.CommandTree(command, TimeOf(mind))};
+}
+
+std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_operators) {
+  Mind* at = FindNamed(agent);
+  if (at == nullptr) return std::nullopt;
+  const world::Agent& body = *world_.FindAgent(at->agent);
+  explain::WhyNode root{body.name() + " at " + Seconds(world_.time_s()) + " s", WhyKind::kAgent, body.name(), {}};
+  const auto add = [&root](std::string line) -> explain::WhyNode& {
+    return root.below.emplace_back(explain::WhyNode{std::move(line), WhyKind::kReason, "", {}});
+  };
+  if (at->gone) {
+    add(std::string(kHaltedForMemory));
+    return root;
+  }
+  explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
+  Actor* actor = arena_.Find(at->agent);
+  const bool is_dead = body.Health() <= 0;
+  // A command without an answer is under way until its body has nothing to do any more.
+  const bool has_ended = !at->last_answer.empty() || (actor != nullptr && actor->running().empty());
+  if (is_dead) add(DeathText(arena_, at->agent));
+  root.below.push_back(WhyCommand(*at, reasons, is_dead, has_ended));
+  if (is_dead) return root;
+  if (with_operators)
+    for (explain::WhyNode& op : reasons.OperatorTree()) root.below.push_back(std::move(op));
+  if (at->soar.Halted()) {
+    std::string halted = Say(Situation::kHalted);
+    if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
+    add(std::move(halted));
+  } else if (at->last_said.empty() || has_ended) {
+    explain::WhyNode& idle = add("nothing is under way, because");
+    for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
+      idle.below.push_back({std::move(reason), WhyKind::kReason, "", {}});
+  }
+  if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2));
+  if (actor != nullptr) {
+    explain::WhyNode& perceives = add("perceives");
+    for (const vocabulary::Percept& percept : AllPercepts(*actor))
+      perceives.below.push_back(
+          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), WhyKind::kPercept, "", {}});
+  }
+  return root;
+}
+
+}  // namespace soarbox::sim
