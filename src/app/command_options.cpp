@@ -272,16 +272,26 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--listen", options.listen, "Address and port; beyond this machine only with --token or --open")
       ->capture_default_str();
   CLI::Option* token = serve->add_option("--token", options.token, "Serve only those who know this secret");
+  serve
+      ->add_option("--token-file", options.token_file,
+                   "Read the secret from the first line of this file; or set SOARBOX_TOKEN")
+      ->check(CLI::ExistingFile)
+      ->excludes(token);
   serve->add_flag("--open", options.open, "Serve anybody who reaches the address")->excludes(token);
   serve->add_option("--class", options.class_list,
                     "Names of learners, one a line: each gets a link, and the teacher one");
   serve->add_option("--sessions", options.sessions, "Runs at a time")->capture_default_str()->check(NumberIn(1, 10000));
+  serve->add_option("--each", options.each, "Runs at a time of one address (default: 3/4 of --sessions)")
+      ->check(NumberIn(1, 10000));
   serve->add_option("--memory", options.memory_mb, "MB that one world may use")
       ->capture_default_str()
       ->check(NumberIn(64, 1'000'000));
   serve->add_option("--idle", options.idle_min, "Minutes after which a run at which nobody looks ends")
       ->capture_default_str()
       ->check(NumberIn(1, 100'000));
+  serve->add_option("--hang", options.hang_s, "Seconds of silence after which a run is ended")
+      ->capture_default_str()
+      ->check(NumberIn(2, 100'000));
   serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
@@ -298,6 +308,7 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--recording", engine.recording);
   runs->add_option("--home", engine.home)->required();
   runs->add_option("--memory", engine.memory_mb);
+  runs->add_flag("--walled", engine.is_walled);
   runs->add_flag("--join", engine.may_join);
   runs->add_option("--dis", engine.dis);
 }

@@ -13,11 +13,14 @@ struct ServeOptions {
   std::string scenario;  ///< What a new place opens: a name or a folder; empty: a list to choose from.
   std::string listen = "127.0.0.1:8080";
   std::string token;
-  bool open = false;  ///< Anybody who reaches the address may use it.
+  std::filesystem::path token_file;  ///< Its first line is the token.
+  bool open = false;                 ///< Anybody who reaches the address may use it.
   std::vector<std::string> hosts, proxies;
   std::size_t sessions = 128;
   int memory_mb = 256;
+  std::size_t each = 0;  ///< Runs of one address; 0: three quarters of all.
   int idle_min = 30;
+  int hang_s = 60;
   bool dis = false;             ///< Worlds may join exercises of other simulations.
   std::filesystem::path state;  ///< Empty: where the user's other state is.
   std::filesystem::path class_list;

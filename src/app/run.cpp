@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <arpa/inet.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -84,6 +86,15 @@ Result<std::optional<dis::Settings>> ExerciseOf(const RunOptions& options, const
   return std::optional<dis::Settings>(std::move(*asked));
 }
 
+/// Whether what is sent stays on this machine.
+bool IsOfThisMachine(const dis::Settings& settings) {
+  constexpr std::string_view kLoopback = "127.";
+  in_addr address{};
+  const bool is_group =
+      inet_pton(AF_INET, settings.address.c_str(), &address) == 1 && IN_MULTICAST(ntohl(address.s_addr));
+  return (is_group ? settings.interface : settings.address).starts_with(kLoopback) || settings.address == "localhost";
+}
+
 }  // namespace
 
 int Run(const RunOptions& given) {
@@ -167,6 +178,13 @@ int Run(const RunOptions& given) {
   std::optional<dis::Settings> joins = *std::move(exercise);
   if (joins && !options.may_join) {
     options.warning = "This world joins no exercise of other simulations: the server was not started with --dis.";
+    joins.reset();
+  } else if (joins && options.dis.empty() && !options.by_strangers && !IsOfThisMachine(*joins)) {
+    // Whoever got a folder from somebody else has not asked for this.
+    options.warning = "This world joins no exercise of other simulations: its scenario names " + joins->address +
+                      ", beyond this machine. Add --dis " + joins->address + ':' + std::to_string(joins->port) +
+                      " to join it.";
+    std::cerr << "soarbox: warning: " << options.warning << '\n';
     joins.reset();
   }
 

@@ -43,11 +43,32 @@ int CallNested(lua_State* state) {
   return CallBuiltIn(state);
 }
 
+/// Bytes of all texts among the first `count` elements of the table at index 1. One element may be used many times.
+double TextBytes(lua_State* state, std::uint64_t count) {
+  double bytes = 0;
+  for (std::uint64_t i = 1; i <= count; ++i) {
+    lua_rawgeti(state, 1, static_cast<int>(i));
+    if (lua_type(state, -1) == LUA_TSTRING) bytes += static_cast<double>(lua_objlen(state, -1));
+    lua_pop(state, 1);
+  }
+  return bytes;
+}
+
 int Sort(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   const auto count = static_cast<std::uint64_t>(lua_objlen(state, 1));
   ChargeFor(state, static_cast<double>(count) * std::bit_width(count));
+  // Long texts are compared byte by byte.
+  ChargeFor(state, TextBytes(state, count) / kMovedPerInstruction * std::bit_width(count));
   return CallNested(state);
+}
+
+/// The price of moving all elements from a position to the end. Elements before the first do not lie in the array, and
+/// each of them is looked up.
+double MovePrice(double size, double position) {
+  constexpr double kPerLookUp = 8;
+  const double first = std::max(position, 1.0);
+  return std::max(size - first, 0.0) / kMovedPerInstruction + std::max(1.0 - position, 0.0) * kPerLookUp;
 }
 
 int Insert(lua_State* state) {
@@ -58,14 +79,14 @@ int Insert(lua_State* state) {
     return 0;
   }
   if (lua_gettop(state) != 3) return luaL_error(state, "wrong number of arguments to 'insert'");
-  ChargeFor(state, (size - luaL_checknumber(state, 2)) / kMovedPerInstruction);
+  ChargeFor(state, MovePrice(size, luaL_checknumber(state, 2)));
   return CallBuiltIn(state);
 }
 
 int Remove(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   const auto size = static_cast<double>(lua_objlen(state, 1));
-  ChargeFor(state, (size - luaL_optnumber(state, 2, size)) / kMovedPerInstruction);
+  ChargeFor(state, MovePrice(size, luaL_optnumber(state, 2, std::max(size, 1.0))));
   return CallBuiltIn(state);
 }
 
@@ -74,6 +95,32 @@ int WalkTable(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   ChargeFor(state, static_cast<double>(lua_objlen(state, 1)) / 4);
   return CallNested(state);
+}
+
+/// table.concat: pays for the bytes that it copies, up to what the memory allows.
+int Concat(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const auto count = static_cast<std::uint64_t>(lua_objlen(state, 1));
+  ChargeFor(state, static_cast<double>(count) / 4);
+  const double between = lua_type(state, 2) == LUA_TSTRING ? static_cast<double>(lua_objlen(state, 2)) : 0;
+  const double most = static_cast<double>(LuaMachine::Of(state).memory().limit_bytes());
+  const double bytes = TextBytes(state, count) + between * static_cast<double>(count);
+  ChargeFor(state, std::min(bytes, most) / kMovedPerInstruction);
+  return CallNested(state);
+}
+
+/// table.maxn: looks at every element, also outside of the array.
+int LargestNumber(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  constexpr std::uint64_t kPayEvery = 1024;
+  double largest = 0;
+  std::uint64_t seen = 0;
+  for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+    if (lua_type(state, -2) == LUA_TNUMBER) largest = std::max(largest, static_cast<double>(lua_tonumber(state, -2)));
+    if (++seen % kPayEvery == 0) ChargeFor(state, kPayEvery);
+  }
+  lua_pushnumber(state, largest);
+  return 1;
 }
 
 int Repeat(lua_State* state) {
@@ -87,7 +134,8 @@ int Repeat(lua_State* state) {
   }
   // What the memory does not allow costs no more than what it does: it fails at once.
   const double most = static_cast<double>(LuaMachine::Of(state).memory().limit_bytes());
-  ChargeFor(state, std::min(static_cast<double>(length + 1) * count, most) / kMovedPerInstruction);
+  const std::size_t between = lua_type(state, 3) == LUA_TSTRING ? lua_objlen(state, 3) : 0;
+  ChargeFor(state, std::min(static_cast<double>(length + between + 1) * count, most) / kMovedPerInstruction);
   return CallBuiltIn(state);
 }
 
@@ -115,10 +163,10 @@ struct Guard {
 };
 
 constexpr Guard kGuards[] = {
-    {"table", "sort", Sort},        {"table", "insert", Insert},         {"table", "remove", Remove},
-    {"table", "concat", WalkTable}, {"table", "maxn", WalkTable},        {"table", "foreachi", WalkTable},
-    {"string", "rep", Repeat},      {"string", "reverse", WalkText},     {"string", "upper", WalkText},
-    {"string", "lower", WalkText},  {"coroutine", "resume", CallNested}, {"coroutine", "wrap", Wrap},
+    {"table", "sort", Sort},       {"table", "insert", Insert},         {"table", "remove", Remove},
+    {"table", "concat", Concat},   {"table", "maxn", LargestNumber},    {"table", "foreachi", WalkTable},
+    {"string", "rep", Repeat},     {"string", "reverse", WalkText},     {"string", "upper", WalkText},
+    {"string", "lower", WalkText}, {"coroutine", "resume", CallNested}, {"coroutine", "wrap", Wrap},
 };
 
 }  // namespace

@@ -238,6 +238,42 @@ TEST_F(MachineTest, StopsEndlessLoopsAtTheSameInstructionEachTime) {
   EXPECT_GT(std::stoll(counts[0]), 100'000);
 }
 
+TEST_F(MachineTest, EachFunctionOfTheLibraryPaysForItsWorstCase) {
+  // A budget of 2 million instructions ends each loop after so many calls at most: a call is never much cheaper than
+  // the work that it does.
+  struct Case {
+    const char *prepare, *call;
+    int most_calls;
+  };
+  const Case cases[] = {
+      {"s = string.rep('a', 200000) p = string.rep('a', 100000) .. 'b'", "s:find(p, 1, true)", 200},
+      {"s = string.rep('a', 200000)", "s:find('b', 1, true)", 200},
+      {"s = string.rep('a', 2000)", "s:find('a-a-a-b')", 100},
+      {"s = string.rep('a', 20000)", "s:gsub('a', function() end)", 20},
+      {"s = string.rep('a', 2000) r = string.rep('b', 10000)", "s:gsub('a', r)", 5},
+      {"t = {}", "table.insert(t, -100000, 1) t = {}", 20},
+      {"t = {} for i = 1, 10000 do t[i] = i end", "table.insert(t, 1, 0) table.remove(t, 1)", 5000},
+      {"t = {1}", "table.remove(t, -100000)", 20},
+      {"t = {} for i = 1, 1000 do t[i] = string.rep('a', 10000) .. i end", "table.sort(t)", 3},
+      {"t = {} s = string.rep('a', 100000) for i = 1, 100 do t[i] = s end", "table.concat(t)", 20},
+      {"t = {} for i = 1, 1000 do t[i] = '' end s = string.rep('a', 10000)", "table.concat(t, s)", 20},
+      {"", "string.rep('a', 1000000)", 100},
+      {"s = string.rep('a', 100000)", "string.rep('', 100, s)", 20},
+      {"s = string.rep('a', 1000000)", "s:upper()", 100},
+      {"s = string.rep('a', 1000000)", "s:reverse()", 100},
+      {"t = {} for i = 1, 10000 do t[i * 1.5] = i end", "table.maxn(t)", 1000},
+      {"t = {} for i = 1, 10000 do t[i * 1.5] = i end", "for k in pairs(t) do break end", 1000},
+  };
+  for (const Case& each : cases) {
+    Start({std::size_t{64} << 20, 2'000'000});
+    ASSERT_EQ(Run(std::string("calls = 0 ") + each.prepare), "") << each.prepare;
+    const std::string error = Run(std::string("while true do calls = calls + 1 ") + each.call + " end");
+    EXPECT_NE(error.find("error: "), std::string::npos) << each.call;
+    const std::string calls = Run("print(calls)");
+    EXPECT_LE(std::stoi(calls), each.most_calls) << each.call;
+  }
+}
+
 TEST_F(MachineTest, DoesNotLetAScriptCatchTheEndOfItsBudget) {
   Start({std::size_t{16} << 20, 1'000'000});
   EXPECT_NE(Run("while true do pcall(function() while true do end end) end").find("endless loop"), std::string::npos);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/lua_pattern.h"
 
+#include <cstring>
 #include <lua.hpp>
 #include <string_view>
 
@@ -69,12 +70,15 @@ int FindOrMatch(lua_State* state, bool find) {
   std::string_view text = TextAt(state, 2);
   std::size_t start = OffsetArgument(state, 3, subject.size());
   if (find && (lua_toboolean(state, 4) || text.find_first_of(kSpecials) == std::string_view::npos)) {
-    const std::size_t found = subject.find(text, start);
-    LuaMachine::Of(state).ChargeOrRaise(state, (subject.size() - start) / 16);
-    if (found == std::string_view::npos) {
+    // memmem takes time in proportion to both texts, whatever they are.
+    constexpr std::size_t kReadPerInstruction = 16;
+    LuaMachine::Of(state).ChargeOrRaise(state, (subject.size() - start + text.size()) / kReadPerInstruction);
+    const void* const at = memmem(subject.data() + start, subject.size() - start, text.data(), text.size());
+    if (at == nullptr) {
       lua_pushnil(state);
       return 1;
     }
+    const auto found = static_cast<std::size_t>(static_cast<const char*>(at) - subject.data());
     lua_pushinteger(state, static_cast<lua_Integer>(found + 1));
     lua_pushinteger(state, static_cast<lua_Integer>(found + text.size()));
     return 2;
@@ -198,6 +202,10 @@ int GSub(lua_State* state) {
     if (end == TextPattern::kNone) break;
     luaL_addlstring(&result, subject.data() + at, start - at);
     ++count;
+    // What is copied and called for a match, besides the steps of the search.
+    constexpr std::size_t kPerMatch = 8, kCopiedPerInstruction = 16;
+    const std::size_t copied = start - at + (type == LUA_TSTRING ? lua_objlen(state, 3) : end - start);
+    LuaMachine::Of(state).ChargeOrRaise(state, kPerMatch + copied / kCopiedPerInstruction);
     AddReplacement(state, result, pattern, subject, start, end);
     at = end;
     if (end == start) {

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "diagnostics/problem.h"
 
@@ -30,6 +31,7 @@ void Limit(int what, rlim_t most) {
 
 struct Child {
   std::vector<char*> words, environment;
+  const char* folder;
   int socket, error;
   const Limits& limits;
 };
@@ -53,7 +55,8 @@ struct Child {
   constexpr int kNice = 5;
   setpriority(PRIO_PROCESS, 0, kNice);
   signal(SIGPIPE, SIG_DFL);
-  execve(child.words.front(), child.words.data(), child.environment.data());
+  // Its arguments, which all users of this machine can read, name files relative to the place.
+  if (chdir(child.folder) == 0) execve(child.words.front(), child.words.data(), child.environment.data());
   constexpr char kText[] = "the engine's program cannot be started\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
   _exit(127);
@@ -76,9 +79,8 @@ EngineProcess::~EngineProcess() {
   waitpid(pid_, nullptr, 0);
 }
 
-Result<std::shared_ptr<EngineProcess>> EngineProcess::Start(boost::asio::io_context& io,
-                                                            const std::vector<std::string>& given, const Place& place,
-                                                            const Limits& limits, Hooks hooks) {
+Result<EngineProcess::Spawned> EngineProcess::Spawn(const std::vector<std::string>& given, const Place& place,
+                                                    const Limits& limits) {
   const auto refuse = [] {
     return NewProblem(std::string("the server cannot start another run: ") + std::strerror(errno), "try again later");
   };
@@ -90,11 +92,21 @@ Result<std::shared_ptr<EngineProcess>> EngineProcess::Start(boost::asio::io_cont
     close(ends[1]);
     return problem;
   }
-  std::vector<std::string> words = given,
-                           environment = {"HOME=" + place.home().string(), "XDG_STATE_HOME=" + place.state().string(),
-                                          "PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
-  if (const char* data = std::getenv("SOARBOX_DATA")) environment.push_back(std::string("SOARBOX_DATA=") + data);
-  const Child child{Pointers(words), Pointers(environment), ends[1], errors[1], limits};
+  // Its scratch files go with the next run, however this one ends.
+  const std::filesystem::path temporary = place.state() / "tmp";
+  std::error_code error;
+  std::filesystem::remove_all(temporary, error);
+  std::filesystem::create_directories(temporary, error);
+  std::vector<std::string> words = given, environment = {"HOME=" + place.home().string(),
+                                                         "XDG_STATE_HOME=" + place.state().string(),
+                                                         "SOARBOX_PLACE=" + place.root().string(),
+                                                         "TMPDIR=" + temporary.string(),
+                                                         "PATH=/usr/bin:/bin",
+                                                         "LANG=C.UTF-8"};
+  if (const char* data = std::getenv("SOARBOX_DATA"))
+    environment.push_back("SOARBOX_DATA=" + std::filesystem::absolute(data, error).string());
+  const std::string root = place.root().string();
+  const Child child{Pointers(words), Pointers(environment), root.c_str(), ends[1], errors[1], limits};
   const pid_t pid = fork();
   if (pid == 0) Become(child);
   const Diagnostic problem = refuse();
@@ -105,11 +117,15 @@ Result<std::shared_ptr<EngineProcess>> EngineProcess::Start(boost::asio::io_cont
     close(errors[0]);
     return problem;
   }
+  return Spawned{pid, ends[0], errors[0]};
+}
+
+std::shared_ptr<EngineProcess> EngineProcess::Adopt(boost::asio::io_context& io, const Spawned& spawned, Hooks hooks) {
   std::shared_ptr<EngineProcess> engine(new EngineProcess(io));
-  engine->pid_ = pid;
+  engine->pid_ = spawned.pid;
   engine->hooks_ = std::move(hooks);
-  engine->socket_.assign(boost::asio::local::stream_protocol(), ends[0]);
-  engine->error_.assign(errors[0]);
+  engine->socket_.assign(boost::asio::local::stream_protocol(), spawned.socket);
+  engine->error_.assign(spawned.error);
   engine->Read();
   engine->ReadError();
   return engine;
@@ -156,8 +172,14 @@ void EngineProcess::Write() {
                            });
 }
 
-void EngineProcess::End() {
+void EngineProcess::End(std::function<void()> on_gone) {
   hooks_ = {};
+  if (on_gone) hooks_.on_end = [on_gone = std::move(on_gone)](const std::string&, bool) { on_gone(); };
+  AwaitEnd();
+}
+
+void EngineProcess::Kill() {
+  if (pid_ > 0) kill(-pid_, SIGKILL);
   AwaitEnd();
 }
 
@@ -180,7 +202,7 @@ void EngineProcess::AwaitEnd() {
       hooks.on_end(last_words_, WIFEXITED(status) && WEXITSTATUS(status) <= 1);
     return;
   }
-  constexpr int kMostWaits = 100;
+  constexpr int kMostWaits = 60;
   if (++waits_ == kMostWaits) kill(-pid_, SIGKILL);
   timer_.expires_after(std::chrono::milliseconds(50));
   timer_.async_wait([self = shared_from_this()](boost::system::error_code error) {

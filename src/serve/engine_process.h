@@ -29,16 +29,25 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
     /// Called when it has ended, with the last of its standard error, and whether it ended by itself with success.
     std::function<void(const std::string& last_words, bool is_good)> on_end;
   };
-  static Result<std::shared_ptr<EngineProcess>> Start(boost::asio::io_context& io,
-                                                      const std::vector<std::string>& words, const Place& place,
-                                                      const Limits& limits, Hooks hooks);
+  /// A process that nobody listens to yet. Whoever gets one passes it to Adopt or Discard.
+  struct Spawned {
+    pid_t pid = 0;
+    int socket = -1, error = -1;
+  };
+  /// Starts the process. May take milliseconds; call it on any thread.
+  static Result<Spawned> Spawn(const std::vector<std::string>& words, const Place& place, const Limits& limits);
+  /// Listens to a process, on the thread of `io`.
+  static std::shared_ptr<EngineProcess> Adopt(boost::asio::io_context& io, const Spawned& spawned, Hooks hooks);
   ~EngineProcess();
   EngineProcess(const EngineProcess&) = delete;
   EngineProcess& operator=(const EngineProcess&) = delete;
 
   void Send(std::string text);
-  /// Asks it to end; no hook is called from now on.
-  void End();
+  /// Asks it to end, and kills it if it has not after 3 s. No hook is called from now on, but for `on_gone` once it has
+  /// ended.
+  void End(std::function<void()> on_gone = {});
+  /// Kills it at once; hooks are called as for any other end.
+  void Kill();
 
  private:
   explicit EngineProcess(boost::asio::io_context& io);

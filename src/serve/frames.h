@@ -19,11 +19,15 @@ enum class FrameKind : std::uint8_t {
   kDone = 'd',      ///< All requests so far are carried out.
   kScene = 's',     ///< A block of the scene stream that needs the one before (docs/dev/stream.md).
   kFull = 'f',      ///< A block that stands alone.
+  kAlive = 'b',     ///< Heartbeat: the engine's loop has begun another round.
 };
 struct Frame {
   FrameKind kind = FrameKind::kText;
   std::string bytes;
 };
+
+/// The folder of a place as pages see it: its real path holds the place's secret.
+inline constexpr std::string_view kShownRoot = "/place";
 
 /// No frame is longer; a sender of more is broken.
 constexpr std::size_t kMostFrameBytes = 16u << 20;

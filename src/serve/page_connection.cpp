@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
@@ -51,6 +52,9 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
         session_(admission.session),
         may_ask_(admission.may_ask),
         on_gone_(std::move(on_gone)),
+        site_(site),
+        address_(admission.address),
+        rest_timer_(socket_.get_executor()),
         allowance_(site.settings().limits.requests_per_s) {
     websocket::stream_base::timeout times{std::chrono::seconds(10), std::chrono::seconds(60), true};
     socket_.set_option(times);
@@ -61,7 +65,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
             answer.set(http::field::sec_websocket_protocol, protocol);
           }));
     }
-    session_->Join(*this);
+    session_->Join(*this, admission.tab);
   }
   ~PageConnection() override {
     session_->Leave(*this);
@@ -139,10 +143,25 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
         self->Refuse(NewProblem("this server reads text only", "a request is a JSON object"));
       } else if (!self->allowance_.Take()) {
         self->Refuse(NewProblem("you ask faster than this server allows", "wait a moment"));
+      } else if (!self->site_.MayBegin(self->session_->place().id(), self->address_)) {
+        self->Refuse(NewProblem("you send more than this server allows", "wait a moment"));
+        return self->ReadLater();
       } else {
+        // A point for each 64 KB: reading them takes about a millisecond.
+        constexpr double kBytesPerPoint = 65536;
+        self->site_.Charge(self->session_->place().id(), self->address_,
+                           static_cast<double>(text.size()) / kBytesPerPoint);
         self->session_->Take(*self, std::move(text));
       }
       self->Read();
+    });
+  }
+
+  /// What it sends waits in its own socket meanwhile.
+  void ReadLater() {
+    rest_timer_.expires_after(std::chrono::seconds(1));
+    rest_timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+      if (!error) self->Read();
     });
   }
 
@@ -151,12 +170,18 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
   }
 
   /// What is under way ends with an error; then nobody holds this connection any more.
-  void Close() { beast::get_lowest_layer(socket_).close(); }
+  void Close() {
+    rest_timer_.cancel();
+    beast::get_lowest_layer(socket_).close();
+  }
 
   websocket::stream<beast::tcp_stream> socket_;
   std::shared_ptr<Session> session_;
   bool may_ask_;
   std::function<void()> on_gone_;
+  Site& site_;
+  std::string address_;
+  boost::asio::steady_timer rest_timer_;
   Allowance allowance_;
   beast::flat_buffer buffer_;
   std::deque<Out> waiting_;

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <map>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -48,12 +50,12 @@ bool GoesThroughLink(const fs::path& from, const fs::path& file) {
   return false;
 }
 
-Result<void> WriteWhole(const fs::path& file, std::string_view bytes) {
+/// Writes a file with a name that nobody can guess into the folder; its path. `is_synced`: the bytes are on the disk.
+Result<fs::path> WritePart(const fs::path& folder, std::string_view bytes, bool is_synced) {
   std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  fs::path making = file;
-  making += ".part";
-  const int out = open(making.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+  fs::create_directories(folder, error);
+  fs::path part = folder / NewId();
+  const int out = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
   std::size_t written = 0;
   while (out >= 0 && written < bytes.size()) {
     const ssize_t put = write(out, bytes.data() + written, bytes.size() - written);
@@ -61,14 +63,39 @@ Result<void> WriteWhole(const fs::path& file, std::string_view bytes) {
     if (put <= 0) break;
     written += static_cast<std::size_t>(put);
   }
-  const bool is_whole = out >= 0 && written == bytes.size() && fsync(out) == 0;
+  const bool is_complete = out >= 0 && written == bytes.size() && (!is_synced || fsync(out) == 0);
   const int cause = errno;
   if (out >= 0) close(out);
-  if (is_whole) fs::rename(making, file, error);
-  if (is_whole && !error) return {};
-  fs::remove(making, error);
-  return NewProblem("the server cannot write " + file.filename().string() + ": " + std::strerror(cause),
+  if (is_complete) return part;
+  fs::remove(part, error);
+  return NewProblem(std::string("the server cannot write: ") + std::strerror(cause),
                     "what was there before is still there; try again later");
+}
+
+Result<void> PutInPlace(const fs::path& part, const fs::path& file) {
+  std::error_code error, ignored;
+  fs::create_directories(file.parent_path(), error);
+  if (!error) fs::rename(part, file, error);
+  if (!error) return {};
+  fs::remove(part, ignored);
+  return NewProblem("the server cannot write " + file.filename().string() + ": " + error.message(),
+                    "what was there before is still there; try again later");
+}
+
+/// Writes everything that waits for the disk below this folder, once for however many files.
+void SyncAll(const fs::path& folder) {
+  const int at = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (at < 0) return;
+  syncfs(at);
+  close(at);
+}
+
+/// Removes parts of files that a killed server has left.
+void RemoveOldParts(const fs::path& folder) {
+  std::error_code error, ignored;
+  const fs::file_time_type oldest = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (fs::last_write_time(it->path(), ignored) < oldest && !ignored) fs::remove(it->path(), ignored);
 }
 
 }  // namespace
@@ -95,8 +122,8 @@ Result<fs::path> Place::Find(std::string_view path) const {
   return file;
 }
 
-std::vector<PlaceFile> Place::Files() const {
-  std::vector<PlaceFile> files;
+Place::Contents Place::Look() const {
+  Contents contents;
   std::error_code error;
   for (fs::recursive_directory_iterator it(home(), error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
@@ -105,13 +132,34 @@ std::vector<PlaceFile> Place::Files() const {
       continue;
     }
     std::error_code ignored;
+    const std::string path = it->path().lexically_relative(home()).generic_string();
     if (!it->is_symlink(ignored) && it->is_regular_file(ignored))
-      files.push_back({it->path().lexically_relative(home()).generic_string(), it->file_size(ignored)});
+      contents.files.push_back({path, it->file_size(ignored)});
+    if (!it->is_symlink(ignored) && it->is_directory(ignored)) contents.folders.push_back(path);
     // Many more than a place may hold: something else has made them.
-    if (files.size() > 4 * limits_.files) break;
+    if (contents.files.size() + contents.folders.size() > 4 * (limits_.files + limits_.folders)) break;
   }
-  std::ranges::sort(files, {}, &PlaceFile::path);
-  return files;
+  std::ranges::sort(contents.files, {}, &PlaceFile::path);
+  std::ranges::sort(contents.folders);
+  return contents;
+}
+
+Result<void> Place::HasRoomFor(const std::vector<PlaceFile>& wanted) const {
+  const Contents there = Look();
+  std::map<std::string, std::uintmax_t> files;
+  std::set<std::string> folders(there.folders.begin(), there.folders.end());
+  for (const PlaceFile& file : there.files) files[file.path] = file.bytes;
+  for (const PlaceFile& file : wanted) {
+    files[file.path] = file.bytes;
+    for (std::size_t at = file.path.find('/'); at != std::string::npos; at = file.path.find('/', at + 1))
+      folders.insert(file.path.substr(0, at));
+  }
+  std::uintmax_t sum = 0;
+  for (const auto& [path, bytes] : files) sum += bytes;
+  if (sum <= limits_.bytes && files.size() <= limits_.files && folders.size() <= limits_.folders) return {};
+  return NewProblem("there is no room for this file: a place holds " + std::to_string(limits_.files) + " files, " +
+                        std::to_string(limits_.folders) + " folders and " + std::to_string(limits_.bytes >> 20) + " MB",
+                    "remove what you do not need");
 }
 
 std::vector<PlaceRecording> Place::Recordings() const {
@@ -144,20 +192,12 @@ Result<std::string> Place::Read(std::string_view path) const {
 Result<void> Place::Write(std::string_view path, std::string_view bytes) {
   const Result<fs::path> file = Find(path);
   if (!file) return file.error();
-  std::uintmax_t sum = bytes.size();
-  std::size_t others = 0;
-  for (const PlaceFile& there : Files()) {
-    if (there.path == path) continue;
-    sum += there.bytes;
-    ++others;
-  }
-  if (sum > limits_.bytes || others >= limits_.files)
-    return NewProblem("there is no room for this file: a place holds " + std::to_string(limits_.files) + " files and " +
-                          std::to_string(limits_.bytes >> 20) + " MB",
-                      "remove what you do not need");
+  if (const Result<void> room = HasRoomFor({{std::string(path), bytes.size()}}); !room) return room;
   std::error_code error;
   if (fs::is_directory(*file, error)) return NewProblem("there is a folder of this name");
-  return WriteWhole(*file, bytes);
+  RemoveOldParts(parts());
+  const Result<fs::path> part = WritePart(parts(), bytes, true);
+  return part ? PutInPlace(*part, *file) : part.error();
 }
 
 Result<void> Place::Remove(std::string_view path) {
@@ -166,6 +206,9 @@ Result<void> Place::Remove(std::string_view path) {
   std::error_code error;
   if (!fs::is_regular_file(*file, error) || !fs::remove(*file, error))
     return NewProblem("there is no file '" + std::string(path) + "' here");
+  // A folder that still holds something cannot be removed, and ends this.
+  for (fs::path folder = file->parent_path(); folder != home() && rmdir(folder.c_str()) == 0;)
+    folder = folder.parent_path();
   return {};
 }
 
@@ -186,9 +229,32 @@ Result<std::size_t> Place::Unzip(std::string_view archive) {
   for (const ZipEntry& entry : *entries)
     if (const Result<fs::path> file = Find(entry.path); !file)
       return ProblemIn(entry.path, file.error().message, file.error().hint);
-  for (const ZipEntry& entry : *entries)
-    if (const Result<void> written = Write(entry.path, entry.bytes); !written)
-      return ProblemIn(entry.path, written.error().message, written.error().hint);
+  std::vector<PlaceFile> wanted;
+  for (const ZipEntry& entry : *entries) wanted.push_back({entry.path, entry.bytes.size()});
+  if (const Result<void> room = HasRoomFor(wanted); !room) return room.error();
+  RemoveOldParts(parts());
+  std::vector<fs::path> written;
+  Result<void> result;
+  for (const ZipEntry& entry : *entries) {
+    Result<fs::path> part = WritePart(parts(), entry.bytes, false);
+    if (!part) {
+      result = ProblemIn(entry.path, part.error().message, part.error().hint);
+      break;
+    }
+    written.push_back(*std::move(part));
+  }
+  if (result) SyncAll(parts());
+  // Each file is complete on the disk before it takes the place of another.
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    std::error_code ignored;
+    const ZipEntry& entry = (*entries)[i];
+    if (!result) {
+      fs::remove(written[i], ignored);
+    } else if (const Result<void> put = PutInPlace(written[i], *Find(entry.path)); !put) {
+      result = ProblemIn(entry.path, put.error().message, put.error().hint);
+    }
+  }
+  if (!result) return result.error();
   return entries->size();
 }
 

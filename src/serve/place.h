@@ -26,6 +26,7 @@ struct PlaceRecording {
 /// How much a place may hold.
 struct PlaceLimits {
   std::size_t files = 256;
+  std::size_t folders = 256;
   std::uintmax_t bytes = 4u << 20;  ///< Of all files together; recordings have limits of their own.
 };
 
@@ -43,11 +44,12 @@ class Place {
   /// What programs note for the person: $XDG_STATE_HOME of such a process.
   std::filesystem::path state() const { return root_ / "state"; }
 
-  std::vector<PlaceFile> Files() const;
+  std::vector<PlaceFile> Files() const { return Look().files; }
   std::vector<PlaceRecording> Recordings() const;
   Result<std::string> Read(std::string_view path) const;
   /// Writes it whole, then puts it in its place.
   Result<void> Write(std::string_view path, std::string_view bytes);
+  /// Removes a file, and the folders that are empty without it.
   Result<void> Remove(std::string_view path);
   /// A recording by its name alone; the error says that there is none.
   Result<std::filesystem::path> FindRecording(std::string_view name) const;
@@ -57,6 +59,15 @@ class Place {
   Result<std::size_t> Unzip(std::string_view archive);
 
  private:
+  struct Contents {
+    std::vector<PlaceFile> files;
+    std::vector<std::string> folders;  ///< With "/" between them, sorted.
+  };
+  Contents Look() const;
+  /// Whether there is room for all of these at once.
+  Result<void> HasRoomFor(const std::vector<PlaceFile>& wanted) const;
+  /// Where files lie until they are complete. On the disk of the place, but outside of what a person sees.
+  std::filesystem::path parts() const { return root_ / "parts"; }
   /// Below home; the error says what is wrong with the path.
   Result<std::filesystem::path> Find(std::string_view path) const;
 

@@ -30,10 +30,26 @@ using Tcp = asio::ip::tcp;
 constexpr auto kHeaderTime = std::chrono::seconds(15), kIdleTime = std::chrono::seconds(60);
 constexpr std::uint32_t kMostHeaderBytes = 16u << 10;
 
-/// How many connections there are, in all and from each address.
+/// How many connections there are, in all and from each address, and how many bytes the server holds for them: bodies
+/// that come, and answers that go.
 class Counts {
  public:
   explicit Counts(Limits limits) : limits_(limits) {}
+
+  bool HasRoomFor(const std::string& address, std::size_t bytes) const {
+    const auto found = bytes_of_.find(address);
+    return bytes_ + bytes <= limits_.bytes_in_flight &&
+           (found == bytes_of_.end() ? 0 : found->second) + bytes <= limits_.bytes_in_flight_per_address;
+  }
+  void AddBytes(const std::string& address, std::size_t bytes) {
+    bytes_ += bytes;
+    if (bytes > 0) bytes_of_[address] += bytes;
+  }
+  void RemoveBytes(const std::string& address, std::size_t bytes) {
+    bytes_ -= bytes;
+    const auto found = bytes_of_.find(address);
+    if (found != bytes_of_.end() && (found->second -= bytes) == 0) bytes_of_.erase(found);
+  }
 
   bool IsFull(const std::string& address) const {
     const auto found = of_.find(address);
@@ -52,6 +68,8 @@ class Counts {
   Limits limits_;
   std::size_t all_ = 0;
   std::map<std::string, std::size_t> of_;
+  std::size_t bytes_ = 0;
+  std::map<std::string, std::size_t> bytes_of_;
 };
 
 std::string Text(beast::string_view view) {
@@ -66,6 +84,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     counts_->Add(address_);
   }
   ~HttpConnection() {
+    Hold(0);
     if (!is_handed_on_) counts_->Remove(address_);
   }
   HttpConnection(const HttpConnection&) = delete;
@@ -77,10 +96,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     parser_->body_limit(site_.settings().limits.upload_bytes);
     stream_.expires_after(is_first_ ? kHeaderTime : kIdleTime);
     is_first_ = false;
-    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) return self->TellBroken(error);
-      self->Take(self->parser_->release());
-    });
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                              if (error) return self->TellBroken(error);
+                              self->ReadBody();
+                            });
   }
   /// Says why this connection is not served, and ends it.
   void Refuse(int status, const std::string& text) {
@@ -92,6 +112,27 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
  private:
   using Request = http::request<http::string_body>;
+
+  void ReadBody() {
+    // A body in chunks does not say how long it will be.
+    const auto length = parser_->content_length();
+    const std::size_t most = site_.settings().limits.upload_bytes;
+    const std::size_t bytes = parser_->chunked() ? most : length ? static_cast<std::size_t>(*length) : 0;
+    if (bytes > most) return TellBroken(http::error::body_limit);
+    if (bytes > 0 && !counts_->HasRoomFor(address_, bytes))
+      return Refuse(503, "as much is being sent and received as this server allows; try again in a minute");
+    Hold(bytes);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) return self->TellBroken(error);
+      self->Take(self->parser_->release());
+    });
+  }
+
+  /// Counts the bytes that the server holds for this connection, instead of those before.
+  void Hold(std::size_t bytes) {
+    counts_->RemoveBytes(address_, std::exchange(held_bytes_, bytes));
+    counts_->AddBytes(address_, bytes);
+  }
 
   void TellBroken(beast::error_code error) {
     if (error == http::error::body_limit) return Refuse(413, "this is larger than the server takes");
@@ -127,39 +168,76 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void Take(Request request) {
     const WebRequest web = Read(request);
+    const unsigned version = request.version();
+    stream_.expires_never();  // The server's own work takes as long as it takes.
     if (beast::websocket::is_upgrade(request)) {
-      Site::Admission admission = site_.Admit(web);
-      if (admission.session == nullptr) return Write(std::move(admission.refusal), request.version(), false, false);
-      is_handed_on_ = true;
-      stream_.expires_never();
-      return ServePage(stream_.release_socket(), std::move(request), site_, admission,
-                       [counts = counts_, address = address_] { counts->Remove(address); });
+      const auto kept = std::make_shared<Request>(std::move(request));
+      return site_.Admit(web, [self = shared_from_this(), kept, version](Site::Admission admission) {
+        if (admission.session == nullptr) return self->Write(std::move(admission.refusal), version, false, false);
+        self->is_handed_on_ = true;
+        self->Hold(0);
+        ServePage(self->stream_.release_socket(), std::move(*kept), self->site_, admission,
+                  [counts = self->counts_, address = self->address_] { counts->Remove(address); });
+      });
     }
-    Write(site_.Answer(web), request.version(), request.keep_alive(), request.method() == http::verb::head);
+    site_.Answer(web, [self = shared_from_this(), version, keeps_on = request.keep_alive(),
+                       is_head = request.method() == http::verb::head](WebResponse response) {
+      self->Write(std::move(response), version, keeps_on, is_head);
+    });
   }
 
-  void Write(WebResponse given, unsigned version, bool keeps_on, bool is_head) {
-    const auto response = std::make_shared<http::response<http::string_body>>();
-    response->version(version);
-    response->result(static_cast<unsigned>(given.status));
-    response->set(http::field::content_type, given.type);
-    for (const auto& [name, value] : given.headers) response->set(name, value);
+  template <typename Body>
+  static void SetHead(http::response<Body>& response, const WebResponse& given, unsigned version) {
+    response.version(version);
+    response.result(static_cast<unsigned>(given.status));
+    response.set(http::field::content_type, given.type);
+    for (const auto& [name, value] : given.headers) response.set(name, value);
     // No script but the page's own, in no frame, and no place's link in anybody's log.
-    response->set(
+    response.set(
         "Content-Security-Policy",
         "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
         "connect-src 'self' ws: wss:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'; object-src 'none'");
-    response->set("X-Content-Type-Options", "nosniff");
-    response->set("Referrer-Policy", "no-referrer");
-    response->set("Cross-Origin-Opener-Policy", "same-origin");
-    response->set("Cross-Origin-Resource-Policy", "same-origin");
+    response.set("X-Content-Type-Options", "nosniff");
+    response.set("Referrer-Policy", "no-referrer");
+    response.set("Cross-Origin-Opener-Policy", "same-origin");
+    response.set("Cross-Origin-Resource-Policy", "same-origin");
+  }
+
+  void Write(WebResponse given, unsigned version, bool keeps_on, bool is_head) {
+    Hold(0);
+    if (!given.file.empty()) return WriteFile(given, version, keeps_on);
+    if (!counts_->HasRoomFor(address_, given.body.size())) {
+      given = {};
+      given.status = 503;
+      given.body = R"({"error":"you receive as much as this server allows","hint":"wait until it has come"})";
+    }
+    Hold(given.body.size());
+    const auto response = std::make_shared<http::response<http::string_body>>();
+    SetHead(*response, given, version);
     response->body() = std::move(given.body);
     response->prepare_payload();
     if (is_head) response->body().clear();
+    Send(response, keeps_on);
+  }
+
+  /// The file is read piece by piece while it is sent.
+  void WriteFile(const WebResponse& given, unsigned version, bool keeps_on) {
+    const auto response = std::make_shared<http::response<http::file_body>>();
+    SetHead(*response, given, version);
+    beast::error_code error;
+    response->body().open(given.file.c_str(), beast::file_mode::scan, error);
+    if (error) return Refuse(404, "this recording cannot be read");
+    response->prepare_payload();
+    Send(response, keeps_on);
+  }
+
+  template <typename Response>
+  void Send(const std::shared_ptr<Response>& response, bool keeps_on) {
     response->keep_alive(keeps_on);
     stream_.expires_after(kIdleTime);
     http::async_write(stream_, *response,
                       [self = shared_from_this(), response, keeps_on](beast::error_code error, std::size_t) {
+                        self->Hold(0);
                         if (!error && keeps_on) return self->Read();
                         beast::error_code ignored;
                         self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
@@ -170,6 +248,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   Site& site_;
   std::shared_ptr<Counts> counts_;
   std::string address_;
+  std::size_t held_bytes_ = 0;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   bool is_first_ = true, is_handed_on_ = false;

@@ -29,6 +29,13 @@ std::string LastError(const std::string& words) {
   return last;
 }
 
+/// The folder of a place holds its secret: messages leave it out.
+std::string WithoutPath(std::string text, const std::string& root) {
+  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root, at))
+    text.replace(at, root.size(), kShownRoot);
+  return text;
+}
+
 }  // namespace
 
 std::string ErrorMessage(const Diagnostic& problem, const std::string& id) {
@@ -37,27 +44,103 @@ std::string ErrorMessage(const Diagnostic& problem, const std::string& id) {
   return JsonText(message);
 }
 
-Session::Session(boost::asio::io_context& io, const Settings& settings, Place place)
-    : io_(io), settings_(settings), place_(std::move(place)), looked_at_(Clock::now()), busy_timer_(io) {}
+Session::Session(boost::asio::io_context& io, Work& work, const Settings& settings, Place place, MayStart may_start)
+    : io_(io),
+      work_(work),
+      settings_(settings),
+      place_(std::move(place)),
+      may_start_(std::move(may_start)),
+      looked_at_(Clock::now()),
+      busy_timer_(io),
+      life_timer_(io),
+      start_timer_(io) {}
 
 Session::~Session() {
   if (engine_ != nullptr) engine_->End();
 }
 
-Result<void> Session::Open(const std::string& what) {
-  const std::vector<std::string> words = settings_.engine(what, place_);
-  if (words.empty())
-    return NewProblem("there is nothing called '" + what + "' to open", "the first page lists what there is");
-  if (!lock_) {
-    Result<PlaceLock> lock = PlaceLock::Take(place_.root());
-    if (!lock) return lock.error();
-    lock_ = std::move(*lock);
-  }
-  if (engine_ != nullptr) engine_->End();
-  engine_.reset();
-  hello_ = watcher_hello_ = flow_ = nullptr;
-  contents_.clear();
-  blocks_.clear();
+void Session::Open(const std::string& what, std::function<void(const Diagnostic&)> refuse) {
+  wanted_ = Wanted{what, std::move(refuse)};
+  if (phase_ == Phase::kRest) Advance();
+}
+
+void Session::Advance() {
+  phase_ = Phase::kRest;
+  if (!wanted_) return;
+  phase_ = Phase::kAsking;
+  const auto words = std::make_shared<std::vector<std::string>>();
+  work_.Do(
+      place_.id(),
+      [this, self = shared_from_this(), words, what = wanted_->what] { *words = settings_.engine(what, place_); },
+      [this, self = shared_from_this(), words, what = wanted_->what] {
+        // Somebody has asked for something else meanwhile, or for nothing any more.
+        if (!wanted_ || wanted_->what != what) return Advance();
+        Result<void> may = words->empty()       ? NewProblem("there is nothing called '" + what + "' to open",
+                                                             "the first page lists what there is")
+                           : engine_ == nullptr ? may_start_(*this)
+                                                : Result<void>();
+        if (may) return EndForNext(what, *words);
+        const Wanted refused = *std::exchange(wanted_, std::nullopt);
+        phase_ = Phase::kRest;
+        if (engine_ == nullptr) lock_.reset();
+        if (refused.refuse) refused.refuse(may.error());
+      });
+}
+
+void Session::EndForNext(const std::string& what, const std::vector<std::string>& words) {
+  if (engine_ == nullptr) return StartLater(what, words);
+  phase_ = Phase::kEnding;
+  Forget();
+  const std::shared_ptr<EngineProcess> ending = std::exchange(engine_, nullptr);
+  ending->End([this, alive = std::weak_ptr<int>(alive_), what, words] {
+    if (!alive.expired()) StartLater(what, words);
+  });
+}
+
+void Session::StartLater(const std::string& what, const std::vector<std::string>& words) {
+  // However often somebody opens, a place starts at most two processes a second.
+  constexpr auto kEvery = std::chrono::milliseconds(500);
+  phase_ = Phase::kStarting;
+  start_timer_.expires_at(std::max(Clock::now(), began_ + kEvery));
+  start_timer_.async_wait([this, alive = std::weak_ptr<int>(alive_), what, words](boost::system::error_code error) {
+    if (!error && !alive.expired()) StartNext(what, words);
+  });
+}
+
+void Session::StartNext(const std::string& what, const std::vector<std::string>& words) {
+  struct Started {
+    std::optional<PlaceLock> lock;
+    Result<EngineProcess::Spawned> process = NewProblem("not started");
+  };
+  if (!wanted_) lock_.reset();
+  if (!wanted_ || wanted_->what != what) return Advance();
+  const auto started = std::make_shared<Started>();
+  began_ = Clock::now();
+  work_.Do(
+      place_.id(),
+      [this, self = shared_from_this(), started, words, is_locked = lock_.has_value()] {
+        if (!is_locked) {
+          Result<PlaceLock> lock = PlaceLock::Take(place_.root());
+          if (!lock) {
+            started->process = lock.error();
+            return;
+          }
+          started->lock = std::move(*lock);
+        }
+        started->process = EngineProcess::Spawn(words, place_, settings_.limits);
+      },
+      [this, self = shared_from_this(), started, what] {
+        if (started->lock) lock_ = std::move(started->lock);
+        if (started->process) return OnStarted(what, *started->process);
+        lock_.reset();
+        phase_ = Phase::kRest;
+        if (!wanted_) return;
+        const Wanted refused = *std::exchange(wanted_, std::nullopt);
+        if (refused.refuse) refused.refuse(started->process.error());
+      });
+}
+
+void Session::OnStarted(const std::string& what, const EngineProcess::Spawned& spawned) {
   const std::weak_ptr<int> alive = alive_;
   EngineProcess::Hooks hooks;
   hooks.on_frame = [this, alive](Frame frame) {
@@ -66,23 +149,38 @@ Result<void> Session::Open(const std::string& what) {
   hooks.on_end = [this, alive](const std::string& last_words, bool is_good) {
     if (!alive.expired()) OnEnd(last_words, is_good);
   };
-  Result<std::shared_ptr<EngineProcess>> engine =
-      EngineProcess::Start(io_, words, place_, settings_.limits, std::move(hooks));
-  if (!engine) {
-    lock_.reset();
-    return engine.error();
-  }
-  engine_ = std::move(*engine);
+  engine_ = EngineProcess::Adopt(io_, spawned, std::move(hooks));
+  phase_ = Phase::kRest;
   what_ = what;
   began_ = looked_at_ = Clock::now();
+  silent_checks_ = 0;
+  // Somebody has asked for something else meanwhile, or the run was ended before it had begun.
+  if (!wanted_) return End("The run was ended before it had begun.");
+  if (wanted_->what != what) return Advance();
+  wanted_.reset();
   TellPresence();
-  return {};
+  ListenForLife();
 }
 
-void Session::Join(Viewer& viewer) {
+void Session::Forget() {
+  hello_ = watcher_hello_ = flow_ = nullptr;
+  contents_.clear();
+  blocks_.clear();
+}
+
+void Session::Join(Viewer& viewer, const std::string& tab) {
   viewers_.push_back(&viewer);
   looked_at_ = Clock::now();
-  if (engine_ == nullptr) return viewer.SendText(Shared(R"({"message":"none"})"), {});
+  if (viewer.MayAsk()) {
+    tabs_[&viewer] = tab;
+    // A tab whose connection was lost connects again before the server has noticed the loss.
+    const bool is_back = editor_ != nullptr && !tab.empty() && tabs_[editor_] == tab;
+    HandTextsTo(editor_ == nullptr || is_back ? &viewer : editor_);
+  }
+  if (engine_ == nullptr) {
+    if (!is_running()) viewer.SendText(Shared(R"({"message":"none"})"), {});
+    return;
+  }
   if (hello_ != nullptr) viewer.SendText(viewer.MayAsk() ? hello_ : watcher_hello_, "hello");
   if (flow_ != nullptr) viewer.SendText(flow_, "flow");
   for (const auto& [name, text] : contents_) viewer.SendText(text, name);
@@ -90,10 +188,25 @@ void Session::Join(Viewer& viewer) {
   TellPresence();
 }
 
+void Session::HandTextsTo(const Viewer* viewer) {
+  editor_ = viewer;
+  for (Viewer* each : std::vector<Viewer*>(viewers_))
+    if (each->MayAsk())
+      each->SendText(
+          Shared(each == viewer ? R"({"message":"tabs","may_type":true})" : R"({"message":"tabs","may_type":false})"),
+          "tabs");
+}
+
 void Session::Leave(Viewer& viewer) {
   std::erase(viewers_, &viewer);
   watched_.erase(&viewer);
+  tabs_.erase(&viewer);
   looked_at_ = Clock::now();
+  if (editor_ == &viewer) {
+    editor_ = nullptr;
+    const auto next = std::ranges::find_if(viewers_, [](const Viewer* each) { return each->MayAsk(); });
+    if (next != viewers_.end()) HandTextsTo(*next);
+  }
   TellPresence();
 }
 
@@ -105,48 +218,44 @@ void Session::TellPresence() {
 }
 
 void Session::Take(Viewer& viewer, std::string text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const std::optional<PageMessage> message = ReadPageMessage(text);
   const auto refuse = [&](const Diagnostic& problem) {
-    const auto id = json.is_object() ? json.find("id") : json.end();
-    viewer.SendText(
-        Shared(ErrorMessage(problem, json.is_object() && id != json.end() && id->is_primitive() ? JsonText(*id) : "")),
-        {});
+    viewer.SendText(Shared(ErrorMessage(problem, message ? message->id : "")), {});
   };
-  const auto request = json.is_object() ? json.find("request") : json.end();
-  if (!json.is_object() || request == json.end() || !request->is_string())
-    return refuse(
-        NewProblem("this is no request", "a request is a JSON object with the field `request` (docs/serve.md)"));
-  if (!viewer.MayAsk() && *request == "look") {
-    const Result<void> watched = Watch(viewer, text);
+  if (!message)
+    return refuse(NewProblem("this is no request",
+                             "a request is a JSON object with the field `request`, at most 256 fields in an object and "
+                             "20,000 values in all (docs/serve.md)"));
+  const std::string& request = message->request;
+  if (!viewer.MayAsk() && request == "look") {
+    const Result<void> watched = Watch(viewer, *message);
     if (!watched) refuse(watched.error());
     return;
   }
   if (!viewer.MayAsk()) return refuse(NewProblem("you only watch this run", "the person whose run it is can do this"));
-  if (*request == "presence") return refuse(NewProblem("the server itself says who is present"));
-  if (*request == "open") {
-    const auto what = json.find("what");
-    const Result<void> opened = Open(what != json.end() && what->is_string() ? what->get<std::string>() : "");
-    if (!opened) refuse(opened.error());
-    return;
+  if (request == "presence") return refuse(NewProblem("the server itself says who is present"));
+  if (request == "open") {
+    // The page may be gone when the answer is there.
+    return Open(message->what, [this, who = &viewer, id = message->id](const Diagnostic& problem) {
+      if (std::ranges::find(viewers_, who) != viewers_.end()) who->SendText(Shared(ErrorMessage(problem, id)), {});
+    });
   }
-  if (engine_ == nullptr) return refuse(NewProblem("there is no run", "open one first"));
+  if (request == "take-over") return HandTextsTo(&viewer);
+  if (engine_ == nullptr) {
+    // A request for the run that is about to begin: that run says what there is.
+    if (is_running() || wanted_) return;
+    return refuse(NewProblem("there is no run", "open one first"));
+  }
+  if (request == "edit-text" && editor_ != &viewer)
+    return refuse(
+        NewProblem("another tab edits the texts of this place", "choose Edit here, and that tab can only read"));
   engine_->Send(std::move(text));
   AwaitAnswer();
 }
 
-Result<void> Session::Watch(const Viewer& viewer, const std::string& text) {
-  constexpr std::size_t kMostPanels = 64, kMostBytes = 40;
-  const Json json = Json::parse(text, nullptr, false);
-  const auto panels = json.find("panels");
-  std::vector<std::string> words;
-  bool is_good = panels != json.end() && panels->is_array() && panels->size() <= kMostPanels;
-  if (is_good)
-    for (const Json& panel : *panels) {
-      is_good &= panel.is_string() && panel.get_ref<const std::string&>().size() <= kMostBytes;
-      if (is_good) words.push_back(panel.get<std::string>());
-    }
-  if (!is_good) return NewProblem("look needs panels", "a list of words of panels (docs/workbench.md)");
-  watched_[&viewer] = std::move(words);
+Result<void> Session::Watch(const Viewer& viewer, const PageMessage& message) {
+  if (!message.panels) return NewProblem("look needs panels", "a list of words of panels (docs/workbench.md)");
+  watched_[&viewer] = *message.panels;
   TellPresence();
   return {};
 }
@@ -168,6 +277,24 @@ void Session::NoLongerBusy() {
   if (std::exchange(is_busy_, false)) Tell(R"({"message":"ready"})");
 }
 
+void Session::ListenForLife() {
+  constexpr int kChecksPerSecond = 2, kBusyAfter = 4;
+  // A large world takes long to build.
+  constexpr int kTimesToBegin = 3;
+  life_timer_.expires_after(std::chrono::milliseconds(1000 / kChecksPerSecond));
+  life_timer_.async_wait([this, alive = std::weak_ptr<int>(alive_)](boost::system::error_code error) {
+    if (error || alive.expired() || engine_ == nullptr) return;
+    // Counted, not taken from a clock: a machine that slept has not listened.
+    ++silent_checks_;
+    if (hello_ != nullptr && silent_checks_ >= kBusyAfter && !std::exchange(is_busy_, true))
+      Tell(R"({"message":"busy"})");
+    const int most = settings_.limits.hang_s * kChecksPerSecond * (hello_ == nullptr ? kTimesToBegin : 1);
+    if (silent_checks_ < most) return ListenForLife();
+    End("This world has not answered for " + std::to_string(most / kChecksPerSecond) +
+        " s: it was ended. What was saved and the recording are kept.");
+  });
+}
+
 void Session::Tell(const std::string& text, const std::string& key) {
   const Bytes shared = Shared(text);
   for (Viewer* viewer : std::vector<Viewer*>(viewers_)) viewer->SendText(shared, key);
@@ -176,7 +303,9 @@ void Session::Tell(const std::string& text, const std::string& key) {
 void Session::OnFrame(Frame frame) {
   // Whatever it says, it answers: not every request ends with "done".
   NoLongerBusy();
+  silent_checks_ = 0;
   switch (frame.kind) {
+    case FrameKind::kAlive:
     case FrameKind::kDone:
       return;
     case FrameKind::kText:
@@ -224,10 +353,10 @@ void Session::OnFrame(Frame frame) {
 
 void Session::OnEnd(const std::string& last_words, bool is_good) {
   engine_.reset();
-  lock_.reset();
-  std::string why = LastError(last_words);
+  if (phase_ == Phase::kRest) lock_.reset();
+  std::string why = WithoutPath(LastError(last_words), place_.root().string());
   if (why.empty())
-    why = is_good ? "The run has ended." : "The run has crashed. What you typed and the recording are kept.";
+    why = is_good ? "The run has ended." : "The run has crashed. Drafts and the recording up to then are kept.";
   NoLongerBusy();
   Tell(JsonText(Json{{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }
@@ -243,10 +372,16 @@ void Session::EndIfIdle() {
 }
 
 void Session::End(const std::string& why) {
+  wanted_.reset();
   if (engine_ == nullptr) return;
-  engine_->End();
-  engine_.reset();
-  lock_.reset();
+  phase_ = Phase::kEnding;
+  Forget();
+  const std::shared_ptr<EngineProcess> ending = std::exchange(engine_, nullptr);
+  ending->End([this, alive = std::weak_ptr<int>(alive_)] {
+    if (alive.expired()) return;
+    lock_.reset();
+    Advance();
+  });
   NoLongerBusy();
   Tell(JsonText(Json{{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }

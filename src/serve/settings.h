@@ -24,8 +24,12 @@ struct Limits {
   int wrong_tokens_per_minute = 10;  ///< Of one address.
   int idle_min = 30;                 ///< A run that nobody looks at ends after so long.
   int run_hours = 12;                ///< No run is longer.
-  int kept_days = 30;                ///< A place that nobody visits is removed after so long.
-  int engine_data_mb = 1024;         ///< That its process may have in all.
+  int hang_s = 60;                   ///< A run that is silent for so long is ended.
+  std::size_t sessions_per_address = 96;
+  std::size_t bytes_in_flight = 128u << 20;             ///< Of uploads and answers, in all.
+  std::size_t bytes_in_flight_per_address = 48u << 20;  ///< Likewise, of one address.
+  int kept_days = 30;                                   ///< A place that nobody visits is removed after so long.
+  int engine_data_mb = 1024;                            ///< That its process may have in all.
   PlaceLimits place;
 };
 

@@ -16,25 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-WebResponse Refusal(int status, const Diagnostic& problem) {
-  WebResponse response;
-  response.status = status;
-  Json json{{"error", problem.message}, {"hint", problem.hint}};
-  if (!problem.file.empty()) json["file"] = problem.file;
-  response.body = JsonText(json);
-  return response;
-}
-
-WebResponse Refusal(int status, std::string message, std::string hint = {}) {
-  return Refusal(status, NewProblem(std::move(message), std::move(hint)));
-}
-
-WebResponse Good(const Json& json) {
-  WebResponse response;
-  response.body = JsonText(json);
-  return response;
-}
-
 int HexOf(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -78,12 +59,6 @@ std::string QueryOf(std::string_view target, std::string_view name) {
   return {};
 }
 
-std::string JoinedFrom(const std::vector<std::string>& parts, std::size_t first) {
-  std::string path;
-  for (std::size_t i = first; i < parts.size(); ++i) path += (i == first ? "" : "/") + parts[i];
-  return path;
-}
-
 /// "example.org" of "example.org:8080", "::1" of "[::1]:8080".
 std::string_view NameOfHost(std::string_view host) {
   if (host.starts_with('[')) return host.substr(1, host.find(']') - 1);
@@ -113,6 +88,9 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
   if (!files) return files.error();
   std::error_code error;
   std::filesystem::create_directories(settings.state / "places", error);
+  // The names of places are their secrets.
+  for (const std::filesystem::path& folder : {settings.state, settings.state / "places"})
+    if (!error) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   if (error)
     return ProblemIn(settings.state, "the server cannot keep places here: " + error.message(),
                      "name another folder with --state");
@@ -164,16 +142,17 @@ bool Site::IsOver(std::map<std::string, Count>& counts, const std::string& addre
 
 bool Site::HasToken(const WebRequest& request, WebResponse& refusal) {
   if (settings_.token.empty()) return true;
+  constexpr std::string_view kBearer = "Bearer ", kProtocol = "soarbox.";
+  std::string given;
+  if (request.authorization.starts_with(kBearer)) given = request.authorization.substr(kBearer.size());
+  if (request.protocols.starts_with(kProtocol)) given = request.protocols.substr(kProtocol.size());
+  // The right one is never refused: others at the same address may have tried wrong ones.
+  if (SameSecret(given, settings_.token)) return true;
   const auto most = static_cast<std::size_t>(settings_.limits.wrong_tokens_per_minute);
   if (IsOver(wrong_tokens_, request.address, most, std::chrono::seconds(60))) {
     refusal = Refusal(429, "too many wrong tokens came from your address", "wait a minute");
     return false;
   }
-  constexpr std::string_view kBearer = "Bearer ", kProtocol = "soarbox.";
-  std::string given;
-  if (request.authorization.starts_with(kBearer)) given = request.authorization.substr(kBearer.size());
-  if (request.protocols.starts_with(kProtocol)) given = request.protocols.substr(kProtocol.size());
-  if (SameSecret(given, settings_.token)) return true;
   if (!given.empty()) {
     Count& count = wrong_tokens_[request.address];
     if (count.count++ == 0) count.since = Clock::now();
@@ -199,116 +178,103 @@ WebResponse Site::Page(const WebRequest& request, std::string_view path) const {
   return response;
 }
 
-WebResponse Site::Answer(const WebRequest& request) {
+void Site::Answer(const WebRequest& request, std::function<void(WebResponse)> done) {
   const std::vector<std::string> parts = PartsOf(request.target);
   if (!parts.empty() && parts.front() == "api") {
     WebResponse refusal;
-    if (!IsWelcome(request, refusal)) return refusal;
-    WebResponse response = AnswerApi(request, parts);
-    response.headers.emplace_back("Cache-Control", "no-store");
-    return response;
+    if (!IsWelcome(request, refusal)) return done(std::move(refusal));
+    return AnswerApi(request, parts, [done = std::move(done)](WebResponse response) {
+      response.headers.emplace_back("Cache-Control", "no-store");
+      done(std::move(response));
+    });
   }
-  if (request.method != "GET" && request.method != "HEAD") return Refusal(405, "a page can only be read");
+  if (request.method != "GET" && request.method != "HEAD") return done(Refusal(405, "a page can only be read"));
   const bool is_page = parts.empty() || (parts.size() == 2 && (parts[0] == "p" || parts[0] == "class"));
-  return Page(request, is_page ? "index.html" : JoinedFrom(parts, 0));
+  done(Page(request, is_page ? "index.html" : JoinedFrom(parts, 0)));
 }
 
-WebResponse Site::AnswerApi(const WebRequest& request, const std::vector<std::string>& parts) {
-  if (parts.size() == 2 && parts[1] == "places")
-    return request.method == "POST" ? NewPlace(request) : Refusal(405, "a place is made by POST");
-  if (parts.size() == 3 && parts[1] == "class") {
-    const bool as_csv = parts[2].ends_with(".csv");
-    const std::string key = as_csv ? parts[2].substr(0, parts[2].size() - 4) : parts[2];
-    return class_.IsKey(key)
-               ? Table(as_csv)
-               : Refusal(404, "there is no class by this link", "the server printed the link when it began");
+bool Site::MayBegin(const std::string& place, const std::string& address) {
+  return place_costs_.MayBegin(place) && address_costs_.MayBegin(address);
+}
+
+void Site::Charge(const std::string& place, const std::string& address, double points) {
+  if (!place.empty()) place_costs_.Charge(place, points);
+  address_costs_.Charge(address, points);
+}
+
+void Site::AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
+  if (parts.size() == 2 && parts[1] == "places") {
+    if (request.method != "POST") return done(Refusal(405, "a place is made by POST"));
+    return NewPlace(request, std::move(done));
   }
-  if (parts.size() < 3 || parts[1] != "p") return Refusal(404, "there is nothing of this name");
-  Result<Place> place = places_.Find(parts[2]);
-  if (!place) return Refusal(404, place.error());
-  return AnswerPlace(request, *place, parts);
+  if (parts.size() == 3 && parts[1] == "class") return AnswerClass(parts[2], std::move(done));
+  if (parts.size() < 3 || parts[1] != "p") return done(Refusal(404, "there is nothing of this name"));
+  AnswerPlace(request, parts, std::move(done));
 }
 
-WebResponse Site::NewPlace(const WebRequest& request) {
+void Site::NewPlace(const WebRequest& request, Done done) {
   if (IsOver(new_places_, request.address, settings_.limits.places_per_hour, std::chrono::hours(1)))
-    return Refusal(429, "too many new places were made from your address",
-                   "wait an hour, or use a link that you have kept");
+    return done(Refusal(429, "too many new places were made from your address",
+                        "wait an hour, or use a link that you have kept"));
   Count& count = new_places_[request.address];
   if (count.count++ == 0) count.since = Clock::now();
-  const Result<Place> place = places_.New();
-  return place ? Good({{"place", place->id()}}) : Refusal(507, place.error());
+  Do(
+      request.address,
+      [this] {
+        const Result<Place> place = places_.New();
+        return place ? Good({{"place", place->id()}}) : Refusal(507, place.error());
+      },
+      std::move(done));
 }
 
-WebResponse Site::AnswerPlace(const WebRequest& request, Place& place, const std::vector<std::string>& parts) {
-  const std::string& method = request.method;
-  const std::string what = parts.size() > 3 ? parts[3] : "";
-  const std::string path = JoinedFrom(parts, 4);
-  const auto done = [](const Result<void>& result) {
-    return result ? Good({{"done", true}}) : Refusal(400, result.error());
-  };
-  if (what.empty() && method == "GET") return About(place);
-  if (what == "files" && method == "GET") {
-    const Result<std::string> text = place.Read(path);
-    if (!text) return Refusal(404, text.error());
-    WebResponse response;
-    response.type = "text/plain; charset=utf-8";
-    response.body = *text;
-    return response;
-  }
-  if (what == "files" && method == "PUT") return done(place.Write(path, request.body));
-  if (what == "files" && method == "DELETE") return done(place.Remove(path));
-  if (what == "zip" && method == "GET") {
-    Result<std::string> zip = place.Zip();
-    if (!zip) return Refusal(500, zip.error());
-    WebResponse response;
-    response.type = "application/zip";
-    response.headers.emplace_back("Content-Disposition", "attachment; filename=\"soarbox.zip\"");
-    response.body = *std::move(zip);
-    return response;
-  }
-  if (what == "zip" && method == "POST") {
-    const Result<std::size_t> count = place.Unzip(request.body);
-    return count ? Good({{"files", *count}}) : Refusal(400, count.error());
-  }
-  if (what == "recordings" && method == "GET") {
-    const Result<std::filesystem::path> file = place.FindRecording(path);
-    if (!file) return Refusal(404, file.error());
-    std::optional<std::string> bytes = ReadText(*file);
-    if (!bytes) return Refusal(404, "this recording cannot be read");
-    WebResponse response;
-    response.type = "application/octet-stream";
-    response.headers.emplace_back("Content-Disposition", "attachment; filename=\"run.soarrec\"");
-    response.body = *std::move(bytes);
-    return response;
-  }
-  return Refusal(404, "a place has nothing of this name");
+void Site::Do(const std::string& line, std::function<WebResponse()> job, Done done) {
+  const auto response = std::make_shared<WebResponse>();
+  work_.Do(
+      line, [response, job = std::move(job)] { *response = job(); },
+      [response, done = std::move(done)] { done(std::move(*response)); });
 }
 
-WebResponse Site::About(const Place& place) const {
-  Json lessons = Json::array(), scenarios = Json::array(), files = Json::array(), recordings = Json::array();
-  for (const Lesson& lesson : catalog_->Lessons())
-    lessons.push_back({{"name", lesson.name},
-                       {"title", lesson.title},
-                       {"course", lesson.course},
-                       {"is_passed", catalog_->ProgressOf(place.state(), lesson.name).is_passed}});
-  for (const Catalog::Scenario& scenario : catalog_->Scenarios())
-    scenarios.push_back({{"name", scenario.name}, {"about", scenario.about}});
-  for (const PlaceFile& file : place.Files()) files.push_back({{"path", file.path}, {"bytes", file.bytes}});
-  for (const PlaceRecording& recording : place.Recordings())
-    recordings.push_back({{"name", recording.name}, {"bytes", recording.bytes}, {"when", recording.when_s}});
-  const auto session = sessions_.find(place.id());
-  return Good({{"place", place.id()},
-               {"learner", class_.NameOf(place.id())},
-               {"opens", settings_.opens},
-               {"lessons", std::move(lessons)},
-               {"scenarios", std::move(scenarios)},
-               {"files", std::move(files)},
-               {"recordings", std::move(recordings)},
-               {"kept_days", settings_.limits.kept_days},
-               {"has_run", session != sessions_.end() && session->second->is_running()}});
+void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
+  const std::string& id = parts[2];
+  if (!IsId(id)) return done(Refusal(404, places_.Find(id).error()));
+  // One place may not fill the queue, however many connections it has.
+  constexpr std::size_t kMostWaiting = 16;
+  if (!MayBegin(id, request.address) || work_.Waiting(id) >= kMostWaiting) {
+    WebResponse refusal = Refusal(429, "you ask for more than this server allows", "wait a moment");
+    refusal.headers.emplace_back("Retry-After", "2");
+    return done(std::move(refusal));
+  }
+  const auto session = sessions_.find(id);
+  const auto asked = std::make_shared<PlaceRequest>(
+      PlaceRequest{request.method,
+                   parts,
+                   request.body,
+                   {class_.NameOf(id), settings_.opens, session != sessions_.end() && session->second->is_running()}});
+  Charge(id, request.address, CostBefore(*asked));
+  Do(
+      id,
+      [this, asked] {
+        Result<Place> place = places_.Find(asked->parts[2]);
+        return place ? AnswerFromPlace(*asked, *place, *catalog_, settings_.limits) : Refusal(404, place.error());
+      },
+      [this, asked, id, address = request.address, done = std::move(done)](WebResponse response) {
+        Charge(id, address, CostAfter(*asked, response));
+        done(std::move(response));
+      });
 }
 
-WebResponse Site::Table(bool as_csv) const {
+void Site::AnswerClass(const std::string& name, Done done) {
+  const bool as_csv = name.ends_with(".csv");
+  if (!class_.IsKey(as_csv ? name.substr(0, name.size() - 4) : name))
+    return done(Refusal(404, "there is no class by this link", "the server printed the link when it began"));
+  const auto doing = std::make_shared<std::map<std::string, Doing>>();
+  for (const auto& [id, session] : sessions_)
+    if (session->is_running()) (*doing)[id] = {session->what(), session->viewers() > 0};
+  Do(
+      "class", [this, as_csv, doing] { return Table(as_csv, *doing); }, std::move(done));
+}
+
+WebResponse Site::Table(bool as_csv, const std::map<std::string, Doing>& doing) const {
   const std::vector<Lesson> lessons = catalog_->Lessons();
   Json titles = Json::array(), learners = Json::array();
   std::string csv = "learner";
@@ -321,8 +287,8 @@ WebResponse Site::Table(bool as_csv) const {
   for (const ClassList::Learner& learner : class_.learners()) {
     const Result<Place> place = places_.Find(learner.place);
     if (!place) continue;
-    const auto session = sessions_.find(learner.place);
-    const bool is_here = session != sessions_.end() && session->second->is_running();
+    const auto found = doing.find(learner.place);
+    const bool is_here = found != doing.end();
     std::string last_hint;
     bool has_open_hint = false;
     Json done = Json::object();
@@ -333,7 +299,7 @@ WebResponse Site::Table(bool as_csv) const {
       csv += std::string(",") + (progress.is_passed ? "yes" : "no") + "," + std::to_string(progress.attempts) + "," +
              std::to_string(progress.hints);
       // Of the lesson that is open now, else of the last one that is not passed.
-      const bool is_open = is_here && session->second->what() == "lesson:" + lesson.name;
+      const bool is_open = is_here && found->second.what == "lesson:" + lesson.name;
       if (!progress.last_hint.empty() && (is_open || (!has_open_hint && !progress.is_passed)))
         last_hint = progress.last_hint;
       has_open_hint |= is_open && !progress.last_hint.empty();
@@ -344,8 +310,8 @@ WebResponse Site::Table(bool as_csv) const {
                         {"watch_link", "/p/" + learner.place + "/#watch=" + class_.key()},
                         {"done", std::move(done)},
                         {"last_hint", last_hint},
-                        {"doing", is_here ? session->second->what() : ""},
-                        {"is_here", is_here && session->second->viewers() > 0}});
+                        {"doing", is_here ? found->second.what : ""},
+                        {"is_here", is_here && found->second.is_watched}});
   }
   if (!as_csv) return Good({{"lessons", std::move(titles)}, {"learners", std::move(learners)}});
   WebResponse response;
@@ -355,42 +321,73 @@ WebResponse Site::Table(bool as_csv) const {
   return response;
 }
 
-std::shared_ptr<Session> Site::SessionOf(const Place& place) {
-  const auto found = sessions_.find(place.id());
-  if (found != sessions_.end()) return found->second;
-  const auto running = std::ranges::count_if(
-      sessions_, [](const auto& each) { return each.second->is_running() || each.second->viewers() > 0; });
-  if (static_cast<std::size_t>(running) >= settings_.limits.sessions) return nullptr;
-  return sessions_.emplace(place.id(), std::make_shared<Session>(io_, settings_, place)).first->second;
+Result<void> Site::MayStart(const Session& session) const {
+  std::size_t all = 0, of_address = 0;
+  const auto is_of_class = [&](const Session& each) { return !class_.NameOf(each.place().id()).empty(); };
+  for (const auto& [id, each] : sessions_) {
+    if (!each->is_running()) continue;
+    ++all;
+    if (each->address() == session.address() && !is_of_class(*each)) ++of_address;
+  }
+  if (all >= settings_.limits.sessions)
+    return NewProblem("this server runs as many worlds as it may (" + std::to_string(settings_.limits.sessions) + ")",
+                      "try again in some minutes");
+  // Learners of the class may all sit behind one address.
+  if (of_address >= settings_.limits.sessions_per_address && !is_of_class(session))
+    return NewProblem("as many worlds run for your address as this server allows (" +
+                          std::to_string(settings_.limits.sessions_per_address) + ")",
+                      "close one of them, or try again in some minutes");
+  return {};
 }
 
-Site::Admission Site::Admit(const WebRequest& request) {
+std::shared_ptr<Session> Site::SessionOf(const Place& place, const std::string& address) {
+  const auto found = sessions_.find(place.id());
+  if (found != sessions_.end()) return found->second;
+  // Those at which nobody looks and that run nothing hold no room.
+  auto session =
+      std::make_shared<Session>(io_, work_, settings_, place, [this](const Session& each) { return MayStart(each); });
+  session->set_address(address);
+  return sessions_.emplace(place.id(), std::move(session)).first->second;
+}
+
+void Site::Admit(const WebRequest& request, std::function<void(Admission)> done) {
   Admission admission;
+  const auto refuse = [&](WebResponse refusal) {
+    admission.refusal = std::move(refusal);
+    done(std::move(admission));
+  };
   const std::vector<std::string> parts = PartsOf(request.target);
   const bool may_ask = parts.size() == 4 && parts[3] == "run", watches = parts.size() == 4 && parts[3] == "watch";
-  if (parts.size() != 4 || parts[0] != "api" || parts[1] != "p" || !(may_ask || watches)) {
-    admission.refusal = Refusal(404, "there is no run of this name");
-    return admission;
-  }
-  if (!IsWelcome(request, admission.refusal)) return admission;
-  const Result<Place> place = places_.Find(parts[2]);
-  if (!place) {
-    admission.refusal = Refusal(404, place.error());
-    return admission;
-  }
-  if (watches && !class_.IsKey(QueryOf(request.target, "key"))) {
-    admission.refusal = Refusal(403, "only the teacher of the class may watch", "use a link of the class's table");
-    return admission;
-  }
-  admission.session = SessionOf(*place);
-  if (admission.session == nullptr)
-    admission.refusal =
-        Refusal(503, "this server runs as many worlds as it may (" + std::to_string(settings_.limits.sessions) + ")",
-                "try again in some minutes");
+  if (parts.size() != 4 || parts[0] != "api" || parts[1] != "p" || !(may_ask || watches))
+    return refuse(Refusal(404, "there is no run of this name"));
+  if (WebResponse refusal; !IsWelcome(request, refusal)) return refuse(std::move(refusal));
+  if (!IsId(parts[2])) return refuse(Refusal(404, places_.Find(parts[2]).error()));
+  if (watches && !class_.IsKey(QueryOf(request.target, "key")))
+    return refuse(Refusal(403, "only the teacher of the class may watch", "use a link of the class's table"));
   admission.may_ask = may_ask;
-  was_visited_ |= admission.session != nullptr;
+  admission.address = request.address;
+  constexpr std::size_t kMostTabBytes = 40;
+  admission.tab = QueryOf(request.target, "tab").substr(0, kMostTabBytes);
   if (!request.protocols.empty()) admission.protocol = request.protocols.substr(0, request.protocols.find(','));
-  return admission;
+  const auto place = std::make_shared<Result<Place>>(NewProblem("not looked for"));
+  work_.Do(
+      parts[2], [this, place, id = parts[2]] { *place = places_.Find(id); },
+      [this, place, admission = std::move(admission), done = std::move(done)]() mutable {
+        if (!*place) {
+          admission.refusal = Refusal(404, place->error());
+          return done(std::move(admission));
+        }
+        const bool is_new = !sessions_.contains((*place)->id());
+        admission.session = SessionOf(**place, admission.address);
+        // Whoever could open nothing is told at once, and tries again later.
+        if (const Result<void> may = is_new ? MayStart(*admission.session) : Result<void>(); !may) {
+          sessions_.erase((*place)->id());
+          admission.session = nullptr;
+          admission.refusal = Refusal(503, may.error());
+        }
+        was_visited_ |= admission.session != nullptr;
+        done(std::move(admission));
+      });
 }
 
 void Site::CleanUp() {
@@ -399,7 +396,9 @@ void Site::CleanUp() {
   std::erase_if(sessions_, [](const auto& each) { return !each.second->is_running() && each.second->viewers() == 0; });
   for (const auto& [id, session] : sessions_) kept.push_back(id);
   for (const ClassList::Learner& learner : class_.learners()) kept.push_back(learner.place);
-  places_.RemoveOlderThan(settings_.limits.kept_days, kept);
+  if (work_.Waiting("clean-up") > 0) return;
+  work_.Do(
+      "clean-up", [this, kept = std::move(kept)] { places_.RemoveOlderThan(settings_.limits.kept_days, kept); }, [] {});
 }
 
 bool Site::WasLeft() const {

@@ -3,6 +3,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,9 +12,11 @@
 #include <vector>
 
 #include "serve/class_list.h"
+#include "serve/place_answers.h"
 #include "serve/session.h"
 #include "serve/settings.h"
 #include "serve/static_files.h"
+#include "serve/work.h"
 
 namespace soarbox::serve {
 
@@ -25,29 +28,28 @@ struct WebRequest {
   std::string body;
   std::string address;  ///< Who asks.
 };
-struct WebResponse {
-  int status = 200;
-  std::string type = "application/json";
-  std::string body;
-  std::vector<std::pair<std::string, std::string>> headers;
-};
-
-/// What a server offers, whatever the transport: places, files, the class, runs. One thread.
+/// What a server offers, whatever the transport: places, files, the class, runs. It belongs to one
+/// thread; what takes long is done on others (work.h), and the answer comes on its own.
 class Site {
  public:
   static Result<std::unique_ptr<Site>> Make(boost::asio::io_context& io, Settings settings,
                                             std::unique_ptr<const Catalog> catalog);
 
-  WebResponse Answer(const WebRequest& request);
+  using Done = std::function<void(WebResponse)>;
+  void Answer(const WebRequest& request, Done done);
+  /// Whether a place and an address may cause more work now, and what they have caused (Costs in work.h).
+  bool MayBegin(const std::string& place, const std::string& address);
+  void Charge(const std::string& place, const std::string& address, double points);
 
   /// Whether a page may see the run that it asks for.
   struct Admission {
     std::shared_ptr<Session> session;  ///< Null: it may not; then the response says why.
     bool may_ask = false;
     std::string protocol;  ///< Which the server has to name; empty: none.
+    std::string address, tab = {};
     WebResponse refusal;
   };
-  Admission Admit(const WebRequest& request);
+  void Admit(const WebRequest& request, std::function<void(Admission)> done);
 
   /// Call it once in a while: removes what nobody needs any more.
   void CleanUp();
@@ -64,19 +66,28 @@ class Site {
         settings_(std::move(settings)),
         catalog_(std::move(catalog)),
         files_(std::move(files)),
-        places_(settings_.state / "places", settings_.limits.place) {}
+        places_(settings_.state / "places", settings_.limits.place),
+        work_(io) {}
 
   /// Refuses what comes from no page of this server, or from somebody who may not use it, and says why.
   bool IsWelcome(const WebRequest& request, WebResponse& refusal);
   bool HasToken(const WebRequest& request, WebResponse& refusal);
   bool IsOurHost(std::string_view host) const;
   WebResponse Page(const WebRequest& request, std::string_view path) const;
-  WebResponse AnswerApi(const WebRequest& request, const std::vector<std::string>& parts);
-  WebResponse NewPlace(const WebRequest& request);
-  WebResponse AnswerPlace(const WebRequest& request, Place& place, const std::vector<std::string>& parts);
-  WebResponse About(const Place& place) const;
-  WebResponse Table(bool as_csv) const;
-  std::shared_ptr<Session> SessionOf(const Place& place);
+  void AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done);
+  void NewPlace(const WebRequest& request, Done done);
+  void AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done);
+  void AnswerClass(const std::string& name, Done done);
+  /// Answers on a thread of the pool, after what came before in the same line.
+  void Do(const std::string& line, std::function<WebResponse()> job, Done done);
+  /// What somebody of the class does now, by place.
+  struct Doing {
+    std::string what;
+    bool is_watched = false;
+  };
+  WebResponse Table(bool as_csv, const std::map<std::string, Doing>& doing) const;
+  std::shared_ptr<Session> SessionOf(const Place& place, const std::string& address);
+  Result<void> MayStart(const Session& session) const;
 
   boost::asio::io_context& io_;
   Settings settings_;
@@ -94,6 +105,9 @@ class Site {
   bool IsOver(std::map<std::string, Count>& counts, const std::string& address, std::size_t most,
               std::chrono::seconds window);
   std::map<std::string, Count> wrong_tokens_, new_places_;
+  // A place may keep a tenth of a core busy, an address half of one.
+  Costs place_costs_{100, 1'000}, address_costs_{500, 5'000};
+  Work work_;  ///< Last: its jobs use all of the above.
 };
 
 }  // namespace soarbox::serve

@@ -74,7 +74,8 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   if (Lessons* const lessons = surroundings_.lessons()) is_stale_ |= lessons->Poll();
   ReadOn();
   FillPlots();
-  KeepDrafts(false);
+  // What somebody has just typed is on the disk before the answer says that it is there.
+  KeepDrafts(!requests.empty());
   is_stale_ |= files_.TakeNews();
   LookAtAgent(contents);
 

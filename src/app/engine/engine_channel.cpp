@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
+#include <filesystem>
 
 namespace soarbox::app {
 namespace {
@@ -15,9 +17,19 @@ namespace {
 /// Above this, scenes are left out; above the second, whoever does not read is not there.
 constexpr std::size_t kScenesWaitAbove = 256u << 10, kMostWaiting = 64u << 20;
 
+std::string Replaced(std::string text, std::string_view what, std::string_view with) {
+  if (what.empty()) return text;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
 }  // namespace
 
 EngineChannel::EngineChannel(int socket) : socket_(socket) {
+  std::error_code error;
+  if (const char* place = std::getenv("SOARBOX_PLACE"))
+    root_ = std::filesystem::weakly_canonical(place, error).string();
   fcntl(socket_, F_SETFL, O_NONBLOCK);
   fcntl(socket_, F_SETFD, FD_CLOEXEC);
 }
@@ -41,7 +53,7 @@ std::vector<std::string> EngineChannel::Receive(int most_ms) {
     if (is_open_) reader_.Add({bytes.data(), static_cast<std::size_t>(got)});
   }
   while (std::optional<serve::Frame> frame = reader_.Take())
-    if (frame->kind == serve::FrameKind::kText) texts.push_back(std::move(frame->bytes));
+    if (frame->kind == serve::FrameKind::kText) texts.push_back(Found(std::move(frame->bytes)));
   is_open_ = is_open_ && !reader_.is_broken();
   return texts;
 }
@@ -53,7 +65,22 @@ bool EngineChannel::SendScene(std::string_view block, bool is_full) {
   return true;
 }
 
+std::string EngineChannel::Hidden(std::string_view text) const {
+  return Replaced(std::string(text), root_, serve::kShownRoot);
+}
+
+std::string EngineChannel::Found(std::string text) const {
+  if (root_.empty()) return text;
+  // Where a text of JSON begins, and in the address of a file: not within what somebody types.
+  const std::string shown(serve::kShownRoot);
+  text = Replaced(std::move(text), "\"" + shown + "/", "\"" + root_ + "/");
+  return Replaced(std::move(text), "\"file://" + shown + "/", "\"file://" + root_ + "/");
+}
+
 void EngineChannel::Send(serve::FrameKind kind, std::string_view bytes) {
+  const bool is_scene = kind == serve::FrameKind::kScene || kind == serve::FrameKind::kFull;
+  const std::string hidden = is_scene ? std::string() : Hidden(bytes);
+  if (!is_scene) bytes = hidden;
   if (!is_open_ || bytes.size() > serve::kMostFrameBytes) return;
   waiting_ += serve::WriteFrame(kind, bytes);
   Flush();

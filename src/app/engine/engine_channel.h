@@ -11,7 +11,8 @@
 namespace soarbox::app {
 
 /// An engine's end of the connection to the server that started it. It never waits for the server to read: text is
-/// kept until it goes out, and what a scene looks like is left out while much is waiting.
+/// kept until it goes out, and what a scene looks like is left out while much is waiting. The real path of the place
+/// holds its secret: pages see "/place" instead, in what they are sent and in the files that they name.
 class EngineChannel {
  public:
   /// Owns the descriptor of a connected stream socket.
@@ -30,7 +31,10 @@ class EngineChannel {
 
  private:
   void Flush();
+  std::string Hidden(std::string_view text) const;
+  std::string Found(std::string text) const;
 
+  std::string root_;  ///< Of the place; empty: nothing is hidden.
   int socket_;
   bool is_open_ = true;
   serve::FrameReader reader_;

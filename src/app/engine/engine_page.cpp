@@ -75,6 +75,13 @@ std::optional<sim::InputValue> InputOf(const Json& json) {
 
 }  // namespace
 
+void EnginePage::ShowLife() {
+  const auto now = Clock::now();
+  if (now - life_at_ < std::chrono::milliseconds(400)) return;
+  life_at_ = now;
+  channel_.Send(serve::FrameKind::kAlive, {});
+}
+
 EnginePage::Asked EnginePage::Receive(int most_ms) {
   Asked asked;
   for (const std::string& text : channel_.Receive(most_ms)) {

@@ -43,6 +43,8 @@ class EnginePage {
   };
   /// All that was asked so far has been carried out.
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
+  /// Tells the server twice a second that this process does not hang. Call it in each round of the loop.
+  void ShowLife();
   /// Waits at most so long for something. What cannot be understood is refused here.
   Asked Receive(int most_ms);
   bool is_open() const { return channel_.is_open(); }
@@ -79,7 +81,7 @@ class EnginePage {
   ShapeContents shapes_;
   bool wants_full_ = true;
   world::OverlayWants overlay_wants_;
-  Clock::time_point scene_at_, flow_at_;
+  Clock::time_point scene_at_, flow_at_, life_at_;
   std::string flow_;
   std::map<std::string, std::size_t, std::less<>> told_;  ///< By the name of contents: a hash of what was told last.
 };

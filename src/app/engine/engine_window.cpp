@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "app/mind_steps.h"
 #include "app/refuse.h"
 #include "record/rerun.h"
+#include "serve/wall.h"
 #include "sim/scenario_file.h"
 #include "workbench/desk.h"
 #include "world/world.h"
@@ -105,6 +107,7 @@ class LiveEngine {
 
   int Run() {
     while (!session_.IsOver() && page_.is_open()) {
+      page_.ShowLife();
       EnginePage::Asked asked = page_.Receive(Wait_ms());
       const bool was_asked = !asked.empty();
       if (const Result<void> obeyed = Obey(asked); !obeyed) return Refuse(obeyed.error());
@@ -278,6 +281,7 @@ class ReplayEngine {
 
   int Run() {
     while (!WasInterrupted() && page_.is_open()) {
+      page_.ShowLife();
       const bool stands = pace_.paused() || page_.is_alone();
       EnginePage::Asked asked = page_.Receive(stands ? kIdle_ms : static_cast<int>(std::ceil(step_s_ * 500)));
       const bool was_asked = !asked.empty();
@@ -350,12 +354,28 @@ class EngineWindow final : public Window {
   mutable EnginePage page_;
 };
 
+/// Leaves this process its place to write and the program's own files to read, before it has read anything of the
+/// place.
+void RaiseWall(const EngineOptions& options) {
+  serve::WallSettings wall;
+  wall.may_connect = options.may_join;
+  const char* const place = std::getenv("SOARBOX_PLACE");
+  wall.writable = {place != nullptr ? fs::path(place) : options.home.parent_path()};
+  if (const Result<sim::DataFolders> data = FindDataFolders(); data) {
+    wall.readable = {data->scenarios, data->media, ShippedLessons(*data)};
+  }
+  if (!options.from.empty()) wall.readable.push_back(options.from);
+  serve::RaiseWall(wall);
+}
+
 }  // namespace
 
 int Engine(const EngineOptions& given) {
   EngineOptions options = given;
   std::error_code error;
   options.home = fs::weakly_canonical(options.home, error);
+  if (!options.recording.empty()) options.recording = fs::absolute(options.recording, error);
+  if (options.is_walled) RaiseWall(options);
   const EngineWindow window(options);
   SetProgramWindow(&window);
   if (!options.recording.empty()) {

@@ -18,6 +18,7 @@ struct EngineOptions {
   std::string lesson;               ///< Or a lesson, whose files are put into the learner's folder.
   std::filesystem::path recording;  ///< Or a recording.
   std::filesystem::path home;       ///< What the learner edits may be written below this folder alone.
+  bool is_walled = false;           ///< For strangers: the process can reach its place and the program's data alone.
   int memory_mb = 256;
   bool may_join = false;  ///< An exercise of other simulations, as the scenario says, or `dis`.
   std::string dis;        ///< As for `soarbox run`.

@@ -19,9 +19,11 @@
 #include "app/other_program.h"
 #include "app/refuse.h"
 #include "diagnostics/problem.h"
+#include "diagnostics/read_text.h"
 #include "mission/test_missions.h"
 #include "serve/random_id.h"
 #include "serve/server.h"
+#include "serve/wall.h"
 #include "sim/scenario.h"
 
 namespace soarbox::app {
@@ -84,7 +86,7 @@ fs::path FolderOf(const std::string& scenario) {
 std::vector<std::string> EngineFor(const std::string& what, const serve::Place& place, const ServeOptions& options,
                                    const std::string& program, const ShippedCatalog& catalog) {
   std::vector<std::string> words = {
-      program, "engine", "--home", place.home().string(), "--memory", std::to_string(options.memory_mb)};
+      program, "engine", "--home", "home", "--walled", "--memory", std::to_string(options.memory_mb)};
   if (options.dis) words.emplace_back("--join");
   const std::size_t colon = what.find(':');
   const std::string kind = what.substr(0, colon), name = colon == std::string::npos ? "" : what.substr(colon + 1);
@@ -92,7 +94,8 @@ std::vector<std::string> EngineFor(const std::string& what, const serve::Place& 
   if (kind == "recording") {
     const Result<fs::path> file = place.FindRecording(name);
     if (!file) return {};
-    words.insert(words.end(), {"--recording", file->string()});
+    // The process begins in the folder of its place.
+    words.insert(words.end(), {"--recording", file->lexically_relative(place.root()).string()});
     return words;
   }
   const auto is_it = [&](const auto& each) { return each.name == name; };
@@ -130,12 +133,37 @@ bool IsThisMachine(const std::string& address) {
   return address.starts_with("127.") || address == "::1";
 }
 
+/// The token from the command line, from a file, or from the environment, which other users of this machine cannot see.
+Result<std::string> TokenOf(const ServeOptions& options) {
+  std::string token = options.token;
+  if (!options.token_file.empty()) {
+    const std::optional<std::string> text = ReadText(options.token_file);
+    if (!text) return ProblemIn(options.token_file, "this file with the token cannot be read");
+    token = text->substr(0, text->find_first_of("\r\n"));
+    if (token.empty())
+      return ProblemIn(options.token_file, "the first line of this file is the token, and it is empty");
+  } else if (const char* kept = std::getenv("SOARBOX_TOKEN"); token.empty() && kept != nullptr && !options.open) {
+    token = kept;
+  }
+  // A browser sends it as the name of a protocol of a WebSocket.
+  const bool is_good = std::ranges::all_of(token, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-_.~!$*+").find(c) != std::string_view::npos;
+  });
+  if (!is_good)
+    return NewProblem("this token cannot be used: a browser can send letters, digits and -_.~!$*+ only",
+                      "choose another one, without blanks");
+  return token;
+}
+
 /// What both commands have in common; the error says why nothing can be served.
 Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::DataFolders& data) {
   serve::Settings settings;
   if (const Result<void> read = ReadListen(options.listen, settings); !read) return read.error();
   std::error_code error;
-  settings.token = options.token;
+  const Result<std::string> token = TokenOf(options);
+  if (!token) return token.error();
+  settings.token = *token;
   settings.hosts = options.hosts;
   settings.proxies = options.proxies;
   settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
@@ -143,6 +171,8 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   settings.class_list = options.class_list;
   settings.limits.sessions = options.sessions;
   settings.limits.idle_min = options.idle_min;
+  settings.limits.hang_s = options.hang_s;
+  settings.limits.sessions_per_address = options.each > 0 ? options.each : (options.sessions * 3 + 3) / 4;
   return settings;
 }
 
@@ -178,7 +208,7 @@ int ServePages(const ServeOptions& options) {
     std::cerr << Format(settings.error());
     return kUsage;
   }
-  if (!IsThisMachine(settings->address) && options.token.empty() && !options.open) {
+  if (!IsThisMachine(settings->address) && settings->token.empty() && !options.open) {
     std::cerr << Format(
         NewProblem("others than you could reach this address: the server needs a token",
                    "add --token SECRET, or --open if anybody who reaches it may run worlds on this machine"));
@@ -187,6 +217,8 @@ int ServePages(const ServeOptions& options) {
   if (options.open && !IsThisMachine(settings->address))
     std::cerr << "soarbox: warning: ANYBODY WHO REACHES " << settings->address
               << " CAN RUN WORLDS ON THIS MACHINE (--open)\n";
+  for (const std::string& missing : serve::MissingOfWall())
+    std::cerr << "soarbox: note: " << missing << " (docs/serve.md, The wall)\n";
   const Result<std::string> program = EngineProgram();
   if (!program) return Refuse(program.error());
   auto catalog = std::make_unique<const ShippedCatalog>(*data);

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""What one hostile learner does to a server, and what all others notice of it. Bounds on time are generous: a machine may be busy."""
+import io
+import json
+import os
+import pathlib
+import signal
+import socket
+import stat
+import subprocess
+import time
+import unittest
+import zipfile
+
+from web_client import COMMAND, Gone, ServeCase
+
+# Others wait much less (docs/serve.md says how long); before there were limits it took up to 50 s.
+PATIENT_S = 5
+
+
+def memory_mb(pid):
+    status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
+    return next(int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS:")) / 1024
+
+
+class Attack(ServeCase):
+    def others_wait(self, server, path="/", times=10):
+        """The longest that another page waits for an answer."""
+        longest = 0
+        for _ in range(times):
+            begin = time.monotonic()
+            self.assertLess(server.http("GET", path)[0], 500)
+            longest = max(longest, time.monotonic() - begin)
+        return longest
+
+
+class Messages(Attack):
+    def test_a_message_with_many_keys_is_refused_at_once(self):
+        server = self.serve()
+        page = self.page(server, server.new_place())
+        page.until_message("none")
+        page.send_frame(1, json.dumps({f"{i:05}": 0 for i in range(80_000)}).encode())
+        self.assertLess(self.others_wait(server), PATIENT_S)
+        self.assertIn("at most 256 fields", page.until_message("error")["hint"])
+
+    def test_deep_and_long_messages_are_refused(self):
+        server = self.serve()
+        page = self.page(server, server.new_place())
+        page.until_message("none")
+        for text in ('{"request":"x","a":' + "[" * 70 + "]" * 70 + "}", json.dumps({"request": "x", "a": [0] * 30_000}), "[" * 500_000):
+            page.send_frame(1, text.encode())
+            self.assertIn("no request", page.until_message("error")["error"])
+        # What is below the limits is understood, whatever surrounds it.
+        page.send_frame(1, json.dumps({"a": {"request": "y", "id": 1}, "request": "x", "id": "mine", "b": [["id"]]}).encode())
+        answer = page.until_message("error")
+        self.assertEqual((answer["id"], answer["error"]), ("mine", "there is no run"))
+
+    def test_bytes_are_charged_as_well_as_messages(self):
+        server = self.serve()
+        page = self.page(server, server.new_place())
+        page.until_message("none")
+        text = json.dumps({"request": "x", "a": "b" * 1_000_000}).encode()
+        # 16 points each, of 1,000 at once.
+        for _ in range(80):
+            page.send_frame(1, text)
+        page.until(lambda message: message["message"] == "error" and "more than this server allows" in message["error"])
+        self.assertLess(self.others_wait(server), PATIENT_S)
+
+
+class Processes(Attack):
+    def test_a_place_has_one_process_however_often_it_opens(self):
+        server = self.serve()
+        page = self.page(server, server.new_place())
+        page.until_message("none")
+        for i in range(100):
+            page.ask(request="open", what="scenario:soar_hallway" if i % 2 else "scenario:thesis")
+        most = 0
+        end = time.monotonic() + 6
+        while time.monotonic() < end:
+            most = max(most, len(server.engines()))
+            time.sleep(0.02)
+        self.assertEqual(most, 1)
+        self.assertEqual(page.until_message("hello")["what"], "scenario:soar_hallway", "the last one counts")
+
+    def test_runs_are_limited_by_address_and_pages_without_a_run_hold_no_room(self):
+        server = self.serve("--sessions", "2", "--each", "1")
+        idle = [self.page(server, server.new_place()) for _ in range(4)]
+        for page in idle:
+            page.until_message("none")
+        self.opened(server, server.new_place(), "scenario:soar_hallway")
+        idle[0].ask(request="open", what="scenario:soar_hallway")
+        self.assertIn("for your address", idle[0].until_message("error")["error"])
+
+    def test_a_run_that_hangs_is_told_unasked_and_ended(self):
+        server = self.serve("--hang", "6")
+        page = self.opened(server, server.new_place(), "scenario:soar_hallway", "agents")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        engine = server.engines()[0]
+        os.kill(engine, signal.SIGSTOP)
+        begin = time.monotonic()
+        page.until_message("busy")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertIn("has not answered for 6 s", page.until_message("ended")["text"])
+        self.wait_for(lambda: not server.engines(), "the process is gone")
+        page.ask(request="open", what="scenario:soar_hallway")
+        page.until_message("hello")
+
+
+class Disk(Attack):
+    def test_folders_count_and_go_when_empty(self):
+        server = self.serve()
+        place = server.new_place()
+        home = self.folder / "state" / "places" / place / "home"
+        self.assertEqual(server.json("PUT", f"/api/p/{place}/files/a/b/c/x", b"1")[0], 200)
+        self.assertEqual(server.json("DELETE", f"/api/p/{place}/files/a/b/c/x")[0], 200)
+        self.assertEqual(list(home.iterdir()), [])
+        statuses = []
+        for i in range(60):
+            status = server.http("PUT", f"/api/p/{place}/files/{i}/a/b/c/d/e/f/x", b"1")[0]
+            while status == 429:
+                time.sleep(0.5)
+                status = server.http("PUT", f"/api/p/{place}/files/{i}/a/b/c/d/e/f/x", b"1")[0]
+            statuses.append(status)
+        self.assertIn(400, statuses)
+        self.assertLessEqual(sum(1 for path in home.rglob("*") if path.is_dir()), 256)
+
+    def test_a_file_called_part_is_a_file_like_others(self):
+        server = self.serve()
+        place = server.new_place()
+        for name, text in (("a.soar.part", b"mine"), ("a.soar", b"other")):
+            self.assertEqual(server.http("PUT", f"/api/p/{place}/files/{name}", text)[0], 200)
+        self.assertEqual(server.http("GET", f"/api/p/{place}/files/a.soar.part")[2], b"mine")
+        self.assertEqual(list((self.folder / "state" / "places" / place / "parts").iterdir()), [])
+
+    def test_requests_over_http_are_charged(self):
+        server = self.serve()
+        place, other = server.new_place(), server.new_place()
+        archive = io.BytesIO()
+        with zipfile.ZipFile(archive, "w") as writing:
+            for i in range(256):
+                writing.writestr(str(i), os.urandom(10_000))
+        self.assertEqual(server.http("POST", f"/api/p/{place}/zip", archive.getvalue())[0], 200)
+        statuses = [server.http("GET", f"/api/p/{place}/zip")[0] for _ in range(20)]
+        self.assertIn(429, statuses)
+        self.assertEqual(server.http("GET", f"/api/p/{other}")[0], 200, "another place is served")
+
+    def test_downloads_are_not_held_in_memory(self):
+        server = self.serve()
+        place = server.new_place()
+        recordings = self.folder / "state" / "places" / place / "state" / "soarbox" / "recordings"
+        recordings.mkdir(parents=True)
+        (recordings / "big.soarrec").write_bytes(os.urandom(1 << 20) * 16)
+        sleepers = []
+        for _ in range(40):
+            sleeper = socket.create_connection(("127.0.0.1", server.port), timeout=60)
+            self.addCleanup(sleeper.close)
+            sleeper.sendall(f"GET /api/p/{place}/recordings/big.soarrec HTTP/1.1\r\nHost: {server.host}\r\n\r\n".encode())
+            sleepers.append(sleeper)
+        self.assertLess(self.others_wait(server), PATIENT_S)
+        self.assertLess(memory_mb(server.process.pid), 300)
+        self.assertEqual(len(server.http("GET", f"/api/p/{place}/recordings/big.soarrec")[2]), 16 << 20)
+
+
+class Secrets(Attack):
+    def test_the_right_token_works_whatever_others_have_tried(self):
+        server = self.serve("--token", "sesame")
+        for _ in range(12):
+            server.http("POST", "/api/places", b"", Authorization="Bearer wrong")
+        self.assertEqual(server.http("POST", "/api/places", b"", Authorization="Bearer wrong")[0], 429)
+        self.assertEqual(server.http("POST", "/api/places", b"", Authorization="Bearer sesame")[0], 200)
+
+    def test_a_token_comes_from_a_file(self):
+        (self.folder / "token").write_text("from-a-file\n", encoding="utf-8")
+        server = self.serve("--token-file", self.folder / "token")
+        self.assertEqual(server.http("POST", "/api/places", b"", Authorization="Bearer from-a-file")[0], 200)
+        self.assertEqual(server.http("POST", "/api/places", b"")[0], 401)
+        self.assertNotIn(b"from-a-file", pathlib.Path(f"/proc/{server.process.pid}/cmdline").read_bytes())
+
+    def test_a_token_that_browsers_cannot_send_is_refused_at_the_start(self):
+        with self.assertRaisesRegex(AssertionError, "this token cannot be used"):
+            self.serve("--token", "a, b")
+
+    def test_places_are_seen_by_their_owner_alone(self):
+        server = self.serve()
+        place = server.new_place()
+        for folder in (self.folder / "state", self.folder / "state" / "places"):
+            self.assertEqual(stat.S_IMODE(folder.stat().st_mode), 0o700)
+        page = self.opened(server, place, "lesson:01-a-rule", "mission", "edit", "console")
+        edit = page.until_contents("edit", lambda edit: edit["files"])
+        page.ask(request="edit", file=edit["files"][0]["file"])
+        page.until_contents("edit", lambda edit: edit["edit"]["text"])
+        page.ask(request="edit-text", what="save", text="sp {broken (state <s> --> }")
+        page.until_contents("edit", lambda edit: edit["edit"]["notice"] == "Saved.")
+        page.ask(request="lesson", what="grade")
+        page.until_contents("mission", lambda mission: mission["lesson"]["grade"])
+        page.ask(request="console", agent=next(m for m in page.messages if m["message"] == "hello")["minds"][0], line="pwd")
+        page.ask(request="flow", what="pause")
+        page.until(lambda message: message["message"] == "flow" and message["paused"])
+        for engine in server.engines():
+            self.assertNotIn(place.encode(), pathlib.Path(f"/proc/{engine}/cmdline").read_bytes())
+        self.assertNotIn(place, json.dumps(page.messages))
+        self.assertIn("/place/", edit["files"][0]["file"])
+
+
+class Tabs(Attack):
+    def test_one_tab_edits_and_another_may_take_over(self):
+        server = self.serve()
+        place = server.new_place()
+        one = self.opened(server, place, "lesson:01-a-rule", "edit")
+        one.ask(request="edit", file=one.until_contents("edit", lambda edit: edit["files"])["files"][0]["file"])
+        one.until_contents("edit", lambda edit: edit["edit"]["text"])
+        two = self.page(server, place)
+        self.assertFalse(two.until_message("tabs")["may_type"])
+        two.until_message("hello")
+        two.ask(request="edit-text", what="type", text="# two")
+        self.assertIn("another tab", two.until_message("error")["error"])
+        two.ask(request="take-over")
+        self.assertTrue(two.until_message("tabs")["may_type"])
+        one.until(lambda message: message["message"] == "tabs" and not message["may_type"])
+        one.ask(request="edit-text", what="save", text="# one, over it")
+        self.assertIn("another tab", one.until_message("error")["error"])
+        two.ask(request="edit-text", what="type", text="# two")
+        two.until_contents("edit", lambda edit: edit["edit"]["text"] == "# two" or edit["edit"]["is_unsaved"])
+        two.close()
+        one.until(lambda message: message["message"] == "tabs" and message["may_type"])
+
+    def test_a_tab_that_connects_again_is_the_same(self):
+        server = self.serve()
+        place = server.new_place()
+        from web_client import WebSocket
+        pages = [WebSocket(server, f"/api/p/{place}/run?tab=x{i}") for i in (1, 2, 1)]
+        for page in pages:
+            self.addCleanup(page.close)
+        self.assertTrue(pages[2].until_message("tabs")["may_type"])
+
+    def test_what_is_typed_survives_a_kill_soon_after(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.opened(server, place, "lesson:01-a-rule", "edit")
+        page.ask(request="edit", file=page.until_contents("edit", lambda edit: edit["files"])["files"][0]["file"])
+        page.until_contents("edit", lambda edit: edit["edit"]["text"])
+        for i in range(5):
+            page.ask(request="edit-text", what="type", text=f"# thought {i}\n")
+            page.until_contents("edit", lambda edit, i=i: edit["edit"]["is_unsaved"])
+            # The draft is on the disk before the engine says that it has the text.
+            page.ask(request="flow", what="pause" if i % 2 == 0 else "go-on")
+            page.until(lambda message, i=i: message["message"] == "flow" and message["paused"] == (i % 2 == 0))
+            os.kill(server.engines()[0], signal.SIGKILL)
+            page.until_message("ended")
+            page.contents.clear()
+            page.ask(request="open", what="lesson:01-a-rule")
+            page.until_message("hello")
+            page.ask(request="look", panels=["edit"])
+            page.ask(request="edit", file=page.until_contents("edit", lambda edit: edit["files"])["files"][0]["file"])
+            page.until_contents("edit", lambda edit, i=i: f"thought {i}" in edit["edit"]["text"])
+
+
+class Exercises(ServeCase):
+    def test_a_world_of_somebody_else_joins_no_network_unasked(self):
+        world = self.folder / "world"
+        world.mkdir()
+        (world / "scenario.toml").write_text('[dis]\naddress = "127.255.255.255"\nport = 23290\nsite = 1\napplication = 2\n[[agent]]\nname = "a"\n', encoding="utf-8")
+
+        def run(address, *options):
+            text = (world / "scenario.toml").read_text(encoding="utf-8")
+            (world / "scenario.toml").write_text(text.replace("127.255.255.255", address).replace("192.0.2.255", address), encoding="utf-8")
+            done = subprocess.run([COMMAND, "run", world, "--headless", "--seconds", "0.2", *options], capture_output=True, text=True, check=False)
+            return done.stdout + done.stderr
+        self.assertNotIn("--dis", run("127.255.255.255"))
+        self.assertIn("joins no exercise", run("192.0.2.255"))
+
+
+if __name__ == "__main__":
+    unittest.main()
