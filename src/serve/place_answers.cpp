@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "serve/place_answers.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/json_text.h"
@@ -115,9 +116,11 @@ double CostBefore(const PlaceRequest& request) {
 
 double CostAfter(const PlaceRequest& request, const WebResponse& response) {
   const bool is_archive = request.parts.size() > 3 && request.parts[3] == "zip";
-  // To compress takes longer than to read; an archive that came was written file by file.
-  constexpr double kBytesPerPoint = 65'536, kPackedPerPoint = 4'096, kArchiveWritten = 40;
-  if (is_archive && request.method == "POST") return response.status == 200 ? kArchiveWritten : 0;
+  // To compress takes longer than to read; what came was written file by file, and each file has a name.
+  constexpr double kBytesPerPoint = 65'536, kPackedPerPoint = 4'096, kCamePerPoint = 1'024, kMostWritten = 100;
+  if (is_archive && request.method == "POST")
+    return response.status == 200 ? std::min(static_cast<double>(request.body.size()) / kCamePerPoint, kMostWritten)
+                                  : 0;
   return static_cast<double>(response.body.size()) / (is_archive ? kPackedPerPoint : kBytesPerPoint);
 }
 

@@ -60,7 +60,8 @@ class WebSocket:
         head = bytes([0x80 | opcode])
         head += bytes([0x80 | size]) if size < 126 else bytes([0x80 | 126]) + struct.pack(">H", size) if size < 65536 \
             else bytes([0x80 | 127]) + struct.pack(">Q", size)
-        self.socket.sendall(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload)))
+        masks = int.from_bytes((mask * (size // 4 + 1))[:size], "big")
+        self.socket.sendall(head + mask + (int.from_bytes(payload, "big") ^ masks).to_bytes(size, "big"))
 
     def ask(self, **request):
         self.send_frame(1, json.dumps(request).encode())
@@ -182,8 +183,11 @@ class Server:
 
     def engines(self):
         """Numbers of the processes that the server has started."""
-        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="utf-8")
-        return [int(number) for number in children.split()]
+        # Each thread of the server has the processes that it has started.
+        numbers = []
+        for thread in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
+            numbers += (thread / "children").read_text(encoding="utf-8").split()
+        return [int(number) for number in numbers]
 
 
 class BrowserRun(Server):
