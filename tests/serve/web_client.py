@@ -54,14 +54,19 @@ class WebSocket:
         taken, self.held = self.held[:count], self.held[count:]
         return taken
 
-    def send_frame(self, opcode, payload):
+    @staticmethod
+    def frame(opcode, payload):
+        """The bytes of one frame, as a browser sends it."""
         mask = os.urandom(4)
         size = len(payload)
         head = bytes([0x80 | opcode])
         head += bytes([0x80 | size]) if size < 126 else bytes([0x80 | 126]) + struct.pack(">H", size) if size < 65536 \
             else bytes([0x80 | 127]) + struct.pack(">Q", size)
         masks = int.from_bytes((mask * (size // 4 + 1))[:size], "big")
-        self.socket.sendall(head + mask + (int.from_bytes(payload, "big") ^ masks).to_bytes(size, "big"))
+        return head + mask + (int.from_bytes(payload, "big") ^ masks).to_bytes(size, "big")
+
+    def send_frame(self, opcode, payload):
+        self.socket.sendall(self.frame(opcode, payload))
 
     def ask(self, **request):
         self.send_frame(1, json.dumps(request).encode())
@@ -220,7 +225,8 @@ class ServeCase(unittest.TestCase):
         page = self.page(server, place)
         page.until_message("none")
         page.ask(request="open", what=what)
-        page.until_message("hello")
+        begun = page.until(lambda message: message["message"] in ("hello", "error", "ended"))
+        self.assertEqual(begun["message"], "hello", begun)
         page.ask(request="look", panels=list(panels))
         return page
 
