@@ -292,6 +292,8 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--hang", options.hang_s, "Seconds of silence after which a run is ended")
       ->capture_default_str()
       ->check(NumberIn(2, 100'000));
+  serve->add_flag("--no-wall", options.no_wall,
+                  "Run worlds with all rights of the server's user; the interpreters alone keep them from its files");
   serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");

@@ -15,6 +15,7 @@ struct ServeOptions {
   std::string token;
   std::filesystem::path token_file;  ///< Its first line is the token.
   bool open = false;                 ///< Anybody who reaches the address may use it.
+  bool no_wall = false;              ///< Worlds get no second wall (serve/wall.h).
   std::vector<std::string> hosts, proxies;
   std::size_t sessions = 128;
   int memory_mb = 256;

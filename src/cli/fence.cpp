@@ -113,7 +113,8 @@ Fence::Answer Fence::Ask(std::span<const Word> words) const {
   if (is_allowed && !OpensFile(words)) return {};
   const std::string what = is_allowed ? "open files with '" + name + "'" : "use '" + name + "'";
   if (is_recorded)
-    return {false, "Commands of a recording, or of a file of inputs, may not " + what + ". Type it yourself."};
+    return {false, "Commands of a recording, of a file of inputs or of a page in a browser may not " + what +
+                       ". You can type it in a shell or window of your own."};
   return {false, "The files of a scenario may not " + what + ". Type it yourself, or in a debugger."};
 }
 

@@ -194,12 +194,13 @@ void Site::Answer(const WebRequest& request, std::function<void(WebResponse)> do
 }
 
 bool Site::MayBegin(const std::string& place, const std::string& address) {
-  return place_costs_.MayBegin(place) && address_costs_.MayBegin(address);
+  // Learners of the class may all sit behind one address: each pays with the own place alone.
+  return place_costs_.MayBegin(place) && (!class_.NameOf(place).empty() || address_costs_.MayBegin(address));
 }
 
 void Site::Charge(const std::string& place, const std::string& address, double points) {
   if (!place.empty()) place_costs_.Charge(place, points);
-  address_costs_.Charge(address, points);
+  if (class_.NameOf(place).empty()) address_costs_.Charge(address, points);
 }
 
 void Site::AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done) {

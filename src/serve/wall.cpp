@@ -11,28 +11,31 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <optional>
-#include <string_view>
+#include <cstdio>
+#include <utility>
 
 namespace soarbox::serve {
 namespace {
 
 namespace fs = std::filesystem;
 
-enum Missing : unsigned { kNoNetwork = 1, kNoLandlock = 2, kNoFilter = 4 };
+enum Missing : unsigned { kNoNetwork = 1, kNoLandlock = 2, kNoFilter = 4, kNoCount = 8 };
 
 std::vector<std::string> SentencesOf(unsigned missing) {
   std::vector<std::string> sentences;
   if ((missing & kNoNetwork) != 0)
-    sentences.emplace_back("this system gives processes no network and no count of processes of their own");
+    sentences.emplace_back("this system lets the server make no user namespaces: worlds share its network");
+  if ((missing & kNoCount) != 0)
+    sentences.emplace_back("this system counts the processes of all worlds together: a world may start any number");
   if ((missing & kNoLandlock) != 0)
     sentences.emplace_back("this system has no landlock: the interpreters alone keep a world to its own files");
   if ((missing & kNoFilter) != 0)
@@ -48,21 +51,33 @@ bool WriteTo(const char* path, const std::string& text) {
   return is_written;
 }
 
-/// A user namespace of its own, in which processes are counted on their own, with an empty network if wanted.
-bool TakeNetwork(bool may_connect) {
+/// Whether the kernel counts the processes of a user namespace on their own: Linux 5.14 and newer. Older ones count all
+/// processes of the user, also those of other places.
+bool CountsByNamespace() {
+  utsname system{};
+  int major = 0, minor = 0;
+  if (uname(&system) != 0 || std::sscanf(system.release, "%d.%d", &major, &minor) != 2) return false;
+  return std::pair(major, minor) >= std::pair(5, 14);
+}
+
+/// A user namespace of its own, in which processes are counted on their own, with an empty network if wanted. Returns
+/// what is missing.
+unsigned TakeNetwork(bool may_connect) {
   const uid_t user = getuid();
   const gid_t group = getgid();
-  if (unshare(CLONE_NEWUSER | (may_connect ? 0 : CLONE_NEWNET)) != 0) return false;
+  if (unshare(CLONE_NEWUSER | (may_connect ? 0 : CLONE_NEWNET)) != 0) return kNoNetwork | kNoCount;
   // Its files belong to the same user as before.
   WriteTo("/proc/self/setgroups", "deny");
   const std::string same_user = std::to_string(user) + " " + std::to_string(user) + " 1";
   const std::string same_group = std::to_string(group) + " " + std::to_string(group) + " 1";
   WriteTo("/proc/self/uid_map", same_user);
   WriteTo("/proc/self/gid_map", same_group);
-  // The run itself, its threads, and the process that grades a lesson with its own.
-  constexpr rlim_t kMostProcesses = 64;
-  const rlimit limit{kMostProcesses, kMostProcesses};
-  return setrlimit(RLIMIT_NPROC, &limit) == 0;
+  if (!CountsByNamespace()) return kNoCount;
+  // The run itself, its threads, and the process that grades a lesson with one of its own for each core.
+  const rlim_t most = 64 + 2 * static_cast<rlim_t>(std::max(sysconf(_SC_NPROCESSORS_ONLN), 1l));
+  const rlimit limit{most, most};
+  if (setrlimit(RLIMIT_NPROC, &limit) != 0) return kNoCount;
+  return 0;
 }
 
 // Rights that are newer than the headers that this is built with.
@@ -215,8 +230,7 @@ bool FilterCalls(bool may_connect) {
 }
 
 unsigned Raise(const WallSettings& settings) {
-  unsigned missing = 0;
-  if (!TakeNetwork(settings.may_connect)) missing |= kNoNetwork;
+  unsigned missing = TakeNetwork(settings.may_connect);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return missing | kNoLandlock | kNoFilter;
   if (!TakeFiles(settings)) missing |= kNoLandlock;
   if (!FilterCalls(settings.may_connect)) missing |= kNoFilter;
@@ -234,7 +248,7 @@ std::vector<std::string> MissingOfWall() {
   if (pid == 0) _exit(static_cast<int>(Raise({})));
   int status = 0;
   if (pid < 0 || waitpid(pid, &status, 0) != pid || !WIFEXITED(status))
-    return SentencesOf(kNoNetwork | kNoLandlock | kNoFilter);
+    return SentencesOf(kNoNetwork | kNoLandlock | kNoFilter | kNoCount);
   return SentencesOf(static_cast<unsigned>(WEXITSTATUS(status)));
 }
 

@@ -85,8 +85,8 @@ fs::path FolderOf(const std::string& scenario) {
 /// The program of an engine and its arguments.
 std::vector<std::string> EngineFor(const std::string& what, const serve::Place& place, const ServeOptions& options,
                                    const std::string& program, const ShippedCatalog& catalog) {
-  std::vector<std::string> words = {
-      program, "engine", "--home", "home", "--walled", "--memory", std::to_string(options.memory_mb)};
+  std::vector<std::string> words = {program, "engine", "--home", "home", "--memory", std::to_string(options.memory_mb)};
+  if (!options.no_wall) words.emplace_back("--walled");
   if (options.dis) words.emplace_back("--join");
   const std::size_t colon = what.find(':');
   const std::string kind = what.substr(0, colon), name = colon == std::string::npos ? "" : what.substr(colon + 1);
@@ -217,8 +217,11 @@ int ServePages(const ServeOptions& options) {
   if (options.open && !IsThisMachine(settings->address))
     std::cerr << "soarbox: warning: ANYBODY WHO REACHES " << settings->address
               << " CAN RUN WORLDS ON THIS MACHINE (--open)\n";
-  for (const std::string& missing : serve::MissingOfWall())
-    std::cerr << "soarbox: note: " << missing << " (docs/serve.md, The wall)\n";
+  if (options.no_wall)
+    std::cerr << "soarbox: warning: worlds have all rights of this server's user (--no-wall)\n";
+  else
+    for (const std::string& missing : serve::MissingOfWall())
+      std::cerr << "soarbox: note: " << missing << " (docs/serve.md, The wall)\n";
   const Result<std::string> program = EngineProgram();
   if (!program) return Refuse(program.error());
   auto catalog = std::make_unique<const ShippedCatalog>(*data);
