@@ -11,6 +11,7 @@
 #include "app/data_folders.h"
 #include "app/engine/engine_desk.h"
 #include "app/engine/engine_page.h"
+#include "app/engine/engine_watch.h"
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/mind_steps.h"
@@ -376,6 +377,7 @@ int Engine(const EngineOptions& given) {
   options.home = fs::weakly_canonical(options.home, error);
   if (!options.recording.empty()) options.recording = fs::absolute(options.recording, error);
   if (options.is_walled) RaiseWall(options);
+  EndWithServer(options.socket);
   const EngineWindow window(options);
   SetProgramWindow(&window);
   if (!options.recording.empty()) {
