@@ -25,9 +25,24 @@ from web_client import Gone, Server, WebSocket
 WORLD = "scenario:soar_hallway"
 
 
-def memory_mb(pid):
+def status_mb(pid, what):
     status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
-    return next(int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS:")) / 1024
+    return next(int(line.split()[1]) for line in status.splitlines() if line.startswith(what + ":")) / 1024
+
+
+def memory_mb(pid):
+    return status_mb(pid, "VmRSS")
+
+
+def most_memory_mb(pid):
+    """What a server may hold. A build that checks memory (it reserves terabytes of addresses) keeps what was freed for a while."""
+    return 300 if status_mb(pid, "VmSize") < 1_000_000 else 1_500
+
+
+def cpu_s(pid):
+    """Seconds that a process has worked."""
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def archive_of(count, size):
@@ -69,9 +84,9 @@ class Attackers:
     def attack(self, name, once):
         def again():
             while not self.is_over.is_set():
+                self.rounds[name] = self.rounds.get(name, 0) + 1
                 try:
                     once()
-                    self.rounds[name] = self.rounds.get(name, 0) + 1
                 except (Gone, OSError, ValueError):
                     pass
                 self.is_over.wait(0.01)
@@ -193,6 +208,7 @@ class Combined:
         (recordings / "big.soarrec").write_bytes(os.urandom(1 << 20) * 16)
         self.attackers = Attackers(self.server, f"/api/p/{place}/recordings/big.soarrec")
         self.learners = [Learner(self.server, place) for place in self.places]
+        self.most_memory_mb = most_memory_mb(self.server.process.pid)
         self.waits, self.memory_mb, self.processes, self.rounds = [], 0, 0, {}
 
     def run(self, seconds, least_answers=0):
