@@ -142,6 +142,8 @@ bool TakeFiles(const WallSettings& settings) {
   for (const fs::path& part :
        {program, fs::path("/lib64/ld-linux-x86-64.so.2"), fs::path("/lib/ld-linux-aarch64.so.1")})
     landlock.Allow(part, LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE);
+  // Libraries that were installed with it, outside of the system's folders.
+  for (const char* libraries : {"lib", "lib64"}) landlock.Allow(program.parent_path().parent_path() / libraries, kRead);
   for (const fs::path& folder : settings.readable) landlock.Allow(folder, kRead);
   for (const fs::path& folder : settings.writable) landlock.Allow(folder, landlock.all());
   return landlock.Restrict();
