@@ -229,7 +229,8 @@ void Site::NewPlace(const WebRequest& request, Done done) {
 }
 
 void Site::Do(const std::string& line, std::function<WebResponse()> job, Done done) {
-  const auto response = std::make_shared<WebResponse>();
+  const auto response =
+      std::make_shared<WebResponse>(Refusal(500, "the server could not do this", "try again in a moment"));
   work_.Do(
       line, [response, job = std::move(job)] { *response = job(); },
       [response, done = std::move(done)] { done(std::move(*response)); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <exception>
 #include <utility>
 
 namespace soarbox::serve {
@@ -22,7 +23,11 @@ void Work::Do(const std::string& name, std::function<void()> job, std::function<
   Line& line = lines_.try_emplace(name, Line{Strand(pool_.get_executor())}).first->second;
   ++line.waiting;
   asio::post(line.strand, [this, name, job = std::move(job), done = std::move(done)]() mutable {
-    job();
+    try {
+      job();
+    } catch (const std::exception&) {
+      // A folder that vanishes, or no memory: the server goes on.
+    }
     job = nullptr;  // What it holds goes before the answer is given.
     asio::post(io_, [this, name = std::move(name), done = std::move(done)] {
       const auto found = lines_.find(name);

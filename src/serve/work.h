@@ -22,7 +22,8 @@ class Work {
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
-  /// Runs `job` on a thread of the pool, then `done` on the thread of `io`. Call it on that thread.
+  /// Runs `job` on a thread of the pool, then `done` on the thread of `io`. If the job throws, `done` is called, too.
+  /// Call it on the thread of `io`.
   void Do(const std::string& name, std::function<void()> job, std::function<void()> done);
   /// Number of jobs of this name that have not ended.
   std::size_t Waiting(const std::string& name) const;

@@ -217,6 +217,35 @@ class Secrets(Attack):
         self.assertIn("/place/", edit["files"][0]["file"])
 
 
+class Wall(Attack):
+    def rights(self, pid):
+        """What the system says of a process: its network, and whether it may gain privileges and which calls are filtered."""
+        lines = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines())
+        return os.readlink(f"/proc/{pid}/ns/net"), lines["NoNewPrivs"].strip(), lines["Seccomp"].strip(), lines.get("Seccomp_filters", "").strip()
+
+    def begin(self, *options):
+        server = self.serve(*options)
+        self.opened(server, server.new_place(), "lesson:01-a-rule")
+        return self.rights(server.process.pid), self.rights(server.engines()[0]), (self.folder / "server.err").read_text(encoding="utf-8")
+
+    def test_a_world_has_the_wall_that_the_server_does_not_call_missing(self):
+        own, engine, notes = self.begin()
+        self.assertEqual(engine[1], "1", "no new privileges")
+        self.assertEqual(engine[0] == own[0], "user namespaces" in notes, notes)
+        if "seccomp" not in notes:
+            self.assertEqual(engine[2], "2")
+            self.assertTrue(engine[3] == "" or int(engine[3]) > int(own[3]))
+
+    def test_the_wall_can_be_left_out(self):
+        own, engine, notes = self.begin("--no-wall")
+        self.assertEqual(engine, own)
+        self.assertIn("--no-wall", notes)
+
+    def test_a_world_beside_an_exercise_keeps_the_network(self):
+        own, engine, _ = self.begin("--dis")
+        self.assertEqual((engine[0], engine[1]), (own[0], "1"))
+
+
 class Tabs(Attack):
     def test_one_tab_edits_and_another_may_take_over(self):
         server = self.serve()
