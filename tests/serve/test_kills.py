@@ -112,6 +112,9 @@ class Kills(ServeCase):
         server = self.start()
         place, learner, kinds = server.new_place(), Learner(), {"server": 0, "world": 0}
         learner.begin(server, place)
+        for act in (learner.type, learner.save, learner.upload, learner.hint, learner.grade):
+            learner.number += 1
+            act()
         for round_ in range(KILLS):
             kind = chance.choice(["server", "world", "world"])
             victim = server.process.pid if kind == "server" else server.engines()[0]
