@@ -285,10 +285,8 @@ class Tabs(Attack):
         page.until_contents("edit", lambda edit: edit["edit"]["text"])
         for i in range(5):
             page.ask(request="edit-text", what="type", text=f"# thought {i}\n")
-            page.until_contents("edit", lambda edit, i=i: edit["edit"]["is_unsaved"])
             # The draft is on the disk before the engine says that it has the text.
-            page.ask(request="flow", what="pause" if i % 2 == 0 else "go-on")
-            page.until(lambda message, i=i: message["message"] == "flow" and message["paused"] == (i % 2 == 0))
+            page.until_contents("edit", lambda edit, i=i: f"thought {i}" in edit["edit"]["text"])
             os.kill(server.engines()[0], signal.SIGKILL)
             page.until_message("ended")
             page.contents.clear()
