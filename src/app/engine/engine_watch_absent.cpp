@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Where a program has no processes (WebAssembly).
+#include "app/engine/engine_watch.h"
+
+namespace soarbox::app {
+
+void EndWithServer(int) {}
+
+}  // namespace soarbox::app
