@@ -7,7 +7,7 @@
 namespace soarbox::serve {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 constexpr std::size_t kMostDepth = 64, kMostFields = 256, kMostValues = 20'000;
 constexpr std::size_t kMostPanels = 64, kMostPanelBytes = 40;
@@ -17,13 +17,13 @@ class Fields {
  public:
   bool null() { return Value(); }
   bool boolean(bool value) { return Id(value) && Value(); }
-  bool number_integer(Json::number_integer_t value) { return Id(value) && Value(); }
-  bool number_unsigned(Json::number_unsigned_t value) { return Id(value) && Value(); }
-  bool number_float(Json::number_float_t, const Json::string_t& text) {
+  bool number_integer(PlainJson::number_integer_t value) { return Id(value) && Value(); }
+  bool number_unsigned(PlainJson::number_unsigned_t value) { return Id(value) && Value(); }
+  bool number_float(PlainJson::number_float_t, const PlainJson::string_t& text) {
     if (IsTop() && key_ == "id") message_.id = text;
     return Value();
   }
-  bool string(Json::string_t& value) {
+  bool string(PlainJson::string_t& value) {
     if (IsTop() && key_ == "request") message_.request = value;
     if (IsTop() && key_ == "what") message_.what = value;
     if (IsPanel()) {
@@ -33,16 +33,16 @@ class Fields {
     constexpr std::size_t kMostIdBytes = 100;
     return (value.size() > kMostIdBytes || Id(value)) && Value();
   }
-  bool binary(Json::binary_t&) { return Value(); }
+  bool binary(PlainJson::binary_t&) { return Value(); }
   bool start_object(std::size_t) { return Open(false); }
-  bool key(Json::string_t& name) {
+  bool key(PlainJson::string_t& name) {
     if (IsTop()) key_ = name;
     return ++fields_.back() <= kMostFields;
   }
   bool end_object() { return Close(); }
   bool start_array(std::size_t) { return Open(true); }
   bool end_array() { return Close(); }
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) { return false; }
+  bool parse_error(std::size_t, const std::string&, const PlainJson::exception&) { return false; }
 
   std::optional<PageMessage> Take() {
     if (!is_object_ || message_.request.empty()) return std::nullopt;
@@ -55,7 +55,8 @@ class Fields {
   bool IsPanel() const { return fields_.size() == 2 && is_in_panels_; }
   template <typename T>
   bool Id(const T& value) {
-    if (IsTop() && key_ == "id") message_.id = Json(value).dump(-1, ' ', true, Json::error_handler_t::replace);
+    if (IsTop() && key_ == "id")
+      message_.id = PlainJson(value).dump(-1, ' ', true, PlainJson::error_handler_t::replace);
     return true;
   }
   bool Value() {
@@ -87,7 +88,7 @@ class Fields {
 
 std::optional<PageMessage> ReadPageMessage(std::string_view text) {
   Fields fields;
-  if (!Json::sax_parse(text.begin(), text.end(), &fields)) return std::nullopt;
+  if (!PlainJson::sax_parse(text.begin(), text.end(), &fields)) return std::nullopt;
   return fields.Take();
 }
 
