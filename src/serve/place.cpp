@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPathBytes = 200, kMostDepth = 8;
+constexpr std::size_t kMostPathBytes = 200, kMostFolderDepth = 8;
 
 std::int64_t SecondsOf(const fs::path& path) {
   std::error_code error;
@@ -114,7 +114,7 @@ Result<fs::path> Place::Find(std::string_view path) const {
   for (std::size_t at = 0; at <= path.size();) {
     const std::size_t end = std::min(path.find('/', at), path.size());
     const std::string_view name = path.substr(at, end - at);
-    if (!IsName(name) || ++depth > kMostDepth) return refuse("a part of it cannot be used");
+    if (!IsName(name) || ++depth > kMostFolderDepth) return refuse("a part of it cannot be used");
     file /= name;
     at = end + 1;
   }
