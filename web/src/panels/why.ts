@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { button, h, type View } from "../dom/view";
+import { button, h, type Child, type View } from "../dom/view";
 import type { Contents, WhyNode } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
 import { empty, lineField, moment, rowForm } from "./parts";
