@@ -22,7 +22,8 @@ double Median(std::span<const double> values);
 double StandardDeviation(std::span<const double> values);
 /// 95 % confidence interval of a mean from resampling: the same seed gives the same interval.
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed = 1);
-/// The probability that a value of Student's t with so many degrees of freedom lies below x, and its inverse.
+/// The probability that a value of Student's t with so many degrees of freedom lies below x, to about 1e-13, and its
+/// inverse.
 double StudentCdf(double x, std::size_t freedom);
 double StudentQuantile(double probability, std::size_t freedom);
 /// 95 % confidence interval of a mean after Student: unlike those from resampling it keeps its 5 % for few values.

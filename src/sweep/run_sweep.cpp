@@ -138,11 +138,14 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
     busy.erase(kernel);
     Row row = RowOf(plan, job.variant, job.seed, job.tries + 1, std::move(done->end),
                     mission::LimitsOf(plan.variants[job.variant].loaded, jobs));
-    if (row.result.outcome == "refused" && !kernel.empty()) {
-      // The others do without it. No row is written: the same command makes these runs when the kernel is there.
+    if ((row.result.outcome == "refused" || row.result.is_faulty) && !kernel.empty()) {
+      // The others do without it. No row is written: the same command makes these runs when the kernel is there and
+      // takes the rules.
       const std::string& name = plan.variants[job.variant].variant.name;
       if (!told.contains(kernel)) {
-        progress.problems.push_back("variant '" + name + "' cannot run: " + row.result.error);
+        const bool has_problem = row.result.is_faulty && !row.result.problems.empty();
+        progress.problems.push_back("variant '" + name +
+                                    "' cannot run: " + (has_problem ? row.result.problems.front() : row.result.error));
         told.insert(kernel);
       }
       progress.left_out += 1 + std::erase_if(waiting, [&](const Job& each) { return kernel_of(each) == kernel; });

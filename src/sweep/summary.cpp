@@ -36,6 +36,11 @@ std::string Short(double number) {
   return text;
 }
 
+/// A probability in words. Below 1e-12 its digits are rounding.
+std::string Chance(double probability) {
+  return probability < 1e-12 ? "below 1e-12" : Short(probability);
+}
+
 /// The values of one quantity by seed, for each variant.
 struct Quantity {
   std::string name;
@@ -170,8 +175,8 @@ void TellCompared(std::ostringstream& out, const std::vector<Compared>& family) 
   const std::vector<double> corrected = mission::Holm(probabilities);
   for (std::size_t i = 0; i < family.size(); ++i) {
     const Compared& each = family[i];
-    out << each.before << "; by chance with probability " << Short(each.probability);
-    if (family.size() > 1) out << ", " << Short(corrected[i]) << " after Holm";
+    out << each.before << "; by chance with probability " << Chance(each.probability);
+    if (family.size() > 1) out << ", " << Chance(corrected[i]) << " after Holm";
     if (corrected[i] >= 0.05) {
       out << "; that may be chance";
       const std::size_t pairs = each.is_number ? mission::PairsFor(each.effect) : 0;
