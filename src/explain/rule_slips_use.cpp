@@ -257,11 +257,12 @@ void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
     const bool prefers =
         std::ranges::any_of(rule.actions, [](const RuleAttribute& action) { return action.attribute == "operator"; });
     if (!prefers) continue;
-    slips.push_back({rule.name, condition.value, false,
-                     "rule " + rule.name + " tests two operators as selected, " + first->second + " and " +
-                         condition.value + ": only one is selected at a time",
-                     "to compare proposals, add a + behind each: ^operator " + first->second + " + ^operator " +
-                         condition.value + " +"});
+    // Conditions stand in the order in which they are matched: sorted names are the same for each kernel.
+    const auto [one, other] = std::minmax(first->second, condition.value);
+    slips.push_back({rule.name, other, false,
+                     "rule " + rule.name + " tests two operators as selected, " + one + " and " + other +
+                         ": only one is selected at a time",
+                     "to compare proposals, add a + behind each: ^operator " + one + " + ^operator " + other + " +"});
     return;
   }
 }

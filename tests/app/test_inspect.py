@@ -169,12 +169,14 @@ class Inspect(ScenarioCase):
             with self.subTest(view):
                 there = self.text(view, *far)
                 here = self.text(view).replace(f", from {self.folder}/hero.soar:32", "")
-                self.assertEqual(there, here)
+                # Where the first line is broken depends on the column in which the kernel printed last.
+                self.assertEqual(there.split(), here.split())
         self.assertIn("walk (O2) was selected: rule hero*prefer*walk makes it better than rest (O1).", self.text("operators", *far))
-        for view in ["stack", "operators", "memory 31", "why move"]:
+        for view in ["stack", "operators", "memory 31"]:
             with self.subTest(view):
                 self.assertIn("not available there", self.text(view, *far))
         self.assertIn("requires ^vigour < 10, but it is 100", self.text("why flee", *far))
+        self.assertIn("which applied operator walk (O2)", self.text("why move", *far), "a kernel of ours tells origins there, too")
 
     def test_two_that_are_each_better_than_the_other_leave_the_third(self):
         self.write("hero.soar", CIRCLE)

@@ -46,7 +46,7 @@ class Missions(MissionCase):
         self.assertEqual(run.code, 1, run.out + run.err)
         lines = run.out.splitlines()
         self.assertIn("FAILED", lines[0])
-        self.assertTrue(lines[1].startswith("  rule scout*propose*go never fired: it requires ^io.input-link.waypoint.name gaet, but"), run.out)
+        self.assertRegex(lines[1], r"^  scout\.soar:4: rule scout\*propose\*go names the waypoint gaet, which the scenario does not have; did you mean gate\?$")
         self.assertRegex(lines[2], r"^  there +seed 1")
         done = self.judge(check, "--json", rules=wrong)
         ended = [json.loads(line) for line in done.out.splitlines() if '"event":"mission"' in line.replace(" ", "")]

@@ -216,7 +216,8 @@ sp {hero*propose*stroll (state <s> ^superstate nil ^io.input-link.self) --> (<s>
 sp {hero*apply*run (state <s> ^operator.name run ^io.output-link <out>) --> (<out> ^flee <c>)}
 sp {hero*apply*stroll (state <s> ^operator.name stroll ^io.output-link <out>) --> (<out> ^wander <c>)}""")
         for topic, tree in (
-            ("flee", ["  rule hero*apply*run gives it when it applies an operator",
+            ("flee", ["  command flee was never given",
+                      "  rule hero*apply*run gives it when it applies an operator",
                       "    operator run is not proposed now; stroll is selected",
                       "      rule hero*propose*run requires ^danger yes, but there is none now; rule hero*danger makes it",
                       "        rule hero*danger requires ^io.input-link.self.health < 50, but it is 100"]),
