@@ -70,7 +70,7 @@ class WmeRecord {
     std::uint32_t input_element_;
   };
 };
-static_assert(sizeof(WmeRecord) == 40, "an agent has thousands");
+static_assert(sizeof(WmeRecord) == (sizeof(void*) == 8 ? 40 : 28), "an agent has thousands");
 
 /// The preferences and elements of one (identifier, attribute).
 struct Slot {
