@@ -28,7 +28,7 @@ async function look(name, run, { size = [1280, 900], scheme = "light", draws = f
   await context.close();
 }
 
-const heads = (page) => page.locator("main h2").evaluateAll((all) => all.filter((one) => one.offsetParent !== null).map((one) => one.textContent));
+const heads = (page) => page.locator("main .part > h2").evaluateAll((all) => all.filter((one) => one.offsetParent !== null).map((one) => one.textContent));
 const dots = (page) => page.locator("#ways g.dot").evaluateAll((all) => all.map((one) => one.getAttribute("transform")).join());
 const shown = async (page) => Number.parseFloat(await page.locator(".bar output").textContent());
 
@@ -214,7 +214,7 @@ test("a frame that may keep nothing shows a report as in a notebook", async () =
   const frame = page.frameLocator("iframe");
   await frame.locator(".labels .name").first().waitFor({ timeout: PATIENCE_MS });
   await frame.locator("#theme").click();
-  assert.equal(await frame.locator("main h2").first().innerText(), "Checks");
+  assert.equal(await frame.locator("main .part > h2").first().innerText(), "Checks");
   assert.deepEqual(troubles, []);
   await page.close();
 });
