@@ -96,8 +96,7 @@ bool AreAlike(const std::vector<Quantity>& quantities, std::size_t a, std::size_
 
 /// One comparison of a variant with the first one; all of a sweep are one family for Holm's correction.
 struct Compared {
-  std::size_t variant = 0;
-  std::string before, after;  ///< The line, around what the correction adds.
+  std::string line;  ///< Without what the correction adds.
   double probability = 1, effect = 0;
   bool is_number = false;
   std::size_t pairs = 0;
@@ -124,13 +123,13 @@ std::optional<Compared> CompareNumbers(const Plan& plan, const Quantity& quantit
     return std::nullopt;
   const mission::Interval interval = mission::StudentInterval(differences);
   Compared compared{
-      b, {}, {}, mission::StudentTest(differences), mission::PairedEffect(differences), true, differences.size()};
-  compared.before = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " +
-                    Short(mission::Mean(differences)) + " more than " + plan.variants[a].variant.name +
-                    " (95 %: " + Short(interval.low) + " to " + Short(interval.high) + "), more in " +
-                    Percent(static_cast<double>(more) / static_cast<double>(differences.size())) + " % of " +
-                    std::to_string(differences.size()) + " equal seeds; d " + Short(compared.effect) +
-                    ", Cliff's delta " + Short(mission::CliffsDelta(ones, others));
+      {}, mission::StudentTest(differences), mission::PairedEffect(differences), true, differences.size()};
+  compared.line = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " +
+                  Short(mission::Mean(differences)) + " more than " + plan.variants[a].variant.name +
+                  " (95 %: " + Short(interval.low) + " to " + Short(interval.high) + "), more in " +
+                  Percent(static_cast<double>(more) / static_cast<double>(differences.size())) + " % of " +
+                  std::to_string(differences.size()) + " equal seeds; d " + Short(compared.effect) +
+                  ", Cliff's delta " + Short(mission::CliffsDelta(ones, others));
   return compared;
 }
 
@@ -148,12 +147,11 @@ std::optional<Compared> CompareRates(const Plan& plan, const std::string& what, 
   }
   if (both == 0) return std::nullopt;
   Compared compared;
-  compared.variant = variant;
   compared.probability = mission::McNemar(only_first, only_second);
   compared.pairs = both;
-  compared.before = "  " + what + ": " + std::to_string(only_second) + " seeds with " +
-                    plan.variants[variant].variant.name + " only, " + std::to_string(only_first) + " with " +
-                    plan.variants.front().variant.name + " only";
+  compared.line = "  " + what + ": " + std::to_string(only_second) + " seeds with " +
+                  plan.variants[variant].variant.name + " only, " + std::to_string(only_first) + " with " +
+                  plan.variants.front().variant.name + " only";
   return compared;
 }
 
@@ -175,7 +173,7 @@ void TellCompared(std::ostringstream& out, const std::vector<Compared>& family) 
   const std::vector<double> corrected = mission::Holm(probabilities);
   for (std::size_t i = 0; i < family.size(); ++i) {
     const Compared& each = family[i];
-    out << each.before << "; by chance with probability " << Chance(each.probability);
+    out << each.line << "; by chance with probability " << Chance(each.probability);
     if (family.size() > 1) out << ", " << Chance(corrected[i]) << " after Holm";
     if (corrected[i] >= 0.05) {
       out << "; that may be chance";
