@@ -6,8 +6,7 @@
 //   origin_cost AGENT.soar TICKS on|off io      changes a percept in each tick, runs until output, completes the
 //   command
 //
-// Prints one line of JSON. Only bench_run is measured, so that a profiler that counts instructions can be told to count
-// inside it only.
+// Prints one line of JSON. Only bench_run is measured: a profiler can count the instructions inside this function.
 
 #include <chrono>
 #include <cstdio>

@@ -205,7 +205,7 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   if (!root)
     return {
         "there is no agent " + std::string(agent) + " with a mind of rules", WhyKind::kAgent, std::string(agent), {}};
-  // Our own kernel tells more of the operators that are selected now. They stand after the command.
+  // Our own kernel knows more about the operators that are selected now. They follow the command.
   const auto command = std::ranges::find(root->below, WhyKind::kCommand, &WhyNode::kind);
   if (!tells_all || command == root->below.end()) return *std::move(root);
   std::vector<WhyNode> operators;

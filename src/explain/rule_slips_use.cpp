@@ -257,7 +257,7 @@ void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
     const bool prefers =
         std::ranges::any_of(rule.actions, [](const RuleAttribute& action) { return action.attribute == "operator"; });
     if (!prefers) continue;
-    // Conditions stand in the order in which they are matched: sorted names are the same for each kernel.
+    // The order of conditions depends on the kernel, so the names are sorted.
     const auto [one, other] = std::minmax(first->second, condition.value);
     slips.push_back({rule.name, other, false,
                      "rule " + rule.name + " tests two operators as selected, " + one + " and " + other +

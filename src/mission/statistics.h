@@ -22,8 +22,8 @@ double Median(std::span<const double> values);
 double StandardDeviation(std::span<const double> values);
 /// 95 % confidence interval of a mean from resampling: the same seed gives the same interval.
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed = 1);
-/// The probability that a value of Student's t with so many degrees of freedom lies below x, to about 1e-13, and its
-/// inverse.
+/// Student's t distribution with `freedom` degrees of freedom: the probability of a value below x (error about 1e-13),
+/// and its inverse.
 double StudentCdf(double x, std::size_t freedom);
 double StudentQuantile(double probability, std::size_t freedom);
 /// 95 % confidence interval of a mean after Student: unlike those from resampling it keeps its 5 % for few values.
@@ -38,8 +38,8 @@ std::vector<double> Holm(std::span<const double> probabilities);
 double PairedEffect(std::span<const double> differences);
 /// Cliff's delta: how much likelier a value of b is above one of a than below it, -1 to 1.
 double CliffsDelta(std::span<const double> a, std::span<const double> b);
-/// With so many pairs a difference of `effect` standard deviations shows in 80 % of cases (two-sided, 5 %); 0: none is
-/// enough.
+/// The number of pairs that shows a difference of `effect` standard deviations in 80 % of cases (two-sided, 5 %). 0: no
+/// number is enough.
 std::size_t PairsFor(double effect);
 
 /// The probability that pairs which differ would be so one-sided by chance (McNemar's exact test, two-sided).

@@ -73,7 +73,7 @@ int SwapBytes(lua_State* state) {
   return Return(state, bits >> 24 | (bits >> 8 & 0xff00) | (bits << 8 & 0xff0000) | bits << 24);
 }
 
-/// tohex(x [, digits]): 8 digits unless it is told otherwise; a negative number asks for capital letters.
+/// tohex(x [, digits]): 8 digits by default; a negative number of digits gives capital letters.
 int ToHex(lua_State* state) {
   Bits bits = Argument(state, 1);
   const std::int32_t wanted = lua_isnoneornil(state, 2) ? 8 : static_cast<std::int32_t>(Argument(state, 2));
