@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 
 #include "app/data_folders.h"
@@ -11,6 +12,7 @@
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
+#include "app/own_world.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/diagnostic.h"
@@ -24,6 +26,8 @@ namespace fs = std::filesystem;
 
 /// A wrong answer may be right by luck; with so many seeds it is not.
 constexpr std::size_t kWrongSeeds = 4;
+/// A lesson needs at least this many wrong answers.
+constexpr std::size_t kFewestWrong = 4;
 /// The exit code after Ctrl-C.
 constexpr int kInterrupted = 130;
 /// Maximum number of sentences about what went wrong.
@@ -32,8 +36,10 @@ constexpr std::size_t kMostFindings = 6;
 class Learner {
  public:
   /// `course`: the name of one beside the lessons, "eaters"; empty: none.
-  Learner(const LearnOptions& options, const std::string& course, std::vector<Lesson> lessons)
+  Learner(const LearnOptions& options, const std::string& course, const sim::DataFolders& data,
+          std::vector<Lesson> lessons)
       : options_(options),
+        data_(data),
         command_("soarbox learn " + course + (course.empty() ? "" : " ")),
         lessons_(std::move(lessons)) {
     folder_ = options.folder.empty() ? LessonsFolder() : options.folder;
@@ -120,6 +126,7 @@ class Learner {
     std::error_code error;
     if (!fs::exists(folder / lesson.rules, error))
       return Refuse("this lesson has not begun", command_ + lesson.name + " puts its files there", folder.string());
+    if (lesson.own) return CheckWorld(lesson, folder);
     const Result<Grade> graded = GradeRules(lesson, folder, 0, ShowProgress());
     if (!graded) return Refuse(graded.error());
     if (graded->cancelled) {
@@ -135,6 +142,24 @@ class Learner {
     Print(lesson, *graded);
     if (graded->passed) progress_.Set(lesson.name, "passed", 1);
     return graded->passed ? kOk : kProblems;
+  }
+
+  /// Grades a world of the learner's own by what its checks notice.
+  int CheckWorld(const Lesson& lesson, const fs::path& folder) {
+    const OwnWorldGrade graded = GradeOwnWorld(*lesson.own, folder, data_, ShowProgress());
+    if (graded.cancelled) {
+      std::cout << "Grading was cancelled. There is no verdict.\n";
+      return kInterrupted;
+    }
+    if (!graded.problems.empty()) {
+      for (const Diagnostic& problem : graded.problems) std::cout << Format(problem);
+      std::cout << "Fix this first. It does not count as an attempt.\n";
+      return kProblems;
+    }
+    progress_.Set(lesson.name, "attempts", progress_.Get(lesson.name, "attempts") + 1);
+    Print(graded);
+    if (graded.passed()) progress_.Set(lesson.name, "passed", 1);
+    return graded.passed() ? kOk : kProblems;
   }
 
   /// "seed 3 of 10": in a terminal one line that goes away, for a program a line each.
@@ -168,6 +193,17 @@ class Learner {
     const std::size_t count = std::min(grade.findings.size(), kMostFindings);
     if (count > 1) std::cout << "\nThis was found, too:\n";
     for (std::size_t i = 1; i < count; ++i) std::cout << "- " << grade.findings[i].text << '\n';
+  }
+
+  static void Print(const OwnWorldGrade& grade) {
+    const OwnWorldPoint* missing = grade.Missing();
+    std::cout << (missing == nullptr ? "Passed: your checks notice when rules are left out.\n"
+                                     : missing->advice + "\n\n");
+    for (const OwnWorldPoint& point : grade.points) {
+      std::cout << (point.is_met ? "  yes  " : "  no   ") << point.text << '\n';
+      for (const std::string& detail : point.details) std::cout << "         " << detail << '\n';
+    }
+    for (const Diagnostic& warning : grade.warnings) std::cout << Format(warning);
   }
 
   static void PrintChecks(const Lesson& lesson, const mission::RunResult& run) {
@@ -209,6 +245,10 @@ class Learner {
     for (const Lesson& lesson : lessons_) {
       if (only != nullptr && &lesson != only) continue;
       if (WasInterrupted()) return kInterrupted;
+      if (lesson.own) {
+        TestWorlds(lesson, tell);
+        continue;
+      }
       const Result<Grade> starter = GradeRules(lesson, lesson.folder, 1);
       tell(lesson, "starter",
            !starter          ? starter.error().message
@@ -226,14 +266,9 @@ class Learner {
               " seeds pass";
       }
       tell(lesson, "solution", why);
-      std::vector<fs::path> wrong;
-      std::error_code error;
-      for (fs::directory_iterator it(lesson.folder / "wrong", error), end; !error && it != end; it.increment(error))
-        wrong.push_back(it->path());
-      std::sort(wrong.begin(), wrong.end());
+      const std::vector<fs::path> wrong = WrongAnswersOf(lesson);
       for (const fs::path& folder : wrong) {
-        std::string expected = ReadText(folder / "expects").value_or("");
-        while (!expected.empty() && expected.back() == '\n') expected.pop_back();
+        const std::string expected = ExpectedOf(folder);
         const Result<Grade> grade = GradeRules(lesson, folder, kWrongSeeds);
         std::string problem;
         if (!grade) {
@@ -250,13 +285,52 @@ class Learner {
         }
         tell(lesson, "wrong/" + folder.filename().string(), problem);
       }
-      if (wrong.size() < 4) tell(lesson, "wrong", "there are only " + std::to_string(wrong.size()) + " wrong answers");
+      if (wrong.size() < kFewestWrong)
+        tell(lesson, "wrong", "there are only " + std::to_string(wrong.size()) + " wrong answers");
     }
     return bad == 0 ? kOk : kProblems;
   }
 
  private:
+  static std::vector<fs::path> WrongAnswersOf(const Lesson& lesson) {
+    std::vector<fs::path> wrong;
+    std::error_code error;
+    for (fs::directory_iterator it(lesson.folder / "wrong", error), end; !error && it != end; it.increment(error))
+      wrong.push_back(it->path());
+    std::sort(wrong.begin(), wrong.end());
+    return wrong;
+  }
+
+  /// The mistake that a wrong answer shows.
+  static std::string ExpectedOf(const fs::path& wrong) {
+    std::string expected = ReadText(wrong / "expects").value_or("");
+    while (!expected.empty() && expected.back() == '\n') expected.pop_back();
+    return expected;
+  }
+
+  /// The worlds of a lesson whose world is the learner's: a wrong one must miss the point that it is there to show.
+  void TestWorlds(const Lesson& lesson,
+                  const std::function<void(const Lesson&, const std::string&, const std::string&)>& tell) const {
+    const auto missing_of = [&](const fs::path& folder) -> std::string {
+      const OwnWorldGrade grade = GradeOwnWorld(*lesson.own, folder, data_);
+      if (!grade.problems.empty()) return Format(grade.problems.front());
+      return grade.Missing() == nullptr ? "" : grade.Missing()->name;
+    };
+    tell(lesson, "starter", missing_of(lesson.folder).empty() ? "it passes already" : "");
+    const std::string missing = missing_of(lesson.folder / "solution");
+    tell(lesson, "solution", missing.empty() ? "" : "it lacks \"" + missing + "\"");
+    const std::vector<fs::path> wrong = WrongAnswersOf(lesson);
+    for (const fs::path& folder : wrong) {
+      const std::string expected = ExpectedOf(folder), found = missing_of(folder);
+      tell(lesson, "wrong/" + folder.filename().string(),
+           found == expected ? "" : "it should lack \"" + expected + "\", but lacks \"" + found + "\"");
+    }
+    if (wrong.size() < kFewestWrong)
+      tell(lesson, "wrong", "there are only " + std::to_string(wrong.size()) + " wrong answers");
+  }
+
   const LearnOptions& options_;
+  const sim::DataFolders& data_;
   std::string command_;  ///< What all of its commands begin with, and a blank.
   std::vector<Lesson> lessons_;
   fs::path folder_;
@@ -283,7 +357,7 @@ int Learn(const LearnOptions& options) {
   if (!problems.empty()) return kCannotStart;
   if (lessons.empty()) return Refuse("there are no lessons in " + from.string());
   CatchInterrupts();
-  Learner learner(options, course, std::move(lessons));
+  Learner learner(options, course, *data, std::move(lessons));
   if (words.empty()) {
     const int listed = learner.List();
     if (!options.json && course.empty())

@@ -98,6 +98,44 @@ std::string SlipText(const Diagnostic& problem) {
          ": " + problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
 }
 
+/// [own] of a lesson: what is asked of the learner's own world.
+std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::Mission& mission,
+                                        std::vector<Diagnostic>& problems) {
+  const toml::node* node = root.get("own");
+  if (node == nullptr) return std::nullopt;
+  const auto problem = [&](const toml::node& at, std::string message, std::string hint) {
+    Diagnostic wrong = ProblemIn(mission.file, std::move(message), std::move(hint));
+    wrong.line = static_cast<int>(at.source().begin.line);
+    problems.push_back(std::move(wrong));
+  };
+  OwnWorldRules rules;
+  const toml::table* own = node->as_table();
+  if (own == nullptr) {
+    problem(*node, "'own' is a table", "write [own], and below it agents = 2");
+    return rules;
+  }
+  if (!mission.checks.empty() || !mission.mistakes.empty())
+    problem(*node, "a lesson with [own] has no [[check]] and no [[mistake]]", "the learner's world has checks");
+  for (const auto& [key, value] : *own) {
+    const std::optional<double> number = value.value<double>();
+    std::size_t* const count = key == "agents"      ? &rules.agents
+                               : key == "obstacles" ? &rules.obstacles
+                               : key == "checks"    ? &rules.checks
+                                                    : nullptr;
+    if (count != nullptr && value.is_integer() && *number >= 1 && *number <= 100)
+      *count = static_cast<std::size_t>(*number);
+    else if (count != nullptr)
+      problem(value, "'" + std::string(key.str()) + "' is a whole number from 1 to 100", "write agents = 2");
+    else if (key == "noticed" && number && *number >= 0 && *number <= 1)
+      rules.noticed = *number;
+    else if (key == "noticed")
+      problem(value, "'noticed' is a share from 0 to 1", "write noticed = 0.5 for half of the rules");
+    else
+      problem(value, "[own] has no key '" + std::string(key.str()) + "'", "it has agents, obstacles, checks, noticed");
+  }
+  return rules;
+}
+
 /// How much a known mistake says. That something never happened, or went on for long, has many causes.
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty()) return mission::Cause::kMistake;
@@ -241,7 +279,7 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   const std::string text = ReadText(folder / "lesson.toml").value_or("");
   lesson.loaded.mission = mission::ParseChecksBeside(text, folder / "lesson.toml", problems, "a lesson",
                                                      {"title", "idea", "task", "panel", "also", "rules", "hints",
-                                                      "seeds", "pass", "seconds", "wall", "check", "mistake"});
+                                                      "seeds", "pass", "seconds", "wall", "check", "mistake", "own"});
   if (problems.size() > before) return std::nullopt;
   const toml::table root = toml::parse(text);
   lesson.title = root["title"].value_or(lesson.name);
@@ -253,6 +291,8 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   lesson.rules = root["rules"].value_or(std::string());
   if (const toml::array* hints = root["hints"].as_array())
     for (const toml::node& hint : *hints) lesson.hints.push_back(hint.value_or(std::string()));
+  lesson.own = OwnWorldOf(root, lesson.loaded.mission, problems);
+  if (problems.size() > before) return std::nullopt;
   mission::Mission& mission = lesson.loaded.mission;
   mission.name = lesson.name;
   Result<sim::Scenario> scenario = sim::FindScenario(folder.string(), data);
@@ -318,7 +358,12 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
   if (!grade.problems.empty()) return grade;
   // The world and the others' rules are the lesson's; only this one file is the learner's.
   mission::LoadedMission loaded = lesson.loaded;
-  loaded.scenario.rule_folders.insert(loaded.scenario.rule_folders.begin(), rules_folder);
+  if (rules.extension() == ".lua") {
+    loaded.scenario.script_folders.insert(loaded.scenario.script_folders.begin(), rules_folder);
+    if (loaded.scenario.script.filename() == lesson.rules) loaded.scenario.script = rules;
+  } else {
+    loaded.scenario.rule_folders.insert(loaded.scenario.rule_folders.begin(), rules_folder);
+  }
   mission::TestSettings settings;
   settings.seeds = lesson.loaded.mission.seeds;
   settings.ends_endless = true;

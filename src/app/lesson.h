@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/own_world.h"
 #include "diagnostics/result.h"
 #include "mission/account.h"
 #include "mission/test_missions.h"
@@ -23,6 +24,7 @@ struct Lesson {
   std::string rules;              ///< The learner's file, "porter.soar".
   std::vector<std::string> hints;
   mission::LoadedMission loaded;
+  std::optional<OwnWorldRules> own;  ///< The world is the learner's, and graded as own_world.h says.
 };
 
 /// All lessons below a folder, in order. What is wrong with one is added to the problems.

@@ -2,7 +2,6 @@
 """The lessons of docs/lessons run, and show what their pages say: each sentence about what happens has its test."""
 import json
 import math
-import os
 import pathlib
 import re
 import shutil
@@ -312,47 +311,66 @@ class Pages(LessonCase):
 
 
 class OwnWorld(ScenarioCase):
-    """The last lesson: a world that a learner makes, graded by what its checks catch."""
+    """The world that a learner makes, graded by what its checks notice."""
 
     def setUp(self):
         super().setUp()
-        self.world = self.folder / "keeper"
-        self.assertEqual(Run("new", self.world).code, 0)
+        self.assertEqual(Run("learn", "24", "--headless", "--folder", self.folder / "mine").code, 0)
+        self.world = self.folder / "mine" / "24-own-world"
         page = (LESSONS / "24-own-world" / "README.md").read_text(encoding="utf-8")
         self.more = re.search(r"```toml\n(.*?)```", page, re.S)[1]
         self.dog = re.search(r"```soar\n(.*?)```", page, re.S)[1]
-        self.printed = re.search(r"```text\n(.*?)```", page, re.S)[1]
 
     def grade(self, more, dog):
         scenario = self.world / "scenario.toml"
         scenario.write_text(scenario.read_text(encoding="utf-8") + more, encoding="utf-8")
         if dog:
             (self.world / "dog.soar").write_text(dog, encoding="utf-8")
-        done = subprocess.run(["sh", LESSONS / "24-own-world" / "grade.sh", self.world], env={**os.environ, "SOARBOX": str(COMMAND)},
-                              text=True, capture_output=True, timeout=300, check=False)
-        return done.returncode, done.stdout
+        run = Run("learn", "check", "24", "--folder", self.world.parent)
+        return run.code, run.out
 
-    def test_the_world_of_the_page_passes_and_prints_what_the_page_says(self):
-        self.assertEqual(self.grade(self.more, self.dog), (0, self.printed))
+    def test_the_lesson_begins_with_what_soarbox_new_makes(self):
+        self.assertEqual(Run("new", self.folder / "keeper").code, 0)
+        for file in ("scenario.toml", "keeper.soar"):
+            self.assertEqual((self.folder / "keeper" / file).read_text(), (self.world / file).read_text(), file)
+
+    def test_the_world_of_the_page_passes_and_counts_as_passed(self):
+        code, told = self.grade(self.more, self.dog)
+        self.assertEqual(code, 0, told)
+        self.assertRegex(Run("learn").out, r"done  24  Your own world")
 
     def test_what_soarbox_new_made_is_not_enough(self):
         code, told = self.grade("", "")
-        self.assertEqual((code, told.count("no   ")), (1, 3), told)
+        self.assertEqual((code, told.count("  no   ")), (1, 3), told)
 
-    def test_a_check_that_always_holds_catches_nothing(self):
+    def test_a_check_that_always_holds_notices_nothing(self):
         more = re.sub(r'near = .*?within = 2\n', "alive = true\nby = 50\n", self.more, flags=re.S)
         self.assertNotEqual(more, self.more)
         code, told = self.grade(more, self.dog)
-        self.assertIn("no   dog.soar: 0 of 2", told)
-        self.assertEqual(code, 1)
-
-    def test_a_check_that_holds_at_the_beginning_misses_a_dog_that_stays(self):
-        more = self.more.replace('after = "it comes to the south"\nwithin = 2\n', "")
-        code, told = self.grade(more, self.dog)
-        self.assertIn("dog.soar without dog*apply*follow: nobody notices", told)
+        self.assertIn("no   dog.soar: 0 of 2 rules noticed", told)
+        self.assertTrue(told.startswith("Your checks notice 0 of 2 rules of dog.soar"), told)
         self.assertEqual(code, 1)
 
     def test_a_dog_that_does_not_come_fails_its_own_check(self):
         code, told = self.grade(self.more, self.dog.replace("(<out> ^follow <command>)", "(<out> ^evade <command>)"))
-        self.assertIn("no   a check fails", told)
+        self.assertRegex(told, r"\AA check fails\. the dog comes along, seed \d")
         self.assertEqual(code, 1)
+
+    def test_an_error_in_the_world_is_no_attempt(self):
+        code, told = self.grade(self.more.replace("range = { max = 4 }", "rnage = { max = 4 }"), self.dog)
+        self.assertRegex(told, r"scenario\.toml:\d+:\d+: error: .*rnage")
+        self.assertIn("It does not count as an attempt", told)
+        self.assertNotIn(str(self.folder), told)
+        self.assertEqual(code, 1)
+
+    def test_a_lesson_that_asks_for_the_impossible_is_refused(self):
+        lesson = self.folder / "course" / "1-mine"
+        shutil.copytree(REPOSITORY / "lessons" / "24-own-world", lesson)
+        text = (lesson / "lesson.toml").read_text(encoding="utf-8")
+        for old, new, told in (("agents = 2", "agents = 0", r"lesson\.toml:\d+.*'agents' is a whole number from 1 to 100"),
+                               ("noticed = 0.5", "noticed = 5", "'noticed' is a share from 0 to 1"),
+                               ("checks = 3", "cheks = 3", r"\[own\] has no key 'cheks'"),
+                               ("[own]", '[[check]]\nname = "x"\nagent = "keeper"\nalive = true\n\n[own]', "has no \\[\\[check"),):
+            self.assertEqual(text.count(old), 1, old)
+            (lesson / "lesson.toml").write_text(text.replace(old, new), encoding="utf-8")
+            self.assertRegex(Run("learn", "--from", lesson.parent, code=3).err, told)
