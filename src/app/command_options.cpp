@@ -65,7 +65,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
   AddWindow(*run, options);
   run->add_flag("--headless", options.headless,
                 "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
-  run->add_option("--seconds", options.seconds, "End after this many simulated seconds")
+  run->add_option(
+         "--seconds", options.seconds,
+         "End after this many simulated seconds (default: until the window is closed; headless those of the scenario, "
+         "else 60)")
       ->check(NumberIn(0, kLongest_s));
   run->add_option("--seed", options.seed,
                   "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)")
@@ -74,7 +77,9 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.001, 1000.0));
   run->add_option("--path", options.extra_folders, "Search this folder for scripts and rules too (may be repeated)")
       ->check(CLI::ExistingDirectory);
-  run->add_option("--rules", options.rules, "Give the agent of this name these rules instead (may be repeated)");
+  run->add_option("--rules", options.rules,
+                  "Give the agent of this name the rules in this file instead (may be repeated); the first of several "
+                  "agents eater-1, eater-2 is also called eater");
   CLI::Option* picture =
       run->add_option("--screenshot", options.screenshot, "Save a picture to this PNG file, then end");
   run->add_option("--at", options.screenshot_at_s, "Simulated seconds at which to take the picture")
@@ -91,8 +96,10 @@ void AddRun(CLI::App& program, RunOptions& options) {
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
   run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
       ->check(NumberIn(0.001, kLongest_s));
-  run->add_option("--threads", options.threads,
-                  "Threads on which the Soar minds decide; 0: one per core. The run is the same with any number")
+  run->add_option(
+         "--threads", options.threads,
+         "Threads on which the Soar minds decide, if no debugger can attach; 0: one per core. The run is the same with "
+         "any number")
       ->capture_default_str()
       ->check(NumberIn(0, 64));
   run->add_option("--memory", options.memory_mb,
@@ -101,16 +108,20 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(64, 1'000'000));
   run->add_option("--input", options.input,
                   "Read inputs (keys, pointer, commands) with their ticks from this text file (see docs/command.md)");
-  run->add_flag("--watch", options.watch,
-                "Reload edited rules and scripts into the running world (a window always does)");
-  run->add_option("--port", options.port, "Let Soar debuggers on this machine attach at this TCP port; 0: none")
+  run->add_flag(
+      "--watch", options.watch,
+      "Edits of rules and scripts reach the running world, and working memory stays (a window always does so)");
+  run->add_option("--port", options.port,
+                  "Let Soar debuggers on this machine attach at this TCP port; 0: none (default: 12121 with a window, "
+                  "none headless)")
       ->check(NumberIn(0, 65535));
   CLI::Option* record = run->add_option("--record", options.record, "Record the run to this file (docs/recording.md)");
-  run->add_flag("--no-record", options.no_record, "Do not record; otherwise a run in a window is recorded")
+  run->add_flag("--no-record", options.no_record,
+                "Record nothing; otherwise a run in a window is recorded in ~/.local/state/soarbox")
       ->excludes(record);
   run->add_option("--record-level", options.record_level, "How much to record")->capture_default_str();
   run->add_option("--record-limit", options.record_limit_mb,
-                  "Megabytes at which the older half of the recording is dropped")
+                  "Megabytes at which the older half of the recording is dropped (default: none; 256 in a window)")
       ->check(NumberIn(1.0, 1e6));
   run->add_option("--kernel", options.kernel, "Use a Soar kernel in another process instead of Soarbox's own");
   run->add_option("--dis", options.dis, "Join other simulations (IEEE 1278.1; docs/dis.md)");
@@ -320,6 +331,7 @@ void AddHelp(CLI::App& program, HelpOptions& options) {
   help->add_option("command", options.command, "Which one (default: the whole program)");
   help->add_flag("--man", options.man, "Print it as a manual page, for man -l -");
   help->add_option("--pages", options.pages, "Write all manual pages into this folder");
+  help->add_flag("--markdown", options.markdown, "Print all sub-commands with their options as one page in Markdown");
 }
 
 void AddRecordingFile(CLI::App& command, RecordingOptions& options) {

@@ -98,6 +98,37 @@ std::string SlipText(const Diagnostic& problem) {
          ": " + problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
 }
 
+/// The lessons that course.toml of a folder lists: folders, seen from there.
+std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnostic>& problems) {
+  std::vector<fs::path> folders;
+  const fs::path file = folder / "course.toml";
+  const auto problem = [&](const toml::source_position& at, std::string message) {
+    Diagnostic wrong =
+        ProblemIn(file, std::move(message), "write lessons = [\"../01-a-rule\", \"1-mine\"]: folders of lessons");
+    wrong.line = static_cast<int>(at.line);
+    problems.push_back(std::move(wrong));
+  };
+  try {
+    const toml::table root = toml::parse(ReadText(file).value_or(""));
+    for (const auto& [key, value] : root)
+      if (key != "lessons") problem(value.source().begin, "a course has no '" + std::string(key.str()) + "'");
+    const toml::array* lessons = root["lessons"].as_array();
+    if (lessons == nullptr) problem({}, "this course lists no lessons");
+    for (std::size_t i = 0; lessons != nullptr && i < lessons->size(); ++i) {
+      const toml::node& node = (*lessons)[i];
+      const fs::path lesson = (folder / node.value_or(std::string())).lexically_normal();
+      std::error_code error;
+      if (node.is_string() && fs::is_regular_file(lesson / "lesson.toml", error))
+        folders.push_back(lesson);
+      else
+        problem(node.source().begin, "'" + node.value_or(std::string()) + "' is no folder of a lesson");
+    }
+  } catch (const toml::parse_error& error) {
+    problem(error.source().begin, std::string(error.description()));
+  }
+  return folders;
+}
+
 /// [own] of a lesson: what is asked of the learner's own world.
 std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::Mission& mission,
                                         std::vector<Diagnostic>& problems) {
@@ -219,6 +250,10 @@ fs::path ShippedLessons(const sim::DataFolders& data) {
 std::vector<fs::path> LessonFolders(const fs::path& folder) {
   std::vector<fs::path> folders;
   std::error_code error;
+  if (fs::is_regular_file(folder / "course.toml", error)) {
+    std::vector<Diagnostic> problems;  // ReadLessons reports them.
+    return CourseLessons(folder, problems);
+  }
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     if (fs::is_regular_file(it->path() / "lesson.toml", error)) folders.push_back(it->path());
   std::sort(folders.begin(), folders.end());
@@ -326,6 +361,8 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
 std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& data,
                                 std::vector<Diagnostic>& problems) {
   std::vector<Lesson> lessons;
+  std::error_code error;
+  if (fs::is_regular_file(folder / "course.toml", error)) CourseLessons(folder, problems);
   for (const fs::path& each : LessonFolders(folder))
     if (std::optional<Lesson> lesson = ReadLesson(each, data, problems)) lessons.push_back(std::move(*lesson));
   return lessons;

@@ -36,7 +36,7 @@ std::optional<Lesson> ReadLesson(const std::filesystem::path& folder, const sim:
                                  std::vector<Diagnostic>& problems);
 /// Where the program's own lessons are.
 std::filesystem::path ShippedLessons(const sim::DataFolders& data);
-/// Folders of lessons below a folder, in their order.
+/// Folders of lessons below a folder, by name; if it has a course.toml, those that it lists, in its order.
 std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
 /// Further courses below a folder of lessons, by name: folders that are no lessons and hold some.
 std::vector<std::string> CoursesIn(const std::filesystem::path& folder);

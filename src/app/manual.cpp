@@ -9,6 +9,7 @@
 
 #include "app/argument_kinds.h"
 #include "app/exit_codes.h"
+#include "app/options_page.h"
 #include "app/refuse.h"
 #include "app/usage_text.h"
 #include "diagnostics/problem.h"
@@ -160,6 +161,10 @@ int Help(const CLI::App& program, const HelpOptions& options, std::string_view v
       out.close();
       if (!out) return Refuse(ProblemIn(file, "this file cannot be written", "check the folder and its permissions"));
     }
+    return kOk;
+  }
+  if (options.markdown) {
+    std::cout << OptionsPage(program);
     return kOk;
   }
   const CLI::App* command = options.command.empty() ? &program : FindCommand(program, options.command);

@@ -12,6 +12,7 @@ namespace soarbox::app {
 struct HelpOptions {
   std::string command;          ///< Empty: the whole program.
   bool man = false;             ///< As a manual page.
+  bool markdown = false;        ///< All sub-commands as one page in Markdown.
   std::filesystem::path pages;  ///< Write all manual pages into this folder; empty: print one help.
 };
 

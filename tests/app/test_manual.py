@@ -104,3 +104,18 @@ class Manual(ScenarioCase):
             server.send_signal(signal.SIGTERM)
             server.communicate(timeout=60)
         self.assertRegex(said, r"\d", line)
+
+
+class Options(ScenarioCase):
+    def test_the_page_of_options_is_what_the_program_prints(self):
+        page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "options.md"
+        self.assertEqual(page.read_text(encoding="utf-8"), Run("help", "--markdown").out, "soarbox help --markdown > docs/options.md")
+
+    def test_it_has_each_option_of_the_help(self):
+        parts = re.split(r"^## soarbox ", Run("help", "--markdown").out, flags=re.MULTILINE)
+        told = {part.split("\n")[0]: part for part in parts[1:]}
+        self.assertEqual(set(told), set(commands()))
+        for command, part in told.items():
+            for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", Run(command, "--help").out, re.MULTILINE):
+                if option != "--help":
+                    self.assertRegex(part, rf"`{option}\b", command)

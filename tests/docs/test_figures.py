@@ -36,6 +36,7 @@ FIGURES = {
     "reasons": lambda: len(list((ROOT / "tests" / "why").glob("*.soar"))),
     "speed": lambda: noted(r"The geometric mean is ([\d.]+)\."),
     "agents": lambda: noted(r"Of the agents that come with Soar and its tutorial, (\d+) run on both kernels"),
+    "build": lambda: noted(r"`\./dev run` spends most of its time compiling: (\d+) minutes on two idle cores"),
     "threads": lambda: noted(r"The run is the same on (\d), 2 and 4 threads"),
 }
 

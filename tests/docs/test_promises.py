@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import threading
@@ -200,6 +201,25 @@ class Promises(unittest.TestCase):
         listening = self.while_it_runs("kernel", "--port", "0", until="listens on")
         self.assertTrue(listening)
         self.assertLessEqual(set(listening), {"0100007F"})
+
+    def test_what_the_service_starts_is_a_command_that_serves(self):
+        unit = (ROOT / "cmake" / "soarbox-serve.service.in").read_text(encoding="utf-8")
+        words = re.search(r"^ExecStart=\S+ (.*)$", unit, re.MULTILINE)[1].split()
+        self.assertEqual((words[0], words[words.index("--listen") + 1]), ("serve", "127.0.0.1:8080"))
+        words[words.index("--listen") + 1] = "127.0.0.1:0"
+        words[words.index("--state") + 1] = str(self.folder / "state")
+        (self.folder / "page").mkdir()
+        (self.folder / "page" / "index.html").write_text("<title>page</title>", encoding="utf-8")
+        listening = self.while_it_runs(*words, "--page", str(self.folder / "page"), until="Open http://")
+        self.assertEqual(set(listening), {"0100007F"})
+
+    @unittest.skipUnless(shutil.which("systemd-analyze"), "systemd-analyze is not installed")
+    def test_the_service_is_one_that_systemd_can_read(self):
+        unit = (ROOT / "cmake" / "soarbox-serve.service.in").read_text(encoding="utf-8")
+        file = self.folder / "soarbox-serve.service"
+        file.write_text(re.sub(r"^ExecStart=\S+", "ExecStart=/bin/true", unit, flags=re.MULTILINE), encoding="utf-8")
+        done = subprocess.run(["systemd-analyze", "verify", file], capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual([line for line in done.stderr.splitlines() if file.name in line and "Command 'man" not in line], [])
 
 
 if __name__ == "__main__":

@@ -38,7 +38,8 @@ class ShippedCatalog final : public serve::Catalog {
     std::vector<Diagnostic> problems;
     for (const Lesson& lesson : ReadLessons(ShippedLessons(data), data, problems)) Add(lesson, {});
     for (const std::string& course : CoursesIn(ShippedLessons(data)))
-      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems)) Add(lesson, course);
+      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems))
+        if (!hints_.contains(lesson.name)) Add(lesson, course);  // A course may list lessons of others.
     for (const Diagnostic& problem : problems) std::cerr << Format(problem);
     for (const std::string& name : sim::ListScenarios(data))
       scenarios_.push_back({name, sim::DescribeScenario(name, data)});

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace soarbox::app {
+
+/// docs/options.md: all sub-commands with their arguments, defaults, examples and exit codes, in Markdown. It says what
+/// the help and the manual pages say, and no more.
+std::string OptionsPage(const CLI::App& program);
+
+}  // namespace soarbox::app
