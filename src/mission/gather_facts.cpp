@@ -305,6 +305,14 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
                     memory.under_way.erase(event.word);
                     facts.events.push_back(std::move(event));
                   },
+                  [&](const mind::Recalled& recalled) {
+                    memory.notes_recalls = true;
+                    facts.events.push_back({Key::kRetrieval,
+                                            recalled.is_episode ? "episodic" : "semantic",
+                                            {},
+                                            recalled.number == 0 ? "failure" : "success",
+                                            {}});
+                  },
                   [&](const mind::RuleFired& fired) {
                     if (!fired.retracts) facts.events.push_back({Key::kRule, std::string(fired.rule), {}, {}, {}});
                   },
@@ -313,7 +321,8 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
 
 void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::vector<explain::StateFact>& stack,
                                     AgentFacts& facts, Memory& memory) {
-  // The answer to a command is an element below ^smem.result or ^epmem.result; a new one has a new time tag.
+  // Of a kernel that notes no recalls only the answer that is there at the end of a tick is known: an element below
+  // ^smem.result or ^epmem.result; a new one has a new time tag.
   constexpr std::pair<std::string_view, std::string_view> kMemories[] = {{"smem", "semantic"}, {"epmem", "episodic"}};
   const auto objects = [&](const std::string& id, std::string_view attribute) {
     std::vector<std::string> found;
@@ -326,9 +335,13 @@ void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::ve
     for (const auto& [link, name] : kMemories) {
       for (const std::string& memory_link : objects(state.id, link)) {
         for (const std::string& result : objects(memory_link, "result")) {
-          for (const explain::ElementFact& answer : inspector.ElementsOf(result)) {
+          const std::vector<explain::ElementFact> answers = inspector.ElementsOf(result);
+          const bool is_retrieved =
+              std::ranges::find(answers, "retrieved", &explain::ElementFact::attribute) != answers.end();
+          for (const explain::ElementFact& answer : answers) {
             if (answer.timetag <= memory.answered_timetag) continue;
-            if (answer.attribute != "success" && answer.attribute != "failure") continue;
+            // What was stored is a success, too.
+            if (!(answer.attribute == "success" && is_retrieved) && answer.attribute != "failure") continue;
             newest = std::max(newest, answer.timetag);
             facts.events.push_back({Key::kRetrieval, std::string(name), {}, answer.attribute, {}});
           }
@@ -358,7 +371,7 @@ void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
       facts.values = static_cast<double>(learning.numbers.size());
     }
   }
-  if (wants_.retrievals) GatherRetrievals(*inspector, stack, facts, memory);
+  if (wants_.retrievals && !memory.notes_recalls) GatherRetrievals(*inspector, stack, facts, memory);
   if (wants_.learned) {
     double reused = 0;
     for (const explain::RuleFact& rule : inspector->Rules())

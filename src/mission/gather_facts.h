@@ -52,6 +52,7 @@ class FactGatherer {
     std::size_t rules = 0;
     bool knows_rules = false;
     std::uint64_t answered_timetag = 0;  ///< Of the newest answer of a long-term memory.
+    bool notes_recalls = false;          ///< Its kernel reports each recall.
   };
 
   sim::Simulation& simulation_;
