@@ -55,6 +55,7 @@ constexpr Row kRows[] = {
     {"", "--keep", kFolder},
     {"", "--pages", kFolder},
     {"", "--screenshot", {"FILE", Offers::kFiles, ".png"}},
+    {"kernel", "--secret-file", kFile},
     {"", "--record", kRecording},
     {"report", "--output", {"FILE", Offers::kFiles, ".html"}},
     {"", "--output", kFile},

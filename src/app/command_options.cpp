@@ -260,6 +260,8 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
   kernel->add_option("--port", options.port, "TCP port; 0: any free one")
       ->capture_default_str()
       ->check(NumberIn(0, 65535));
+  kernel->add_option("--secret-file", options.secret_file,
+                     "Serve only clients that show the secret in the first line of this file");
 }
 
 void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datamap, std::string& folder) {

@@ -2,6 +2,7 @@
 #include "app/kernel_server.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/diagnostic.h"
+#include "sml/wire/secret.h"
 #include "sml_Client.h"
 
 namespace soarbox::app {
@@ -54,6 +56,15 @@ bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<s
 
 int ServeKernel(const KernelServerOptions& options) {
   CatchInterrupts();
+  if (!options.secret_file.empty()) {
+    // The kernel's listener reads these.
+    unsetenv(wire::kSecretVariable);
+    setenv(wire::kSecretFileVariable, options.secret_file.c_str(), 1);
+  }
+  const Result<std::string> secret = wire::SecretOfEnvironment();
+  if (!secret) {
+    return Refuse(secret.error().file + ": " + secret.error().message, "write the secret into its first line");
+  }
   const int port = options.port == 0 ? static_cast<int>(sml::Kernel::kUseAnyPort) : options.port;
   const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(port));
   if (kernel->HadError()) {
@@ -71,7 +82,8 @@ int ServeKernel(const KernelServerOptions& options) {
       return kCannotStart;
     }
   }
-  std::cout << "a Soar kernel listens on 127.0.0.1:" << kernel->GetListenerPort() << " (end with Ctrl-C)" << std::endl;
+  std::cout << "a Soar kernel listens on 127.0.0.1:" << kernel->GetListenerPort()
+            << (secret->empty() ? "" : ", for clients that show its secret") << " (end with Ctrl-C)" << std::endl;
   while (!WasInterrupted() && !kernel->IsConnectionClosed()) std::this_thread::sleep_for(kLookAtSignals);
   kernel->Shutdown();
   return kOk;

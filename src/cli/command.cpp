@@ -46,7 +46,7 @@ void CommandCall::AddArgument(std::string param, std::string type, std::string v
 }
 
 bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) {
-  parsed = ParseOptions(words.subspan(1), specs);
+  parsed = ParseOptions(words.subspan(1), specs, agent().settings().like != kernel::SoarVersion::k963);
   if (parsed.error.empty()) return true;
   return Fail(parsed.error);
 }
@@ -67,7 +67,8 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
     }
   }
   for (const char letter : also_known) all.push_back({letter, ""});
-  const ParsedWords checked = ParseOptions(call.words.subspan(1), all);
+  const ParsedWords checked =
+      ParseOptions(call.words.subspan(1), all, call.agent().settings().like != kernel::SoarVersion::k963);
   if (!checked.error.empty()) {
     return call.Fail(checked.error + "\n" + std::string(usage_hint));
   }

@@ -234,7 +234,7 @@ bool LoadFile(CommandCall& call) {
   if (parsed.arguments.empty()) {
     return call.Fail("Syntax: load file [--all | --disable | --verbose] <filename>");
   }
-  const std::string& file = parsed.arguments.front().text;
+  const std::string file = call.interpreter.WithSlashes(parsed.arguments.front().text);
   std::filesystem::path path;
   if (!call.interpreter.ResolveForReading(call, file, path)) return false;
   const InFolderOf folder(call.interpreter, file);
@@ -288,6 +288,9 @@ bool LoadLibrary(CommandCall& call) {
 bool LoadRete(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[2].options, parsed)) return false;
+  // `rete-net -s FILE` of older scripts comes here, too.
+  const auto save = parsed.Argument('s');
+  if (save && parsed.arguments.empty()) return SaveRuleImage(call, *save);
   const auto load = parsed.Argument('l');
   const std::optional<std::string> file = load ? load : parsed.Argument('r');
   if (!file || !parsed.arguments.empty()) return call.Fail("Syntax: load rete-network --load <filename>");
@@ -364,7 +367,8 @@ constexpr OptionSpec kFileOptions[] = {
     {'v', "verbose", OptionArgument::kNone, "name the rules that were replaced"},
 };
 constexpr OptionSpec kReteOptions[] = {{'l', "load", OptionArgument::kRequired, "the file"},
-                                       {'r', "restore", OptionArgument::kRequired, "the file"}};
+                                       {'r', "restore", OptionArgument::kRequired, "the file"},
+                                       {'s', "save", OptionArgument::kRequired, "write the image instead"}};
 constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequired, "the file"},
                                            {'c', "close", OptionArgument::kNone, "end the replay"}};
 

@@ -110,6 +110,8 @@ bool Excise(CommandCall& call) {
     count -= static_cast<std::size_t>(std::count_if(rules.begin(), rules.end(), [&](ProductionId id) {
       return agent.production(id).type == ProductionType::kTemplate;
     }));
+  }
+  if (parsed.Has('a') || parsed.Has('c')) {
     for (const kernel::ProductionPtr& rule : agent.Justifications()) {
       count += agent.ExciseJustification(rule->name) ? 1 : 0;
     }

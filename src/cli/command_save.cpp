@@ -46,6 +46,7 @@ std::string SettingsText(CommandCall& call) {
   text += fmt::format("soar max-elaborations {}\n", settings.max_elaborations);
   text += fmt::format("soar max-goal-depth {}\n", settings.max_goal_depth);
   text += fmt::format("soar wait-snc {}\n", OnOff(settings.wait_snc));
+  if (settings.like != initial.like) text += fmt::format("soar like {}\n", TextOf(settings.like));
 
   const auto number = [&](std::string_view name, std::int64_t value, std::int64_t usual) {
     if (value != usual) text += fmt::format("soar {} {}\n", name, value);
@@ -101,8 +102,9 @@ bool SaveAgent(CommandCall& call) {
   const kernel::SemanticMemory& memory = kernel::SemanticMemory::Of(call.agent().long_term());
   const bool has_facts = memory.knowledge().object_count() > 0;
   // Soar writes this line also when semantic memory is on and holds nothing.
-  const std::string facts = has_facts ? "# Semantic Memory\n\n" + ExportText(memory, {}) + "\n"
-                                      : "# Semantic memory is not enabled.  Did not save.\n";
+  const std::string facts = has_facts
+                                ? "# Semantic Memory\n\n" + ExportText(memory, {}, call.agent().settings().like) + "\n"
+                                : "# Semantic memory is not enabled.  Did not save.\n";
   const std::string text =
       fmt::format("# Settings\n\n{}\n# Procedural Memory\n\n{}\n\n{}", SettingsText(call), rules, facts);
   if (!Write(call, call.words[1].text, text)) return false;
@@ -159,7 +161,8 @@ bool SavePercepts(CommandCall& call) {
 bool SaveRete(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kSaveSubcommands[3].options, parsed)) return false;
-  const std::optional<std::string> file = parsed.Argument('s');
+  const std::optional<std::string> load = parsed.Argument('l'), file = parsed.Argument('s');
+  if (load && parsed.arguments.empty()) return LoadRuleImage(call, *load);
   if (!file || !parsed.arguments.empty()) return call.Fail("Syntax: save rete-network --save <filename>");
   return SaveRuleImage(call, *file);
 }
@@ -183,7 +186,8 @@ constexpr OptionSpec kPerceptsOptions[] = {
     {'c', "close", OptionArgument::kNone, "end the recording"},
     {'f', "flush", OptionArgument::kNone, "write out what is recorded"},
 };
-constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"}};
+constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"},
+                                       {'l', "load", OptionArgument::kRequired, "read an image instead"}};
 
 constexpr SubcommandInfo kSaveSubcommandList[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},

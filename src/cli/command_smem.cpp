@@ -52,6 +52,10 @@ SemanticMemory& MemoryOf(CommandCall& call) {
   return SemanticMemory::Of(call.agent().long_term());
 }
 
+kernel::SoarVersion LikeOf(CommandCall& call) {
+  return call.agent().settings().like;
+}
+
 // Settings ------------------------------------------------------------------------------------------------------------
 
 /// Numbers between commas, as `base-incremental-threshes` shows them.
@@ -283,7 +287,7 @@ bool Query(CommandCall& call, const std::string& text, const ParsedWords& parsed
   const std::string problem = kernel::ReadQuery(memory, text, cue);
   if (!problem.empty()) return call.Fail(problem);
   const std::vector<std::uint32_t> found = memory.Search(cue, limit);
-  for (const std::uint32_t object : found) call.Out(ObjectLine(memory, object, 1.0));
+  for (const std::uint32_t object : found) call.Out(ObjectLine(memory, object, LikeOf(call), 1.0));
   call.Out(found.empty() ? "SMem| No results for query." : "");
   call.Out("\nSMem| Query complete.\n");
   return true;
@@ -323,7 +327,7 @@ bool Export(CommandCall& call, const std::string& file, const ParsedWords& parse
     root = memory.knowledge().Find(number);
   }
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << ExportText(memory, root);
+  out << ExportText(memory, root, LikeOf(call));
   out.close();
   if (!out) return call.Fail("The file '" + file + "' cannot be written.");
   call.Out("Exported semantic memory to file '" + file + "'.\n");
@@ -341,7 +345,7 @@ bool History(CommandCall& call, const std::string& name) {
   const SemanticMemory& memory = MemoryOf(call);
   const kernel::Lti number = kernel::ObjectNamed(memory, name);
   if (number == 0) return call.Fail("LTI not found.");
-  call.Out(ObjectLine(memory, memory.knowledge().Find(number)) + "\n");
+  call.Out(ObjectLine(memory, memory.knowledge().Find(number), LikeOf(call)) + "\n");
   return true;
 }
 

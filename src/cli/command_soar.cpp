@@ -72,6 +72,7 @@ std::string Value(CommandCall& call, std::string_view name) {
   if (name == "max-partial-matches") return std::to_string(settings.max_partial_matches);
   if (name == "max-gp") return std::to_string(settings.max_gp);
   if (name == "stop-phase") return std::string(PhaseName(settings.stop_phase));
+  if (name == "like") return std::string(TextOf(settings.like));
   if (name == "wait-snc") return std::string(OnOff(settings.wait_snc));
   return store.Get("soar", name);
 }
@@ -226,6 +227,19 @@ bool KeepAllTopOprefs(CommandCall& call) {
   call.Out(*on ? "Soar will now always retain top level preferences for items that are already o-supported.\n"
                : "Soar will now not retain top level preferences for items that are already o-supported.\n");
   return true;
+}
+
+bool Like(CommandCall& call) {
+  if (call.words.size() < 2) return ShowSetting(call, "like");
+  const std::string& word = call.words[1].text;
+  for (const kernel::SoarVersion version : {kernel::SoarVersion::k963, kernel::SoarVersion::k965}) {
+    if (word != TextOf(version)) continue;
+    call.agent().mutable_settings().like = version;
+    call.session.UpdateTrace();
+    call.Out(fmt::format("Rules that are loaded from now on behave as in Soar {}.\n", word));
+    return true;
+  }
+  return call.Fail("The behaviour of this version is not known: 9.6.3 and 9.6.5 are.");
 }
 
 bool WaitSnc(CommandCall& call) {
@@ -384,6 +398,7 @@ constexpr SubcommandInfo kSoarSubcommandList[] = {
     {"init", "", "starts the agent again: working memory is emptied, rules stay", {}, InitAgent},
     {"stop", "[--self]", "stops running agents", kStopOptions, Stop},
     {"version", "", "the version of Soar whose behaviour this is, and of Soarbox", {}, Version},
+    {"like", "[9.6.3 | 9.6.5]", "the version of Soar whose behaviour rules have where versions differ", {}, Like},
     {"keep-all-top-oprefs", "[on | off]", "keep every preference for o-supported elements of the top state",
      kSwitchOptions, KeepAllTopOprefs},
     {"max-elaborations", "[N]", "elaborations in a phase before it is ended", {}, MaxElaborations},

@@ -215,7 +215,7 @@ bool SemanticMemory(CommandCall& call, std::span<const Word> words) {
   }
   if (words.size() > 2) return call.Fail(kSyntax);
   if (memory.knowledge().object_count() == 0) return call.Fail("Semantic memory is empty: there is nothing to draw.");
-  return Write(call, KnowledgeGraph(memory, root, depth));
+  return Write(call, KnowledgeGraph(memory, root, depth, call.agent().settings().like));
 }
 
 }  // namespace

@@ -21,15 +21,23 @@ namespace {
 
 using kernel::Symbol;
 
+/// Identifiers that `wm add` makes have smaller numbers, so that others can follow.
+constexpr std::uint64_t kMostOfName = 1'000'000'000'000;
+
 /// The attribute or value that a word of `wm add` stands for; the none symbol after saying what is wrong. Each `*` is a
 /// new identifier; it takes its letter from Soar's habit for input.
-Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field) {
+/// An identifier in `parent`'s place that is not there yet is made; without a parent, it must be there.
+Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field, Symbol parent) {
   kernel::Agent& agent = call.agent();
   if (word == "*") return agent.NewIdentifier('I');
   const auto identifier = ParseIdentifierName(word);
   const bool is_variable = word.size() > 2 && word.front() == '<' && word.back() == '>';
   if (identifier || is_variable) {
     if (const Symbol named = FindIdentifier(agent, word)) return named;
+    if (identifier && parent && agent.settings().like != kernel::SoarVersion::k963 && identifier->number > 0 &&
+        identifier->number < kMostOfName && !agent.symbols().FindIdentifier(identifier->letter, identifier->number)) {
+      return agent.NewIdentifier(identifier->letter, identifier->number, parent);
+    }
     const PrintStream::Capture capture(call.stream(), &call.result.text);
     if (identifier) {
       call.stream().Print(fmt::format("There is no identifier {}{}.\n", identifier->letter, identifier->number));
@@ -61,9 +69,9 @@ bool Add(CommandCall& call) {
   if (!id) return call.Fail("Invalid identifier");
   std::string attribute_word = words[1].text;
   if (attribute_word.size() > 1 && attribute_word.front() == '^') attribute_word.erase(0, 1);
-  const Symbol attribute = ReadField(call, attribute_word, "attribute");
+  const Symbol attribute = ReadField(call, attribute_word, "attribute", {});
   if (!attribute) return false;
-  const Symbol value = ReadField(call, words[2].text, "value");
+  const Symbol value = ReadField(call, words[2].text, "value", id);
   if (!value) return false;
   auto added = agent.AddWme(id, attribute, value, words.size() == 4);
   if (!added) return call.Fail(added.error().message);

@@ -92,7 +92,8 @@ std::string_view ReasonText(JoinReason reason) {
                                            "Variable in another rule compared against literal RHS value",
                                            "Variable in another rule tested result of RHS function",
                                            "Variable was used as argument in a RHS function",
-                                           "Tested a super-state singleton WME previously tested by another rule"};
+                                           "Tested a super-state singleton WME previously tested by another rule",
+                                           "Variable was marked literal by $"};
   return NameIn(kNames, reason);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/interpreter.h"
 
+#include <algorithm>
 #include <new>
 #include <system_error>
 
@@ -133,6 +134,14 @@ std::filesystem::path Interpreter::Resolve(const std::string& file) const {
   std::filesystem::path path(file);
   if (path.is_absolute()) return path.lexically_normal();
   return (directory_ / path).lexically_normal();
+}
+
+std::string Interpreter::WithSlashes(const std::string& file) const {
+  std::error_code error;
+  if (file.find('\\') == std::string::npos || std::filesystem::exists(Resolve(file), error)) return file;
+  std::string slashes = file;
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  return std::filesystem::exists(Resolve(slashes), error) ? slashes : file;
 }
 
 bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const {

@@ -51,6 +51,8 @@ class Interpreter {
   std::vector<std::filesystem::path>& directory_stack() { return directory_stack_; }
   /// A file name as typed, relative to directory().
   std::filesystem::path Resolve(const std::string& file) const;
+  /// A file's name as another system writes it, with slashes for its backslashes, if only this names a file.
+  std::string WithSlashes(const std::string& file) const;
 
   /// For commands that read a file: its path, or a failure of the call if it lies outside the fence.
   bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;

@@ -46,6 +46,86 @@ class InterpreterTest : public testing::Test {
 
 constexpr const char* kGo = "sp {go (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name go)}";
 
+TEST_F(InterpreterTest, AnElementMayLeadToAnIdentifierThatIsNotThereYet) {
+  EXPECT_THAT(Do("wm add S1 ^link X7").text, StartsWith("Timetag: "));
+  EXPECT_THAT(Do("print s1").text, HasSubstr("^link X7"));
+  EXPECT_THAT(Do("wm add X7 ^size 3").text, StartsWith("Timetag: "));
+  EXPECT_THAT(Do("wm add S1 ^other x7").text, StartsWith("Timetag: "));
+  EXPECT_THAT(Do("print s1").text, HasSubstr("^other X7"));
+  EXPECT_THAT(Do("wm add S1 ^next *").text, StartsWith("Timetag: "));
+  EXPECT_FALSE(Do("wm add Q3 ^link X8").ok) << "the object must be there";
+  EXPECT_FALSE(Do("wm add S1 ^X9 a").ok) << "so must an attribute";
+  EXPECT_FALSE(Do("wm add S1 ^link X18446744073709551615").ok);
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+}
+
+TEST_F(InterpreterTest, NegativeNumbersAreArgumentsOfAllCommands) {
+  EXPECT_TRUE(Do("decide set-random-seed -5").ok) << Do("decide set-random-seed -5").text;
+  EXPECT_TRUE(Do("srand -5").ok);
+  EXPECT_TRUE(Do("wm add S1 ^height -2.5").ok);
+  EXPECT_THAT(Do("print s1").text, HasSubstr("^height -2.5"));
+}
+
+TEST_F(InterpreterTest, AFileIsFoundWhereBackslashesSeparateFolders) {
+  std::filesystem::create_directories(folder_ / "deep");
+  Write("deep/here.soar", std::string(kGo) + "\n");
+  Do("cd " + folder_.string());
+  EXPECT_TRUE(Do("source {deep\\here.soar}").ok) << Do("source {deep\\here.soar}").text;
+  EXPECT_THAT(Do("print").text, HasSubstr("go"));
+  EXPECT_THAT(Do("source {deep\\none.soar}").text, HasSubstr("deep\\none.soar"));
+}
+
+TEST_F(InterpreterTest, AnImageIsWrittenAndReadByTheCommandOfOlderScripts) {
+  Do(kGo);
+  Do("cd " + folder_.string());
+  EXPECT_TRUE(Do("rete-net -s x.net").ok);
+  EXPECT_THAT(Do("excise --all").text, HasSubstr("1 production excised."));
+  EXPECT_TRUE(Do("rete-net -l x.net").ok);
+  EXPECT_THAT(Do("print").text, HasSubstr("go"));
+  EXPECT_TRUE(Do("save rete-network --load x.net").ok);
+}
+
+TEST_F(InterpreterTest, ExcisingChunksExcisesJustifications) {
+  Do("sp {pp (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name a)}");
+  Do("sp {rr (state <s> ^superstate <ss>) (<ss> ^operator.name a) --> (<ss> ^res t)}");
+  Do("run 3");
+  EXPECT_THAT(Do("print -j").text, HasSubstr("justif"));
+  EXPECT_THAT(Do("excise -c").text, HasSubstr("1 production excised."));
+  EXPECT_EQ(Do("print -j").text, "");
+}
+
+TEST_F(InterpreterTest, AnAgentMayBehaveLikeAnotherVersion) {
+  EXPECT_EQ(Do("soar like").text, "like is 9.6.5\n");
+  EXPECT_FALSE(Do("sp {ff (state <s> ^superstate nil) --> (<s> ^x (unheard <s>))}").ok);
+  EXPECT_TRUE(Do("soar like 9.6.3").ok);
+  EXPECT_TRUE(Do("sp {ff (state <s> ^superstate nil) --> (<s> ^x (unheard <s>))}").ok);
+  EXPECT_FALSE(Do("soar like 9.5").ok);
+  EXPECT_EQ(Do("soar like").text, "like is 9.6.3\n");
+}
+
+TEST_F(InterpreterTest, ObjectsOfLongTermMemoryAreShownByTheirNames) {
+  Do("smem --enable");
+  Do("smem --add { (@test1 ^name test1 ^info @info1) (@info1 ^number 1) }");
+  EXPECT_EQ(Do("print @").text, "(@test1 ^info @info1 ^name test1 [+0.000])\n(@info1 ^number 1 [+0.000])\n");
+  EXPECT_THAT(Do("smem --query { (<x> ^info @info1) }").text, StartsWith("(@test1 "));
+  EXPECT_THAT(Do("smem --remove { (@info1 ^number) }").text, HasSubstr("Removal complete"));
+  Do("cd " + folder_.string());
+  EXPECT_TRUE(Do("smem --export out.smem").ok);
+  std::ifstream exported(folder_ / "out.smem");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(exported), {}),
+            "smem --add {\n(@test1 ^name test1 ^info @info1)\n}\n");
+  Do("soar like 9.6.3");
+  EXPECT_THAT(Do("print @1").text, StartsWith("(@1 ^info @2 ^name test1"));
+}
+
+TEST_F(InterpreterTest, TheTraceOfSemanticMemoryHasASignForEachObject) {
+  Do("trace --smem");
+  printed_.clear();
+  Do("smem --add { (@1 ^a b c d) (@2 ^e f) }");
+  EXPECT_THAT(printed_, HasSubstr("@@"));
+  EXPECT_THAT(printed_, Not(HasSubstr("=>SMEM")));
+}
+
 TEST_F(InterpreterTest, ACommandIsFoundByAnyUniqueBeginningAndByAlias) {
   EXPECT_TRUE(Do("pri s1").ok);
   EXPECT_TRUE(Do("p s1").ok);

@@ -22,24 +22,45 @@ using kernel::Edge;
 using kernel::Knowledge;
 using kernel::StoreTerm;
 
-std::string TermText(const Knowledge& knowledge, StoreTerm term, bool short_floats = false) {
-  if (term.IsObject()) return "@" + std::to_string(knowledge.NumberAt(term.index()));
+/// How the objects of a memory are called in a text.
+class Names {
+ public:
+  Names(const kernel::SemanticMemory& memory, kernel::SoarVersion like) : memory_(memory) {
+    if (like == kernel::SoarVersion::k963) return;
+    for (const auto& [name, number] : memory.knowledge().Aliases()) alias_of_.insert_or_assign(number, name);
+  }
+  const kernel::SemanticMemory& memory() const { return memory_; }
+  const Knowledge& knowledge() const { return memory_.knowledge(); }
+  /// "@steel", or "@3" for an object without a name.
+  std::string Of(std::uint32_t object) const {
+    const kernel::Lti number = knowledge().NumberAt(object);
+    const auto alias = alias_of_.find(number);
+    return "@" + (alias != alias_of_.end() ? alias->second : std::to_string(number));
+  }
+
+ private:
+  const kernel::SemanticMemory& memory_;
+  std::map<kernel::Lti, std::string> alias_of_;
+};
+
+std::string TermText(const Names& names, StoreTerm term, bool short_floats = false) {
+  if (term.IsObject()) return names.Of(term.index());
   std::string text;
-  knowledge.terms().Append(text, term, short_floats);
+  names.knowledge().terms().Append(text, term, short_floats);
   return text;
 }
 
 /// Augmentations in the order in which they are shown; `by_name`: attributes by their texts, else in the order
 /// in which the store met them.
-std::string Augmentations(const Knowledge& knowledge, std::uint32_t object, bool by_name, bool short_floats = false) {
+std::string Augmentations(const Names& names, std::uint32_t object, bool by_name, bool short_floats = false) {
   struct Group {
     std::string attribute;
     std::vector<Edge> edges;
   };
   std::vector<Group> groups;
-  for (const Edge& edge : knowledge.OrderedEdgesAt(object)) {
+  for (const Edge& edge : names.knowledge().OrderedEdgesAt(object)) {
     if (groups.empty() || groups.back().edges.front().attribute != edge.attribute) {
-      groups.push_back({TermText(knowledge, edge.attribute), {}});
+      groups.push_back({TermText(names, edge.attribute), {}});
     }
     groups.back().edges.push_back(edge);
   }
@@ -47,29 +68,35 @@ std::string Augmentations(const Knowledge& knowledge, std::uint32_t object, bool
   std::string text;
   for (const Group& group : groups) {
     text += " ^" + group.attribute;
-    for (const Edge& edge : group.edges) text += " " + TermText(knowledge, edge.value, short_floats);
+    for (const Edge& edge : group.edges) text += " " + TermText(names, edge.value, short_floats);
   }
   return text;
 }
 
-}  // namespace
-
-std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, std::optional<double> activation) {
-  const Knowledge& knowledge = memory.knowledge();
-  return fmt::format("(@{}{} [{:+.3f}])\n", knowledge.NumberAt(object),
-                     Augmentations(knowledge, object, true, memory.TakeFirstLine()),
-                     activation ? *activation : memory.ActivationOf(object));
+std::string Line(const Names& names, std::uint32_t object, std::optional<double> activation) {
+  return fmt::format("({}{} [{:+.3f}])\n", names.Of(object),
+                     Augmentations(names, object, true, names.memory().TakeFirstLine()),
+                     activation ? *activation : names.memory().ActivationOf(object));
 }
 
-std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth) {
+}  // namespace
+
+std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, kernel::SoarVersion like,
+                       std::optional<double> activation) {
+  return Line(Names(memory, like), object, activation);
+}
+
+std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth,
+                       kernel::SoarVersion like) {
   const Knowledge& knowledge = memory.knowledge();
+  const Names names(memory, like);
   std::string text;
   std::deque<std::pair<std::uint32_t, int>> open{{object, 1}};
   std::set<std::uint32_t> seen{object};
   while (!open.empty()) {
     const auto [next, level] = open.front();
     open.pop_front();
-    text += std::string(static_cast<std::size_t>(2 * (level - 1)), ' ') + ObjectLine(memory, next);
+    text += std::string(static_cast<std::size_t>(2 * (level - 1)), ' ') + Line(names, next, {});
     if (level >= depth) continue;
     std::map<kernel::Lti, std::uint32_t> children;
     for (const Edge& edge : knowledge.EdgesAt(next)) {
@@ -93,14 +120,17 @@ std::vector<std::uint32_t> ByNumber(const Knowledge& knowledge) {
 
 }  // namespace
 
-std::string AllObjects(const kernel::SemanticMemory& memory) {
+std::string AllObjects(const kernel::SemanticMemory& memory, kernel::SoarVersion like) {
+  const Names names(memory, like);
   std::string text;
-  for (const std::uint32_t object : ByNumber(memory.knowledge())) text += ObjectLine(memory, object);
+  for (const std::uint32_t object : ByNumber(memory.knowledge())) text += Line(names, object, {});
   return text;
 }
 
-std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root) {
+std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root,
+                       kernel::SoarVersion like) {
   const Knowledge& knowledge = memory.knowledge();
+  const Names names(memory, like);
   std::vector<std::uint32_t> objects = ByNumber(knowledge);
   if (root) {
     std::set<std::uint32_t> reached{*root};
@@ -118,13 +148,15 @@ std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::
   for (const std::uint32_t object : objects) {
     // An object without augmentations comes back by the links that lead to it.
     if (knowledge.EdgesAt(object).empty()) continue;
-    text += fmt::format("(@{}{})\n", knowledge.NumberAt(object), Augmentations(knowledge, object, false));
+    text += fmt::format("({}{})\n", names.Of(object), Augmentations(names, object, false));
   }
   return text + "}\n";
 }
 
-std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth) {
+std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth,
+                           kernel::SoarVersion like) {
   const Knowledge& knowledge = memory.knowledge();
+  const Names names(memory, like);
   std::deque<std::pair<std::uint32_t, int>> open;
   std::set<std::uint32_t> seen;
   if (root) {
@@ -137,12 +169,12 @@ std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<s
   while (!open.empty()) {
     const auto [object, distance] = open.front();
     open.pop_front();
-    const std::string name = GraphQuoted("@" + std::to_string(knowledge.NumberAt(object)));
+    const std::string name = GraphQuoted(names.Of(object));
     std::string rows, links;
     // What lies behind the last level is named and not opened.
     for (const Edge& edge : distance < depth ? knowledge.EdgesAt(object) : std::span<const Edge>()) {
-      const std::string attribute = TermText(knowledge, edge.attribute);
-      const std::string value = TermText(knowledge, edge.value);
+      const std::string attribute = TermText(names, edge.attribute);
+      const std::string value = TermText(names, edge.value);
       if (!edge.value.IsObject()) {
         rows += fmt::format("|{{{}|{}}}", GraphRecordText(attribute), GraphRecordText(value));
         continue;
@@ -150,7 +182,7 @@ std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<s
       links += fmt::format("  {} -> {} [label={}];\n", name, GraphQuoted(value), GraphQuoted(attribute));
       if (seen.insert(edge.value.index()).second) open.emplace_back(edge.value.index(), distance + 1);
     }
-    text += fmt::format("  {} [label=\"{{@{}{}}}\"];\n{}", name, knowledge.NumberAt(object), rows, links);
+    text += fmt::format("  {} [label=\"{{{}{}}}\"];\n{}", name, GraphRecordText(names.Of(object)), rows, links);
   }
   return text + "}\n";
 }
@@ -161,10 +193,11 @@ std::string PrintedKnowledge(kernel::Agent& agent, const std::string& word, int 
     if (asked.waits_for_file()) asked.EnsureOpen();
   }
   const kernel::SemanticMemory* const memory = kernel::SemanticMemory::Find(agent.long_term());
-  if (word == "@" || word == "@0") return memory == nullptr ? std::string() : AllObjects(*memory);
+  const kernel::SoarVersion like = agent.settings().like;
+  if (word == "@" || word == "@0") return memory == nullptr ? std::string() : AllObjects(*memory, like);
   const kernel::Lti number = memory == nullptr ? 0 : kernel::ObjectNamed(*memory, word);
   if (number == 0) return "LTI " + word + " not found in semantic memory.\n";
-  return ObjectTree(*memory, memory->knowledge().Find(number), depth);
+  return ObjectTree(*memory, memory->knowledge().Find(number), depth, like);
 }
 
 }  // namespace soarbox::cli

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kernel/longterm/knowledge.h"
+#include "kernel/rules/soar_version.h"
 
 namespace soarbox::kernel {
 class Agent;
@@ -17,20 +18,23 @@ namespace soarbox::cli {
 /// An object as `print @12` shows it: (@12 ^name tank ^has @13 @14 [+0.000]), with its line end. Attributes are sorted
 /// by name, the values of one attribute in order of creation, with links after constants and by number. `activation`:
 /// what to show in the brackets instead of the object's own.
-std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object,
+/// `like`: as in Soar 9.6.5, an object that has a name is shown by it: @steel.
+std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, kernel::SoarVersion like,
                        std::optional<double> activation = {});
 
 /// The object and what it links to, down to `depth` levels. Each object appears once, indented by its level.
-std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth);
+std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth, kernel::SoarVersion like);
 
 /// All objects by number, one per line.
-std::string AllObjects(const kernel::SemanticMemory& memory);
+std::string AllObjects(const kernel::SemanticMemory& memory, kernel::SoarVersion like);
 
 /// What `smem --export` writes: a command that adds all objects, or one object and everything that it leads to.
-std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root);
+std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root,
+                       kernel::SoarVersion like);
 
 /// Objects in the language of Graphviz: all, or one and what it leads to within `depth` links.
-std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth);
+std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth,
+                           kernel::SoarVersion like);
 
 /// `print @`, `print @12 --depth 2`, `print @steel`.
 std::string PrintedKnowledge(kernel::Agent& agent, const std::string& word, int depth);

@@ -34,6 +34,16 @@ const OptionSpec* FindShort(char letter, std::span<const OptionSpec> specs, std:
   return nullptr;
 }
 
+/// A negative number, as opposed to options: -5, -0.5, -1e3.
+bool IsNegativeNumber(std::string_view word, std::span<const OptionSpec> specs) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (word.size() < 2 || word[0] != '-') return false;
+  const std::size_t first = word[1] == '.' ? 2 : 1;
+  if (first >= word.size() || !is_digit(word[first])) return false;
+  if (word.find_first_not_of("0123456789.eE+-", first) != std::string_view::npos) return false;
+  return std::none_of(specs.begin(), specs.end(), [&](const OptionSpec& spec) { return spec.letter == word[1]; });
+}
+
 }  // namespace
 
 bool ParsedWords::Has(char letter) const {
@@ -51,11 +61,12 @@ std::optional<std::string> ParsedWords::Argument(char letter) const {
   return argument;
 }
 
-ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs) {
+ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs, bool takes_negatives) {
   ParsedWords parsed;
   bool options_ended = false;
   std::string rest_of_cluster;  // What a cluster leaves stands for the next word.
   std::size_t next = 0;
+  const auto is_number = [&](std::string_view word) { return takes_negatives && IsNegativeNumber(word, specs); };
   const auto has_word = [&] { return !rest_of_cluster.empty() || next < words.size(); };
   const auto take_word = [&] {
     if (rest_of_cluster.empty()) return words[next++].text;
@@ -66,7 +77,7 @@ ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec
     const std::size_t index = next;
     const bool from_cluster = !rest_of_cluster.empty();
     const std::string word = take_word();
-    if (options_ended || word.size() < 2 || word[0] != '-') {
+    if (options_ended || word.size() < 2 || word[0] != '-' || (!from_cluster && is_number(word))) {
       parsed.arguments.push_back(words[index]);
       continue;
     }
@@ -91,7 +102,7 @@ ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec
       }
       option.argument = take_word();
     } else if (spec->argument == OptionArgument::kOptional && rest_of_cluster.empty() && next < words.size() &&
-               !words[next].text.starts_with('-')) {
+               (!words[next].text.starts_with('-') || is_number(words[next].text))) {
       option.argument = take_word();
     }
     parsed.options.push_back(std::move(option));

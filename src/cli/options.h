@@ -41,7 +41,8 @@ struct ParsedWords {
 ///
 /// `-x` is a short option, `-xyz` a cluster of them, `--name` a long one (a unique beginning suffices); `--` ends the
 /// options. A required argument is the next word, whatever it is. An optional one is taken if the next word does not
-/// begin with a dash. A word of one character is never an option.
-ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs);
+/// begin with a dash. A word of one character is never an option, and neither is a negative number, unless the command
+/// has an option of its first digit. `takes_negatives`: false reads them as options, as Soar 9.6.3 does.
+ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs, bool takes_negatives = true);
 
 }  // namespace soarbox::cli

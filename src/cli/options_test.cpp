@@ -46,7 +46,20 @@ TEST(ParseOptions, AnOptionalArgumentDoesNotBeginWithADash) {
 TEST(ParseOptions, OneCharacterIsAnArgumentAndTwoDashesEndTheOptions) {
   EXPECT_EQ(Parse("-").arguments.size(), 1u);
   EXPECT_EQ(Parse("-- -t").arguments.size(), 1u);
-  EXPECT_EQ(Parse("-1").error, "No such option: 1");
+}
+
+TEST(ParseOptions, ANegativeNumberIsAnArgument) {
+  for (const char* number : {"-1", "-0.5", "-.5", "-1e3", "-2.5e-3"}) {
+    const ParsedWords parsed = Parse(number);
+    EXPECT_EQ(parsed.error, "") << number;
+    ASSERT_EQ(parsed.arguments.size(), 1u) << number;
+    EXPECT_EQ(parsed.arguments[0].text, number);
+  }
+  EXPECT_EQ(Parse("--wmes -5").Argument('w'), "-5");
+  EXPECT_EQ(Parse("-1x").error, "No such option: 1");
+  constexpr OptionSpec kLevels[] = {{'1', "level-one", OptionArgument::kNone}};
+  const std::vector<Word> words = {Word{"-1"}};
+  EXPECT_TRUE(ParseOptions(words, kLevels).Has('1')) << "a command that has such an option keeps it";
 }
 
 }  // namespace

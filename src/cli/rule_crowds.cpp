@@ -25,6 +25,8 @@ using kernel::TestKind;
 namespace {
 
 constexpr std::size_t kFewestConditions = 6;
+/// Of more conditions on one attribute only so many are looked at: the advice would be the same.
+constexpr std::size_t kMostMembers = 40;
 
 bool IsPlain(const Condition& condition) {
   return condition.kind == ConditionKind::kPositive;
@@ -113,6 +115,7 @@ std::optional<RuleCrowd> FindCrowd(const Production& rule) {
   std::optional<RuleCrowd> worst;
   for (auto& [key, members] : groups) {
     if (members.size() < kFewestConditions) continue;
+    if (members.size() > kMostMembers) members.resize(kMostMembers);
     for (Member& member : members) {
       member.way = WayToSettle(rule, member.at);
       member.settled = member.way.empty() ? 0 : member.way.back();
@@ -154,10 +157,12 @@ std::vector<Diagnostic> FindRuleCrowds(std::span<const Production* const> rules,
     warning.file = rule->file();
     warning.line = rule->line;
     warning.column = rule->column;
-    warning.message = std::string(rule->name) + " tests ^" + ToString(symbols, crowd->attribute) + " " +
-                      std::to_string(crowd->values) + " times before it distinguishes the values: with " +
-                      std::to_string(crowd->values) + " values it holds " +
-                      std::to_string(std::llround(crowd->PartialMatches())) + " partial matches";
+    warning.message =
+        std::string(rule->name) + " tests ^" + ToString(symbols, crowd->attribute) + " " +
+        std::to_string(crowd->values) + " times before it distinguishes the values: with " +
+        std::to_string(crowd->values) + " values it holds " +
+        (crowd->PartialMatches() < 1e18 ? std::to_string(std::llround(crowd->PartialMatches())) : "more than 10^18") +
+        " partial matches";
     warning.hint = AdviceFor(*rule, *crowd, symbols);
   }
   return warnings;

@@ -249,7 +249,7 @@ class Reader {
 
   TestDraft TestOf(bool as_part) {
     TestDraft test;
-    test.kind = Code(Byte(), TestKind::kIsNotLti, "kind of tests");
+    test.kind = Code(Byte(), TestKind::kLiteral, "kind of tests");
     switch (test.kind) {
       case TestKind::kBlank:
         if (as_part) Fail("a part of a test is blank");

@@ -121,7 +121,7 @@ TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {
     desk.Do("smem --set path " + std::string(file) + "; smem --set database file");
     desk.Do("smem --init");
     EXPECT_EQ(desk.Do("print @"), before) << file;
-    EXPECT_EQ(desk.Do("print @steel"), "(@3 ^kind k [+1.000])\n");
+    EXPECT_EQ(desk.Do("print @steel"), "(@steel ^kind k [+1.000])\n");
     desk.Do("smem --remove {(@steel ^kind)}");
     desk.Do("smem --clear; smem --add {(@7 ^a b)}");
   }

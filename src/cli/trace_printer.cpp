@@ -94,7 +94,8 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kWma), Event::kActivation);
   kernel::LongTerm& long_term = session_.agent().long_term();
   if (trace.On(TraceFlag::kSmem) || kernel::SemanticMemory::Find(long_term) != nullptr) {
-    kernel::SemanticMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kSmem));
+    kernel::SemanticMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kSmem),
+                                                   session_.agent().settings().like != kernel::SoarVersion::k963);
   }
   if (trace.On(TraceFlag::kEpmem) || kernel::EpisodicMemory::Find(long_term) != nullptr) {
     kernel::EpisodicMemory::Of(long_term).SetTrace(trace.On(TraceFlag::kEpmem));

@@ -34,7 +34,8 @@ const std::string& Agent::name() const {
 // Rules ---------------------------------------------------------------------------------------------------------------
 
 LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& place) {
-  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols, engine_->expected_values);
+  const RuleLanguage language = {engine_->settings.like, engine_->is_user_function};
+  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols, engine_->expected_values, language);
   LoadOutcome outcome;
   outcome.name = std::move(parsed.name);
   outcome.printed = std::move(parsed.messages);
@@ -498,6 +499,11 @@ Symbol Agent::NewIdentifier(char letter) {
   return engine_->memory.NewIdentifier(letter, 1);
 }
 
+Symbol Agent::NewIdentifier(char letter, std::uint64_t number, Symbol parent) {
+  return engine_->memory.NewIdentifier(engine_->symbols.NewIdentifier(letter, number),
+                                       engine_->memory.identifier(parent).level);
+}
+
 Result<void> Agent::RemoveWme(WmeId wme) {
   if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
   WorkingMemory& memory = engine_->memory;
@@ -526,9 +532,10 @@ Result<void> Agent::RemoveWme(WmeId wme) {
   return {};
 }
 
-void Agent::SetUserFunctions(
-    std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> function) {
+void Agent::SetUserFunctions(std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> function,
+                             std::function<bool(std::string_view)> is_there) {
   engine_->user_functions = std::move(function);
+  engine_->is_user_function = std::move(is_there);
 }
 
 void Agent::SetCommandRunner(std::function<std::string(Agent&, std::string_view)> runner) {

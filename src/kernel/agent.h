@@ -247,13 +247,17 @@ class Agent {
   Result<WmeId> AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable = false);
   /// A new identifier for `wm add` with value `*`.
   Symbol NewIdentifier(char letter);
+  /// A new identifier with a name that no identifier has, on the level of `parent`, an identifier in working memory.
+  Symbol NewIdentifier(char letter, std::uint64_t number, Symbol parent);
   /// `wm remove`: any element, at once.
   Result<void> RemoveWme(WmeId wme);
 
   /// Functions of the host that rules call with (exec name ...) or (name ...). The argument is what the rule gave,
   /// without blanks between; the answer is a symbol, or none for no value. An error skips the action and is printed. It
   /// runs on the agent's thread in the middle of a phase and must not run, initialise or change the agent.
-  void SetUserFunctions(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function);
+  /// `is_there`: whether there is a function of this name; rules may then call it without `exec`.
+  void SetUserFunctions(std::function<Result<Symbol>(Agent&, std::string_view name, std::span<const Symbol>)> function,
+                        std::function<bool(std::string_view name)> is_there = {});
   /// Runs a command line for (cmd ...) and gives its text.
   void SetCommandRunner(std::function<std::string(Agent&, std::string_view line)> runner);
 

@@ -69,11 +69,13 @@ class FactWriter {
   std::string TextOf(const Test& test) const {
     std::string text;
     if (test.kind == TestKind::kConjunction) {
+      // What learning keeps as it is makes no difference to what matches.
+      const auto counts = [](const Test& part) { return part.kind != TestKind::kLiteral; };
       for (const Test& part : test.parts())
         if (part.kind == TestKind::kEqual) text += " " + TextOf(part);
       for (const Test& part : test.parts())
-        if (part.kind != TestKind::kEqual) text += " " + TextOf(part);
-      return "{" + text + " }";
+        if (part.kind != TestKind::kEqual && counts(part)) text += " " + TextOf(part);
+      return std::ranges::count_if(test.parts(), counts) == 1 ? text.substr(1) : "{" + text + " }";
     }
     kernel::AppendTest(text, symbols_, test);
     return text;

@@ -34,8 +34,8 @@ sp {apply*drop (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <
 class Process:
     """A soarbox command that is still running; its lines are read as they come."""
 
-    def __init__(self, *arguments):
-        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+    def __init__(self, *arguments, environment=None):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"} | (environment or {})
         self.process = subprocess.Popen([COMMAND, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                         text=True, env=environment)
         self.lines = []
@@ -86,8 +86,8 @@ def is_event(kind):
 
 
 class Case(unittest.TestCase):
-    def start(self, *arguments):
-        process = Process(*arguments)
+    def start(self, *arguments, environment=None):
+        process = Process(*arguments, environment=environment)
         self.addCleanup(process.kill)
         return process
 
@@ -95,6 +95,76 @@ class Case(unittest.TestCase):
         kernel = self.start("kernel", "--port", port)
         kernel.wait_for(lambda line: f"listens on 127.0.0.1:{port}" in line)
         return kernel
+
+
+class Secret(Case):
+    """A kernel that requires a secret of its clients."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = pathlib.Path(folder.name) / "secret"
+        self.file.write_text("open sesame\nnot this line\n", encoding="utf-8")
+        self.port = free_port()
+        kernel = self.start("kernel", "--port", self.port, "--secret-file", self.file)
+        kernel.wait_for(lambda line: f"listens on 127.0.0.1:{self.port}, for clients that show its secret" in line)
+
+    def run_there(self, **environment):
+        return subprocess.run([COMMAND, "run", "thesis", "--headless", "--seconds", "1", "--kernel", f"127.0.0.1:{self.port}"],
+                              capture_output=True, text=True, timeout=120, check=False, env=os.environ | environment)
+
+    def test_a_client_with_the_secret_is_served(self):
+        with Client(self.port) as client:
+            client.call("soarbox_secret", secret="open sesame")
+            self.assertEqual(debugger_start(client), [])
+
+    def test_a_client_without_it_is_told_and_nothing_is_carried_out(self):
+        for first in (("version", {}), ("create_agent", {"name": "spy"}), ("soarbox_secret", {"secret": "open"}),
+                      ("soarbox_secret", {"secret": ""}), ("soarbox_secret", {})):
+            with self.subTest(first=first), Client(self.port) as client:
+                wanted = "does not accept this secret" if "secret" in first[1] else "requires a secret"
+                with self.assertRaisesRegex(Refused, wanted):
+                    client.call(first[0], **first[1])
+                with self.assertRaises(OSError):
+                    for _ in range(100):
+                        client.call("version")
+        with Client(self.port) as client:
+            client.call("soarbox_secret", secret="open sesame")
+            self.assertEqual(client.agents(), [])
+
+    def test_silent_clients_keep_nobody_out(self):
+        silent = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(200)]
+        with Client(self.port) as client:
+            client.call("soarbox_secret", secret="open sesame")
+            self.assertEqual(client.agents(), [])
+        for each in silent:
+            each.close()
+
+    def test_our_clients_take_it_from_the_environment(self):
+        run = self.run_there(SOARBOX_KERNEL_SECRET="open sesame")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_there(SOARBOX_KERNEL_SECRET_FILE=str(self.file))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_there()
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("This kernel requires a secret", run.stderr)
+        run = self.run_there(SOARBOX_KERNEL_SECRET="wrong")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("does not accept this secret", run.stderr)
+
+    def test_a_secret_shown_to_a_kernel_that_requires_none_does_no_harm(self):
+        self.port = free_port()
+        self.start_kernel(self.port)
+        run = self.run_there(SOARBOX_KERNEL_SECRET="open sesame")
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_a_file_without_a_secret_starts_no_kernel(self):
+        self.file.write_text("\n", encoding="utf-8")
+        for file in (self.file, self.file.parent / "missing"):
+            done = subprocess.run([COMMAND, "kernel", "--port", "0", "--secret-file", str(file)], capture_output=True, text=True,
+                                  timeout=60, check=False)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn(str(file), done.stderr)
 
 
 class RemoteMinds(Case):

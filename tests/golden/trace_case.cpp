@@ -3,7 +3,9 @@
 // (sml_Client.h) and prints a transcript: every command, what the agent printed
 // while it ran, and the command's result.
 //
-//   trace_case CASE.cmd      (run in the folder that holds the case)
+//   trace_case CASE.cmd [VERSION]     (run in the folder that holds the case)
+//
+// With a version, the agent behaves like that Soar where versions differ (`soar like`, which only Soarbox has).
 //
 // A line of CASE.cmd is a Soar command line, or one of these directives:
 //   !wme NAME PARENT TYPE ATTR [VALUE]   create a WME; PARENT is `il` or the NAME of an earlier id WME;
@@ -68,8 +70,8 @@ void print_identifier(Identifier* id, std::string const& indent, int depth) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: trace_case CASE.cmd\n";
+  if (argc != 2 && argc != 3) {
+    std::cerr << "usage: trace_case CASE.cmd [VERSION]\n";
     return 2;
   }
   std::ifstream in(argv[1]);
@@ -85,6 +87,7 @@ int main(int argc, char** argv) {
   }
   Agent* agent = kernel->CreateAgent("soar");
   agent->RegisterForPrintEvent(smlEVENT_PRINT, on_print, nullptr);
+  if (argc == 3) agent->ExecuteCommandLine((std::string("soar like ") + argv[2]).c_str());
 
   std::map<std::string, WMElement*> wmes;
   std::map<std::string, Identifier*> ids{{"il", agent->GetInputLink()}};

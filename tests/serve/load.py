@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Plays many learners at once against a server, and measures what it costs (not a test: bench/README.md says how to run it).
+"""Plays many learners at once against a server, and measures what it costs (not a test: docs/serve.md says how to run it).
 
-usage: load.py [--learners N] [--seconds S] [--watchers N]
+usage: load.py [--learners N] [--seconds S] [--streams N] [--stream-seconds S]
 
-Each learner opens a lesson, looks at the panels that a page shows, types into the editor now and then, applies the solution half way, asks
-why, and hints. Printed: how late the world's time is after the first quarter, in which all worlds begin (95 % of all ticks are no later), bytes
-per second and learner, memory per run, and processor time.
+The server has room for as many runs as there are learners. Each learner opens a lesson, looks at the panels that a page shows, types into the editor
+now and then, applies the solution half way, asks why, and hints. One more learner comes when all have begun, and must be told to wait. Afterwards the
+learners leave, and pages watch one run of soar_skirmish.
+
+Printed: how late the world's time is after the first quarter, in which all worlds begin (95 % of all ticks are no later), how long requests wait for
+their answers, what the learner is told for whom there is no room, bytes per second and learner, memory per run, processor time, and how many
+browsers' streams one core of the server carries.
 """
 import argparse
+import contextlib
 import os
 import pathlib
 import resource
@@ -48,8 +53,8 @@ class Learner(threading.Thread):
     def learn(self):
         page = WebSocket(self.server, f"/api/p/{self.server.new_place()}/run")
         page.ask(request="open", what="lesson:" + self.lesson)
-        page.ask(request="look", panels=["agents", "mission", "edit", "mind", "why", "problems"])
         page.until_message("hello")
+        page.ask(request="look", panels=["agents", "mission", "edit", "mind", "why", "problems"])
         edit = page.until_contents("edit", lambda edit: edit["files"])
         page.ask(request="edit", file=edit["files"][0]["file"])
         solution = "\n".join(file.read_text(encoding="utf-8") for file in (LESSONS / self.lesson / "solution").glob("*.soar"))
@@ -94,47 +99,119 @@ class Watcher(threading.Thread):
             self.fault = repr(fault)
 
 
+class Asker(threading.Thread):
+    """A page of its own that asks for its place and for the start page, again and again, and notes how long each answer takes."""
+
+    def __init__(self, server):
+        super().__init__(daemon=True)
+        self.server, self.is_over, self.waits_s, self.statuses = server, threading.Event(), [], set()
+
+    def run(self):
+        paths = ("/api/p/" + self.server.new_place(), "/")
+        while not self.is_over.wait(0.2):
+            for path in paths:
+                begin = time.monotonic()
+                self.statuses.add(self.server.http("GET", path)[0])
+                self.waits_s.append(time.monotonic() - begin)
+
+
+def describe(what, seconds):
+    """The distribution of times, in milliseconds."""
+    seconds = sorted(seconds)
+    return (f"{what}: median {statistics.median(seconds) * 1000:.0f} ms, 95 % {seconds[int(len(seconds) * 0.95)] * 1000:.0f} ms, "
+            f"most {seconds[-1] * 1000:.0f} ms")
+
+
+def what_the_next_is_told(server):
+    """The answer to one learner more than there is room for."""
+    page = WebSocket(server, f"/api/p/{server.new_place()}/run")
+    if page.status == 101:
+        page.close()
+        return "101: it was let in"
+    page.socket.settimeout(5)
+    try:
+        while True:
+            page.fill()
+    except (Gone, OSError):
+        page.close()
+    return f"{page.status} {page.held.decode(errors='replace').strip()}"
+
+
+def measure_streams(server, count, seconds):
+    """How many pages that watch one run a core of the server carries, from what `count` of them cost."""
+    place = server.new_place()
+    page = WebSocket(server, f"/api/p/{place}/run")
+    page.ask(request="open", what="scenario:soar_skirmish")
+    page.until_message("hello")
+    watchers = [Watcher(server, place, seconds + 2) for _ in range(count)]
+    for watcher in watchers:
+        watcher.start()
+    time.sleep(2)
+    begin, before_s = time.monotonic(), cpu_s(server.process.pid)
+    time.sleep(seconds)
+    share = (cpu_s(server.process.pid) - before_s) / (time.monotonic() - begin)
+    for watcher in watchers:
+        watcher.join()
+    page.close()
+    faults = [watcher.fault for watcher in watchers if watcher.fault]
+    blocks = statistics.mean(watcher.blocks for watcher in watchers) / (seconds + 2)
+    print(f"streams: {count} with {blocks:.1f} blocks per second each took {share:.3f} of a core of the server, faults {len(faults)} {faults[:3]}")
+    if share > 0:
+        print(f"one core carries {count / share:.0f} browsers' streams of soar_skirmish, by this share")
+
+
+@contextlib.contextmanager
+def served(*options):
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        server = Server(pathlib.Path(folder), *options)
+        yield server
+        server.kill()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--learners", type=int, default=100)
     parser.add_argument("--seconds", type=float, default=60)
-    parser.add_argument("--watchers", type=int, default=0)
+    parser.add_argument("--streams", type=int, default=100)
+    parser.add_argument("--stream-seconds", type=float, default=20)
     options = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_NOFILE, (4096, resource.getrlimit(resource.RLIMIT_NOFILE)[1]))
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        server = Server(pathlib.Path(folder))
-        learners = [Learner(server, NAMES[i % len(NAMES)], options.seconds) for i in range(options.learners)]
-        for learner in learners:
-            learner.start()
-            time.sleep(0.05)
-        watchers = []
-        if options.watchers:
-            place = server.new_place()
-            page = WebSocket(server, f"/api/p/{place}/run")
-            page.ask(request="open", what="scenario:soar_skirmish")
-            page.until_message("hello")
-            watchers = [Watcher(server, place, options.seconds) for _ in range(options.watchers)]
-            for watcher in watchers:
-                watcher.start()
-        time.sleep(options.seconds * 0.9)
-        engines = server.engines()
-        runs_mb, server_mb = [memory_mb(pid) for pid in engines], memory_mb(server.process.pid)
-        cores = (sum(map(cpu_s, engines)), cpu_s(server.process.pid))
-        for thread in learners + watchers:
-            thread.join()
-        faults = [thread.fault for thread in learners + watchers if thread.fault]
-        lateness = sorted(late for learner in learners for late in learner.lateness)
-        if lateness:
-            print(f"learners {options.learners}, seconds {options.seconds:g}, faults {len(faults)} {faults[:3]}")
-            print(f"lateness of ticks: median {statistics.median(lateness) * 1000:.0f} ms, "
-                  f"95 % {lateness[int(len(lateness) * 0.95)] * 1000:.0f} ms, most {lateness[-1] * 1000:.0f} ms")
-            print(f"bytes per second and learner: {statistics.mean(learner.bytes for learner in learners) / options.seconds:.0f}")
-        if runs_mb:
-            print(f"memory per run: {statistics.mean(runs_mb):.1f} MB, most {max(runs_mb):.1f}; server {server_mb:.1f} MB")
-        print(f"processor: runs {cores[0]:.1f} s, server {cores[1]:.1f} s of {options.seconds * 0.9:.0f} s")
-        if watchers:
-            print(f"watchers {len(watchers)}: {statistics.mean(watcher.blocks for watcher in watchers) / options.seconds:.1f} blocks per second each")
-        server.kill()
+    if options.learners:
+        with served("--sessions", str(options.learners)) as server:
+            measure_learners(server, options.learners, options.seconds)
+    if options.streams:
+        with served() as server:
+            measure_streams(server, options.streams, options.stream_seconds)
+
+
+def measure_learners(server, count, seconds):
+    learners = [Learner(server, NAMES[i % len(NAMES)], seconds) for i in range(count)]
+    for learner in learners:
+        learner.start()
+        time.sleep(0.05)
+    time.sleep(seconds * 0.3)
+    asker = Asker(server)
+    asker.start()
+    told = what_the_next_is_told(server)
+    time.sleep(seconds * 0.6)
+    engines = server.engines()
+    runs_mb, server_mb = [memory_mb(pid) for pid in engines], memory_mb(server.process.pid)
+    cores = (sum(map(cpu_s, engines)), cpu_s(server.process.pid))
+    asker.is_over.set()
+    for thread in [asker, *learners]:
+        thread.join()
+    faults = [learner.fault for learner in learners if learner.fault]
+    print(f"learners {count}, seconds {seconds:g}, runs {len(engines)}, faults {len(faults)} {faults[:3]}")
+    lateness = [late for learner in learners for late in learner.lateness]
+    if lateness:
+        print(describe("lateness of ticks", lateness))
+        print(f"bytes per second and learner: {statistics.mean(learner.bytes for learner in learners) / seconds:.0f}")
+    if asker.waits_s:
+        print(describe("requests of another page wait", asker.waits_s) + f" ({len(asker.waits_s)} requests, statuses {sorted(asker.statuses)})")
+    print(f"learner {count + 1} is told: {told}")
+    if runs_mb:
+        print(f"memory per run: {statistics.mean(runs_mb):.1f} MB, most {max(runs_mb):.1f}; server {server_mb:.1f} MB")
+    print(f"processor: runs {cores[0]:.1f} s, server {cores[1]:.1f} s of {seconds * 0.9:.0f} s")
 
 
 if __name__ == "__main__":

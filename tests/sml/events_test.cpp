@@ -150,6 +150,42 @@ TEST(EventOrder, InputThatAHandlerMakesBeforeTheInputPhaseIsTakenInThatPhase) {
   EXPECT_NE(std::string(listener.agent->ExecuteCommandLine("print i2")).find("^seen 1"), std::string::npos);
 }
 
+TEST(EventOrder, TheResultInsideARunIsThatOfTheRunBefore) {
+  Listener listener;
+  std::vector<std::string> seen;
+  const auto note = [](smlRunEventId event, void* data, Agent* agent, smlPhase) {
+    const char* const name = event == smlEVENT_BEFORE_RUN_STARTS    ? "starts"
+                             : event == smlEVENT_BEFORE_INPUT_PHASE ? "input"
+                                                                    : "ends";
+    static_cast<std::vector<std::string>*>(data)->push_back(
+        std::string(name) + " " + std::to_string(agent->GetResultOfLastRun()) + " " +
+        std::to_string(agent->GetRunState()) + " " + (agent->GetKernel()->IsSoarRunning() ? "running" : "still"));
+  };
+  for (const smlRunEventId event : {smlEVENT_BEFORE_RUN_STARTS, smlEVENT_BEFORE_INPUT_PHASE, smlEVENT_AFTER_RUN_ENDS}) {
+    listener.agent->RegisterForRunEvent(event, note, &seen);
+  }
+  const auto run = [&](int decisions) {
+    seen.clear();
+    listener.agent->RunSelf(decisions);
+    return seen;
+  };
+  // Results: 3 completed, 4 completed and interrupted, 2 interrupted, 0 error. States: 0 stopped, 1 interrupted, 2
+  // running.
+  EXPECT_EQ(run(1), (std::vector<std::string>{"starts 3 0 still", "input 3 2 running", "ends 3 0 running"}));
+  const int stopper = listener.agent->RegisterForRunEvent(
+      smlEVENT_AFTER_OUTPUT_PHASE, [](smlRunEventId, void*, Agent* agent, smlPhase) { agent->StopSelf(); }, nullptr);
+  run(5);
+  listener.agent->UnregisterForRunEvent(stopper);
+  EXPECT_EQ(listener.agent->GetResultOfLastRun(), sml_RUN_COMPLETED_AND_INTERRUPTED);
+  EXPECT_EQ(run(1).front(), "starts 4 1 still");
+  listener.agent->ExecuteCommandLine("sp {stop*it (state <s> ^superstate nil) --> (interrupt)}");
+  run(5);
+  EXPECT_EQ(listener.agent->GetResultOfLastRun(), sml_RUN_INTERRUPTED);
+  listener.agent->ExecuteCommandLine("sp {end*it (state <s> ^superstate nil) --> (halt)}");
+  run(5);
+  EXPECT_EQ(listener.agent->GetResultOfLastRun(), sml_RUN_ERROR);
+}
+
 TEST(EventOrder, HaltInterruptsAndHalts) {
   Listener listener;
   listener.agent->ExecuteCommandLine("sp {end*it (state <s> ^superstate nil) --> (halt)}");

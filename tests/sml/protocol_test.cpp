@@ -357,6 +357,52 @@ TEST(Protocol, WhoComesWhenThereIsNoRoomIsToldSo) {
   EXPECT_EQ(clients.front()->Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
 }
 
+TEST(Protocol, AKernelThatRequiresASecretServesThoseWhoShowIt) {
+  setenv("SOARBOX_KERNEL_SECRET", "open sesame", 1);
+  Server server;
+  const auto connect = [&] {
+    return std::unique_ptr<sml::Kernel>(sml::Kernel::CreateRemoteConnection(true, "127.0.0.1", server.port()));
+  };
+  {
+    const std::unique_ptr<sml::Kernel> own = connect();
+    EXPECT_FALSE(own->HadError()) << own->GetLastErrorDescription();
+    EXPECT_NE(own->CreateAgent("mine"), nullptr);
+    own->Shutdown();
+  }
+  setenv("SOARBOX_KERNEL_SECRET", "open sesamf", 1);
+  {
+    const std::unique_ptr<sml::Kernel> wrong = connect();
+    ASSERT_TRUE(wrong->HadError());
+    EXPECT_NE(std::string(wrong->GetLastErrorDescription()).find("does not accept this secret"), std::string::npos)
+        << wrong->GetLastErrorDescription();
+  }
+  unsetenv("SOARBOX_KERNEL_SECRET");
+  {
+    const std::unique_ptr<sml::Kernel> without = connect();
+    ASSERT_TRUE(without->HadError());
+    EXPECT_NE(std::string(without->GetLastErrorDescription()).find("This kernel requires a secret"), std::string::npos)
+        << without->GetLastErrorDescription();
+  }
+  // A debugger is told so in the answer to its first call.
+  Client debugger(server.port());
+  debugger.Send(R"(<sml doctype="call" id="7" smlversion="9.6.3"><command name="create_agent">)"
+                R"(<arg param="name">spy</arg></command></sml>)");
+  std::string answer = debugger.Receive();
+  if (answer.find("doctype=\"notify\"") != std::string::npos) answer = debugger.Receive();
+  EXPECT_NE(answer.find("ack=\"7\""), std::string::npos) << answer;
+  EXPECT_NE(answer.find("requires a secret"), std::string::npos) << answer;
+  EXPECT_EQ(server.kernel->GetAgent("spy"), nullptr);
+}
+
+TEST(Protocol, ASecretIsShownToKernelsThatRequireNone) {
+  Server server;
+  setenv("SOARBOX_KERNEL_SECRET", "open sesame", 1);
+  const std::unique_ptr<sml::Kernel> client(sml::Kernel::CreateRemoteConnection(true, "127.0.0.1", server.port()));
+  unsetenv("SOARBOX_KERNEL_SECRET");
+  EXPECT_FALSE(client->HadError()) << client->GetLastErrorDescription();
+  client->Shutdown();
+}
+
 TEST(Protocol, AKernelIsFoundAtTheFileForItsPortAndLeavesNoneBehind) {
   const std::filesystem::path home =
       std::filesystem::path(testing::TempDir()) / ("soarbox-home-" + std::to_string(getpid()));

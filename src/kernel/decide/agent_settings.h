@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "kernel/observer.h"
+#include "kernel/rules/soar_version.h"
 
 namespace soarbox::kernel {
 
@@ -27,7 +28,8 @@ struct AgentSettings {
   bool warn_of_mixed_support = true;
   /// A rule whose only action is a numeric preference duplicates one that differs from it in the number only.
   bool ignore_numbers_of_duplicates = true;
-  Phase stop_phase = Phase::kApply;  ///< `run -d` stops before this phase.
+  SoarVersion like = SoarVersion::k965;  ///< Rules that are loaded earlier keep the meaning that they had.
+  Phase stop_phase = Phase::kApply;      ///< `run -d` stops before this phase.
 };
 
 }  // namespace soarbox::kernel

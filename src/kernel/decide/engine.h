@@ -105,6 +105,7 @@ struct Engine {
 
   // Host.
   std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> user_functions;
+  std::function<bool(std::string_view)> is_user_function;
   std::function<std::string(Agent&, std::string_view)> command_runner;
   bool agent_writes = true;
   std::string forced_operator;

@@ -141,6 +141,38 @@ TEST_F(ChunkingTest, ALearnedRuleIsRightForOtherValuesToo) {
   EXPECT_LT(with_result, 35);
 }
 
+TEST_F(ChunkingTest, AVariableThatIsMarkedLiteralStaysAConstant) {
+  // The mark counts where the superstate is tested, and where the substate passes the value on.
+  for (const bool marks_superstate : {false, true}) {
+    Agent agent("a");
+    Learn(agent);
+    Task(agent, 7, 2);
+    Load(agent, marks_superstate ? "copy (state <s> ^superstate.box.size $ <n>) --> (<s> ^n <n>)"
+                                 : "copy (state <s> ^superstate.box.size <n>) --> (<s> ^n <n>)");
+    Load(agent, marks_superstate ? "fin (state <s> ^superstate <ss> ^n <n>) --> (<ss> ^done <n>)"
+                                 : "fin (state <s> ^superstate <ss> ^n { <n> $$ <n> > 3 }) --> (<ss> ^done <n>)");
+    agent.Run(RunUnit::kDecision, 4);
+    ASSERT_EQ(Learned(agent).size(), 1u);
+    const std::string rule =
+        PrintProduction(agent.symbols(), agent.production(agent.FindProduction(Learned(agent)[0])));
+    EXPECT_THAT(rule, testing::HasSubstr("^size 7")) << rule;
+    EXPECT_THAT(rule, testing::HasSubstr("^done 7")) << rule;
+    EXPECT_EQ(agent.CheckInvariants(), "");
+  }
+}
+
+TEST_F(ChunkingTest, AnIdentifierThatIsMarkedLiteralStaysAVariable) {
+  Agent agent("a");
+  Learn(agent);
+  Task(agent, 7, 2);
+  Load(agent, "fin (state <s> ^superstate <ss>) (<ss> ^box $ <b>) (<b> ^size <n>) --> (<ss> ^done <n>)");
+  agent.Run(RunUnit::kDecision, 4);
+  ASSERT_EQ(Learned(agent).size(), 1u);
+  const std::string rule = PrintProduction(agent.symbols(), agent.production(agent.FindProduction(Learned(agent)[0])));
+  EXPECT_THAT(rule, testing::HasSubstr("^box <b")) << rule;
+  EXPECT_THAT(rule, testing::HasSubstr("^done <")) << rule;
+}
+
 TEST_F(ChunkingTest, WhatIsComputedFromAValueMakesItAConstant) {
   Agent agent("a");
   Learn(agent);

@@ -41,7 +41,7 @@ void ForEachTest(ConditionDraft& condition, Visit&& visit) {
 /// True for tests that ask for more than which value it is: comparisons, types, lists of values, long-term links.
 constexpr bool IsCarried(TestKind kind) {
   return kind != TestKind::kBlank && kind != TestKind::kEqual && kind != TestKind::kConjunction &&
-         kind != TestKind::kState && kind != TestKind::kImpasse;
+         kind != TestKind::kState && kind != TestKind::kImpasse && kind != TestKind::kLiteral;
 }
 
 inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {

@@ -83,6 +83,19 @@ void IdentityAnalysis::Literalize(InstantiationId firing, IdentityGraph::Node no
   graph_.Literalize(node);
 }
 
+void IdentityAnalysis::LiteralizeMarked(InstantiationId firing, std::size_t condition) {
+  if (firing == InstantiationId::kNone || !uses_.instantiations[firing].has_identities) return;
+  const std::vector<std::uint16_t>& marked = reader_.Plan(firing).literal;
+  if (marked.empty()) return;
+  const Wme& wme = uses_.memory.wme(uses_.instantiations.Trace(firing)[condition].wme);
+  for (const Field field : kFields) {
+    const bool is_marked = std::ranges::find(marked, 3 * condition + static_cast<std::size_t>(field)) != marked.end();
+    if (is_marked && !FieldOf(wme, field).IsIdentifier()) {
+      Literalize(firing, OfField(firing, condition, field), JoinReason::kMarkedLiteral);
+    }
+  }
+}
+
 void IdentityAnalysis::LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester) {
   // What a function shields, concat for one, stays as general as it is: over-general, but that is how Soar has it.
   if (!BuiltinFunctions()[function.function_index()].literalizes) return;
@@ -197,7 +210,11 @@ void IdentityAnalysis::Analyze(const Explanation& explanation, bool log) {
       Join(test.firing, tested, graph_.Of(FiringReader::Item(test.item)), JoinReason::kRule);
     }
   }
-  for (const Explanation::Link& link : explanation.links) FollowLink(link);
+  for (const Explanation::Link& link : explanation.links) {
+    FollowLink(link);
+    LiteralizeMarked(link.firing, link.condition);
+  }
+  for (const Explanation::Ground& ground : explanation.grounds) LiteralizeMarked(ground.firing, ground.condition);
   for (const Explanation::Child& child : explanation.children) {
     const Said id = reader_.TermOf(child.child, Part::kId);
     const Said of = reader_.TermOf(child.parent, child.by_referent ? Part::kReferent : Part::kValue);

@@ -30,6 +30,7 @@ enum class JoinReason : std::uint8_t {
   kFunctionResult,    ///< A rule tests the value of a function.
   kFunctionArgument,  ///< It is an argument of a function that was evaluated.
   kSingletonLiteral,  ///< A condition on the same singleton tests a constant.
+  kMarkedLiteral,     ///< A rule marks the variable: `$ <x>`.
 };
 
 /// What the third stage did, in order; kept only while somebody wants an explanation.
@@ -78,6 +79,8 @@ class IdentityAnalysis {
   void Join(InstantiationId firing, IdentityGraph::Node a, IdentityGraph::Node b, JoinReason reason);
   void Literalize(InstantiationId firing, IdentityGraph::Node node, JoinReason reason);
   void FollowLink(const Explanation::Link& link);
+  /// Literalizes what the rule of a firing marks in one of its conditions, unless it is an identifier.
+  void LiteralizeMarked(InstantiationId firing, std::size_t condition);
   void LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester);
   void JoinSingletons(const Explanation& explanation);
 

@@ -72,6 +72,9 @@ IdentityPlan IdentityPlan::Of(const Production& rule) {
           plan.variables.push_back(symbol);
         }
       }
+      if (std::ranges::any_of(test->parts(), [](const Test& part) { return part.kind == TestKind::kLiteral; })) {
+        plan.literal.push_back(static_cast<std::uint16_t>(plan.of_field.size()));
+      }
       plan.of_field.push_back(known);
     }
   }

@@ -19,6 +19,7 @@ struct IdentityPlan {
   std::vector<std::uint16_t> of_field;  ///< Three per positive condition: the classes of id, attribute and value.
   std::vector<std::uint16_t> first;     ///< Per class that a condition binds: 3 * condition + field of its first place.
   std::vector<Symbol> variables;        ///< Per such class: the variable, or none.
+  std::vector<std::uint16_t> literal;   ///< Fields (3 * condition + field) that learning keeps literal: `$ <x>`.
   /// Four per action (id, attribute, value, referent), for firings that have no rule; otherwise empty.
   std::vector<std::uint16_t> of_action;
 

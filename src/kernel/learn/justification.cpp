@@ -108,7 +108,14 @@ std::uint32_t Justifier::NewRecord() {
 
 InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_level, Making making) {
   const std::uint32_t digest = Digest(explanation);
-  const std::uint32_t original = OriginalOf(explanation, digest);
+  std::uint32_t original = OriginalOf(explanation, digest);
+  if (original != Instantiation::kNoJustification && uses_.settings.like != SoarVersion::k963 &&
+      uses_.instantiations[records_[original].instantiation].o_support) {
+    // What it made may have been taken away since, by o-support alone: the new one makes it again.
+    Excise(original);
+    CountDuplicate(explanation.base);
+    original = Instantiation::kNoJustification;
+  }
   const std::uint32_t number = making.name.empty() ? TakeNumber() : 0;
   if (uses_.observers.Wants(Event::kLearning)) {
     const std::string name = making.name.empty() ? NameOfNumber(number) : making.name;
@@ -245,18 +252,22 @@ void Justifier::InstantiationFreed(InstantiationId id) {
   free_records_.push_back(index);
 }
 
+void Justifier::Excise(std::uint32_t index) {
+  Record& record = records_[index];
+  ForgetAlike(index);
+  record.excised = true;
+  const ProductionId production = std::exchange(record.production, ProductionId::kNone);
+  if (production != ProductionId::kNone) {
+    uses_.rete.ExciseProduction(production);
+  } else {
+    uses_.rete.RetractFixedMatch(uses_.instantiations[record.instantiation].match);
+  }
+}
+
 bool Justifier::Excise(std::string_view name) {
   for (const std::uint32_t index : Live()) {
     if (Name(index) != name) continue;
-    Record& record = records_[index];
-    ForgetAlike(index);
-    record.excised = true;
-    const ProductionId production = std::exchange(record.production, ProductionId::kNone);
-    if (production != ProductionId::kNone) {
-      uses_.rete.ExciseProduction(production);
-    } else {
-      uses_.rete.RetractFixedMatch(uses_.instantiations[record.instantiation].match);
-    }
+    Excise(index);
     return true;
   }
   return false;

@@ -152,6 +152,7 @@ class Justifier final : public JustificationNames {
   /// The live justification that says the same (equal grounds, negations and results, in the same order), or none.
   std::uint32_t OriginalOf(const Explanation& explanation, std::uint32_t digest) const;
   Record::Result ResultOf(PreferenceId result) const;
+  void Excise(std::uint32_t index);
   bool SaysTheSame(const Record& record, const Explanation& explanation) const;
   void NoteAlike(std::uint32_t index);
   void ForgetAlike(std::uint32_t index);

@@ -211,10 +211,15 @@ void SemanticMemory::Touch(std::uint32_t object, bool advance) {
 // The trace -----------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::TraceGone(std::uint32_t object) {
-  if (traced_) uses_.observers.Print("<=SMEM: (@" + std::to_string(knowledge_->NumberAt(object)) + " ^* *)\n");
+  if (traced_ && !traces_briefly_)
+    uses_.observers.Print("<=SMEM: (@" + std::to_string(knowledge_->NumberAt(object)) + " ^* *)\n");
 }
 
 void SemanticMemory::TraceAdded(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
+  if (traces_briefly_) {
+    if (std::exchange(last_traced_, object) != object) uses_.observers.Print("@");
+    return;
+  }
   const Terms& terms = knowledge_->terms();
   const std::string number = std::to_string(knowledge_->NumberAt(object));
   std::string line = value.IsObject() ? "=>SMEM: (" + number : "=>SMEM: (@" + number;
@@ -246,6 +251,7 @@ void SemanticMemory::SetJournal(std::unique_ptr<Journal> journal) {
 }
 
 void SemanticMemory::Keep() {
+  last_traced_ = 0xFFFFFFFFu;
   if (journal_ == nullptr) return;
   for (const std::uint32_t object : link_weights_.TakeChanged()) {
     const LinkWeights::Weights* const weights = link_weights_.Known(object);

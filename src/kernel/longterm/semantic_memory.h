@@ -104,7 +104,11 @@ class SemanticMemory final : public Module {
   void LinkUsed(Lti object, Lti linked, std::uint64_t cycle);
 
   /// Prints additions and removals (`trace --smem`).
-  void SetTrace(bool on) { traced_ = on; }
+  /// `brief`: a sign for each object that is stored, in the place of a line for each element.
+  void SetTrace(bool on, bool brief) {
+    traced_ = on;
+    traces_briefly_ = brief;
+  }
   /// Makes all augmentations of an object again: they are then the youngest.
   void Rewrite(std::uint32_t object);
 
@@ -216,7 +220,9 @@ class SemanticMemory final : public Module {
   bool shared_ = false;
   bool asked_to_share_ = false;
   bool traced_ = false;
-  bool warned_ = false;  ///< About a journal that cannot be written.
+  bool traces_briefly_ = false;
+  std::uint32_t last_traced_ = 0xFFFFFFFFu;  ///< The object whose sign was printed last; none after Keep.
+  bool warned_ = false;                      ///< About a journal that cannot be written.
   mutable bool first_line_ = true;
 };
 

@@ -90,6 +90,9 @@ class Search {
 
   bool Holds(const Test& test, Symbol value) const {
     Symbol other = test.referent();
+    if (test.kind == TestKind::kLiteral) {
+      return true;
+    }
     if (other.IsVariable() && test.kind != TestKind::kState) {
       const Symbol* known = Find(other);
       if (!known) {
@@ -132,6 +135,8 @@ class Search {
         return Lti(value) != 0;
       case TestKind::kIsNotLti:
         return Lti(value) == 0;
+      case TestKind::kLiteral:
+        return true;
     }
     return false;
   }

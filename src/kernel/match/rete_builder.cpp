@@ -40,6 +40,7 @@ TestOp OpOf(TestKind kind) {
     case TestKind::kImpasse:  // No identifier is an attribute impasse any more.
     case TestKind::kBlank:
     case TestKind::kConjunction:
+    case TestKind::kLiteral:  // AddTest leaves it out.
       break;
   }
   return TestOp::kNever;
@@ -126,7 +127,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
     }
     return;
   }
-  if (test.kind == TestKind::kBlank || test.kind == TestKind::kEqual) {
+  if (test.kind == TestKind::kBlank || test.kind == TestKind::kEqual || test.kind == TestKind::kLiteral) {
     return;
   }
   NodeTest node_test;

@@ -27,8 +27,8 @@ bool ComparesWith(const Test& test, Is is) {
   if (test.kind == TestKind::kConjunction) {
     return std::ranges::any_of(test.parts(), [&](const Test& part) { return ComparesWith(part, is); });
   }
-  return test.kind != TestKind::kBlank && test.kind != TestKind::kDisjunction && test.referent().IsVariable() &&
-         is(test.referent());
+  return test.kind != TestKind::kBlank && test.kind != TestKind::kLiteral && test.kind != TestKind::kDisjunction &&
+         test.referent().IsVariable() && is(test.referent());
 }
 
 /// Whether what the test says of an element is the same as long as the element is there.

@@ -160,7 +160,10 @@ void WorkingMemory::MakeRoomForIdentifiers(std::size_t count) {
 }
 
 Symbol WorkingMemory::NewIdentifier(char letter, GoalLevel level) {
-  const Symbol id = symbols_.NewIdentifier(letter);
+  return NewIdentifier(symbols_.NewIdentifier(letter), level);
+}
+
+Symbol WorkingMemory::NewIdentifier(Symbol id, GoalLevel level) {
   if (id.index() >= identifier_limit_) {
     if (id.index() >= identifiers_.capacity()) MakeRoomForIdentifiers(id.index() + std::size_t{1});
     identifier_limit_ = id.index() + 1;

@@ -203,6 +203,8 @@ class WorkingMemory {
   // Identifiers -----------------------------------------------------------------------------------------------------
 
   Symbol NewIdentifier(char letter, GoalLevel level);
+  /// The same for an identifier that the symbol table has just made.
+  Symbol NewIdentifier(Symbol id, GoalLevel level);
   void SetGoal(Symbol id, GoalLevel level);
   void ClearGoal(Symbol id);
   void SetLongTerm(Symbol id, std::uint64_t lti) { long_term_[id.index()] = lti; }

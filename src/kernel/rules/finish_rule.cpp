@@ -232,6 +232,14 @@ void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena
   }
 }
 
+/// A template's only action is a numeric preference, whose number may be a variable.
+bool IsTemplate(const RuleDraft& rule) {
+  const ActionDraft* const action = rule.actions.first;
+  return action != nullptr && action == rule.actions.last && !action->is_function_call &&
+         (action->preference == PreferenceType::kNumericIndifferent ||
+          action->preference == PreferenceType::kBinaryIndifferent);
+}
+
 }  // namespace
 
 bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePlace& place, SymbolTable& symbols,
@@ -255,6 +263,14 @@ bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePla
             ToString(symbols, symbols.String(rule.name)) + ": " + text +
                 " is not connected to a state; the rule will look at all of working memory",
             "link it to a state, as in (state <s> ^thing " + text + ")");
+  }
+  if (rule.type == ProductionType::kTemplate && !IsTemplate(rule)) {
+    const std::string name = ToString(symbols, symbols.String(rule.name));
+    out.late_messages.push_back({"Invalid Soar-RL template (" + name + ")\n\n", true, false});
+    out.is_told = true;
+    AddTrap(out, place, Severity::kError, name + " is a template, but has other actions than one numeric preference",
+            "give it one action: (<s> ^operator <o> = 0.0)");
+    return false;
   }
   if (rule.explain) {
     out.late_messages.push_back(

@@ -26,12 +26,13 @@ std::string_view LineAt(std::string_view text, std::size_t offset) {
 }  // namespace
 
 RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
-                       Arena& arena, ParseOutcome& out)
+                       Arena& arena, const RuleLanguage& language, ParseOutcome& out)
     : body_(body),
       place_(place),
       symbols_(symbols),
       variables_(variables),
       arena_(arena),
+      language_(language),
       out_(out),
       names_(symbols, body),
       lexer_(body, arena),
@@ -197,7 +198,7 @@ bool RuleReader::ReadRule(RuleDraft& rule) {
 }
 
 ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
-                             const ExpectedValues& expected) {
+                             const ExpectedValues& expected, const RuleLanguage& language) {
   const SymbolTable::PinScope pin(symbols);
   ParseOutcome out;
   Arena arena;
@@ -206,10 +207,10 @@ ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, Sy
   rule.line = place.line;
   rule.column = place.column;
   VariableIndex variables;
-  RuleReader reader(body, place, symbols, variables, arena, out);
+  RuleReader reader(body, place, symbols, variables, arena, language, out);
   if (reader.ReadRule(rule) && FinishRule(rule, variables, place, symbols, expected, arena, out)) {
     out.production = Production::Make(rule);
-  } else if (!out.name.empty()) {
+  } else if (!out.name.empty() && !out.is_told) {
     out.late_messages.push_back(
         {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "kernel/base/symbol_table.h"
 #include "kernel/rules/expected_values.h"
 #include "kernel/rules/production.h"
+#include "kernel/rules/soar_version.h"
 
 namespace soarbox::kernel {
 
@@ -32,13 +34,23 @@ struct ParseOutcome {
   /// As soon as the name is read, an older rule of this name is excised (and `#` printed), even if the new one is
   /// refused later; `late_messages` come after that.
   std::vector<RuleMessage> messages, late_messages;
+  bool is_told = false;                 ///< The messages say already that the rule is not taken.
   std::vector<Diagnostic> diagnostics;  ///< Our own: errors with their place and a hint, and traps found.
+};
+
+/// What a rule's text means beyond the text itself.
+struct RuleLanguage {
+  /// As 9.6.3: `$` is a word, and a call of an unknown function becomes a call of `exec`. As 9.6.5: `$` marks what
+  /// learning keeps as it is, and an unknown function is an error.
+  SoarVersion version = SoarVersion::k965;
+  /// Whether a client has registered a function of this name. Such a function can be called without `exec`.
+  std::function<bool(std::string_view)> is_client_function;
 };
 
 /// Reads a rule: the text between the braces of `sp { ... }`. Interns what the rule mentions, pinned. Whatever the
 /// text, errors appear only in the outcome; the text's length bounds work and depth. `expected` affects the order of
 /// the conditions.
 ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
-                             const ExpectedValues& expected = {});
+                             const ExpectedValues& expected = {}, const RuleLanguage& language = {});
 
 }  // namespace soarbox::kernel

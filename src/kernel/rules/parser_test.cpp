@@ -36,6 +36,55 @@ class ParserTest : public testing::Test {
   SymbolTable symbols_;
 };
 
+TEST_F(ParserTest, AnUnknownFunctionIsAnErrorWithItsPlaceUnlessAClientHasIt) {
+  constexpr std::string_view kRule = "go (state <s> ^a <a>)\n-->\n(<s> ^b (conact <a> x))";
+  const ParseOutcome refused = Parse(kRule);
+  EXPECT_EQ(refused.production, nullptr);
+  ASSERT_EQ(refused.diagnostics.size(), 1u);
+  EXPECT_EQ(refused.diagnostics[0].line, 12);
+  EXPECT_EQ(refused.diagnostics[0].column, 10);
+  EXPECT_THAT(refused.diagnostics[0].message, HasSubstr("There is no function named conact"));
+  EXPECT_THAT(refused.diagnostics[0].hint, HasSubstr("did you mean concat? (exec conact ...) calls a function"));
+
+  RuleLanguage language;
+  language.is_client_function = [](std::string_view name) { return name == "conact"; };
+  EXPECT_NE(ParseProduction(kRule, {}, symbols_, {}, language).production, nullptr);
+  language = {SoarVersion::k963, {}};
+  EXPECT_NE(ParseProduction(kRule, {}, symbols_, {}, language).production, nullptr);
+  EXPECT_NE(Parse("go (state <s> ^a <a>) --> (<s> ^b (exec conact <a> x))").production, nullptr);
+}
+
+TEST_F(ParserTest, ADollarMarksAVariableThatLearningKeepsLiteral) {
+  EXPECT_THAT(Printed("lit (state <s> ^a $ <x> ^b { <y> $$ <y> }) --> (<s> ^c <x>)"),
+              AllOf(HasSubstr("^a $ <x>"), HasSubstr("^b $ <y>")));
+  EXPECT_THAT(Printed("lit (state <s> ^a { <x> $$ <x> < 5 }) --> (<s> ^c <x>)"), HasSubstr("$$ <x>"));
+  // What is printed reads as the same rule.
+  const std::string printed = Printed("lit (state <s> ^a { $ <x> < 5 > 2 }) --> (<s> ^c <x>)");
+  const std::size_t open = printed.find('{');
+  EXPECT_EQ(Printed(printed.substr(open + 1, printed.rfind('}') - open - 1)), printed);
+  EXPECT_THAT(Printed("lit (state <s> ^a { <x> $$ <y> } ^b <y>) --> (<s> ^c <x>)"),
+              HasSubstr("$$ needs the variable of its own test"));
+  // Before a constant, which stays in any case, it says nothing; alone, and between bars, it is a word.
+  EXPECT_THAT(Printed("lit (state <s> ^a $ 5 ^b $ ^c |$|) --> (<s> ^d $)"),
+              AllOf(HasSubstr("^a 5"), HasSubstr("^b |$|"), HasSubstr("^c |$|"), HasSubstr("^d |$|")));
+  RuleLanguage older;
+  older.version = SoarVersion::k963;
+  const ParseOutcome two = ParseProduction("lit (state <s> ^a $ <x>) --> (<s> ^c <x>)", {}, symbols_, {}, older);
+  EXPECT_THAT(PrintProduction(symbols_, *two.production, {}), HasSubstr("^a |$| ^a <x>"));
+}
+
+TEST_F(ParserTest, ATemplateWithoutOneNumericPreferenceIsRefused) {
+  for (const char* actions : {"(<s> ^x 1)", "(<s> ^operator <o> = 1) (<s> ^x 2)", "(<s> ^operator <o> >)",
+                              "(write |x|)", "(<s> ^operator <o> + = 0.5)"}) {
+    const ParseOutcome outcome = Parse("bad :template (state <s> ^operator <o> +) --> " + std::string(actions));
+    EXPECT_EQ(outcome.production, nullptr) << actions;
+    ASSERT_FALSE(outcome.late_messages.empty());
+    EXPECT_EQ(outcome.late_messages.back().text, "Invalid Soar-RL template (bad)\n\n");
+  }
+  EXPECT_NE(Parse("good :template (state <s> ^operator <o> +) --> (<s> ^operator <o> = <x>)").production, nullptr);
+  EXPECT_NE(Parse("good :template (state <s> ^operator <o> +) --> (<s> ^operator <o> = 0.5)").production, nullptr);
+}
+
 TEST_F(ParserTest, ErrorsOfSyntaxHaveSoarsTexts) {
   const std::pair<const char*, const char*> kCases[] = {
       {"", "Expected symbol for production name\n"},
@@ -57,9 +106,7 @@ TEST_F(ParserTest, ErrorsOfSyntaxHaveSoarsTexts) {
       {"ab (state <s> ^a b) --> (<s>)", "(Ignoring production ab)\n\n"},
       {"ab (state <s> ^a b) --> (<s> c d)", "Expected ^ in RHS make action\n(Ignoring production ab)\n\n"},
       {"ab (state <s> ^a b) --> junk", "Expected ( to begin RHS action\n(Ignoring production ab)\n\n"},
-      {"ab (state <s> ^a b) --> (s ^c d)",
-       "Adding exec to RHS function: s\nab (state <s> ^a b) --> (exec s ^c d)\nIllegal value for RHS value\n"
-       "(Ignoring production ab)\n\n"},
+      {"ab (state <s> ^a b) --> (s ^c d)", "There is no function named s\n(Ignoring production ab)\n\n"},
       {"ab (state <s> ^a b) --> (<s> ^x (abs 1 2))",
        "Wrong number of arguments to function abs (expected 1)\n(Ignoring production ab)\n\n"},
       {"ab (state <s> ^a b) --> (abs 3)",

@@ -192,14 +192,26 @@ void AppendQuoted(std::string& out, std::string_view text) {
 }  // namespace
 
 std::string_view ComparisonSign(TestKind kind) {
-  static constexpr const char* kNames[] = {
-      "", "", "<> ", "< ", "> ", "<= ", ">= ", "<=> ", "", "", "", "", "@ ", "!@ "};
+  static constexpr const char* kNames[] = {"", "", "<> ", "< ", "> ",  "<= ", ">= ", "<=> ", "",
+                                           "", "", "",    "@ ", "!@ ", "",    "",    "$$ "};
   return NameIn(kNames, kind);
 }
 
 std::string_view PreferenceSign(PreferenceType type) {
   static constexpr const char* kNames[] = {"+", "!", "-", "~", ">", "<", "=", "=", "=", ">", "<"};
   return NameIn(kNames, type);
+}
+
+/// The test `$$ <x>` of `{ <x> $$ <x> }`; null for other tests.
+static const Test* OnlyLiteral(const Test& test) {
+  const std::span<const Test> parts = test.parts();
+  if (parts.size() != 2) {
+    return nullptr;
+  }
+  const Test* const literal = parts[0].kind == TestKind::kLiteral ? &parts[0] : &parts[1];
+  const Test* const other = literal == &parts[0] ? &parts[1] : &parts[0];
+  const bool is_alone = literal->kind == TestKind::kLiteral && other->kind == TestKind::kEqual;
+  return is_alone && literal->referent() == other->referent() ? literal : nullptr;
 }
 
 void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) {
@@ -227,6 +239,11 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
       out += ">>";
       return;
     case TestKind::kConjunction:
+      if (const Test* const literal = OnlyLiteral(test); literal != nullptr) {
+        out += "$ ";
+        AppendTo(out, symbols, literal->referent());
+        return;
+      }
       out += "{ ";
       for (const Test& part : test.parts()) {
         AppendTest(out, symbols, part);

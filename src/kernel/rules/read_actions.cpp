@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include "diagnostics/diagnostic.h"
 #include "kernel/base/known_symbols.h"
 #include "kernel/rules/functions/builtin_functions.h"
 #include "kernel/rules/print_production.h"
@@ -144,6 +145,10 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   value.index = FindBuiltinFunction(function);
   const bool unknown = value.index == RhsValue::kUserFunction;
   if (unknown) {
+    const bool is_registered = language_.is_client_function && language_.is_client_function(TextOf(name));
+    if (language_.version != SoarVersion::k963 && !is_registered) {
+      return FailUnknown(name);
+    }
     InsertExec(name);
     value.index = FindBuiltinFunction("exec");
   } else {
@@ -174,13 +179,28 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   return true;
 }
 
+/// A function's name as it is called, without bars.
+std::string RuleReader::TextOf(const RuleToken& name) const {
+  return std::string(name.kind == TokenKind::kString ? name.text : body_.substr(name.offset, name.length));
+}
+
+bool RuleReader::FailUnknown(const RuleToken& name) {
+  const std::string text = TextOf(name);
+  std::vector<std::string_view> names;
+  for (const BuiltinFunction& builtin : BuiltinFunctions()) names.push_back(builtin.name);
+  const std::string_view near = Suggest(text, names);
+  const std::string call = "(exec " + text + " ...) calls a function that a client registers later";
+  return Fail("There is no function named " + text,
+              near.empty() ? call : "did you mean " + std::string(near) + "? " + call);
+}
+
 void RuleReader::InsertExec(const RuleToken& name) {
   if (edited_.empty()) {
     edited_ = body_;
   }
   edited_.insert(name.offset + inserted_, "exec ");
   inserted_ += 5;
-  const std::string text(Is(TokenKind::kString) ? name.text : body_.substr(name.offset, name.length));
+  const std::string text = TextOf(name);
   Say("Adding exec to RHS function: " + text + "\n" + edited_ + "\n");
   Report(Severity::kNote, name,
          "there is no built-in function " + text + ": the client's function of that name is called", "");

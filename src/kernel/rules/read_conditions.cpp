@@ -329,23 +329,72 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
 }
 
 bool RuleReader::ReadTest(TestDraft& test) {
-  if (!Accept(TokenKind::kLeftBrace)) {
-    return ReadSimpleTest(test);
-  }
   DraftList<TestDraft> parts;
-  do {
-    TestDraft part;
-    if (!ReadSimpleTest(part)) {
-      return false;
+  if (!Accept(TokenKind::kLeftBrace)) {
+    if (!ReadLiteral(parts)) {
+      return ReadSimpleTest(test);
     }
-    AddToConjunction(parts, part);
-  } while (!Is(TokenKind::kRightBrace));
-  Advance();
+  } else {
+    do {
+      if (ReadLiteral(parts)) {
+        continue;
+      }
+      TestDraft part;
+      if (!ReadSimpleTest(part)) {
+        return false;
+      }
+      AddToConjunction(parts, part);
+    } while (!Is(TokenKind::kRightBrace));
+    Advance();
+  }
+  if (!CheckLiterals(parts)) {
+    return false;
+  }
   if (parts.first == parts.last) {
     test = *parts.first;
   } else {
     test = MakeTest(TestKind::kConjunction);
     test.parts = parts;
+  }
+  return true;
+}
+
+/// `$ <x>` is a variable that learning does not put in the place of the value, `$$ <x>` only says this of a variable
+/// that the same test binds. In front of a constant, which stays in any case, and of nothing, `$` means no more than
+/// itself. False if there is no such sign.
+bool RuleReader::ReadLiteral(DraftList<TestDraft>& parts) {
+  const std::string_view sign = body_.substr(token_.offset, token_.length);
+  if (language_.version == SoarVersion::k963 || !Is(TokenKind::kString) || (sign != "$" && sign != "$$")) {
+    return false;
+  }
+  Advance();
+  const bool is_variable = Is(TokenKind::kVariable);
+  Term term = ConstantOrVariable();
+  if (!term.symbol) {
+    term.symbol = symbols_.String(sign);
+  }
+  if (sign == "$" || !is_variable) {
+    AddToConjunction(parts, Equal(term));
+  }
+  if (is_variable) {
+    parts.Add(arena_.New(MakeTest(TestKind::kLiteral, term)));
+  }
+  return true;
+}
+
+/// A variable that stays literal is the one that its own test binds.
+bool RuleReader::CheckLiterals(const DraftList<TestDraft>& parts) {
+  for (const TestDraft& part : parts) {
+    if (part.kind != TestKind::kLiteral) {
+      continue;
+    }
+    const TestDraft* equality = nullptr;
+    for (const TestDraft& other : parts) {
+      equality = other.kind == TestKind::kEqual ? &other : equality;
+    }
+    if (equality == nullptr || equality->variable != part.variable) {
+      return Fail("$$ needs the variable of its own test", "write { <x> $$ <x> }, or $ <x> for short");
+    }
   }
   return true;
 }

@@ -3,15 +3,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
+#include "kernel/rules/condition_queue.h"
 #include "kernel/rules/print_production.h"
 
 namespace soarbox::kernel {
 
 namespace {
 
-constexpr std::int64_t kInfinite = 10000005;
-constexpr std::int64_t kUnboundCost = 8;
+constexpr std::int64_t kInfinite = kInfiniteCost;
+/// Later complaints about unconnected identifiers do not repeat the earlier ones.
+constexpr std::size_t kMostRepeated = 50;
 
 /// A test that was taken off its field, to be put back where both sides are bound.
 struct SavedTest {
@@ -134,21 +139,11 @@ class ListReorderer {
       out_.ok = false;
       return;
     }
-    NoteNeeds();
     conditions = {};
-    while (count_ != 0) {
-      std::size_t at = Choose();
-      ConditionDraft* const chosen = waiting_[at]->condition;
-      waiting_[at]->placed = true;
-      for (--count_; at < count_; ++at) {
-        waiting_[at] = waiting_[at + 1];
-      }
-      Place(*chosen);
-      if (roots_wait_ && bound_.Covers(roots_)) {
-        roots_wait_ = false;
-        roots_came_ = true;
-      }
-      conditions.Add(chosen);
+    if (is_long_) {
+      PlaceByQueue(conditions);
+    } else {
+      PlaceByScan(conditions);
     }
     if (!goal_tests_.empty()) {
       PlaceGoalTests(conditions);
@@ -158,35 +153,140 @@ class ListReorderer {
  private:
   /// A condition that waits to be placed.
   struct Waiting {
-    Waiting(ConditionDraft* waiting, const VariableIndex& variables, Arena& arena)
-        : condition(waiting), needs(variables, arena) {}
-    ConditionDraft* condition;
+    ConditionDraft* condition = nullptr;
     bool positive = false;
     bool placed = false;
     std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
     std::int64_t expected = 1;     ///< Of positive ones: values under the attribute, if that is known.
     std::int64_t cost = 0;         ///< As long as no more of `needs` is bound.
     std::uint64_t age = 0;         ///< Of positive ones: how new their constants are, the attribute's first.
-    Set needs;                     ///< Its variables; of negated conditions those that positive ones of this list bind.
+    Set* needs = nullptr;          ///< Its variables; of negated conditions those that positive ones of this list bind.
+                                   ///< Null in long lists.
   };
 
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
 
-  static void AddVariable(Set& set, std::uint32_t variable) {
+  template <typename Variables>
+  static void AddVariable(Variables& set, std::uint32_t variable) {
     if (variable != kNoVariable) {
       set.Add(variable);
     }
   }
 
+  void PlaceByScan(DraftList<ConditionDraft>& conditions) {
+    NoteNeeds();
+    while (count_ != 0) {
+      std::size_t at = Choose();
+      ConditionDraft* const chosen = waiting_[at]->condition;
+      waiting_[at]->placed = true;
+      for (--count_; at < count_; ++at) {
+        waiting_[at] = waiting_[at + 1];
+      }
+      Place(*chosen);
+      if (roots_wait_ && roots_unbound_ == 0) {
+        roots_wait_ = false;
+        roots_came_ = true;
+      }
+      conditions.Add(chosen);
+    }
+  }
+
+  /// The same for a long list.
+  void PlaceByQueue(DraftList<ConditionDraft>& conditions) {
+    const std::vector<std::uint32_t> needs = AllNeeds();
+    std::vector<QueuedCondition> queued(count_);
+    std::size_t begin = 0;
+    for (std::size_t n = 0; n < count_; ++n) {
+      const Waiting& waiting = *waiting_[n];
+      QueuedCondition& condition = queued[n];
+      condition.positive = waiting.positive;
+      if (waiting.positive) {
+        std::copy_n(waiting.fields, 3, condition.fields.begin());
+      }
+      condition.expected = waiting.expected;
+      condition.age = waiting.age;
+      condition.needs = std::span(needs).subspan(begin, needs_end_[n] - begin);
+      begin = needs_end_[n];
+    }
+    queue_.emplace(queued, variables_.size());
+    for (std::uint32_t variable = 0; variable < variables_.size(); ++variable) {
+      if (bound_.Has(variable)) queue_->SetBound(variable);
+      if (roots_.Has(variable)) queue_->SetRoot(variable);
+    }
+    queue_->Start(roots_wait_);
+    for (std::size_t left = count_; left != 0; --left) {
+      const ConditionQueue::Choice choice = queue_->Choose();
+      if (choice.cost >= kInfinite && left > 1) {
+        WarnOfUnconnected();
+      }
+      ConditionDraft* const chosen = waiting_[choice.at]->condition;
+      Place(*chosen);
+      if (roots_wait_ && roots_unbound_ == 0) {
+        roots_wait_ = false;
+        queue_->EndRoots();
+      }
+      conditions.Add(chosen);
+    }
+    queue_.reset();
+  }
+
+  /// The needs of all waiting conditions, one after the other; needs_end_ says where those of each end.
+  std::vector<std::uint32_t> AllNeeds() {
+    ListedVariables needs(variables_.size());
+    needs_end_.clear();
+    for (std::size_t n = 0; n < count_; ++n) {
+      needs.Begin();
+      const Waiting& waiting = *waiting_[n];
+      if (waiting.positive) {
+        for (const std::uint32_t field : waiting.fields) {
+          AddVariable(needs, field);
+        }
+      } else {
+        AddVariables(*waiting.condition, needs);
+        needs.KeepOnly(positive_variables_);
+      }
+      needs_end_.push_back(needs.all.size());
+    }
+    return std::move(needs.all);
+  }
+
+  /// Lists of variables, each variable once in each list.
+  struct ListedVariables {
+    explicit ListedVariables(std::uint32_t variables) : last_in(variables) {}
+    void Begin() {
+      begin = all.size();
+      ++list;
+    }
+    void Add(std::uint32_t variable) {
+      if (last_in[variable] != list) {
+        last_in[variable] = list;
+        all.push_back(variable);
+      }
+    }
+    void KeepOnly(const Set& kept) {
+      const auto is_dropped = [&](std::uint32_t variable) { return !kept.Has(variable); };
+      all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(begin), all.end(), is_dropped), all.end());
+    }
+    std::vector<std::uint32_t> all;
+    std::vector<std::uint32_t> last_in;  ///< By variable: the number of the last list that has it.
+    std::size_t begin = 0;
+    std::uint32_t list = 0;
+  };
+
   /// Takes the tests that may have to move off the positive conditions, in text order.
   void Strip(const DraftList<ConditionDraft>& conditions) {
     count_ = conditions.Count();
+    is_long_ = count_ >= ConditionQueue::kFewest;
     waiting_ = arena_.NewRoom<Waiting*>(count_);
     tied_ = arena_.NewRoom<std::uint32_t>(count_);
     Waiting** next = waiting_;
     Waiting* made = arena_.NewRoom<Waiting>(count_);
     for (ConditionDraft& condition : conditions) {
-      Waiting& waiting = *new (made++) Waiting(&condition, variables_, arena_);
+      Waiting& waiting = *new (made++) Waiting;
+      waiting.condition = &condition;
+      if (!is_long_) {
+        waiting.needs = new (arena_.NewRoom<Set>(1)) Set(variables_, arena_);
+      }
       *next++ = &waiting;
       waiting.positive = condition.kind == ConditionKind::kPositive;
       if (waiting.positive) {
@@ -203,7 +303,7 @@ class ListReorderer {
         AddVariable(positive_values_, waiting.fields[2]);
         for (const std::uint32_t field : waiting.fields) {
           AddVariable(positive_variables_, field);
-          AddVariable(waiting.needs, field);
+          if (!is_long_) AddVariable(*waiting.needs, field);
         }
       }
     }
@@ -272,6 +372,7 @@ class ListReorderer {
     saved.test = test;
     saved_.Add(arena_.New(saved));
     ++unplaced_;
+    ++saved_count_;
   }
 
   bool IsGoalVariable(std::uint32_t variable) const {
@@ -292,6 +393,7 @@ class ListReorderer {
         continue;
       }
       roots_.Add(id);
+      ++roots_unbound_;
       any = true;
       if (!IsGoalVariable(id)) {
         NoteUnconnected(variables_.variable(id));
@@ -311,6 +413,9 @@ class ListReorderer {
   /// Soar repeats the earlier complaints with each new one.
   void NoteUnconnected(Symbol root) {
     out_.unconnected.push_back(root);
+    if (out_.unconnected.size() > kMostRepeated) {
+      unconnected_.clear();
+    }
     unconnected_.push_back(root);
     for (const Symbol variable : unconnected_) {
       Warn("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
@@ -322,21 +427,23 @@ class ListReorderer {
     for (std::size_t n = 0; n < count_; ++n) {
       Waiting& waiting = *waiting_[n];
       if (!waiting.positive) {
-        AddVariables(*waiting.condition, waiting.needs);
-        waiting.needs.KeepOnly(positive_variables_);
+        AddVariables(*waiting.condition, *waiting.needs);
+        waiting.needs->KeepOnly(positive_variables_);
       }
       waiting.cost = Cost(waiting);
     }
   }
 
-  static void AddVariables(const TestDraft& test, Set& out) {
+  template <typename Variables>
+  static void AddVariables(const TestDraft& test, Variables& out) {
     AddVariable(out, test.variable);
     for (const TestDraft& part : test.parts) {
       AddVariables(part, out);
     }
   }
 
-  static void AddVariables(const ConditionDraft& condition, Set& out) {
+  template <typename Variables>
+  static void AddVariables(const ConditionDraft& condition, Variables& out) {
     AddVariables(condition.id, out);
     AddVariables(condition.attribute, out);
     AddVariables(condition.value, out);
@@ -350,7 +457,7 @@ class ListReorderer {
 
   std::int64_t Cost(const Waiting& waiting) const {
     if (!waiting.positive) {
-      return bound_.Covers(waiting.needs) ? 1 : kInfinite;
+      return bound_.Covers(*waiting.needs) ? 1 : kInfinite;
     }
     if (!IsKnown(waiting.fields[0])) {
       return kInfinite;
@@ -365,7 +472,7 @@ class ListReorderer {
     users_end_ = arena_.NewArray<std::uint32_t>(variables + 1u);
     const auto for_each = [&](const auto& visit) {
       for (std::size_t n = 0; n < count_; ++n) {
-        waiting_[n]->needs.ForEach([&](std::uint32_t variable) { visit(variable, waiting_[n]); });
+        waiting_[n]->needs->ForEach([&](std::uint32_t variable) { visit(variable, waiting_[n]); });
       }
     };
     for_each([&](std::uint32_t variable, Waiting*) { ++users_end_[variable + 1]; });
@@ -430,7 +537,7 @@ class ListReorderer {
     for (std::size_t other = 0; other < count_ && cheapest > 1; ++other) {
       const Waiting& waiting = *waiting_[other];
       if (other != taken) {
-        cheapest = std::min(cheapest, waiting.needs.Meets(ahead_) ? Cost(waiting) : waiting.cost);
+        cheapest = std::min(cheapest, waiting.needs->Meets(ahead_) ? Cost(waiting) : waiting.cost);
       }
     }
     while (added_count > 0) {
@@ -453,7 +560,7 @@ class ListReorderer {
     std::size_t tied = 0;  // How many of tied_ count; last in the text first.
     for (std::size_t at = count_; at-- > 0;) {
       Waiting& waiting = *waiting_[at];
-      if (roots_came_ || waiting.needs.Meets(fresh_)) {
+      if (roots_came_ || waiting.needs->Meets(fresh_)) {
         waiting.cost = Cost(waiting);
       }
       const std::int64_t cost = waiting.cost;
@@ -468,11 +575,7 @@ class ListReorderer {
     fresh_.Clear();
     roots_came_ = false;
     if (cheapest >= kInfinite) {
-      if (!warned_) {
-        Warn("Warning:  in production " + std::string(rule_name_) +
-             ",\n     The LHS conditions are not all connected.\n");
-        warned_ = true;
-      }
+      WarnOfUnconnected();
     }
     std::size_t incumbent = tied_[0];
     std::int64_t best = 0;
@@ -502,6 +605,14 @@ class ListReorderer {
     return incumbent;
   }
 
+  void WarnOfUnconnected() {
+    if (!warned_) {
+      Warn("Warning:  in production " + std::string(rule_name_) +
+           ",\n     The LHS conditions are not all connected.\n");
+      warned_ = true;
+    }
+  }
+
   /// Binds the condition's variables and puts back the tests that can be decided here.
   void Place(ConditionDraft& condition) {
     switch (condition.kind) {
@@ -528,10 +639,45 @@ class ListReorderer {
     if (!bound_.Has(variable)) {
       bound_.Add(variable);
       fresh_.Add(variable);
+      roots_unbound_ -= roots_.Has(variable) ? 1 : 0;
+      if (queue_) queue_->Bind(variable);
     }
     if (unplaced_ != 0) {
       PutBack(test);
     }
+  }
+
+  /// The saved tests that a field with this symbol may decide, in text order: all if there are few. Of many only those
+  /// that name the symbol, and only at its first field, because a test can be decided as soon as both sides are bound.
+  SavedTest* FirstThatMayBe(Symbol symbol) {
+    if (saved_count_ < kManyTests) {
+      return saved_.first;
+    }
+    if (tests_of_.empty()) {
+      std::uint32_t number = 0;
+      for (SavedTest& saved : saved_) {
+        tests_of_.emplace_back(saved.field.bits(), number, &saved);
+        if (saved.test.referent != saved.field) tests_of_.emplace_back(saved.test.referent.bits(), number, &saved);
+        ++number;
+      }
+      std::ranges::sort(tests_of_);
+    }
+    const auto by_symbol = [](const auto& entry) { return std::get<0>(entry); };
+    const auto range = std::ranges::equal_range(tests_of_, symbol.bits(), {}, by_symbol);
+    candidates_.clear();
+    for (auto& [bits, number, saved] : range) {
+      if (saved != nullptr) candidates_.push_back(saved);
+      saved = nullptr;
+    }
+    candidate_ = 0;
+    return candidates_.empty() ? nullptr : candidates_.front();
+  }
+
+  SavedTest* NextThatMayBe(const SavedTest& saved) {
+    if (saved_count_ < kManyTests) {
+      return saved.next;
+    }
+    return ++candidate_ < candidates_.size() ? candidates_[candidate_] : nullptr;
   }
 
   /// Puts the saved tests back that can be decided now that this field is bound, equal ones once; of disjunctions
@@ -540,7 +686,8 @@ class ListReorderer {
     const Symbol symbol = EqualitySymbol(test);
     std::vector<TestDraft*>& placed = placed_;
     placed.clear();
-    for (SavedTest& saved : saved_) {
+    for (SavedTest* next = FirstThatMayBe(symbol); next != nullptr; next = NextThatMayBe(*next)) {
+      SavedTest& saved = *next;
       if (saved.placed) {
         continue;
       }
@@ -642,6 +789,7 @@ class ListReorderer {
   Set bound_;
   ReorderOutcome& out_;
   Set roots_, positive_values_, positive_variables_;
+  std::size_t roots_unbound_ = 0;
   bool roots_wait_ = false;  ///< Some root is not bound yet.
   bool roots_came_ = false;  ///< The last root has been bound since the costs were computed.
   Set fresh_;                ///< Variables bound since the costs were computed.
@@ -651,13 +799,22 @@ class ListReorderer {
   std::uint32_t* users_end_ = nullptr;  ///< Where those of each variable end; null: not found out yet.
   std::vector<Symbol> unconnected_;     ///< Roots of this list that are no goals.
   DraftList<SavedTest> saved_;
-  std::size_t unplaced_ = 0;        ///< Saved tests not put back yet.
+  std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
+  static constexpr std::size_t kManyTests = 32;
+  std::size_t saved_count_ = 0;
+  /// If there are many saved tests: by symbol and in text order those that name it; null once they were tried.
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, SavedTest*>> tests_of_;
+  std::vector<SavedTest*> candidates_;  ///< Scratch of FirstThatMayBe.
+  std::size_t candidate_ = 0;
   std::vector<TestDraft*> placed_;  ///< Scratch of PutBack.
   DraftList<GoalTest> goal_tests_;
   Waiting** waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
   std::size_t count_ = 0;
   std::uint32_t* tied_ = nullptr;  ///< Scratch of Choose.
   bool warned_ = false;
+  bool is_long_ = false;  ///< There are so many conditions that a queue chooses among them.
+  std::optional<ConditionQueue> queue_;
+  std::vector<std::size_t> needs_end_;
 };
 
 template <typename Set>

@@ -24,6 +24,7 @@ enum class TestKind : std::uint8_t {
   kNotSameLti,  ///< @ x, !@ x
   kIsLti,
   kIsNotLti,  ///< @+, @-
+  kLiteral,   ///< $$ <x>: holds always; learning keeps the value that the variable of the same test had. The last kind.
 };
 
 /// A comparison with its sides swapped.

@@ -39,7 +39,7 @@ class VariableNames {
 class RuleReader {
  public:
   RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
-             Arena& arena, ParseOutcome& out);
+             Arena& arena, const RuleLanguage& language, ParseOutcome& out);
 
   /// Reads everything into `rule`; conditions and actions in text order, variables numbered but not yet bound.
   bool ReadRule(RuleDraft& rule);
@@ -83,6 +83,8 @@ class RuleReader {
   bool ReadAttributes(const TestDraft& id, Conditions& out, int depth);
   bool ReadAttribute(const TestDraft& id, Conditions& out, int depth);
   bool ReadTest(TestDraft& test);
+  bool ReadLiteral(DraftList<TestDraft>& parts);
+  bool CheckLiterals(const DraftList<TestDraft>& parts);
   bool ReadSimpleTest(TestDraft& test);
   bool ReadDisjunction(TestDraft& test);
   void AddToConjunction(DraftList<TestDraft>& parts, const TestDraft& test);
@@ -99,6 +101,8 @@ class RuleReader {
   bool ReadOtherPreferences(ActionDraft& action, Actions& out);
   bool ReadPreferenceType(PreferenceType& type);
   bool StartsReferent() const;
+  std::string TextOf(const RuleToken& name) const;
+  bool FailUnknown(const RuleToken& name);
   void InsertExec(const RuleToken& name);
   std::string DescribeAction(const ActionDraft& action) const;
   ActionDraft CopyOf(const ActionDraft& action);
@@ -108,6 +112,7 @@ class RuleReader {
   SymbolTable& symbols_;
   VariableIndex& variables_;
   Arena& arena_;
+  const RuleLanguage& language_;
   ParseOutcome& out_;
   VariableNames names_;
   Lexer lexer_;

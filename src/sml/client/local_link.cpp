@@ -14,6 +14,7 @@
 #include "sml/server/listener.h"
 #include "sml/wire/channel.h"
 #include "sml/wire/message.h"
+#include "sml/wire/secret.h"
 #include "sml/wire/xml_reader.h"
 
 namespace sml {
@@ -180,7 +181,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
 
   void StopAll() override { host_.StopAll(); }
-  bool IsRunning() override { return host_.running(); }
+  bool IsRunning() override { return host_.running(true); }
 
   void Register(int event) override { host_.Register(*this, nullptr, event); }
   void Unregister(int event) override { host_.Unregister(*this, nullptr, event); }
@@ -286,6 +287,12 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     if (port == Kernel::kUseAnyPort && !soarbox::wire::HasSockets()) return;
     soarbox::server::ListenerOptions options;
     options.port = port;
+    const soarbox::Result<std::string> secret = soarbox::wire::SecretOfEnvironment();
+    if (!secret) {
+      error = secret.error().file + ": " + secret.error().message;
+      return;
+    }
+    options.secret = *secret;
     auto opened = soarbox::server::Listener::Open(host_, options);
     if (!opened) {
       error = opened.error().message;

@@ -19,6 +19,7 @@
 #include "sml/wire/channel.h"
 #include "sml/wire/local_socket.h"
 #include "sml/wire/message.h"
+#include "sml/wire/secret.h"
 
 namespace sml {
 
@@ -37,6 +38,8 @@ using Milliseconds = std::chrono::milliseconds;
 constexpr Milliseconds kPatience{60'000};
 /// Command lines that are no runs load files, among other things: they get so many times the limit.
 constexpr int kLineFactor = 5;
+/// How long a kernel may take to answer that it accepts a secret.
+constexpr int kSecretLimitMs = 10'000;
 
 /// A program's client of a kernel elsewhere. A thread delivers events between calls; inside a call, the calling thread
 /// does.
@@ -59,6 +62,23 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     channel_ = std::move(connected.value());
     channel_->SetWake([this] { WakeEvents(); });
     StartEventThread();
+    return true;
+  }
+
+  /// Shows the secret that the environment names, if it names one. A kernel that requires none does not know the call;
+  /// one that refuses says why (Refusal).
+  bool ShowSecret(std::string& error) {
+    const soarbox::Result<std::string> secret = soarbox::wire::SecretOfEnvironment();
+    if (!secret) {
+      error = secret.error().file + ": " + secret.error().message;
+      return false;
+    }
+    if (!secret->empty()) {
+      SetAnswerLimit(kSecretLimitMs);
+      Message call = soarbox::wire::SecretCall(*secret);
+      Ask(call);
+      SetAnswerLimit(0);
+    }
     return true;
   }
 
@@ -493,7 +513,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
 std::unique_ptr<KernelLink> MakeRemoteLink(KernelData& kernel, const std::string& address, int port,
                                            std::string& error) {
   auto link = std::make_unique<RemoteLink>(kernel);
-  if (!link->Connect(address, port, error)) return nullptr;
+  if (!link->Connect(address, port, error) || !link->ShowSecret(error)) return nullptr;
   return link;
 }
 

@@ -186,7 +186,7 @@ void CommandLine(Request& request) {
 }
 
 void IsRunning(Request& request) {
-  request.Raw(request.host.running());
+  request.Raw(request.host.running(true));
 }
 
 void SetInterruptCheckRate(Request& request) {

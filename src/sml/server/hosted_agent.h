@@ -101,7 +101,8 @@ class HostedAgent {
   bool StopRequested() const { return stop_.load(std::memory_order_acquire); }
 
   ::sml::smlRunState run_state = ::sml::sml_RUNSTATE_STOPPED;
-  ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;
+  ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;  ///< Of the last run that has ended.
+  bool in_run = false;                                         ///< A run that it takes part in has not ended yet.
   std::uint64_t last_run = 0;  ///< The number of the last run that it took part in; 0 for none since init-soar.
   bool doomed = false;         ///< Destroyed, but still in use (KernelHost::Stay).
 

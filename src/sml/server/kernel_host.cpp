@@ -49,15 +49,21 @@ void KernelHost::SourceSettings(HostedAgent& hosted) {
 }
 
 void KernelHost::InstallFunctions(HostedAgent& hosted) {
-  hosted.agent().SetUserFunctions([this, &hosted](kernel::Agent& agent, std::string_view name,
-                                                  std::span<const kernel::Symbol> arguments) -> Result<kernel::Symbol> {
-    std::string argument;
-    for (const kernel::Symbol symbol : arguments) kernel::AppendTo(argument, agent.symbols(), symbol, false);
-    const auto answer = CallFunction(&hosted, smlEVENT_RHS_USER_FUNCTION, name, argument);
-    if (answer) return agent.mutable_symbols().String(*answer);
-    return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " +
-                                          std::string(name));
-  });
+  hosted.agent().SetUserFunctions(
+      [this, &hosted](kernel::Agent& agent, std::string_view name,
+                      std::span<const kernel::Symbol> arguments) -> Result<kernel::Symbol> {
+        std::string argument;
+        for (const kernel::Symbol symbol : arguments) kernel::AppendTo(argument, agent.symbols(), symbol, false);
+        const auto answer = CallFunction(&hosted, smlEVENT_RHS_USER_FUNCTION, name, argument);
+        if (answer) return agent.mutable_symbols().String(*answer);
+        return agent.mutable_symbols().String("Error: Nobody was registered to implement rhs function " +
+                                              std::string(name));
+      },
+      [this](std::string_view name) {
+        return std::ranges::any_of(functions_, [&](const auto& function) {
+          return function.event == smlEVENT_RHS_USER_FUNCTION && function.name == name;
+        });
+      });
   hosted.agent().SetCommandRunner([this, &hosted](kernel::Agent&, std::string_view line) {
     LineOptions options;
     options.fenced = true;

@@ -82,7 +82,8 @@ class KernelHost : public cli::Host {
   // Runs ------------------------------------------------------------------------------------------------------------
 
   kernel::RunResult RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
-  bool running() const { return run_.running(); }
+  /// `as_told`: false while clients are told that the run begins, as in Soar.
+  bool running(bool as_told = false) const { return as_told ? run_.tells_running() : run_.running(); }
   /// The agent took part in the last run.
   bool OnRunList(const HostedAgent& hosted) const { return hosted.last_run != 0 && hosted.last_run == run_.number(); }
   /// Asks all agents to stop, from any thread.

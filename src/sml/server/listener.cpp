@@ -12,6 +12,8 @@
 #include "sml/server/remote_connection.h"
 #include "sml/wire/channel.h"
 #include "sml/wire/local_socket.h"
+#include "sml/wire/message.h"
+#include "sml/wire/secret.h"
 
 namespace soarbox::server {
 
@@ -56,6 +58,62 @@ struct Listener::State {
     return false;
   }
 
+  void Admit(std::unique_ptr<wire::Channel> channel) {
+    auto connection = std::make_unique<RemoteConnection>(host, std::move(channel),
+                                                         std::chrono::milliseconds(options.answer_timeout_ms));
+    connection->info.id = "id_" + std::to_string(next_id++);
+    host.AddConnection(*connection);
+    connections.push_back(std::move(connection));
+    host.FireSystem(::sml::smlEVENT_AFTER_CONNECTION);
+  }
+
+  /// Admits those who show the secret, and sends away those who say anything else. True if anybody said something.
+  bool AskForSecrets() {
+    bool any = false;
+    std::vector<std::unique_ptr<wire::Channel>> waiting;
+    waiting.swap(guests);  // Admit may lead back here.
+    for (std::unique_ptr<wire::Channel>& channel : waiting) {
+      std::string document;
+      if (!channel->Pop(document)) {
+        if (!channel->closed()) guests.push_back(std::move(channel));
+        continue;
+      }
+      any = true;
+      if (HasSecret(*channel, document)) Admit(std::move(channel));
+    }
+    // Those who say nothing make room: the oldest first.
+    const std::size_t most = static_cast<std::size_t>(options.max_clients);
+    if (guests.size() > most) guests.erase(guests.begin(), guests.end() - static_cast<std::ptrdiff_t>(most));
+    return any;
+  }
+
+  /// Whether the first message of a client shows the secret. The client gets the answer.
+  bool HasSecret(wire::Channel& channel, const std::string& document) {
+    const Result<wire::Message> message = wire::ReadMessage(document);
+    if (!message) return false;
+    const std::string* const shown = wire::ShownSecret(*message);
+    const bool is_right = shown != nullptr && wire::IsSameSecret(*shown, options.secret);
+    wire::Message response = wire::MakeResponse(message->id);
+    if (is_right) {
+      wire::AddRawResult(response, "true");
+    } else {
+      const std::string text = shown != nullptr
+                                   ? std::string("This kernel does not accept this secret: compare ") +
+                                         wire::kSecretVariable + " with what the kernel was started with"
+                                   : std::string(
+                                         "This kernel requires a secret: start this program with the environment "
+                                         "variable ") +
+                                         wire::kSecretVariable + " or " + wire::kSecretFileVariable;
+      wire::Message notice;
+      notice.type = wire::DocType::kNotify;
+      wire::AddError(notice, text);
+      channel.Send(wire::ToDocument(notice));
+      wire::AddError(response, text);
+    }
+    channel.Send(wire::ToDocument(response));
+    return is_right;
+  }
+
   void Wake() {
     std::function<void()> call;
     {
@@ -73,6 +131,7 @@ struct Listener::State {
 
   // Of the thread that holds the kernel.
   std::vector<std::unique_ptr<RemoteConnection>> connections;
+  std::vector<std::unique_ptr<wire::Channel>> guests;  ///< Clients that have not shown the secret yet.
   bool serving = false;
   unsigned long long next_id = 1;
 
@@ -126,16 +185,16 @@ bool Listener::Serve() {
   }
   for (std::unique_ptr<wire::Channel>& channel : arrived) {
     if (!state.MakeRoom(*channel)) continue;
-    auto connection = std::make_unique<RemoteConnection>(state.host, std::move(channel),
-                                                         std::chrono::milliseconds(state.options.answer_timeout_ms));
-    connection->info.id = "id_" + std::to_string(state.next_id++);
-    state.host.AddConnection(*connection);
-    state.connections.push_back(std::move(connection));
-    state.host.FireSystem(::sml::smlEVENT_AFTER_CONNECTION);
+    if (state.options.secret.empty()) {
+      state.Admit(std::move(channel));
+    } else {
+      state.guests.push_back(std::move(channel));
+    }
   }
   const bool outermost = !state.serving;
   state.serving = true;
   bool any = !arrived.empty();
+  if (!state.guests.empty()) any = state.AskForSecrets() || any;
   for (std::size_t i = 0; i < state.connections.size(); ++i) any = state.connections[i]->Serve() || any;
   if (!outermost) return any;
   state.serving = false;
@@ -158,6 +217,7 @@ void Listener::Close() {
   for (const std::unique_ptr<RemoteConnection>& connection : state.connections)
     state.host.RemoveConnection(*connection);
   state.connections.clear();
+  state.guests.clear();
   const std::lock_guard lock(state.mutex);
   state.arrived.clear();
 }

@@ -15,6 +15,7 @@ struct ListenerOptions {
   int port = 12121;                   ///< -1: any free port.
   std::string address = "127.0.0.1";  ///< Only this machine, unless told otherwise: there is a command shell behind it.
   bool local = true;                  ///< Listen at a file of this user's too (wire/local_socket.h).
+  std::string secret;                 ///< What clients must show first (wire/secret.h); empty: nothing.
   /// Whoever comes when there are so many is told so and sent away, unless one has said nothing yet: the oldest of
   /// those makes room.
   int max_clients = 128;

@@ -123,16 +123,19 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
   for (std::size_t i = 0; i < runners_.size(); ++i) {
     HostedAgent& hosted = *runners_[i].hosted;
     hosted.last_run = number_;
-    hosted.last_result = sml_RUN_EXECUTING;
+    hosted.in_run = true;
     hosted.agent().ClearStopRequest();
     if (hosted.agent().halted()) {
       runners_[i].active = false;
       runners_[i].reason = StopReason::kHalted;
       continue;
     }
-    hosted.run_state = sml_RUNSTATE_RUNNING;
     hosted.PrepareRun();
+    // As in Soar, the agent does not run yet while clients hear of it.
+    is_told_ = false;
     hosted.FireRun(smlEVENT_BEFORE_RUN_STARTS, PhaseNumber(hosted));
+    is_told_ = true;
+    hosted.run_state = sml_RUNSTATE_RUNNING;
   }
 }
 
@@ -376,13 +379,16 @@ void RunControl::FireUpdates() {
 
 void RunControl::Finish(Runner& runner, bool tell) {
   HostedAgent& hosted = *runner.hosted;
-  if (hosted.last_result != sml_RUN_EXECUTING) return;
+  if (!hosted.in_run) return;
+  hosted.in_run = false;
   if (runner.reason == StopReason::kHalted) {
     hosted.run_state = sml_RUNSTATE_HALTED;
-    hosted.last_result = sml_RUN_COMPLETED;
+    hosted.last_result = sml_RUN_ERROR;
   } else if (runner.interrupted) {
+    // A rule that interrupts, and a client that stops the run, have results of their own.
     hosted.run_state = sml_RUNSTATE_INTERRUPTED;
-    hosted.last_result = sml_RUN_COMPLETED_AND_INTERRUPTED;
+    hosted.last_result =
+        runner.reason == StopReason::kInterrupted ? sml_RUN_INTERRUPTED : sml_RUN_COMPLETED_AND_INTERRUPTED;
   } else {
     hosted.run_state = sml_RUNSTATE_STOPPED;
     hosted.last_result = sml_RUN_COMPLETED;

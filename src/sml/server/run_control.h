@@ -29,6 +29,8 @@ class RunControl {
   /// `interleave` as in the request, unless the request leaves it open (see InterleaveOf).
   kernel::RunResult Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
   bool running() const { return running_; }
+  /// The same as clients hear it: false while they are told that the run begins.
+  bool tells_running() const { return running_ && is_told_; }
   /// Of the run that is under way, or of the last one; from 1.
   std::uint64_t number() const { return number_; }
 
@@ -72,6 +74,7 @@ class RunControl {
 
   KernelHost& host_;
   std::atomic<bool> running_{false};
+  std::atomic<bool> is_told_{true};
   kernel::RunUnit unit_ = kernel::RunUnit::kForever;  ///< Of the run that is under way.
   std::uint64_t number_ = 0;
   int check_rate_ = 10;

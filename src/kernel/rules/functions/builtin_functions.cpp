@@ -82,6 +82,11 @@ constexpr BuiltinFunction kFunctions[] = {
     {"set-stdev", kAny, true, false, true, SetDeviation},
     {"deep-copy", 1, true, false, false, DeepCopy},
     {"from-st-xml", 1, true, false, false, FromXml},
+    // Navigation, since 9.6.4
+    {"haversine", 4, true, false, true, Haversine},
+    {"extrapolate-x-position", 4, true, false, true, ExtrapolateX},
+    {"extrapolate-y-position", 4, true, false, true, ExtrapolateY},
+    {"select-point-closest-to-vector", 4, true, false, true, ClosestToVector},
 };
 
 }  // namespace

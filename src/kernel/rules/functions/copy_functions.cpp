@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "kernel/base/known_symbols.h"
 #include "kernel/rules/functions/function_bodies.h"
 
 namespace soarbox::kernel::function_bodies {
@@ -11,6 +14,21 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 using Child = FunctionContext::Child;
+
+/// Drops what the architecture says of an impasse: a copy of a state has it only where a rule made it.
+void DropImpasse(FunctionContext& context, Symbol state, std::vector<Child>& children) {
+  constexpr Symbol kOfImpasses[] = {words::kSuperstate, words::kType,       words::kImpasse, words::kChoices,
+                                    words::kAttribute,  words::kQuiescence, words::kItem};
+  std::vector<Child> made;
+  context.SlotChildren(state, made);
+  std::erase_if(children, [&](const Child& child) {
+    const auto is_same = [&](const Child& other) {
+      return other.attribute == child.attribute && other.value == child.value;
+    };
+    return std::ranges::find(kOfImpasses, child.attribute) != std::end(kOfImpasses) &&
+           std::ranges::none_of(made, is_same);
+  });
+}
 
 }  // namespace
 
@@ -37,6 +55,7 @@ Symbol DeepCopy(FunctionContext& context, Arguments arguments) {
     object.original = symbol;
     object.copy = copy;
     context.AllChildren(symbol, object.children);
+    if (context.IsGoal(symbol)) DropImpasse(context, symbol, object.children);
   };
   begin(arguments[0]);
   while (!open.empty()) {

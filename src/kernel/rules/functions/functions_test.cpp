@@ -73,6 +73,24 @@ class FunctionsTest : public testing::Test {
   FakeContext context_;
 };
 
+TEST_F(FunctionsTest, FunctionsForNavigationTakeNumbersOfAnyKind) {
+  EXPECT_EQ(Call("haversine", {F(52.5), F(13.4), F(52.5), F(13.4)}), "0.000000");
+  // A quarter of the way around the earth, along the equator and to the pole.
+  EXPECT_EQ(Call("haversine", {I(0), I(0), I(0), I(90)}), Call("haversine", {I(0), I(20), I(90), I(0)}));
+  EXPECT_EQ(Call("haversine", {I(0), I(0), I(0), I(90)}).substr(0, 8), "10007557");
+  EXPECT_EQ(Call("extrapolate-x-position", {I(1), I(2), I(90), I(10)}), "11.000000");
+  EXPECT_EQ(Call("extrapolate-y-position", {I(1), I(2), I(180), F(2.5)}), "-0.500000");
+  EXPECT_EQ(Call("extrapolate-y-position", {F(1.5), F(2.5), I(0), I(10)}), "12.500000");
+  const Symbol points = context_.NewIdentifier('P'), near = context_.NewIdentifier('A'),
+               far = context_.NewIdentifier('B');
+  context_.objects[points.bits()] = {{S("point"), near}, {S("point"), far}};
+  context_.objects[near.bits()] = {{S("x"), F(0.5)}, {S("y"), F(9)}};
+  context_.objects[far.bits()] = {{S("x"), I(9)}, {S("y"), F(0.25)}, {S("id"), S("east")}};
+  EXPECT_EQ(Call("select-point-closest-to-vector", {F(0), F(0), F(90), points}), "east");
+  EXPECT_EQ(Call("select-point-closest-to-vector", {I(0), I(0), I(0), points}), "A1");
+  EXPECT_EQ(Call("haversine", {S("here"), I(0), I(0), I(0)}), "Error: non-number (here) passed to - haversine\n");
+}
+
 TEST_F(FunctionsTest, ArithmeticKeepsIntegersAndDividesToFloats) {
   EXPECT_EQ(Call("+", {}), "0");
   EXPECT_EQ(Call("*", {}), "1");

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,23 +24,6 @@ std::int64_t ToInt(double value) {
   constexpr double kLimit = 9223372036854775808.0;
   return value >= -kLimit && value < kLimit ? static_cast<std::int64_t>(value)
                                             : std::numeric_limits<std::int64_t>::min();
-}
-
-/// The numbers of two points; false after saying what is not a number.
-bool TwoPoints(FunctionContext& context, Arguments arguments, const char* function, double (&out)[4]) {
-  for (const Symbol argument : arguments) {
-    if (!argument.IsNumber()) {
-      context.PrintError("Error: non-number (" + Name(context, argument) + ") passed to - " + function + "\n");
-      return false;
-    }
-  }
-  if (arguments.size() != 4) {
-    return false;
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    out[i] = context.symbols().NumberValue(arguments[i]);
-  }
-  return true;
 }
 
 bool FourIntegers(FunctionContext& context, Arguments arguments, const char* function, double (&out)[4]) {
@@ -81,12 +66,67 @@ Symbol IdOf(const FunctionContext& context, const SymbolTable& symbols, Symbol i
   return identifier;
 }
 
+/// Numbers of any kind, as many as `out` takes; false after naming what is not a number.
+bool Numbers(FunctionContext& context, Arguments arguments, const char* function, std::span<double> out) {
+  for (const Symbol argument : arguments) {
+    if (!argument.IsNumber()) {
+      context.PrintError("Error: non-number (" + Name(context, argument) + ") passed to - " + function + "\n");
+      return false;
+    }
+  }
+  if (arguments.size() != out.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = context.symbols().NumberValue(arguments[i]);
+  }
+  return true;
+}
+
+/// Of the points below an identifier, the one that comes nearest to the ray from a place (x, y) along a heading.
+Symbol ClosestToRay(FunctionContext& context, Arguments arguments, const std::string& function, double pi) {
+  const SymbolTable& symbols = context.symbols();
+  if (!arguments[3].IsIdentifier()) {
+    context.PrintError("Error: non-symbol (" + Name(context, arguments[3]) + ") passed to " + function +
+                       " function for points\n");
+    return {};
+  }
+  const double x = symbols.NumberValue(arguments[0]), y = symbols.NumberValue(arguments[1]);
+  const double angle = symbols.NumberValue(arguments[2]) * pi / 180.0;
+  const double along_x = std::sin(angle), along_y = std::cos(angle);
+
+  Symbol best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  std::vector<FunctionContext::Child> points;
+  context.AllChildren(arguments[3], points);
+  for (const FunctionContext::Child& point : points) {
+    if (!point.value.IsIdentifier()) {
+      context.PrintError("Error: non-symbol (" + Name(context, point.value) + ") passed to " + function +
+                         " function for a point\n");
+      return {};
+    }
+    double at_x = 0, at_y = 0;
+    if (!NumberOf(context, symbols, point.value, "x", at_x) || !NumberOf(context, symbols, point.value, "y", at_y)) {
+      continue;
+    }
+    const double dx = at_x - x, dy = at_y - y;
+    const double forward = std::max(0.0, dx * along_x + dy * along_y);
+    const double off_x = dx - forward * along_x, off_y = dy - forward * along_y;
+    const double distance = off_x * off_x + off_y * off_y;
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = IdOf(context, symbols, point.value);
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 // Headings go from whole positions to whole positions; ranges do not.
 Symbol Heading(FunctionContext& context, Arguments arguments) {
   double in[4];
-  if (!TwoPoints(context, arguments, "compute-heading", in)) {
+  if (!Numbers(context, arguments, "compute-heading", in)) {
     return {};
   }
   const double dx = std::trunc(in[2]) - std::trunc(in[0]), dy = std::trunc(in[3]) - std::trunc(in[1]);
@@ -99,7 +139,7 @@ Symbol Heading(FunctionContext& context, Arguments arguments) {
 
 Symbol Range(FunctionContext& context, Arguments arguments) {
   double in[4];
-  if (!TwoPoints(context, arguments, "compute-range", in)) {
+  if (!Numbers(context, arguments, "compute-range", in)) {
     return {};
   }
   const double dx = in[2] - in[0], dy = in[3] - in[1];
@@ -129,7 +169,6 @@ Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 4) {
     return {};
   }
-  const SymbolTable& symbols = context.symbols();
   for (std::size_t i = 0; i < 3; ++i) {
     if (!arguments[i].IsInteger()) {
       context.PrintError("Error: non int (" + Name(context, arguments[i]) +
@@ -137,39 +176,48 @@ Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
       return {};
     }
   }
-  if (!arguments[3].IsIdentifier()) {
-    context.PrintError("Error: non-symbol (" + Name(context, arguments[3]) +
-                       ") passed to compute-closest-intercept function for points\n");
+  return ClosestToRay(context, arguments, "compute-closest-intercept", kPi);
+}
+
+/// The same for numbers of any kind.
+Symbol ClosestToVector(FunctionContext& context, Arguments arguments) {
+  double in[3];
+  if (arguments.size() != 4 || !Numbers(context, arguments.first(3), "select-point-closest-to-vector", in)) {
     return {};
   }
-  const double x = symbols.NumberValue(arguments[0]), y = symbols.NumberValue(arguments[1]);
-  const double angle = symbols.NumberValue(arguments[2]) * kPi / 180.0;
-  const double along_x = std::sin(angle), along_y = std::cos(angle);
+  return ClosestToRay(context, arguments, "select-point-closest-to-vector", std::numbers::pi);
+}
 
-  Symbol best;
-  double best_distance = std::numeric_limits<double>::infinity();
-  std::vector<FunctionContext::Child> points;
-  context.AllChildren(arguments[3], points);
-  for (const FunctionContext::Child& point : points) {
-    if (!point.value.IsIdentifier()) {
-      context.PrintError("Error: non-symbol (" + Name(context, point.value) +
-                         ") passed to compute-closest-intercept function for a point\n");
-      return {};
-    }
-    double at_x = 0, at_y = 0;
-    if (!NumberOf(context, symbols, point.value, "x", at_x) || !NumberOf(context, symbols, point.value, "y", at_y)) {
-      continue;
-    }
-    const double dx = at_x - x, dy = at_y - y;
-    const double forward = std::max(0.0, dx * along_x + dy * along_y);
-    const double off_x = dx - forward * along_x, off_y = dy - forward * along_y;
-    const double distance = off_x * off_x + off_y * off_y;
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = IdOf(context, symbols, point.value);
-    }
+/// Latitude and longitude of two places, in degrees: the distance in metres along the surface of a sphere of the
+/// earth's mean radius.
+Symbol Haversine(FunctionContext& context, Arguments arguments) {
+  constexpr double kEarthRadius_m = 6371008.8, kRadians = std::numbers::pi / 180.0;
+  double in[4];
+  if (!Numbers(context, arguments, "haversine", in)) {
+    return {};
   }
-  return best;
+  const double across = std::sin((in[2] - in[0]) * kRadians / 2.0), along = std::sin((in[3] - in[1]) * kRadians / 2.0);
+  const double share = across * across + std::cos(in[0] * kRadians) * std::cos(in[2] * kRadians) * along * along;
+  return context.symbols().Float(2.0 * kEarthRadius_m *
+                                 std::atan2(std::sqrt(share), std::sqrt(std::max(0.0, 1.0 - share))));
+}
+
+/// x, y, heading in degrees (0 is towards greater y, 90 towards greater x, as for compute-heading) and distance: where
+/// the way ends.
+Symbol ExtrapolateX(FunctionContext& context, Arguments arguments) {
+  double in[4];
+  if (!Numbers(context, arguments, "extrapolate-x-position", in)) {
+    return {};
+  }
+  return context.symbols().Float(in[0] + in[3] * std::sin(in[2] * std::numbers::pi / 180.0));
+}
+
+Symbol ExtrapolateY(FunctionContext& context, Arguments arguments) {
+  double in[4];
+  if (!Numbers(context, arguments, "extrapolate-y-position", in)) {
+    return {};
+  }
+  return context.symbols().Float(in[1] + in[3] * std::cos(in[2] * std::numbers::pi / 180.0));
 }
 
 }  // namespace soarbox::kernel::function_bodies

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace soarbox::kernel {
+
+/// Which Soar an agent behaves like where versions differ in a way that its rules can see (`soar like`).
+/// docs/spec/soar_9_6_5.md lists these differences.
+enum class SoarVersion : std::uint8_t { k963, k965 };
+
+constexpr std::string_view TextOf(SoarVersion version) {
+  return version == SoarVersion::k963 ? "9.6.3" : "9.6.5";
+}
+
+}  // namespace soarbox::kernel
