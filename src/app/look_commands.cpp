@@ -66,7 +66,7 @@ int Check(const CheckOptions& options) {
           return false;
         }
         return mission::CheckMissionFile(file, shipped, found);
-      });
+      }, shipped == nullptr ? std::filesystem::path() : shipped->media / "scripts");
   problems.insert(problems.end(), of_projects.begin(), of_projects.end());
   int errors = 0;
   for (const Diagnostic& problem : problems) {
