@@ -31,7 +31,10 @@ std::string ToText(const ShownView& view) {
   for (const world::ShownRow& row : view.rows) {
     const std::string value = row.value.empty() ? "" : " " + row.value;
     text += fmt::format("{}{}{}{}  (since {:.2f} s)\n", std::string(2 * static_cast<std::size_t>(row.depth), ' '),
-                        row.active ? "> " : row.depth > 0 ? "  " : "", row.name, value, TimeOf(view, row.since_tick));
+                        row.active      ? "> "
+                        : row.depth > 0 ? "  "
+                                        : "",
+                        row.name, value, TimeOf(view, row.since_tick));
   }
   return text;
 }

@@ -140,8 +140,10 @@ print(agent:GetTeam())  --> team2)"},
      "Changes the agent's velocity at once.", R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
     {"Agent.Show", "agent: Agent, name: string, value: value = nil", "",
      "Shows a part of the agent's state to people: in the panel State, in recordings, and as what the agent does. The "
-     "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks what "
-     "is chosen or under way, `name` and `value` say what stands in its own line, the list comes in its order and other "
+     "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks "
+     "what "
+     "is chosen or under way, `name` and `value` say what stands in its own line, the list comes in its order and "
+     "other "
      "fields by name. nil removes it. The first thing that is shown, or one called \"doing\", is what the agent does.",
      R"(agent:Show("state", "patrol")
 agent:Show("scores", { attack = 0.2, flee = { value = 0.9, active = true } })

@@ -13,8 +13,8 @@ constexpr ApiFunction kSteeringFunctions[] = {
 agent:ClampSpeed()
 print(agent:GetSpeed() < 7.1)  --> true)",
      true},
-    {"Agent.ForceToAlign",
-     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
+    {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody",
+     "Vector",
      "A force towards the average direction that the neighbours face. Neighbours are the agents of the list within the "
      "distance and within the angle on either side of the front (180 is all around). It has length 1, or is zero "
      "without neighbours. Leave the list out if everybody counts: in a large flock that is much faster.",

@@ -11,16 +11,14 @@
 namespace soarbox::script {
 namespace {
 
-constexpr std::string_view kLuaWords[] = {"and",   "break", "do",     "else",   "elseif", "end",  "false",
-                                          "for",   "function", "goto",  "if",     "in",     "local", "nil",
-                                          "not",   "or",    "repeat", "return", "then",   "true", "until",
-                                          "while"};
+constexpr std::string_view kLuaWords[] = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                          "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                          "repeat",   "return", "then", "true", "until",  "while"};
 /// Functions of Lua that scripts have.
 constexpr std::string_view kLuaFunctions[] = {
-    "assert",       "collectgarbage", "error",    "getfenv",  "getmetatable", "ipairs",  "load",
-    "loadstring",   "next",           "pairs",    "pcall",    "print",        "rawequal", "rawget",
-    "rawset",       "require",        "select",   "setfenv",  "setmetatable", "tonumber", "tostring",
-    "type",         "unpack",         "xpcall"};
+    "assert", "collectgarbage", "error",        "getfenv",  "getmetatable", "ipairs", "load",   "loadstring",
+    "next",   "pairs",          "pcall",        "print",    "rawequal",     "rawget", "rawset", "require",
+    "select", "setfenv",        "setmetatable", "tonumber", "tostring",     "type",   "unpack", "xpcall"};
 
 /// One name in a script's code, outside of comments and texts.
 struct Word {
@@ -77,7 +75,8 @@ Diagnostic WarningAt(std::string_view text, const std::string& file, const Word&
   warning.severity = Severity::kWarning;
   warning.file = file;
   const std::size_t begin = word.at == 0 ? 0 : text.rfind('\n', word.at - 1) + 1;  // npos + 1 is 0
-  warning.line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(word.at), '\n'));
+  warning.line =
+      1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(word.at), '\n'));
   warning.column = static_cast<int>(word.at - begin) + 1;
   warning.excerpt = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
   warning.excerpt_length = static_cast<int>(word.name.size());

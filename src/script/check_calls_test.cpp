@@ -25,11 +25,12 @@ TEST(CheckCalls, NamesFunctionsThatNothingDefines) {
 }
 
 TEST(CheckCalls, SaysNothingWhereANameMayHaveAValue) {
-  for (const char* text : {"local function f() end f()", "local f = g or print f()", "function h(callback) callback() end",
-                           "if Optional then Optional() end", "for _, f in ipairs({}) do f() end", "x.Foo() x:Foo()",
-                           "-- Foo()\nprint('Foo()')", "print([[ Foo() ]])", "a = { Foo = 1 } print(Foo, Foo())",
-                           "return (1)", "if (1) then elseif (2) then end while (1) do end", "print(not (1))",
-                           "setfenv(1, {}) Foo()", "Foo = function() end Foo()", "Vector(1)"})
+  for (const char* text :
+       {"local function f() end f()", "local f = g or print f()", "function h(callback) callback() end",
+        "if Optional then Optional() end", "for _, f in ipairs({}) do f() end", "x.Foo() x:Foo()",
+        "-- Foo()\nprint('Foo()')", "print([[ Foo() ]])", "a = { Foo = 1 } print(Foo, Foo())", "return (1)",
+        "if (1) then elseif (2) then end while (1) do end", "print(not (1))", "setfenv(1, {}) Foo()",
+        "Foo = function() end Foo()", "Vector(1)"})
     EXPECT_EQ(Found(text), "") << text;
   EXPECT_NE(Found("print('a' .. Foo())"), "");
 }

@@ -10,10 +10,10 @@ namespace soarbox::script {
 namespace {
 
 /// What a sandbox calls in its scripts.
-constexpr std::string_view kCalled[] = {"Agent_Initialize", "Agent_Update",        "Agent_HandleEvent",
-                                        "Agent_Cleanup",    "Agent_Sense",         "Agent_Tick",         "Agent_Withdraw",         "Sandbox_Initialize",
-                                        "Sandbox_Update",   "Sandbox_HandleEvent", "Sandbox_Cleanup",
-                                        "Sandbox_Sense",    "Sandbox_Command"};
+constexpr std::string_view kCalled[] = {
+    "Agent_Initialize", "Agent_Update",   "Agent_HandleEvent",  "Agent_Cleanup",  "Agent_Sense",
+    "Agent_Tick",       "Agent_Withdraw", "Sandbox_Initialize", "Sandbox_Update", "Sandbox_HandleEvent",
+    "Sandbox_Cleanup",  "Sandbox_Sense",  "Sandbox_Command"};
 
 bool IsNamePart(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -35,7 +35,8 @@ struct Names {
     warning.excerpt = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
     warning.excerpt_length = static_cast<int>(length);
     warning.message = std::move(message);
-    warning.hint = near.empty() ? "docs/lua lists the functions that there are" : "did you mean " + std::string(near) + "?";
+    warning.hint =
+        near.empty() ? "docs/lua lists the functions that there are" : "did you mean " + std::string(near) + "?";
   }
 
   std::string WordAt(std::size_t at) const {

@@ -217,7 +217,8 @@ void CollectKept(lua_State* state, const std::vector<std::string>& names, std::s
   Functions(state, script).VisitAll([&] {
     const char* name = nullptr;
     for (int i = 1; (name = lua_getupvalue(state, -1, i)) != nullptr; ++i) {
-      if (lua_isnil(state, -1) || lua_isfunction(state, -1) || std::find(names.begin(), names.end(), name) == names.end()) {
+      if (lua_isnil(state, -1) || lua_isfunction(state, -1) ||
+          std::find(names.begin(), names.end(), name) == names.end()) {
         lua_pop(state, 1);
       } else {
         lua_setfield(state, kept, name);

@@ -19,8 +19,10 @@ class ReloadTest : public HostTest {
 };
 
 TEST_F(ReloadTest, AFileThatWasRequiredIsKnownAndItsNewFunctionsAreCalled) {
-  const std::string before = "Lib = {}\nlocal count = 0\nfunction Lib.Say() count = count + 1 return 'one' .. count end\n";
-  const std::string after = "Lib = {}\nlocal count = 0\nfunction Lib.Say() count = count + 1 return 'two' .. count end\n";
+  const std::string before =
+      "Lib = {}\nlocal count = 0\nfunction Lib.Say() count = count + 1 return 'one' .. count end\n";
+  const std::string after =
+      "Lib = {}\nlocal count = 0\nfunction Lib.Say() count = count + 1 return 'two' .. count end\n";
   Write("Lib.lua", before);
   StartWith("require 'Lib' local lib = Lib function Sandbox_Update() print(lib.Say(), Lib.Say()) end");
   const auto files = host_->FilesOf(EntityId::kSandbox);
@@ -33,7 +35,8 @@ TEST_F(ReloadTest, AFileThatWasRequiredIsKnownAndItsNewFunctionsAreCalled) {
 }
 
 TEST_F(ReloadTest, AgentsThatAreMadeLaterRunTheNewVersion) {
-  const std::string before = "function Agent_Update() print('old') end", after = "function Agent_Update() print('new') end";
+  const std::string before = "function Agent_Update() print('old') end",
+                    after = "function Agent_Update() print('new') end";
   Write("A.lua", before);
   StartWith("function Sandbox_Initialize(s) Sandbox.CreateAgent(s, 'A.lua') end");
   EXPECT_FALSE(Reload("A.lua", before, after, EntityId{1}));
@@ -100,7 +103,8 @@ TEST_F(ReloadTest, AScriptThatRanOutOfMemoryGoesOn) {
   Ticks(60);
   EXPECT_EQ(recorder_.prints.size(), 59u);
   ASSERT_EQ(recorder_.errors.size(), 1u) << Errors();
-  EXPECT_NE(Errors().find("the script needs more than its share of this world's memory"), std::string::npos) << Errors();
+  EXPECT_NE(Errors().find("the script needs more than its share of this world's memory"), std::string::npos)
+      << Errors();
 }
 
 TEST_F(ReloadTest, ErrorsSayWhichCallsLedToThem) {
@@ -151,7 +155,9 @@ TEST_F(ReloadTest, CommandsMayTakeTime) {
 
 TEST_F(ReloadTest, WhatABodyOfAScriptDoesNotHeedGivesAWarningWithItsPlace) {
   Write("Body.lua", "function Agent_Update() end");
-  StartWith("function Sandbox_Initialize(s)\n Sandbox.CreateSoarAgent(s, 'Body.lua', 'x.soar', { body = 'runner', team = 'red' })\nend");
+  StartWith(
+      "function Sandbox_Initialize(s)\n Sandbox.CreateSoarAgent(s, 'Body.lua', 'x.soar', { body = 'runner', team = "
+      "'red' })\nend");
   ASSERT_EQ(recorder_.warnings.size(), 1u);
   EXPECT_EQ(recorder_.warnings[0].line, 2);
   EXPECT_EQ(recorder_.warnings[0].message, "body has no effect here: Body.lua moves and shows the agent");
@@ -180,8 +186,8 @@ TEST_F(ReloadTest, ShowsNestedStateWithTheActivePathAndSinceWhen) {
   const auto written = [&] {
     text.clear();
     for (const world::ShownRow& row : world::ReadShown(agent.Shown().text()))
-      text += std::string(static_cast<std::size_t>(row.depth), ' ') + row.name + "=" + row.value + (row.active ? "*" : "") +
-              "@" + std::to_string(row.since_tick) + "\n";
+      text += std::string(static_cast<std::size_t>(row.depth), ' ') + row.name + "=" + row.value +
+              (row.active ? "*" : "") + "@" + std::to_string(row.since_tick) + "\n";
     return text;
   };
   EXPECT_EQ(written(),

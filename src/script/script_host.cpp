@@ -94,8 +94,7 @@ std::optional<ScriptError> RunTyped(LuaMachine& machine, std::string_view text, 
     if (machine.owner() != 0) SetGlobalUnlessThere(state, "agent", {ValueKind::kAgent, machine.owner()});
     // As the argument of a call, so that the text's own line is known if it fails.
     const std::string expression = "return (function(...) return ... end)(" + std::string(text) + "\n)";
-    if (answer == nullptr ||
-        luaL_loadbufferx(state, expression.data(), expression.size(), "@console", "t") != 0) {
+    if (answer == nullptr || luaL_loadbufferx(state, expression.data(), expression.size(), "@console", "t") != 0) {
       RunChunk(state, text, "console");
       return;
     }
@@ -116,9 +115,9 @@ struct ScriptHost::AgentScript {
   AgentCreationRequest request;
   std::unique_ptr<RandomSource> random;
   std::unique_ptr<LuaMachine> machine;
-  bool runs = false;   ///< Its chunk ran, and nothing failed since.
+  bool runs = false;                           ///< Its chunk ran, and nothing failed since.
   std::map<std::uint64_t, int> commands = {};  ///< Under way, by tag: where their parameters are kept.
-  bool senses = true;  ///< Has a function Agent_Sense, as far as is known.
+  bool senses = true;                          ///< Has a function Agent_Sense, as far as is known.
 };
 
 ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
@@ -225,8 +224,8 @@ bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> com
 CommandAnswer ScriptHost::AskForCommand(AgentScript& script, std::string_view command, const Table* parameters,
                                         int& kept) {
   CommandAnswer answer;
-  const bool has_table = parameters == nullptr ? kept != LUA_NOREF
-                                               : !parameters->empty() || script.request.kind == "soar";
+  const bool has_table =
+      parameters == nullptr ? kept != LUA_NOREF : !parameters->empty() || script.request.kind == "soar";
   const auto error = script.machine->AskGlobal(
       "Agent_Update", kCommandResults,
       [&](lua_State* state) {
@@ -521,8 +520,9 @@ void ScriptHost::WarnOfBodyOptions(const AgentCreationRequest& request) {
     Diagnostic warning;
     warning.severity = Severity::kWarning;
     warning.message = option + " has no effect here: " + request.script + " moves and shows the agent";
-    warning.hint = "leave it out and let the script do it, or leave the script out: then the body knows the commands of "
-                   "docs/commands.md";
+    warning.hint =
+        "leave it out and let the script do it, or leave the script out: then the body knows the commands of "
+        "docs/commands.md";
     reporter_.Warn(PlacedAt(request, warning));
   }
 }
@@ -589,8 +589,7 @@ std::span<const std::string> ScriptHost::FilesOf(EntityId agent_or_sandbox) cons
   return script ? script->machine->files() : std::span<const std::string>();
 }
 
-std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text,
-                                               std::string* answer) {
+std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text, std::string* answer) {
   AgentScript* script = Find(agent_or_sandbox);
   LuaMachine* machine = script                                   ? script->machine.get()
                         : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get()

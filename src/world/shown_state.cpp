@@ -55,8 +55,8 @@ std::vector<std::string> PathsOf(std::span<const ShownRow> rows) {
 }
 
 void AppendLine(const ShownRow& row, std::string& text) {
-  text += std::to_string(row.depth) + (row.active ? "*" : "-") + std::to_string(row.since_tick) + " " + row.name + "\t" +
-          row.value + "\n";
+  text += std::to_string(row.depth) + (row.active ? "*" : "-") + std::to_string(row.since_tick) + " " + row.name +
+          "\t" + row.value + "\n";
 }
 
 }  // namespace
