@@ -139,7 +139,7 @@ print(agent:GetTeam())  --> team2)"},
     {"Agent.SetVelocity", "agent: Agent, velocity: Vector -100000..100000 [m/s]", "",
      "Changes the agent's velocity at once.", R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
     {"Agent.Show", "agent: Agent, name: string, value: value = nil", "",
-     "Shows a part of the agent's state to people: in the panel State, in recordings, and as what the agent does. The "
+     "Shows a part of the agent's state to people: in the panel Mind, in recordings, and as what the agent does. The "
      "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks "
      "what "
      "is chosen or under way, `name` and `value` say what stands in its own line, the list comes in its order and "
