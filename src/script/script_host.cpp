@@ -117,6 +117,8 @@ struct ScriptHost::AgentScript {
   std::unique_ptr<LuaMachine> machine;
   bool runs = false;                           ///< Its chunk ran, and nothing failed since.
   std::map<std::uint64_t, int> commands = {};  ///< Under way, by tag: where their parameters are kept.
+  std::size_t files_looked_at = 0;             ///< How many of its files `ticks` is about.
+  bool ticks = false;                          ///< One of them mentions Agent_Tick.
   bool senses = true;                          ///< Has a function Agent_Sense, as far as is known.
 };
 
@@ -311,9 +313,13 @@ void ScriptHost::WithdrawCommand(EntityId agent, std::uint64_t tag, std::string_
 void ScriptHost::TickAgent(EntityId agent) {
   AgentScript* script = Find(agent);
   if (!script || !script->runs) return;
-  const std::vector<std::string>& files = script->machine->files();
   // Most scripts have none: they are not called for nothing.
-  if (std::ranges::none_of(files, [&](const std::string& file) { return path_.HasTick(file); })) return;
+  const std::vector<std::string>& files = script->machine->files();
+  if (files.size() != script->files_looked_at) {
+    script->files_looked_at = files.size();
+    script->ticks = std::ranges::any_of(files, [&](const std::string& file) { return path_.HasTick(file); });
+  }
+  if (!script->ticks) return;
   const auto error = script->machine->CallGlobal("Agent_Tick", [&](lua_State* state) {
     PushAgent(state, agent);
     lua_pushinteger(state, world_.step_millis());
@@ -599,6 +605,7 @@ std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::s
     if (!reload) return RunTyped(*machine, text, answer);
     const std::string& file = reload->file.empty() ? machine->script() : reload->file;
     path_.Replace(file, WithoutReload(text));
+    for (const auto& other : agents_) other->files_looked_at = 0;
     const std::vector<std::string>& kept = reload->names;
     if (auto error = machine->Protected([&](lua_State* state) { CollectKept(state, kept, file); })) return error;
     std::optional<ScriptError> failed = machine->RunText(text, file);
