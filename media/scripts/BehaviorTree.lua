@@ -24,6 +24,28 @@ function BehaviorTree:GetCurrentActionName()
     return self.current_ and self.current_:GetAction():GetName() or nil;
 end
 
+-- What people see of the tree: each node with the answer that it gave when it was last asked, and the way to the action
+-- that runs.
+local function Rows(tree, node)
+    local answer = node.answer_;
+    local row = { name = node.name_, value = "" };
+    if (node.name_ == "") then
+        row.name = node.action_ and node.action_:GetName() or string.lower(node.type_);
+    end
+    if (answer ~= nil) then
+        row.value = answer and "yes" or "no";
+    end
+    local step = tree.current_;
+    while (step) do
+        row.active = row.active or step == node;
+        step = step.parent_;
+    end
+    for _, child in ipairs(node.children_) do
+        table.insert(row, Rows(tree, child));
+    end
+    return row;
+end
+
 local Walk;
 
 -- Goes through the children from `first` on. Returns the action's node to run, if any, and whether the node works.
@@ -42,7 +64,8 @@ Walk = function(tree, node)
     if (node.type_ == BehaviorTreeNode.Type.ACTION) then
         return node, true;
     elseif (node.type_ == BehaviorTreeNode.Type.CONDITION) then
-        return nil, not not node.evaluator_(tree.userData_);
+        node.answer_ = not not node.evaluator_(tree.userData_);
+        return nil, node.answer_;
     end
     return WalkChildren(tree, node, 1);
 end
@@ -60,6 +83,13 @@ local function Next(tree, node)
     end
 end
 
+local function ShowTree(tree)
+    local agent = Agent.Self();
+    if (agent) then
+        agent:Show("behavior tree", { Rows(tree, tree.root_) });
+    end
+end
+
 -- One step: a decision and the start of its action, or a step of the action, or its clean-up.
 function BehaviorTree:Update(deltaTimeInMillis)
     if (not self.root_) then
@@ -68,12 +98,14 @@ function BehaviorTree:Update(deltaTimeInMillis)
     local current = self.current_;
     if (not current) then
         self.current_ = Walk(self, self.root_);
+        ShowTree(self);
         if (self.current_) then
             self.current_:GetAction():Initialize();
         end
     elseif (current:GetAction():IsTerminated()) then
         current:GetAction():CleanUp();
         self.current_ = Next(self, current);
+        ShowTree(self);
         if (self.current_) then
             self.current_:GetAction():Initialize();
         end

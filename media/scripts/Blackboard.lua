@@ -6,7 +6,28 @@ Blackboard = {};
 Blackboard.__index = Blackboard;
 
 function Blackboard.new(userData)
-    return setmetatable({ userData_ = userData, values_ = {}, sources_ = {} }, Blackboard);
+    return setmetatable({ userData_ = userData, values_ = {}, sources_ = {}, seen_ = {}, shown_ = {} }, Blackboard);
+end
+
+-- What people see of the blackboard: each value that was set or asked for, as it was last.
+local function ShowValue(board, attribute, value)
+    if (board.seen_[attribute] == value) then
+        return;
+    end
+    board.seen_[attribute] = value;
+    local agent = Agent.Self();
+    if (not agent) then
+        return;
+    end
+    if (type(value) == "table") then
+        value = #value .. (#value == 1 and " entry" or " entries");
+    elseif (type(value) == "number") then
+        value = math.floor(value * 100 + 0.5) / 100;
+    end
+    if (board.shown_[attribute] ~= value) then
+        board.shown_[attribute] = value;
+        agent:Show("blackboard", board.shown_);
+    end
 end
 
 -- The answer of the most confident source; what was set, if there is no source.
@@ -19,6 +40,7 @@ function Blackboard:Get(attribute)
         end
     end
     if (highest) then
+        ShowValue(self, attribute, best);
         return best;
     end
     return self.values_[attribute];
@@ -26,6 +48,9 @@ end
 
 function Blackboard:Set(attribute, value)
     self.values_[attribute] = value;
+    if (not self.sources_[attribute]) then
+        ShowValue(self, attribute, value);
+    end
 end
 
 function Blackboard:AddSource(attribute, source)

@@ -33,11 +33,13 @@ function DecisionBranch:Evaluate(userData)
         data = userData;
     end
     local choice = self.evaluator_(data);
+    self.answer_ = choice;
     if (choice == true) then
         choice = 1;
     elseif (choice == false or choice == nil) then
         choice = 2;
     end
+    self.choice_ = choice;
     local child = self.children_[choice];
     assert(child, "a decision branch has no child number " .. tostring(choice));
     if (child.type_ == DecisionBranch.Type) then

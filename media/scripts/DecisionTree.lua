@@ -22,6 +22,32 @@ function DecisionTree:GetCurrentActionName()
     return self.action_ and self.action_:GetName() or nil;
 end
 
+-- What people see of the tree: each branch with what its evaluator chose last, and the way to the action that runs.
+local function Rows(node, isChosen)
+    if (node.type_ ~= DecisionBranch.Type) then
+        return { name = node:GetName(), active = isChosen };
+    end
+    local evaluator = node.evaluator_;
+    local row = { name = "branch", active = isChosen };
+    if (type(evaluator) == "table" and evaluator.GetName) then
+        row.name = evaluator:GetName();
+    end
+    if (isChosen) then
+        row.value = node.answer_;
+    end
+    for place, child in ipairs(node.children_) do
+        table.insert(row, Rows(child, isChosen and place == node.choice_));
+    end
+    return row;
+end
+
+local function ShowTree(tree)
+    local agent = Agent.Self();
+    if (agent) then
+        agent:Show("decision tree", { Rows(tree.branch_, true) });
+    end
+end
+
 -- One step: a decision and the start of its action, or a step of the action, or its clean-up.
 function DecisionTree:Update(deltaTimeInMillis)
     if (not self.branch_) then
@@ -29,6 +55,7 @@ function DecisionTree:Update(deltaTimeInMillis)
     end
     if (not self.action_) then
         self.action_ = self.branch_:Evaluate(self.userData_);
+        ShowTree(self);
         self.action_:Initialize();
     elseif (self.action_:IsTerminated()) then
         self.action_:CleanUp();

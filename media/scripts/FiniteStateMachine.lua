@@ -50,10 +50,33 @@ function FiniteStateMachine:GetCurrentStateStatus()
     return action and action:GetStatus() or nil;
 end
 
+-- What people see of the machine: its states by name, the one that it is in, and how the conditions of its transitions
+-- answered when they were last asked.
+local function ShowMachine(machine)
+    local agent = Agent.Self();
+    if (not agent) then
+        return;
+    end
+    local rows = {};
+    for name, state in pairs(machine.states_) do
+        local row = { name = name, active = state == machine.state_ };
+        for _, transition in ipairs(machine.transitions_[name]) do
+            local value = "";
+            if (transition.answer_ ~= nil) then
+                value = transition.answer_ and "yes" or "no";
+            end
+            table.insert(row, { name = "to " .. transition.toStateName_, value = value });
+        end
+        table.insert(rows, row);
+    end
+    agent:Show("state machine", rows);
+end
+
 -- Enters a state at once; an action that is under way is dropped without being cleaned up.
 function FiniteStateMachine:SetState(name)
     assert(self:ContainsState(name), "the state machine has no state '" .. tostring(name) .. "'");
     self.state_ = self.states_[name];
+    ShowMachine(self);
     if (self.state_.action_) then
         self.state_.action_:Initialize();
     end
@@ -61,7 +84,8 @@ end
 
 local function OpenTransition(machine)
     for _, transition in ipairs(machine.transitions_[machine.state_.name_]) do
-        if (transition.evaluator_(machine.userData_)) then
+        transition.answer_ = not not transition.evaluator_(machine.userData_);
+        if (transition.answer_) then
             return transition;
         end
     end

@@ -52,8 +52,9 @@ int Check(const CheckOptions& options) {
     }
     return !rules;
   });
-  std::vector<Diagnostic> problems =
-      sim::CheckFiles(files, [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
+  std::vector<Diagnostic> problems = sim::CheckFiles(
+      files,
+      [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
         // What grades a lesson stands beside its scenario.
         if (shipped != nullptr && file.filename() == "lesson.toml") {
           ReadLesson(file.has_parent_path() ? file.parent_path() : ".", *shipped, found);
@@ -66,7 +67,8 @@ int Check(const CheckOptions& options) {
           return false;
         }
         return mission::CheckMissionFile(file, shipped, found);
-      });
+      },
+      shipped == nullptr ? std::filesystem::path() : shipped->media / "scripts");
   problems.insert(problems.end(), of_projects.begin(), of_projects.end());
   int errors = 0;
   for (const Diagnostic& problem : problems) {

@@ -39,8 +39,20 @@ void Console::Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view 
   while (lines_.size() > kMostLines) lines_.pop_front();
 }
 
+bool Console::RunLua(sim::Simulation& simulation, const std::string& line) {
+  constexpr std::string_view kOwn = "lua ", kSandbox = "lua-sandbox ";
+  const bool is_of_sandbox = line.starts_with(kSandbox);
+  const bool is_marked = is_of_sandbox || line.starts_with(kOwn);
+  if (!is_marked && simulation.HasMind(agent_)) return false;
+  const std::string text = is_marked ? line.substr((is_of_sandbox ? kSandbox : kOwn).size()) : line;
+  Keep(ConsoleLine::Kind::kInput, simulation.tick(), line);
+  simulation.Submit(sim::ScriptInput{is_of_sandbox ? std::string() : agent_, text});
+  typed_lua_ = text;
+  return true;
+}
+
 void Console::Run(sim::Simulation& simulation, const std::string& line) {
-  if (IsBlank(line)) return;
+  if (IsBlank(line) || RunLua(simulation, line)) return;
   const std::uint64_t tick = simulation.tick();
   Keep(ConsoleLine::Kind::kInput, tick, line);
   const Result<std::string> answer = simulation.Command(agent_, line);
@@ -70,12 +82,13 @@ void Console::Refuse(const std::string& line, std::string_view why) {
 void Console::Add(const sim::EventList& events) {
   for (const sim::RunEvent& event : events) {
     const bool failed = event.kind == sim::EventKind::kDiagnostic && !event.news.empty();
-    if (event.agent != agent_ || (event.kind != sim::EventKind::kAnswer && !failed)) continue;
+    const bool is_of_lua = !typed_lua_.empty() && event.news == typed_lua_;
+    if ((event.agent != agent_ && !is_of_lua) || (event.kind != sim::EventKind::kAnswer && !failed)) continue;
     if (!own_.empty() && own_.front() == event.news) {
       own_.pop_front();
       continue;
     }
-    Keep(ConsoleLine::Kind::kInput, event.tick, event.news);
+    if (!is_of_lua) Keep(ConsoleLine::Kind::kInput, event.tick, event.news);
     if (failed) {
       Keep(ConsoleLine::Kind::kError, event.tick, event.diagnostic.message);
     } else {

@@ -19,7 +19,9 @@ struct ConsoleLine {
   std::string text;  ///< One line, without its end.
 };
 
-/// A Soar command line for one agent. What is typed takes effect at once, between two ticks, through the simulation's
+/// A command line for one agent. Its lines are Soar commands; those of an agent without a mind, and those that begin with
+/// "lua ", are Lua for its script, and "lua-sandbox " is Lua for the sandbox's. Lua runs at the beginning of the next
+/// tick; the value of an expression is its answer. What is typed takes effect at once, between two ticks, through the simulation's
 /// door: a recording keeps it.
 class Console {
  public:
@@ -39,10 +41,13 @@ class Console {
   static constexpr std::size_t kMostLines = 5'000;
 
  private:
+  /// False if the line is no Lua.
+  bool RunLua(sim::Simulation& simulation, const std::string& line);
   void Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view text);
 
   std::string agent_;
   std::deque<ConsoleLine> lines_;
+  std::string typed_lua_;        ///< Whose answer is still to come, or has come.
   std::deque<std::string> own_;  ///< Lines of its own whose events are still to come.
 };
 

@@ -38,12 +38,11 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   if (sim::IsEmptied(running_, text_))
     problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to take everything out"));
   if (sim::HasError(problems)) return problems;
-  std::vector<std::string> agents;
+  std::vector<sim::WatchedFile> running;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
-    if (file.file == file_.file && file.is_rules == file_.is_rules) agents.push_back(file.agent);
-  if (agents.empty()) agents.push_back(file_.agent);
-  for (const std::string& agent : agents)
-    sim::SubmitEdit(simulation, {agent, file_.file, file_.is_rules}, running_, text_);
+    if (file.file == file_.file && file.is_rules == file_.is_rules) running.push_back(file);
+  if (running.empty()) running.push_back(file_);
+  for (const sim::WatchedFile& file : running) sim::SubmitEdit(simulation, file, running_, text_);
   running_ = text_;
   return problems;
 }

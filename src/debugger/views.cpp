@@ -15,6 +15,7 @@
 #include "debugger/memory.h"
 #include "debugger/operators.h"
 #include "debugger/recall.h"
+#include "debugger/shown.h"
 #include "debugger/why.h"
 #include "diagnostics/problem.h"
 
@@ -35,6 +36,7 @@ constexpr ViewInfo kViews[] = {
      true},
     {"longterm", "[TEXT | #EPISODE]", "what it knows, its episodes, what it recalled and why; or one episode", true},
     {"imagery", "", "what it imagines, state by state: nodes, what its rules ask, the answers, and why", true},
+    {"state", "", "what the scripts of agents, or of one, show of their state: trees, states, scores, values", false},
     {"timeline", "", "operators, impasses, commands and events over ticks", false},
     {"messages", "[TEXT]", "what agents said to each other", false},
     {"trace", "[TEXT]", "what happened, line by line", false},
@@ -226,6 +228,22 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
   return NewProblem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
 }
 
+/// What scripts show of their agents: of all that show something, or of one.
+Result<ViewText> ShowStates(const record::TickRecord& last, const std::string& agent) {
+  ViewText view;
+  Json json = Json::array();
+  for (const world::AgentSnapshot& one : last.scene.agents) {
+    if (one.shown.empty() || (!agent.empty() && one.name != agent)) continue;
+    ShownView shown = LookAtShown(last.scene, one.name);
+    shown.tick = last.tick;
+    view.text += one.name + "\n" + ToText(shown);
+    json.push_back(ToJson(shown));
+  }
+  if (view.text.empty()) view.text = "no script shows anything: agent:Show(\"state\", \"patrol\")\n";
+  view.json = Print(json);
+  return view;
+}
+
 Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, const std::string& agent) {
   const RunModels& models = *source.models;
   const auto within = [&](std::uint64_t tick) { return tick >= request.first_tick && tick <= request.last_tick; };
@@ -235,6 +253,7 @@ Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, c
                                  : ListAgents(*source.last, models.timeline, models.troubles),
                              request.of));
   }
+  if (request.view == "state") return ShowStates(*source.last, request.agent);
   if (request.view == "messages") {
     std::vector<MessageRow> rows = models.messages.Find(request.agent, request.of);
     std::erase_if(rows, [&](const MessageRow& row) { return !within(row.tick); });

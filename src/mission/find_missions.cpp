@@ -120,7 +120,8 @@ LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, st
   }
   loaded.scenario = std::move(*scenario);
   const bool is_plain = file.filename() == "mission.toml" || file.filename() == "scenario.toml";
-  mission.name = (is_plain ? fs::absolute(file, error).parent_path().filename() : file.stem()).string();
+  mission.name =
+      (is_plain ? fs::absolute(file, error).lexically_normal().parent_path().filename() : file.stem()).string();
   if (!loaded.scenario.definition.empty()) {
     const sim::ScenarioFile definition = ReadDefinition(loaded.scenario.definition);
     if (loaded.scenario.rules.empty()) CheckNames(mission, CastOf(definition), problems);

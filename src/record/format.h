@@ -16,7 +16,7 @@ namespace soarbox::record {
 // killed leaves a recording that ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
-inline constexpr std::uint16_t kVersion = 9;
+inline constexpr std::uint16_t kVersion = 10;
 inline constexpr std::uint16_t kOldestVersion =
     2;  ///< Still readable: its header says less, and what minds do is in words.
 

@@ -28,7 +28,7 @@ constexpr auto FieldsOf(const world::ParticleSnapshot&) {
 constexpr auto FieldsOf(const world::AgentSnapshot&) {
   using T = world::AgentSnapshot;
   return std::tuple(&T::name, &T::kind, &T::script, &T::position, &T::velocity, &T::forward, &T::radius_m, &T::height_m,
-                    &T::health, &T::alive, &T::last_command, &T::failed, &T::team, &T::has_score, &T::score);
+                    &T::health, &T::alive, &T::last_command, &T::failed, &T::team, &T::has_score, &T::score, &T::shown);
 }
 constexpr auto FieldsOf(const world::UiSnapshot&) {
   using T = world::UiSnapshot;

@@ -15,14 +15,16 @@ constexpr const char* kIntroduction =
 This page lists the functions that scripts of a scenario can call. A sandbox's script defines any of
 `Sandbox_Initialize(sandbox)`, `Sandbox_Update(sandbox, milliseconds)`, `Sandbox_HandleEvent(sandbox, event)` and
 `Sandbox_Cleanup(sandbox)`. An agent's script defines any of `Agent_Initialize(agent)`, `Agent_Update(agent, milliseconds)`,
-`Agent_HandleEvent(agent, event)` and `Agent_Cleanup(agent)`. Lengths are in metres, angles in degrees, masses in kilograms and
+`Agent_HandleEvent(agent, event)` and `Agent_Cleanup(agent)`. The body of an agent with a Soar mind [has other functions](../scenarios.md#agents-in-a-script).
+[Names](names.md) lists what events hold, and the names of keys, materials and effects. Lengths are in metres, angles in degrees, masses in kilograms and
 forces in newtons. y is up, and an agent that is not turned faces along z.
 
 A wrong argument is an error; the message names the first wrong one. In three cases a call only does nothing and gives a
 warning: some functions got a wrong number of arguments, the first argument is not the sandbox, or the function does not
 apply to this kind of object or scene node. If a name is almost that of a function, the error says which function.
 
-The language is Lua 5.1 with `table`, `string`, `math`, `bit` and `coroutine`, but without `io`, `debug` and bytecode. `require`
+The language is Lua 5.1 with `table`, `string`, `math`, `bit` and `coroutine`, but without `io` and bytecode; of `debug` there is
+`debug.traceback([message])`. `require`
 finds scripts of the scenario and of the library. `os` has `clock`, `time`, `date` and `difftime`, which use the clock of the
 simulation; it starts at midnight on 1 January 2000. `os.exit([code])` ends all scripts: a headless run ends with that
 exit code, and a window stays open. Random numbers come from the run's seed.

@@ -128,7 +128,14 @@ std::string_view SuggestApiName(std::string_view table, std::string_view name) {
     if (group.name != table) continue;
     for (const ApiFunction& function : group.functions) names.push_back(function.name.substr(table.size() + 1));
   }
-  return Suggest(name, names);
+  const std::string_view near = Suggest(name, names);
+  if (!near.empty() || name.size() < 4) return near;
+  // Shortened, or a part of it: "GetPos".
+  std::string_view shortest;
+  for (const std::string_view other : names)
+    if (other.find(name) != std::string_view::npos && (shortest.empty() || other.size() < shortest.size()))
+      shortest = other;
+  return shortest;
 }
 
 }  // namespace soarbox::script

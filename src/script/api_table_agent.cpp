@@ -90,6 +90,9 @@ print(agent:HasPath())  --> false)"},
     {"Agent.RemovePhysics", "agent: Agent", "",
      "Removes the agent's body for good. Nothing collides with it any more, and only SetPosition moves it.",
      R"(agent:RemovePhysics())"},
+    {"Agent.Self", "", "Agent",
+     "The agent whose script calls; nil in the sandbox's own scripts. For modules that are not handed the agent.",
+     R"(print(Agent.Self())  --> nil)", true},
     {"Agent.SetForward", "agent: Agent, direction: Vector", "",
      "Turns the agent. A direction without a horizontal part changes nothing.",
      R"(agent:SetForward(Vector.new(1, 0, 0)))"},
@@ -135,6 +138,17 @@ print(agent:GetTarget().x)  --> 10)"},
 print(agent:GetTeam())  --> team2)"},
     {"Agent.SetVelocity", "agent: Agent, velocity: Vector -100000..100000 [m/s]", "",
      "Changes the agent's velocity at once.", R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
+    {"Agent.Show", "agent: Agent, name: string, value: value = nil", "",
+     "Shows a part of the agent's state to people: in the panel Mind, in recordings, and as what the agent does. The "
+     "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks "
+     "what "
+     "is chosen or under way, `name` and `value` say what stands in its own line, the list comes in its order and "
+     "other "
+     "fields by name. nil removes it. The first thing that is shown, or one called \"doing\", is what the agent does.",
+     R"(agent:Show("state", "patrol")
+agent:Show("scores", { attack = 0.2, flee = { value = 0.9, active = true } })
+agent:Show("tree", { { name = "fight", active = true, { name = "reload", active = true }, { name = "shoot" } } }))",
+     true},
 };
 
 }  // namespace

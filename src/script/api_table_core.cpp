@@ -103,7 +103,9 @@ Core.SetLineStartEnd(line, Vector.new(), agent:GetPosition()))"},
      R"(Core.SetMass(object, 0)
 print(Core.GetMass(object))  --> 0)"},
     {"Core.SetMaterial", "node: Scene, material: string", "",
-     "Gives everything attached to a node this material. An unknown name gives White and a warning.",
+     "Gives everything attached to a node this material (docs/lua/names.md). An unknown name gives White and a "
+     "warning. "
+     "Figures like Soarbox/Sheep draw a box as a sheep of its size; its body stays a box.",
      R"(Core.SetMaterial(node, "Ground2"))"},
     {"Core.SetParticleDirection", "effect: Node, direction: Vector", "", "Sets the direction of a particle effect.",
      R"(Core.SetParticleDirection(effect, Vector.new(0, 1, 0)))"},

@@ -56,7 +56,8 @@ Core.SetMaterial(ground, "Ground2"))"},
      R"(Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0)))"},
     {"Sandbox.CreateSoarAgent", "sandbox: Sandbox, script: value, rules: string = none, options: table = none", "Agent",
      "Creates an agent whose body is a script and whose mind is a file of Soar rules. Agent_Update(agent, "
-     "milliseconds, command, parameters) runs once for each command of its mind. If you pass a table of options "
+     "milliseconds, command, parameters) runs once for each command of its mind, or over several ticks if it returns "
+     "\"running\"; Agent_Tick(agent, milliseconds) runs in each tick. If you pass a table of options "
      "instead of the script ({rules = \"scout.soar\", body = \"soldier\", team = \"blue\", position = Vector.new(0, 0, "
      "3)}), the agent needs no script: its body knows the commands of docs/commands.md.",
      R"(local thinker = Sandbox.CreateSoarAgent(sandbox, "Quiet.lua", "walk.soar"))", true},

@@ -13,10 +13,11 @@ constexpr ApiFunction kSteeringFunctions[] = {
 agent:ClampSpeed()
 print(agent:GetSpeed() < 7.1)  --> true)",
      true},
-    {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table", "Vector",
+    {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody",
+     "Vector",
      "A force towards the average direction that the neighbours face. Neighbours are the agents of the list within the "
      "distance and within the angle on either side of the front (180 is all around). It has length 1, or is zero "
-     "without neighbours.",
+     "without neighbours. Leave the list out if everybody counts: in a large flock that is much faster.",
      R"(local force = agent:ForceToAlign(10, 180, Sandbox.GetAgents(sandbox)))"},
     {"Agent.ForceToAvoidAgents", "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
      "Steers sideways to avoid the living agent that it would meet first within this time.",
@@ -25,7 +26,8 @@ print(agent:GetSpeed() < 7.1)  --> true)",
      "Steers sideways to avoid movable objects that are ahead within this time. For fixed objects, use the navigation "
      "mesh.",
      R"(local force = agent:ForceToAvoidObjects(1.5) * 3)"},
-    {"Agent.ForceToCombine", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table", "Vector",
+    {"Agent.ForceToCombine",
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
      "A force towards the centre of the neighbours; ForceToAlign says which agents are neighbours.",
      R"(local force = agent:ForceToCombine(100, 180, {other})
 print(Vector.Length(force) > 0.99)  --> true)"},
@@ -43,7 +45,8 @@ local force = agent:ForceToFollowPath(0.5) + agent:ForceToTargetSpeed(3))"},
     {"Agent.ForceToPursue", "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
      "Heads for where the other agent will be, looking at most this time ahead.",
      R"(local force = agent:ForceToPursue(other))", true},
-    {"Agent.ForceToSeparate", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table", "Vector",
+    {"Agent.ForceToSeparate",
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
      "A force away from the neighbours, stronger the nearer they are; ForceToAlign says which agents are neighbours.",
      R"(local force = agent:ForceToSeparate(2, 180, Sandbox.GetAgents(sandbox)))"},
     {"Agent.ForceToStayOnPath", "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",

@@ -46,6 +46,7 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
 /// The agents in the table at `index`, in its order. Answers with the world's own list where it is the same: the
 /// world finds near neighbours faster then.
 std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
+  if (lua_isnoneornil(state, index)) return ContextOf(state).world.AgentIds();
   luaL_checktype(state, index, LUA_TTABLE);
   buffer.clear();
   if (!ReadInPlainOrder(state, index, buffer)) {
@@ -67,7 +68,7 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vecto
 
 using GroupForce = Vec3 (Agent::*)(float, float, std::span<const EntityId>) const;
 
-/// (agent, max distance, max angle in degrees, agents)
+/// (agent, max distance, max angle in degrees [, agents])
 template <GroupForce Force>
 int PushGroupForce(lua_State* state) {
   static thread_local std::vector<EntityId> buffer;
@@ -133,12 +134,12 @@ int ForceToWander(lua_State* state) {
 }
 
 constexpr Binding kAgentSteeringBindings[] = {
-    {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 4, 4, WrongCount::kIgnored},
+    {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 3, 4, WrongCount::kIgnored},
     {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored,
      PlainLookAheadForce<&Agent::ForceToAvoidAgents>},
     {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored,
      PlainLookAheadForce<&Agent::ForceToAvoidObjects>},
-    {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 4, 4, WrongCount::kIgnored},
+    {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 3, 4, WrongCount::kIgnored},
     {"ForceToEvade", PushChaseForce<&Agent::ForceToEvade>, 2, 3, WrongCount::kError},
     {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError,
      PlainPositionForce<&Agent::ForceToFleePosition>},
@@ -146,7 +147,7 @@ constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError,
      PlainPositionForce<&Agent::ForceToPosition>},
     {"ForceToPursue", PushChaseForce<&Agent::ForceToPursue>, 2, 3, WrongCount::kError},
-    {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 4, 4, WrongCount::kError},
+    {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 3, 4, WrongCount::kError},
     {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},
     {"ForceToTargetSpeed", ForceToTargetSpeed, 2, 2, WrongCount::kError},
     {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},

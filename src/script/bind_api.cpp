@@ -40,6 +40,7 @@ void BindApi(lua_State* state, ApiSide side) {
   BindSandboxInfluence(state);
   BindAgentProperties(state);
   BindAgentSteering(state);
+  BindAgentShow(state);
   BindAgentStride(state);
   BindAnimation(state);
   BindAnimationBones(state);

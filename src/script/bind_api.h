@@ -16,6 +16,7 @@ void BindSandboxEvents(lua_State* state);
 void BindSandboxInfluence(lua_State* state);
 void BindSandboxNavigation(lua_State* state);
 void BindAgentProperties(lua_State* state);
+void BindAgentShow(lua_State* state);
 void BindAgentSteering(lua_State* state);
 void BindAgentStride(lua_State* state);
 void BindAnimation(lua_State* state);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
 #include <lua.hpp>
+#include <string_view>
 
+#include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
@@ -91,8 +94,11 @@ int SetBackgroundColor(lua_State* state) {
 
 int SetGradientColor(lua_State* state) {
   const UiId id = UiArgument(state, 1);
-  static constexpr const char* kDirections[] = {"north_south", "west_east", "diagonal", nullptr};
-  const auto direction = static_cast<world::UiGradient>(luaL_checkoption(state, 2, nullptr, kDirections));
+  static constexpr std::string_view kDirections[] = {"north_south", "west_east", "diagonal"};
+  const auto* const named = std::find(std::begin(kDirections), std::end(kDirections), TextArgument(state, 2));
+  if (named == std::end(kDirections))
+    return ArgumentError(state, 2, "a direction is north_south, west_east or diagonal");
+  const auto direction = static_cast<world::UiGradient>(named - std::begin(kDirections));
   const auto color = [&](int first) {
     return world::Color{CheckFloat(state, first), CheckFloat(state, first + 1), CheckFloat(state, first + 2),
                         CheckFloat(state, first + 3)};

@@ -65,6 +65,17 @@ int CallChecked(lua_State* state, const Bound& bound) {
   return 0;
 }
 
+/// Reports names of materials, meshes, ... that the call used and that are unknown, with the script's line.
+void PlaceMediaWarnings(lua_State* state, ScriptContext& context) {
+  const ScriptPath& path = LuaMachine::Of(state).path();
+  for (Diagnostic& warning : context.world.TakeMediaWarnings()) {
+    LocateCaller(state, warning.file, warning.line);
+    warning.excerpt = path.LineOf(warning.file, warning.line);
+    warning.file = path.PathOf(warning.file);
+    context.reporter.Warn(warning);
+  }
+}
+
 /// Upvalue: the Bound.
 int CallBinding(lua_State* state) {
   const auto& bound = *static_cast<const Bound*>(lua_touserdata(state, lua_upvalueindex(1)));
@@ -74,7 +85,10 @@ int CallBinding(lua_State* state) {
   if (bound.binding->plain) {
     if (const int results = bound.binding->plain(state, machine); results != kNotPlain) return results;
   }
-  return CallChecked(state, bound);
+  const int results = CallChecked(state, bound);
+  if (ScriptContext* context = machine.context(); context != nullptr && context->world.HasMediaWarnings())
+    PlaceMediaWarnings(state, *context);
+  return results;
 }
 
 }  // namespace

@@ -17,4 +17,7 @@ std::vector<Diagnostic> CheckNames(std::string_view text, const std::string& fil
 /// called.
 std::vector<Diagnostic> CheckCallbackNames(std::string_view text, const std::string& file);
 
+/// The text of a script with comments and texts blanked, so that places stay.
+std::string BlankedCode(std::string_view text);
+
 }  // namespace soarbox::script

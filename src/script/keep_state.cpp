@@ -12,10 +12,11 @@
 namespace soarbox::script {
 namespace {
 
-constexpr std::string_view kMark = "\n--@keep";
+constexpr std::string_view kMark = "\n--@reload\t";
+constexpr std::string_view kOldMark = "\n--@keep";  ///< In recordings made before files had their names in it.
 constexpr const char* kTable = "soarbox.kept";
-constexpr int kDeepest = 16;          ///< Functions that functions hold.
-constexpr std::size_t kMost = 10000;  ///< Functions looked at.
+constexpr int kDeepest = 16;          ///< Functions and tables that functions and tables hold.
+constexpr std::size_t kMost = 10000;  ///< Functions and tables looked at.
 
 bool IsName(std::string_view word) {
   return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 &&
@@ -56,18 +57,35 @@ std::vector<std::pair<std::string, std::string>> Declarations(std::string_view t
   return found;
 }
 
-/// Calls visit(function at the top of the stack) for the global functions of a script and those that they hold.
+/// The names of a table's fields in their order, so that it does not matter how they are stored.
+std::vector<std::string> FieldNames(lua_State* state, int table) {
+  std::vector<std::string> names;
+  lua_pushnil(state);
+  while (lua_next(state, table) != 0) {
+    lua_pop(state, 1);
+    std::size_t length = 0;
+    if (lua_type(state, -1) != LUA_TSTRING) continue;
+    const char* name = lua_tolstring(state, -1, &length);
+    names.emplace_back(name, length);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void PushField(lua_State* state, int table, const std::string& name) {
+  lua_pushlstring(state, name.data(), name.size());
+  lua_rawget(state, table);
+}
+
+/// Calls visit(function at the top of the stack) for the functions of a script: those in globals, in the tables that
+/// globals hold, and in upvalues of such functions.
 class Functions {
  public:
   Functions(lua_State* state, std::string_view script) : state_(state), script_(script) {}
 
   void VisitAll(const std::function<void()>& visit) {
     lua_pushvalue(state_, LUA_GLOBALSINDEX);
-    lua_pushnil(state_);
-    while (lua_next(state_, -2) != 0) {
-      Visit(visit, 0);
-      lua_pop(state_, 1);
-    }
+    Visit(visit, 0);
     lua_pop(state_, 1);
   }
 
@@ -80,12 +98,31 @@ class Functions {
     return source.ends_with(script_) || source.ends_with("console");
   }
 
+  /// The value at the top of the stack.
   void Visit(const std::function<void()>& visit, int depth) {
-    if (!lua_isfunction(state_, -1) || lua_iscfunction(state_, -1) != 0 || depth > kDeepest) return;
-    if (seen_.size() >= kMost || !seen_.insert(lua_topointer(state_, -1)).second || !IsMine()) return;
-    if (lua_checkstack(state_, 8) == 0) return;
+    const bool is_table = lua_istable(state_, -1);
+    const bool is_function = lua_isfunction(state_, -1) && lua_iscfunction(state_, -1) == 0;
+    if ((!is_table && !is_function) || depth > kDeepest || seen_.size() >= kMost) return;
+    if (!seen_.insert(lua_topointer(state_, -1)).second || lua_checkstack(state_, 8) == 0) return;
+    if (is_table) return VisitFields(visit, depth);
+    if (!IsMine()) return;
     visit();
     for (int i = 1; lua_getupvalue(state_, -1, i) != nullptr; ++i) {
+      Visit(visit, depth + 1);
+      lua_pop(state_, 1);
+    }
+  }
+
+  void VisitFields(const std::function<void()>& visit, int depth) {
+    const int table = lua_gettop(state_);
+    for (const std::string& name : FieldNames(state_, table)) {
+      PushField(state_, table, name);
+      Visit(visit, depth + 1);
+      lua_pop(state_, 1);
+    }
+    const int length = static_cast<int>(std::min<std::size_t>(lua_objlen(state_, table), kMost));
+    for (int i = 1; i <= length; ++i) {
+      lua_rawgeti(state_, table, i);
       Visit(visit, depth + 1);
       lua_pop(state_, 1);
     }
@@ -95,6 +132,27 @@ class Functions {
   std::string_view script_;
   std::set<const void*> seen_;
 };
+
+/// Gives the functions of the table at `from` to the table at `to`, and fields that are new there. The same for tables
+/// that both hold under the same name.
+void TakeFunctions(lua_State* state, int to, int from, std::set<const void*>& seen, int depth = 0) {
+  if (depth > kDeepest || lua_rawequal(state, to, from) != 0 || lua_checkstack(state, 8) == 0) return;
+  if (seen.size() >= kMost || !seen.insert(lua_topointer(state, from)).second) return;
+  for (const std::string& name : FieldNames(state, from)) {
+    PushField(state, to, name);
+    PushField(state, from, name);
+    if (lua_isfunction(state, -1) || lua_isnil(state, -2)) {
+      lua_pushlstring(state, name.data(), name.size());
+      lua_insert(state, -2);
+      lua_rawset(state, to);
+      lua_pop(state, 1);
+      continue;
+    }
+    if (lua_istable(state, -1) && lua_istable(state, -2))
+      TakeFunctions(state, lua_gettop(state) - 1, lua_gettop(state), seen, depth + 1);
+    lua_pop(state, 2);
+  }
+}
 
 }  // namespace
 
@@ -109,24 +167,39 @@ std::vector<std::string> UnchangedVariables(std::string_view before, std::string
   return names;
 }
 
-std::string WithKept(std::string text, const std::vector<std::string>& names) {
-  if (names.empty()) return text;
+std::string WithReload(std::string text, const Reload& reload) {
   text += kMark;
-  for (const std::string& name : names) text += " " + name;
+  text += reload.file + "\t";
+  for (std::size_t i = 0; i < reload.names.size(); ++i) text += (i == 0 ? "" : " ") + reload.names[i];
   return text;
 }
 
-std::vector<std::string> KeptNames(std::string_view text) {
-  const std::size_t mark = text.rfind(kMark);
-  if (mark == std::string_view::npos || text.find('\n', mark + 1) != std::string_view::npos) return {};
-  std::vector<std::string> names;
-  std::string_view rest = text.substr(mark + kMark.size());
+std::optional<Reload> ReadReload(std::string_view text) {
+  Reload reload;
+  std::string_view rest;
+  const std::size_t at = text.rfind('\n');
+  if (at == std::string_view::npos) return std::nullopt;
+  if (text.substr(at).starts_with(kMark)) {
+    rest = text.substr(at + kMark.size());
+    const std::size_t tab = rest.find('\t');
+    if (tab == std::string_view::npos) return std::nullopt;
+    reload.file = rest.substr(0, tab);
+    rest.remove_prefix(tab + 1);
+  } else if (text.substr(at).starts_with(kOldMark)) {
+    rest = text.substr(at + kOldMark.size());
+  } else {
+    return std::nullopt;
+  }
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(' '), rest.size());
-    if (IsName(rest.substr(0, end))) names.emplace_back(rest.substr(0, end));
+    if (IsName(rest.substr(0, end))) reload.names.emplace_back(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  return names;
+  return reload;
+}
+
+std::string_view WithoutReload(std::string_view text) {
+  return ReadReload(text) ? text.substr(0, text.rfind('\n')) : text;
 }
 
 void CollectKept(lua_State* state, const std::vector<std::string>& names, std::string_view script) {
@@ -144,7 +217,8 @@ void CollectKept(lua_State* state, const std::vector<std::string>& names, std::s
   Functions(state, script).VisitAll([&] {
     const char* name = nullptr;
     for (int i = 1; (name = lua_getupvalue(state, -1, i)) != nullptr; ++i) {
-      if (lua_isfunction(state, -1) || std::find(names.begin(), names.end(), name) == names.end()) {
+      if (lua_isnil(state, -1) || lua_isfunction(state, -1) ||
+          std::find(names.begin(), names.end(), name) == names.end()) {
         lua_pop(state, 1);
       } else {
         lua_setfield(state, kept, name);
@@ -158,33 +232,39 @@ void RestoreKept(lua_State* state, const std::vector<std::string>& names, std::s
   lua_getfield(state, LUA_REGISTRYINDEX, kTable);
   const int kept = lua_gettop(state);
   if (!lua_istable(state, kept)) return lua_pop(state, 1);
+  std::set<const void*> taken;
   for (const std::string& name : names) {
     lua_pushlstring(state, name.data(), name.size());
     lua_rawget(state, LUA_GLOBALSINDEX);
     const bool is_global = !lua_isnil(state, -1) && !lua_isfunction(state, -1);
-    lua_pop(state, 1);
     lua_getfield(state, kept, name.c_str());
     if (is_global && !lua_isnil(state, -1)) {
+      const int was = lua_gettop(state);
+      if (lua_istable(state, was) && lua_istable(state, was - 1)) TakeFunctions(state, was, was - 1, taken);
       lua_pushlstring(state, name.data(), name.size());
       lua_insert(state, -2);
       lua_rawset(state, LUA_GLOBALSINDEX);
     } else {
       lua_pop(state, 1);
     }
+    lua_pop(state, 1);
   }
   Functions(state, script).VisitAll([&] {
     const int function = lua_gettop(state);
     const char* name = nullptr;
     for (int i = 1; (name = lua_getupvalue(state, function, i)) != nullptr; ++i) {
       const bool is_kept = !lua_isfunction(state, -1) && std::find(names.begin(), names.end(), name) != names.end();
-      lua_pop(state, 1);
-      if (!is_kept) continue;
-      lua_getfield(state, kept, name);
-      if (lua_isnil(state, -1)) {
-        lua_pop(state, 1);
-      } else {
-        lua_setupvalue(state, function, i);
+      const int is = lua_gettop(state);
+      if (is_kept) {
+        lua_getfield(state, kept, name);
+        if (lua_istable(state, -1) && lua_istable(state, is)) TakeFunctions(state, is + 1, is, taken);
+        if (lua_isnil(state, -1)) {
+          lua_pop(state, 1);
+        } else {
+          lua_setupvalue(state, function, i);
+        }
       }
+      lua_settop(state, function);
     }
   });
   lua_pop(state, 1);

@@ -57,9 +57,15 @@ std::string HintForNil(std::string_view message, std::string_view line) {
   if (name.empty()) return {};
   const bool is_call = message.starts_with("attempt to call");
   if (is_call && (Holds(message, "field ") || Holds(message, "method "))) {
-    for (const ApiGroup& group : ApiGroups())
-      if (Holds(line, std::string(group.name) + "." + name) || (group.name == "Agent" && Holds(line, "agent:" + name)))
-        return std::string(group.name) + " has no function " + name + ": docs/lua lists those that there are";
+    for (const ApiGroup& group : ApiGroups()) {
+      if (!Holds(line, std::string(group.name) + "." + name) &&
+          (group.name != "Agent" || !Holds(line, "agent:" + name)))
+        continue;
+      const std::string_view near = SuggestApiName(group.name, name);
+      return near.empty()
+                 ? std::string(group.name) + " has no function " + name + ": docs/lua lists those that there are"
+                 : "did you mean " + std::string(near) + "?";
+    }
     return {};
   }
   if (Holds(message, "global ")) {

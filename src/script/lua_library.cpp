@@ -12,6 +12,7 @@
 #include "script/lua_pattern.h"
 #include "script/lua_text.h"
 #include "script/nested_call.h"
+#include "script/script_error.h"
 #include "script/script_path.h"
 
 namespace soarbox::script {
@@ -130,12 +131,29 @@ int Require(lua_State* state) {
   }
   if (!machine.BeginLoading(name))
     return luaL_error(state, "module '%s' requires itself, directly or through others", name.c_str());
+  machine.NoteFile(file);
   const LoadingMark mark{machine, name};
   const NestedCall nested(state);
   RunSource(state, *source.value(), file);
   lua_pushboolean(state, 1);
   lua_setfield(state, 2, name.c_str());
   return 0;
+}
+
+/// debug.traceback([message]): the calls that led here, innermost first. Nothing else of Lua's debug library is there.
+int DebugTraceback(lua_State* state) {
+  const NestedCall nested(state);
+  const bool has_message = !lua_isnoneornil(state, 1);
+  if (has_message && !lua_isstring(state, 1)) {  // As in Lua: an error object that is no text stays what it is.
+    lua_settop(state, 1);
+    return 1;
+  }
+  std::string text = has_message ? std::string(lua_tostring(state, 1)) + "\n" : std::string();
+  text += "called from:\n" + Traceback(state);
+  if (text.ends_with('\n')) text.pop_back();
+  LuaMachine::Of(state).Charge(text.size());
+  lua_pushlstring(state, text.data(), text.size());
+  return 1;
 }
 
 /// xpcall whose handler runs after the failed call is unwound. The built-in one runs it in the middle, where
@@ -203,6 +221,11 @@ void InstallLibrary(lua_State* state) {
   lua_getfield(state, LUA_REGISTRYINDEX, "_LOADED");
   lua_setfield(state, -2, "loaded");
   lua_setglobal(state, "package");
+
+  lua_createtable(state, 0, 1);
+  lua_pushcfunction(state, DebugTraceback);
+  lua_setfield(state, -2, "traceback");
+  lua_setglobal(state, "debug");
 
   RunChunk(state, kXpcall, "xpcall");
   InstallGuards(state);

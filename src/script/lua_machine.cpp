@@ -82,7 +82,8 @@ void* LuaMachine::Allocate(void* machine, void* block, std::size_t old_size, std
   LuaMachine& self = *static_cast<LuaMachine*>(machine);
   if (new_size > old_size) self.Charge((new_size - old_size) / kBytesPerInstruction);
   void* const allocated = self.memory_.Reallocate(block, old_size, new_size);
-  if (self.collect_at_bytes_ != 0 && self.memory_.used_bytes() >= self.collect_at_bytes_ && !self.collection_due_) {
+  const bool is_due = self.memory_.used_bytes() >= self.collect_at_bytes_ || self.memory_.TakeNearRefusal();
+  if (self.collect_at_bytes_ != 0 && is_due && !self.collection_due_) {
     self.collection_due_ = true;
     lua_sethook(self.state_, OnCount, LUA_MASKCOUNT, 1);
   }
@@ -120,7 +121,12 @@ LuaMachine& LuaMachine::Of(lua_State* state) {
 std::optional<ScriptError> LuaMachine::RunFile(std::string_view name) {
   const Result<const ScriptSource*> source = path().Load(name);
   if (!source.ok()) return ScriptError{source.error(), {}};
+  NoteFile(name);
   return Protected([&](lua_State* state) { RunSource(state, *source.value(), name); });
+}
+
+void LuaMachine::NoteFile(std::string_view name) {
+  if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.emplace_back(name);
 }
 
 std::optional<ScriptError> LuaMachine::RunText(std::string_view text, std::string_view name) {
@@ -163,7 +169,7 @@ ScriptError LuaMachine::TakeError(int status) {
     error->diagnostic.file = path().PathOf(script());
     error->diagnostic.message =
         memory_.world_refused()
-            ? "this world has too little memory left for this script: of " +
+            ? "the script needs more than its share of this world's memory, an eighth of what is left: of " +
                   std::to_string(setup_.world->limits().memory_bytes >> 20) + " MB, scripts have taken " +
                   std::to_string(setup_.world->used_bytes() >> 20) + " MB, and minds and bodies " +
                   std::to_string(setup_.world->other_bytes() >> 20) + " MB; --memory gives it more"
@@ -171,6 +177,7 @@ ScriptError LuaMachine::TakeError(int status) {
                   " KB of memory";
     // What the script held is garbage now; without this the next call would fail at once.
     CollectGarbage();
+    memory_.ReleaseFreeChunks();
   } else if (!error) {
     const char* message = lua_tostring(state_, -1);
     error = DescribeMessage(message ? message : "unknown error", script(), path());
@@ -266,8 +273,8 @@ void LuaMachine::PushKept(lua_State* state, int reference) {
   lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
 }
 
-void LuaMachine::Call(lua_State* state, int argument_count) {
-  lua_call(state, argument_count, 0);
+void LuaMachine::Call(lua_State* state, int argument_count, int result_count) {
+  lua_call(state, argument_count, result_count);
 }
 
 int LuaMachine::Keep(int index) {

@@ -114,6 +114,17 @@ class LuaMachine {
     });
   }
 
+  /// The same; read(lua_State*) then finds so many results on top of the stack. It is not called if there is no such
+  /// function.
+  template <class Push, class Read>
+  std::optional<ScriptError> AskGlobal(const char* name, int results, Push&& push, Read&& read) {
+    return Protected([&](lua_State* state) {
+      if (!Of(state).PushGlobalFunction(state, name)) return;
+      Call(state, push(state), results);
+      read(state);
+    });
+  }
+
   /// Calls a function that was kept with Keep.
   template <class Push>
   std::optional<ScriptError> CallKept(int reference, Push&& push) {
@@ -125,6 +136,7 @@ class LuaMachine {
   /// Keeps the value at `index` alive; inside a protected call only.
   int Keep(int index);
   void Release(int reference);
+  static void PushKept(lua_State* state, int reference);
 
   /// Takes instructions off the budget of the present call, for work done on a script's behalf.
   void Charge(std::uint64_t instructions) {
@@ -150,6 +162,11 @@ class LuaMachine {
   /// Marks a module as being run by require; false if it is already.
   bool BeginLoading(const std::string& module) { return loading_.insert(module).second; }
   void EndLoading(const std::string& module) { loading_.erase(module); }
+
+  /// Notes that a file of the search path runs in this machine.
+  void NoteFile(std::string_view name);
+  /// The files that were run in it, in the order of their first run: the main script and what it loads with require.
+  const std::vector<std::string>& files() const { return files_; }
 
   const std::string& script() const { return setup_.script; }
   std::uint32_t owner() const { return setup_.owner; }
@@ -178,8 +195,7 @@ class LuaMachine {
   void SetCollectionPoint();
   static void* Allocate(void* machine, void* block, std::size_t old_size, std::size_t new_size);
   bool PushGlobalFunction(lua_State* state, const char* name);
-  static void PushKept(lua_State* state, int reference);
-  static void Call(lua_State* state, int argument_count);
+  static void Call(lua_State* state, int argument_count, int result_count = 0);
   static int RunBody(lua_State* state);
   static int OnError(lua_State* state);
   static void OnCount(lua_State* state, lua_Debug* frame);
@@ -193,6 +209,7 @@ class LuaMachine {
   int nested_calls_ = 0;                            // See NestedCall.
   int depth_ = 0;                                   // Of protected calls within each other.
   std::set<std::string> loading_;
+  std::vector<std::string> files_;
   std::uint64_t instructions_left_ = 0;
   std::uint64_t armed_ = 0;             // What the present call began with.
   std::size_t collect_at_bytes_ = 0;    // The next collection is due when this much is used; 0: not yet.

@@ -57,6 +57,8 @@ void AppendFrame(std::string& text, const lua_Debug& frame) {
   text += "\n";
 }
 
+}  // namespace
+
 std::string Traceback(lua_State* state) {
   std::string text;
   lua_Debug frame;
@@ -81,12 +83,34 @@ std::string Traceback(lua_State* state) {
   return text;
 }
 
-}  // namespace
-
 std::string Format(const ScriptError& error) {
   std::string text = Format(error.diagnostic);
   if (!error.traceback.empty()) text += "   called from:\n" + error.traceback;
   return text;
+}
+
+std::string CallersIn(std::string_view traceback) {
+  constexpr int kMostCallers = 8;
+  std::string callers;
+  int count = 0;
+  while (!traceback.empty()) {
+    const std::size_t end = std::min(traceback.find('\n'), traceback.size());
+    std::string_view line = traceback.substr(0, end);
+    traceback.remove_prefix(std::min(end + 1, traceback.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.starts_with("[C]")) continue;
+    if (++count == 1) continue;
+    if (count > kMostCallers + 1) return callers + ", ...";
+    std::string caller(line);
+    const std::size_t place_end = line.find(": in ");
+    if (place_end != std::string_view::npos) {
+      std::string_view where = line.substr(place_end + 5);
+      if (where.starts_with("function '") && where.ends_with('\'')) where = where.substr(10, where.size() - 11);
+      caller = std::string(line.substr(0, place_end)) + " (" + std::string(where) + ")";
+    }
+    callers += (callers.empty() ? "called from " : ", ") + caller;
+  }
+  return callers;
 }
 
 void LocateCaller(lua_State* state, std::string& file, int& line) {

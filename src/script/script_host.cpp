@@ -7,6 +7,8 @@
 #include "script/bind_api.h"
 #include "script/check_names.h"
 #include "script/keep_state.h"
+#include "script/lua_library.h"
+#include "script/lua_text.h"
 #include "script/lua_values.h"
 #include "world/state_hash.h"
 
@@ -76,14 +78,48 @@ void PushInput(lua_State* state, const InputEvent& event, const world::World& wo
 
 }  // namespace
 
+void SetGlobalUnlessThere(lua_State* state, const char* name, Handle handle) {
+  lua_getglobal(state, name);
+  const bool is_there = !lua_isnil(state, -1);
+  lua_pop(state, 1);
+  if (is_there) return;
+  PushHandle(state, handle);
+  lua_setglobal(state, name);
+}
+
+/// Runs a text that somebody typed. An expression's values become the answer.
+std::optional<ScriptError> RunTyped(LuaMachine& machine, std::string_view text, std::string* answer) {
+  return machine.Protected([&](lua_State* state) {
+    SetGlobalUnlessThere(state, "sandbox", {ValueKind::kSandbox, 0});
+    if (machine.owner() != 0) SetGlobalUnlessThere(state, "agent", {ValueKind::kAgent, machine.owner()});
+    // As the argument of a call, so that the text's own line is known if it fails.
+    const std::string expression = "return (function(...) return ... end)(" + std::string(text) + "\n)";
+    if (answer == nullptr || luaL_loadbufferx(state, expression.data(), expression.size(), "@console", "t") != 0) {
+      RunChunk(state, text, "console");
+      return;
+    }
+    const int function = lua_gettop(state);
+    lua_call(state, 0, LUA_MULTRET);
+    const int last = lua_gettop(state);
+    for (int i = function; i <= last; ++i) {
+      PushText(state, i);
+      *answer += std::string(i == function ? "" : "\t") + lua_tostring(state, -1);
+      lua_pop(state, 1);
+    }
+  });
+}
+
 /// An agent's script: its machine lives as long as the host, so that callbacks stay valid.
 struct ScriptHost::AgentScript {
   EntityId id;
   AgentCreationRequest request;
   std::unique_ptr<RandomSource> random;
   std::unique_ptr<LuaMachine> machine;
-  bool runs = false;   ///< Its chunk ran, and nothing failed since.
-  bool senses = true;  ///< Has a function Agent_Sense, as far as is known.
+  bool runs = false;                           ///< Its chunk ran, and nothing failed since.
+  std::map<std::uint64_t, int> commands = {};  ///< Under way, by tag: where their parameters are kept.
+  std::size_t files_looked_at = 0;             ///< How many of its files `ticks` is about.
+  bool ticks = false;                          ///< One of them mentions Agent_Tick.
+  bool senses = true;                          ///< Has a function Agent_Sense, as far as is known.
 };
 
 ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
@@ -185,6 +221,111 @@ bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> com
     return 4;
   });
   return NoteResult(agent, "Agent_Update", error);
+}
+
+CommandAnswer ScriptHost::AskForCommand(AgentScript& script, std::string_view command, const Table* parameters,
+                                        int& kept) {
+  CommandAnswer answer;
+  const bool has_table =
+      parameters == nullptr ? kept != LUA_NOREF : !parameters->empty() || script.request.kind == "soar";
+  const auto error = script.machine->AskGlobal(
+      "Agent_Update", kCommandResults,
+      [&](lua_State* state) {
+        const int function = lua_gettop(state);
+        PushAgent(state, script.id);
+        lua_pushinteger(state, world_.step_millis());
+        lua_pushlstring(state, command.data(), command.size());
+        // The thesis' three kinds have no parameters, and their scripts expect none.
+        if (!has_table) return 3;
+        if (parameters != nullptr) {
+          PushTable(state, *parameters);
+        } else {
+          LuaMachine::PushKept(state, kept);
+        }
+        // Once more below the function, where it is after the call.
+        lua_pushvalue(state, -1);
+        lua_insert(state, function);
+        return 4;
+      },
+      [&](lua_State* state) {
+        answer = ReadCommandAnswer(state);
+        if (answer.state != CommandAnswer::State::kRunning || !has_table || kept != LUA_NOREF) return;
+        lua_pop(state, kCommandResults);
+        kept = script.machine->Keep(-1);
+      });
+  if (!NoteResult(script.id, "Agent_Update", error)) {
+    answer.state = CommandAnswer::State::kError;
+    answer.reason = "script-failed";
+  }
+  if (!answer.unknown.empty()) {
+    Diagnostic warning;
+    warning.severity = Severity::kWarning;
+    warning.file = path_.PathOf(script.request.script);
+    warning.message = "Agent_Update returns \"" + answer.unknown + "\" for the command " + std::string(command);
+    warning.hint = "it may return \"running\", \"error\" or \"complete\"; anything else counts as complete";
+    reporter_.Warn(warning);
+  }
+  return answer;
+}
+
+CommandAnswer ScriptHost::CommandAgent(EntityId agent, std::uint64_t tag, std::string_view command,
+                                       const Table& parameters) {
+  AgentScript* script = Find(agent);
+  if (!script || !script->runs) return {.state = CommandAnswer::State::kError, .reason = "script-failed"};
+  int kept = LUA_NOREF;
+  CommandAnswer answer = AskForCommand(*script, command, &parameters, kept);
+  if (answer.state == CommandAnswer::State::kRunning) script->commands[tag] = kept;
+  return answer;
+}
+
+CommandAnswer ScriptHost::ContinueCommand(EntityId agent, std::uint64_t tag, std::string_view command) {
+  AgentScript* script = Find(agent);
+  const auto known = script ? script->commands.find(tag) : decltype(script->commands.end()){};
+  if (!script || !script->runs || known == script->commands.end())
+    return {.state = CommandAnswer::State::kError, .reason = "script-failed"};
+  CommandAnswer answer = AskForCommand(*script, command, nullptr, known->second);
+  if (answer.state == CommandAnswer::State::kRunning) return answer;
+  script->machine->Release(known->second);
+  script->commands.erase(known);
+  return answer;
+}
+
+void ScriptHost::WithdrawCommand(EntityId agent, std::uint64_t tag, std::string_view command) {
+  AgentScript* script = Find(agent);
+  if (!script) return;
+  const auto known = script->commands.find(tag);
+  if (known == script->commands.end()) return;
+  const int kept = known->second;
+  script->commands.erase(known);
+  if (script->runs) {
+    const auto error = script->machine->CallGlobal("Agent_Withdraw", [&](lua_State* state) {
+      PushAgent(state, agent);
+      lua_pushlstring(state, command.data(), command.size());
+      if (kept == LUA_NOREF) return 2;
+      LuaMachine::PushKept(state, kept);
+      return 3;
+    });
+    NoteResult(agent, "Agent_Withdraw", error);
+  }
+  script->machine->Release(kept);
+}
+
+void ScriptHost::TickAgent(EntityId agent) {
+  AgentScript* script = Find(agent);
+  if (!script || !script->runs) return;
+  // Most scripts have none: they are not called for nothing.
+  const std::vector<std::string>& files = script->machine->files();
+  if (files.size() != script->files_looked_at) {
+    script->files_looked_at = files.size();
+    script->ticks = std::ranges::any_of(files, [&](const std::string& file) { return path_.HasTick(file); });
+  }
+  if (!script->ticks) return;
+  const auto error = script->machine->CallGlobal("Agent_Tick", [&](lua_State* state) {
+    PushAgent(state, agent);
+    lua_pushinteger(state, world_.step_millis());
+    return 2;
+  });
+  NoteResult(agent, "Agent_Tick", error);
 }
 
 void ScriptHost::Foresee(std::span<const EntityId> order, std::size_t next) const {
@@ -364,6 +505,7 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
   });
   NoteResult(script.id, "Agent_Initialize", error);
   if (!script.request.HasMind()) return;
+  WarnOfBodyOptions(script.request);
   if (const Result<void> made = minds_->MakeMind(script.id, script.request); !made.ok())
     StopAgent(script, ScriptError{PlacedAt(script.request, made.error()), {}});
 }
@@ -374,6 +516,21 @@ Diagnostic ScriptHost::PlacedAt(const AgentCreationRequest& request, Diagnostic 
   problem.line = request.made_in_line;
   problem.excerpt = path_.LineOf(request.made_in, request.made_in_line);
   return problem;
+}
+
+void ScriptHost::WarnOfBodyOptions(const AgentCreationRequest& request) {
+  for (const auto& [option, value] : request.options) {
+    const bool is_of_body = option == "body" || option == "looks" || option == "material" || option == "armed" ||
+                            option.starts_with("weapon.");
+    if (!is_of_body) continue;
+    Diagnostic warning;
+    warning.severity = Severity::kWarning;
+    warning.message = option + " has no effect here: " + request.script + " moves and shows the agent";
+    warning.hint =
+        "leave it out and let the script do it, or leave the script out: then the body knows the commands of "
+        "docs/commands.md";
+    reporter_.Warn(PlacedAt(request, warning));
+  }
 }
 
 void ScriptHost::WarnOfSlips(std::string_view script) {
@@ -432,18 +589,27 @@ const AgentCreationRequest* ScriptHost::RequestOf(EntityId agent) const {
   return script ? &script->request : nullptr;
 }
 
-std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text) {
+std::span<const std::string> ScriptHost::FilesOf(EntityId agent_or_sandbox) const {
+  if (agent_or_sandbox == EntityId::kSandbox) return sandbox_ ? sandbox_->files() : std::span<const std::string>();
+  const AgentScript* script = Find(agent_or_sandbox);
+  return script ? script->machine->files() : std::span<const std::string>();
+}
+
+std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::string_view text, std::string* answer) {
   AgentScript* script = Find(agent_or_sandbox);
   LuaMachine* machine = script                                   ? script->machine.get()
                         : agent_or_sandbox == EntityId::kSandbox ? sandbox_.get()
                                                                  : nullptr;
   if (machine) {
-    const std::vector<std::string> kept = KeptNames(text);
-    if (kept.empty()) return machine->RunText(text, "console");
-    const std::string& name = machine->script();
-    if (auto error = machine->Protected([&](lua_State* state) { CollectKept(state, kept, name); })) return error;
-    std::optional<ScriptError> failed = machine->RunText(text, "console");
-    std::optional<ScriptError> unkept = machine->Protected([&](lua_State* state) { RestoreKept(state, kept, name); });
+    const std::optional<Reload> reload = ReadReload(text);
+    if (!reload) return RunTyped(*machine, text, answer);
+    const std::string& file = reload->file.empty() ? machine->script() : reload->file;
+    path_.Replace(file, WithoutReload(text));
+    for (const auto& other : agents_) other->files_looked_at = 0;
+    const std::vector<std::string>& kept = reload->names;
+    if (auto error = machine->Protected([&](lua_State* state) { CollectKept(state, kept, file); })) return error;
+    std::optional<ScriptError> failed = machine->RunText(text, file);
+    std::optional<ScriptError> unkept = machine->Protected([&](lua_State* state) { RestoreKept(state, kept, file); });
     return failed ? failed : unkept;
   }
   Diagnostic error;

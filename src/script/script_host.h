@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "script/command_answer.h"
 #include "script/game_answer.h"
 #include "script/input_event.h"
 #include "script/mind_factory.h"
@@ -74,6 +75,15 @@ class ScriptHost final : private AgentMaker {
   /// failed.
   bool UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt,
                    const Table& parameters = {});
+  /// Agent_Update(agent, milliseconds, command, parameters) for a new command of the agent's mind.
+  CommandAnswer CommandAgent(world::EntityId agent, std::uint64_t tag, std::string_view command,
+                             const Table& parameters);
+  /// The same call again, with the same table of parameters, for a command that is under way.
+  CommandAnswer ContinueCommand(world::EntityId agent, std::uint64_t tag, std::string_view command);
+  /// Agent_Withdraw(agent, command, parameters): the mind has withdrawn a command that was under way.
+  void WithdrawCommand(world::EntityId agent, std::uint64_t tag, std::string_view command);
+  /// Agent_Tick(agent, milliseconds), for agents whose mind gives the commands: in every tick, whatever the mind does.
+  void TickAgent(world::EntityId agent);
   /// Agents are about to be updated in this order, starting with `next`: asks for the memory of those after it, so that
   /// the scripts of a crowd, each in a place of its own, need not wait for it.
   void Foresee(std::span<const world::EntityId> order, std::size_t next) const;
@@ -104,8 +114,14 @@ class ScriptHost final : private AgentMaker {
   bool IsLuaAgent(world::EntityId agent) const;
   /// How the agent was asked for; null for unknown ids.
   const AgentCreationRequest* RequestOf(world::EntityId agent) const;
-  /// Runs a text in the machine of the sandbox, or of an agent: for consoles and tests.
-  std::optional<ScriptError> RunText(world::EntityId agent_or_sandbox, std::string_view text);
+  /// The script files that have run in the machine of the sandbox, or of an agent, as scripts call them: the main one,
+  /// and those that it loaded with require.
+  std::span<const std::string> FilesOf(world::EntityId agent_or_sandbox) const;
+  /// Runs a text in the machine of the sandbox, or of an agent: for consoles, edits of files (keep_state.h) and tests.
+  /// In other texts than edits, `sandbox` and `agent` are known. If `answer` is given and the text is an expression, it
+  /// becomes its value as print shows it.
+  std::optional<ScriptError> RunText(world::EntityId agent_or_sandbox, std::string_view text,
+                                     std::string* answer = nullptr);
   ScriptPath& path() { return path_; }
 
  private:
@@ -116,10 +132,14 @@ class ScriptHost final : private AgentMaker {
   void CountOthers();
   void InitializeAgent(AgentScript& script);
   AgentScript* Find(world::EntityId agent);
+  /// Hands a command to Agent_Update. `kept`: where its table of parameters is kept; LUA_NOREF: nowhere yet.
+  CommandAnswer AskForCommand(AgentScript& script, std::string_view command, const Table* parameters, int& kept);
   const AgentScript* Find(world::EntityId agent) const;
   std::string NameFor(const AgentCreationRequest& request);
   /// A problem without a place gets the one where a script asked for the agent.
   Diagnostic PlacedAt(const AgentCreationRequest& request, Diagnostic problem) const;
+  /// Warns of options that concern a body which a script moves and shows itself.
+  void WarnOfBodyOptions(const AgentCreationRequest& request);
   /// Warns of functions that are nearly those that a sandbox calls; once for each script.
   void WarnOfSlips(std::string_view script);
   bool MayRun(const LuaMachine& machine) const;

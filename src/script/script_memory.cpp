@@ -40,9 +40,11 @@ void* ScriptMemory::Take(std::size_t size_class) {
     const std::size_t chunk_size = own_chunk ? size : next_chunk_size_;
     world_refused_ = world_ != nullptr && !world_->TakeMemory(chunk_size, reserved_bytes_);
     if (world_refused_) return nullptr;
+    const bool was_near = world_ != nullptr && world_->IsNearShare(reserved_bytes_);
     reserved_bytes_ += chunk_size;
+    near_refusal_ |= world_ != nullptr && !was_near && world_->IsNearShare(reserved_bytes_);
     if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 4);  // Nothing below may throw.
-    Chunk chunk{std::unique_ptr<std::byte[]>(TakePages(chunk_size)), chunk_size};
+    Chunk chunk{std::unique_ptr<std::byte[]>(TakePages(chunk_size)), chunk_size, own_chunk ? chunk_size : 0};
     if (!chunk.bytes) {
       if (world_ != nullptr) world_->GiveMemoryBack(chunk_size);
       reserved_bytes_ -= chunk_size;
@@ -53,12 +55,14 @@ void* ScriptMemory::Take(std::size_t size_class) {
     if (own_chunk) return start;
     next_ = start;
     rest_ = chunk_size;
+    shared_chunk_ = chunks_.size() - 1;
     // A quarter more each time: of a small machine nearly all is in use.
     next_chunk_size_ = std::clamp(std::bit_floor(reserved_bytes_ / 4), kSmallestSharedChunk, kLargestSharedChunk);
   }
   void* block = next_;
   next_ += size;
   rest_ -= size;
+  chunks_[shared_chunk_].handed_out += size;
   return block;
 }
 
@@ -85,8 +89,49 @@ void ScriptMemory::PutInOrder(std::size_t size_class) {
   for (const auto& [order, block] : blocks) GiveBack(block, size_class);
 }
 
+void ScriptMemory::ReleaseFreeChunks() {
+  std::vector<std::pair<const std::byte*, std::size_t>> starts;  // With the chunk's place, by address.
+  for (std::size_t i = 0; i < chunks_.size(); ++i)
+    if (chunks_[i].bytes) starts.emplace_back(chunks_[i].bytes.get(), i);
+  std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return std::less<>()(a.first, b.first); });
+  const auto chunk_of = [&](const FreeBlock* block) {
+    const auto* address = reinterpret_cast<const std::byte*>(block);
+    const auto after =
+        std::upper_bound(starts.begin(), starts.end(), address,
+                         [](const std::byte* wanted, const auto& start) { return std::less<>()(wanted, start.first); });
+    return std::prev(after)->second;
+  };
+  std::vector<std::size_t> free_bytes(chunks_.size());
+  for (std::size_t size_class = 0; size_class < kClasses; ++size_class)
+    for (const FreeBlock* block = free_[size_class]; block != nullptr; block = block->next)
+      free_bytes[chunk_of(block)] += SizeOfClass(size_class);
+  const auto is_released = [&](std::size_t chunk) {
+    return chunks_[chunk].bytes != nullptr && free_bytes[chunk] == chunks_[chunk].handed_out;
+  };
+  // Blocks of chunks that stay keep their order.
+  for (FreeBlock*& list : free_) {
+    FreeBlock** link = &list;
+    while (*link != nullptr) {
+      if (is_released(chunk_of(*link))) {
+        *link = (*link)->next;
+      } else {
+        link = &(*link)->next;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    if (!is_released(i)) continue;
+    if (i == shared_chunk_) rest_ = 0;
+    GivePagesBack(chunks_[i].bytes.release(), chunks_[i].size);
+    if (world_ != nullptr) world_->GiveMemoryBack(chunks_[i].size);
+    reserved_bytes_ -= chunks_[i].size;
+    chunks_[i] = {};  // Later chunks keep their places: OrderOf is about those.
+  }
+}
+
 ScriptMemory::~ScriptMemory() {
-  for (Chunk& chunk : chunks_) GivePagesBack(chunk.bytes.release(), chunk.size);
+  for (Chunk& chunk : chunks_)
+    if (chunk.bytes) GivePagesBack(chunk.bytes.release(), chunk.size);
   if (world_ != nullptr) world_->GiveMemoryBack(reserved_bytes_);
 }
 

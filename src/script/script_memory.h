@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace soarbox::script {
@@ -36,6 +37,14 @@ class ScriptMemory {
   void BeginCollection() { collecting_ = true; }
   void EndCollection();
 
+  /// Returns chunks in which nothing is used to the world. For a machine that was refused memory: blocks of one size
+  /// are not used for another, so freed memory alone may not let it go on. Call it after a collection.
+  void ReleaseFreeChunks();
+
+  /// True if the last chunk brought this memory near its share of the world's. Then garbage should be collected before
+  /// more is refused. Resets the answer.
+  bool TakeNearRefusal() { return std::exchange(near_refusal_, false); }
+
   std::size_t used_bytes() const { return used_bytes_; }
   std::size_t limit_bytes() const { return limit_bytes_; }
   /// True if the last refusal was the world's: this memory is below its own limit.
@@ -51,8 +60,9 @@ class ScriptMemory {
     FreeBlock* next;
   };
   struct Chunk {
-    std::unique_ptr<std::byte[]> bytes;
+    std::unique_ptr<std::byte[]> bytes;  ///< Null: given back.
     std::size_t size = 0;
+    std::size_t handed_out = 0;  ///< The blocks that were made from it.
   };
 
   static std::size_t ClassOf(std::size_t size);
@@ -65,6 +75,7 @@ class ScriptMemory {
   WorldBudget* world_;
   std::size_t reserved_bytes_ = 0;  ///< In chunks.
   bool world_refused_ = false;
+  bool near_refusal_ = false;
   std::size_t used_bytes_ = 0;
   bool collecting_ = false;
   std::array<FreeBlock*, kClasses> free_{};
@@ -72,6 +83,7 @@ class ScriptMemory {
   std::vector<Chunk> chunks_;                   // In the order of their making.
   std::byte* next_ = nullptr;                   // The unused rest of the newest shared chunk.
   std::size_t rest_ = 0;
+  std::size_t shared_chunk_ = 0;  // Place of the newest shared chunk in chunks_, if rest_ is not 0.
   std::size_t next_chunk_size_ = std::size_t{32} * 1024;
 };
 

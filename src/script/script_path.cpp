@@ -58,6 +58,10 @@ std::string OtherThan(const fs::path& place) {
   return fs::is_directory(place, error) ? "a folder" : "no plain file";
 }
 
+bool MentionsTick(std::string_view content) {
+  return content.find("Agent_Tick") != std::string_view::npos;
+}
+
 }  // namespace
 
 bool ScriptPath::LinksOutside(const fs::path& file) const {
@@ -129,8 +133,22 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     error.message = "the script \"" + std::string(name) + "\" cannot be read: " + why;
     return error;
   }
-  ScriptSource source{std::string(name), found->string(), std::move(content).str(), {}};
+  ScriptSource source{std::string(name), found->string(), std::move(content).str()};
+  source.has_tick = MentionsTick(source.content);
   return &cache_.emplace(std::string(name), std::move(source)).first->second;
+}
+
+void ScriptPath::Replace(std::string_view name, std::string_view content) {
+  const auto it = cache_.find(name);
+  if (it == cache_.end() || it->second.content == content) return;
+  it->second.content = content;
+  it->second.has_tick = MentionsTick(content);
+  it->second.compiled.clear();
+}
+
+bool ScriptPath::HasTick(std::string_view name) const {
+  const auto it = cache_.find(name);
+  return it != cache_.end() && it->second.has_tick;
 }
 
 std::string ScriptPath::LineOf(std::string_view name, int line) const {

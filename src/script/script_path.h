@@ -16,8 +16,9 @@ struct ScriptSource {
   std::string name;  ///< As the script that wanted it called it, with the case that the file has.
   std::string path;  ///< Where it was found; for messages.
   std::string content;
+  bool has_tick = false;  ///< It mentions Agent_Tick.
   /// What the first machine that ran it made of it, so that no other machine needs to parse it; empty before.
-  mutable std::string compiled;
+  mutable std::string compiled = {};
 };
 
 /// Where scripts are looked for: a list of folders, the first that has the file wins. The scenario's own folder comes
@@ -28,8 +29,11 @@ class ScriptPath {
   explicit ScriptPath(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
   /// Reads `name` ("SeekingAgent.lua"). Fails if no folder has it (naming the folders, and a near-miss if there is
-  /// one), if it cannot be read, or if the name leads out of the folders. The pointer stays valid until Forget().
+  /// one), if it cannot be read, or if the name leads out of the folders. The pointer stays valid.
   Result<const ScriptSource*> Load(std::string_view name);
+
+  /// Whether a file that was loaded mentions Agent_Tick.
+  bool HasTick(std::string_view name) const;
 
   /// The line (from 1) of a file that was loaded before; empty if unknown. For excerpts in messages.
   std::string LineOf(std::string_view name, int line) const;
@@ -37,8 +41,8 @@ class ScriptPath {
   /// The path at which a loaded file was found, or the name itself.
   std::string PathOf(std::string_view name) const;
 
-  /// Forgets all file contents: the next Load reads them again (hot reload).
-  void Forget() { cache_.clear(); }
+  /// From now on a file has this content, also for machines that load it later and in messages about it.
+  void Replace(std::string_view name, std::string_view content);
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 

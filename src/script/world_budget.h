@@ -70,6 +70,8 @@ class WorldBudget {
     used_bytes_ += bytes;
     return true;
   }
+  /// True if a machine of this size has most of what it may take.
+  bool IsNearShare(std::size_t has_bytes) const { return has_bytes >= kSmallMachine && has_bytes > memory_left() / 16; }
   void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
   std::size_t used_bytes() const { return used_bytes_; }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "script/keep_state.h"
 #include "script/script_host.h"
 #include "sim/foreign_bodies.h"
 #include "sim/soar_host.h"
@@ -79,7 +80,15 @@ struct Applier {
       if (agent == nullptr) return;
       id = agent->id();
     }
-    if (const auto error = to.scripts.RunText(id, in.text)) to.warn(error->diagnostic);
+    std::string answer;
+    const auto error = to.scripts.RunText(id, in.text, &answer);
+    if (error && script::ReadReload(in.text)) {
+      to.warn(error->diagnostic);
+    } else if (error) {
+      to.answer({in.agent, in.text}, error->diagnostic);
+    } else if (!answer.empty()) {
+      to.answer({in.agent, in.text}, answer);
+    }
   }
 
   void operator()(const OrderInput& in) const {

@@ -18,6 +18,7 @@
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
 #include "explain/rule_surroundings.h"
+#include "script/check_calls.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "script/lua_hints.h"
@@ -105,6 +106,7 @@ std::set<std::string, std::less<>> NamesOfRules(std::string_view text) {
 class Checker {
  public:
   std::vector<Diagnostic> problems;
+  fs::path library;  ///< Where scripts' modules are that their scenario does not have; empty: not known.
 
   /// `given`: what is to be looked over. Files of scenarios and of folders read nothing outside of these. A file of
   /// rules that the user names and that belongs to no scenario is the user's own: it sources what the user may read.
@@ -219,8 +221,41 @@ class Checker {
       problems.back().hint = script::HintForLua(error->message, problems.back().excerpt);
       return;
     }
-    const std::vector<Diagnostic> slips = script::CheckNames(text, file.string());
+    std::vector<Diagnostic> slips = script::CheckNames(text, file.string());
     problems.insert(problems.end(), slips.begin(), slips.end());
+    script::GlobalNames known;
+    if (!FindGlobals(file, text, known)) return;
+    slips = script::CheckCalls(text, file.string(), known);
+    problems.insert(problems.end(), slips.begin(), slips.end());
+  }
+
+  /// The globals of all scripts that may run in one machine with this one: those of its folder and of the scenario's,
+  /// and the modules that they load. False if one of them was not found: then nobody knows.
+  bool FindGlobals(const fs::path& file, const std::string& text, script::GlobalNames& known) const {
+    constexpr std::size_t kMostScripts = 500;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const fs::path scenario = ScenarioFolderOf(file);
+    std::vector<fs::path> folders = {folder};
+    if (!scenario.empty()) folders.push_back(scenario);
+    std::set<fs::path> read;
+    std::vector<std::string> texts = {text};
+    std::error_code error;
+    for (const fs::path& one : folders)
+      for (fs::directory_iterator at(one, error), end; !error && at != end; at.increment(error))
+        if (at->path().extension() == ".lua" && read.size() < kMostScripts && IsPlainFileBelow(at->path(), folders) &&
+            read.insert(KeyOf(at->path())).second)
+          texts.push_back(ReadText(at->path()).value_or(""));
+    if (!library.empty()) folders.push_back(library);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      script::AddGlobalsOf(texts[i], known);
+      for (const std::string& module : script::ModulesOf(texts[i])) {
+        const fs::path found = FindInFolders(module + ".lua", folders);
+        if (found.empty()) return false;
+        if (read.size() < kMostScripts && read.insert(KeyOf(found)).second)
+          texts.push_back(ReadText(found).value_or(""));
+      }
+    }
+    return true;
   }
 
   const explain::Surroundings& Around(const fs::path& folder) {
@@ -451,8 +486,10 @@ std::vector<Diagnostic> CheckScriptText(const std::string& text, const std::stri
   return {};
 }
 
-std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files, const CheckToml& check_toml) {
+std::vector<Diagnostic> CheckFiles(const std::vector<fs::path>& files, const CheckToml& check_toml,
+                                   const fs::path& library) {
   Checker checker(files, check_toml);
+  checker.library = library;
   for (const fs::path& file : files) checker.Check(file);
   // Files that source each other are read more than once.
   std::vector<Diagnostic> distinct;

@@ -17,7 +17,10 @@ namespace soarbox::sim {
 /// means the files in it. Problems come in the order of the files.
 /// `check_toml` checks what else .toml files hold, and says whether a file is a scenario at all.
 using CheckToml = std::function<bool(const std::filesystem::path& file, std::vector<Diagnostic>& problems)>;
-std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files, const CheckToml& check_toml = {});
+/// `library`: the folder of the Lua library, for what scripts load from it; without it, calls of functions are checked
+/// only in scripts that need nothing of it.
+std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files, const CheckToml& check_toml = {},
+                                   const std::filesystem::path& library = {});
 
 /// What is wrong with a text of rules, with lines and columns. Messages call the text `name`.
 std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name);

@@ -236,7 +236,8 @@ std::optional<std::string> LiveEdits::TakeChange(const fs::path& file, Version& 
 void SubmitEdit(Simulation& simulation, const WatchedFile& file, const std::string& before, const std::string& after,
                 const std::set<std::string>& elsewhere) {
   if (!file.is_rules) {
-    simulation.Submit(ScriptInput{file.agent, script::WithKept(after, script::UnchangedVariables(before, after))});
+    const script::Reload reload{file.script, script::UnchangedVariables(before, after)};
+    simulation.Submit(ScriptInput{file.agent, script::WithReload(after, reload)});
     return;
   }
   SplitText old = SplitRules(before);

@@ -17,11 +17,12 @@ namespace soarbox::sim {
 
 class Simulation;
 
-/// A file that a running world was made from.
+/// A file that a running world was made from: rules, or a script that a machine has run.
 struct WatchedFile {
   std::string agent;  ///< Empty: the sandbox's own script.
   std::filesystem::path file;
   bool is_rules = false;
+  std::string script = {};  ///< What scripts call it ("Lib.lua"), if it is one.
 };
 
 /// The same files, each file of rules followed by those that it sources, with all below them. Reads the disk.

@@ -404,7 +404,7 @@ void Minds::Conclude(Mind& mind) {
   }
   if (!mind.is_scripted) {
     TellIdle(mind, body);
-  } else if (mind.soar.commands().empty()) {
+  } else if (mind.soar.commands().empty() && mind.under_way.empty()) {
     TellGap(mind, body);
   } else {
     mind.in_gap = false;
@@ -430,8 +430,8 @@ world::Workers Minds::Answer() {
   return {};
 }
 
-void Minds::NoteAnswer(Mind& mind, Outcome outcome) {
-  if (mind.by_sandbox) TellOutcome(mind, outcome, !outcome.text.empty());
+void Minds::NoteAnswer(Mind& mind, Outcome outcome, bool is_news) {
+  if (mind.by_sandbox || is_news) TellOutcome(mind, outcome, is_news || !outcome.text.empty());
   mind.answers.push_back(std::move(outcome));
 }
 

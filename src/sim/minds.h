@@ -76,7 +76,8 @@ class Minds final : public script::MindFactory {
   /// Before the bodies that no script drives act: they look ahead, on all threads.
   void LookAhead();
   /// Notes how a command of a scripted mind went, for Answer.
-  void NoteAnswer(Mind& mind, Outcome outcome);
+  /// `is_news`: it is reported even if all went well.
+  void NoteAnswer(Mind& mind, Outcome outcome, bool is_news = false);
   /// After the bodies have acted: reports to the minds how their commands went. Scripted minds on other threads have
   /// heard it when EndAnswers returns; until then nothing else may ask a mind for anything. Returns the threads that
   /// are free until then: all or none.
@@ -113,6 +114,12 @@ class Minds final : public script::MindFactory {
     enum class Turn : unsigned char { kOver, kWaits, kHasDecided };
     Turn turn = Turn::kOver;            ///< Of a scripted mind, in this tick.
     std::size_t place = 0;              ///< Among those of its thread that decide beside the scripts in this tick.
+    /// Commands that its script carries out over time.
+    struct UnderWay {
+      std::uint64_t tag = 0;
+      std::string name;
+    };
+    std::vector<UnderWay> under_way = {};
     std::vector<Outcome> answers = {};  ///< For its script, not reported yet.
     float distance_squared_m2 = 0;
     bool decided = false;          ///< In this tick.

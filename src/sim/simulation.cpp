@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -38,6 +39,19 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_ = Clock::now();
 };
+
+/// Adds the calls that led to an error to what is said about it.
+Diagnostic WithCallers(const script::ScriptError& error) {
+  Diagnostic diagnostic = error.diagnostic;
+  if (const std::string callers = script::CallersIn(error.traceback); !callers.empty())
+    diagnostic.hint += (diagnostic.hint.empty() ? "" : "; ") + callers;
+  return diagnostic;
+}
+
+/// Whether a script refused a command. An error in the script has been reported as such.
+bool IsRefusal(const script::CommandAnswer& answer) {
+  return answer.state == script::CommandAnswer::State::kError && answer.reason != "script-failed";
+}
 
 }  // namespace
 
@@ -78,6 +92,10 @@ struct Simulation::Impl final : script::ScriptListener {
   void ReportEndOfScripts();
   void ReportCommand(Minds::Mind& mind, const world::Agent& body, const vocabulary::SaidCommand& command);
   void ActByScript(world::EntityId id);
+  /// Lets the agent's script go on with the commands that it carries out over time.
+  void ContinueByScript(world::EntityId id);
+  /// What a script answered to a command, for the mind that gave it; nothing while there is nothing to report.
+  std::optional<Outcome> OutcomeOf(const script::CommandAnswer& answer, std::uint64_t tag, const std::string& command);
   /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
   void Act(world::EntityId id);
 
@@ -113,7 +131,7 @@ void Simulation::Impl::OnPrint(std::string_view script, std::string_view text) {
 
 void Simulation::Impl::OnScriptFailed(world::EntityId agent, const script::ScriptError& error) {
   RunEvent event;
-  event.diagnostic = error.diagnostic;
+  event.diagnostic = WithCallers(error);
   const world::Agent* body = world.FindAgent(agent);
   event.kind = body != nullptr ? EventKind::kAgentFailed : EventKind::kDiagnostic;
   if (body != nullptr) event.agent = body->name();
@@ -128,7 +146,7 @@ void Simulation::Impl::OnScriptTrouble(const script::ScriptTrouble& trouble) {
   const std::string who = NamesOf(trouble.agents);
   if (trouble.agents.size() == 1)
     if (const world::Agent* body = world.FindAgent(trouble.agents.front())) event.agent = body->name();
-  event.diagnostic = trouble.error.diagnostic;
+  event.diagnostic = WithCallers(trouble.error);
   event.text = trouble.error.traceback;
   if (trouble.kind == Kind::kError) {
     event.diagnostic.message += " (" + trouble.callback + " of " + who + ")";
@@ -311,8 +329,15 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
         other.reason = answer.drop_reason;
         other.text = std::move(outcome.text);
       }
-    } else if (!scripts->UpdateAgent(id, command.name, ToTable(command.parameters))) {
-      outcome.reason = "script-failed";
+    } else {
+      const script::CommandAnswer answer =
+          scripts->CommandAgent(id, command.tag, command.name, ToTable(command.parameters));
+      mind = minds->Find(id);
+      if (answer.state == script::CommandAnswer::State::kRunning)
+        mind->under_way.push_back({command.tag, command.name});
+      if (std::optional<Outcome> result = OutcomeOf(answer, command.tag, command.name))
+        minds->NoteAnswer(*mind, std::move(*result), IsRefusal(answer));
+      continue;
     }
     mind = minds->Find(id);
     outcomes.push_back(std::move(outcome));
@@ -323,13 +348,58 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
   }
 }
 
+std::optional<Outcome> Simulation::Impl::OutcomeOf(const script::CommandAnswer& answer, std::uint64_t tag,
+                                                   const std::string& command) {
+  using State = script::CommandAnswer::State;
+  Outcome outcome;
+  outcome.tag = tag;
+  outcome.command = command;
+  if (answer.state == State::kRunning) {
+    if (!answer.progress) return std::nullopt;
+    outcome.status = Outcome::Status::kProgress;
+    outcome.progress = *answer.progress;
+  } else if (answer.state == State::kError) {
+    outcome.status = Outcome::Status::kError;
+    outcome.reason = answer.reason;
+    outcome.text = answer.text;
+  }
+  return outcome;
+}
+
+void Simulation::Impl::ContinueByScript(world::EntityId id) {
+  // A copy: the script may make agents with minds.
+  const std::vector<Minds::Mind::UnderWay> under_way = minds->Find(id)->under_way;
+  for (const Minds::Mind::UnderWay& command : under_way) {
+    Minds::Mind* mind = minds->Find(id);
+    const auto forget = [&] {
+      std::erase_if(mind->under_way, [&](const auto& other) { return other.tag == command.tag; });
+    };
+    if (!mind->soar.HasCommand(command.tag)) {
+      forget();
+      scripts->WithdrawCommand(id, command.tag, command.name);
+      continue;
+    }
+    const script::CommandAnswer answer = scripts->ContinueCommand(id, command.tag, command.name);
+    mind = minds->Find(id);
+    const bool is_over = answer.state != script::CommandAnswer::State::kRunning;
+    const bool is_news = answer.state == script::CommandAnswer::State::kComplete || IsRefusal(answer);
+    if (is_over) forget();
+    if (std::optional<Outcome> outcome = OutcomeOf(answer, command.tag, command.name))
+      minds->NoteAnswer(*mind, std::move(*outcome), is_news);
+  }
+}
+
 void Simulation::Impl::Act(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   if (Minds::Mind* mind = minds->Find(id)) {
     minds->Await(*mind);
     // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
     if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});
-    if (mind->decided && mind->is_scripted) {
+    if (mind->is_scripted && !mind->by_sandbox) {
+      ContinueByScript(id);
+      if (minds->Find(id)->decided) ActByScript(id);
+      scripts->TickAgent(id);
+    } else if (mind->decided && mind->is_scripted) {
       ActByScript(id);
     } else if (Actor* actor = arena->Find(id); mind->decided && actor != nullptr) {
       for (const std::uint64_t tag : mind->soar.withdrawn()) actor->Cancel(tag);
@@ -556,15 +626,19 @@ std::size_t Simulation::waiting_inputs() const {
 
 std::vector<WatchedFile> Simulation::Files() {
   std::vector<WatchedFile> files;
-  const std::vector<std::filesystem::path>& folders = impl_->scenario.script_folders;
-  files.push_back({"", impl_->scenario.script, false});
-  for (const world::EntityId id : impl_->world.AgentIds()) {
-    const world::Agent& agent = *impl_->world.FindAgent(id);
-    if (agent.script().ends_with(".lua")) {
-      if (const auto file = FindInFolders(agent.script(), folders); !file.empty())
-        files.push_back({agent.name(), file, false});
+  std::map<std::string, std::filesystem::path, std::less<>> found;  // The agents of a crowd share their scripts.
+  const auto add_scripts = [&](world::EntityId id, const std::string& agent) {
+    for (const std::string& script : impl_->scripts->FilesOf(id)) {
+      const auto [at, is_new] = found.try_emplace(script);
+      if (is_new) at->second = FindInFolders(script, impl_->scenario.script_folders);
+      if (!at->second.empty()) files.push_back({agent, at->second, false, script});
     }
-    if (const Minds::Mind* mind = impl_->minds->Find(id)) files.push_back({agent.name(), mind->rules, true});
+  };
+  add_scripts(world::EntityId::kSandbox, "");
+  for (const world::EntityId id : impl_->world.AgentIds()) {
+    const std::string& name = std::as_const(impl_->world).FindAgent(id)->name();
+    add_scripts(id, name);
+    if (const Minds::Mind* mind = impl_->minds->Find(id)) files.push_back({name, mind->rules, true});
   }
   for (WatchedFile& file : files) file.file = impl_->scenario.Original(file.file);
   return files;

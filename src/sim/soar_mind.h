@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -61,6 +62,10 @@ class SoarMind {
   void Decide();
   std::span<const vocabulary::SaidCommand> commands() const { return commands_; }
   std::span<const std::uint64_t> withdrawn() const { return withdrawn_; }
+  /// Whether a command is on the output link now.
+  bool HasCommand(std::uint64_t tag) const {
+    return std::ranges::any_of(standing_, [&](const Standing& one) { return one.tag == tag; });
+  }
   /// Commands that are on the output link now, answered or not.
   std::size_t standing() const { return standing_.size(); }
   /// Reports to the program how a command went. Nothing happens if the program has withdrawn it.

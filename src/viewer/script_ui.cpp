@@ -66,13 +66,44 @@ float DrawRun(ImDrawList& out, const TextRun& run, ImFont* font, ImU32 color, fl
   return x;
 }
 
+float WidthOf(const TextRun& run, const PanelHost& host) {
+  if (run.fixed_width) return FixedWidth(run.font) * static_cast<float>(run.text.size());
+  const char* begin = run.text.data();
+  return host.FontFor(run.font)->CalcTextSizeA(LineHeight(run.font), FLT_MAX, 0, begin, begin + run.text.size()).x;
+}
+
+/// A line as lines that are no wider than this, broken before words. A word that is wider stands in a line of its own.
+void AppendWrapped(const TextLine& line, const PanelHost& host, float width, std::vector<TextLine>& wrapped) {
+  wrapped.emplace_back();
+  float x = 0;
+  for (const TextRun& run : line) {
+    for (std::size_t begin = 0; begin < run.text.size();) {
+      const std::size_t word_end = std::min(run.text.find(' ', begin), run.text.size());
+      const std::size_t end = std::min(run.text.find_first_not_of(' ', word_end), run.text.size());
+      TextRun word = run;
+      word.text = run.text.substr(begin, word_end - begin);
+      if (x > 0 && x + WidthOf(word, host) > width) {
+        wrapped.emplace_back();
+        x = 0;
+      }
+      word.text = run.text.substr(begin, end - begin);
+      x += WidthOf(word, host);
+      wrapped.back().push_back(std::move(word));
+      begin = end;
+    }
+  }
+}
+
 void DrawLines(ImDrawList& out, const std::vector<TextLine>& lines, const PanelHost& host, const TextArea& area,
                const auto& color_of) {
+  std::vector<TextLine> wrapped;
+  for (const TextLine& line : lines) AppendWrapped(line, host, area.right - area.left, wrapped);
   float y = area.top;
-  for (const TextLine& line : lines) {
+  for (const TextLine& line : wrapped) {
     float height = line.empty() ? LineHeight(world::UiFont::kSmall) : 0;
     for (const TextRun& run : line) height = std::max(height, LineHeight(run.font));
-    if (y + height > area.bottom + 0.5f) return;
+    // A line that begins inside is drawn; what is below the panel's edge is clipped.
+    if (y + 0.5f >= area.bottom) return;
     float x = area.left;
     for (const TextRun& run : line) {
       if (static_cast<std::size_t>(out.VtxBuffer.Size) + 4 * run.text.size() > kMostCorners) return;
@@ -102,8 +133,10 @@ std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
 }
 
 void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot,
-               const PanelHost& host) {
+               const PanelHost& host, bool is_in_world) {
   DrawBackground(out, ui, corner);
+  // A panel in the world is moved there when it has been drawn.
+  if (!is_in_world) out.PushClipRect(corner, {corner.x + ui.width, corner.y + ui.height}, true);
   // The margin keeps texts off the edge where they begin; a line that needs it may use the one at its end.
   const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width,
                       corner.y + ui.height - ui.margin_top};
@@ -118,6 +151,7 @@ void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world
   } else if (!ui.text.empty()) {
     DrawLines(out, PlainLines(ui.text, ui.font), host, area, plain_color);
   }
+  if (!is_in_world) out.PopClipRect();
 }
 
 /// Moves what was drawn since `first` from the panel's pixels to where the panel stands in the world. Drops it if a
@@ -152,7 +186,7 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
     const auto [corner, top] = places.Of(*ui);
     const int first = out.VtxBuffer.Size;
     if (top->in_world) out.PushClipRectFullScreen();
-    DrawPanel(out, *ui, {corner.x, corner.y}, snapshot, host);
+    DrawPanel(out, *ui, {corner.x, corner.y}, snapshot, host, top->in_world);
     if (top->in_world) {
       MoveIntoWorld(out, first, *top, projection);
       out.PopClipRect();

@@ -52,7 +52,7 @@ const std::string& ConsoleDesk::BegunLine(const std::string& agent) {
 }
 
 void ConsoleDesk::Fill(Contents& contents) {
-  contents.console = contents.has_mind ? &ConsoleOf(contents.agent) : nullptr;
+  contents.console = contents.agent.empty() ? nullptr : &ConsoleOf(contents.agent);
   contents.console_lines = lines_;
   contents.completion = completion_;
   contents.completed_line = completed_line_;

@@ -24,6 +24,7 @@
 #include "debugger/rules.h"
 #include "debugger/run_trace.h"
 #include "debugger/scene_shapes.h"
+#include "debugger/shown.h"
 #include "debugger/timeline.h"
 #include "debugger/why.h"
 #include "diagnostics/diagnostic.h"
@@ -221,6 +222,7 @@ struct Contents {
   std::string completed_line;       ///< That line.
   std::string begun_line;           ///< Typed for this agent and not sent, perhaps in another window.
 
+  debugger::ShownView shown;  ///< What the script of the selected agent shows of its state.
   debugger::StackView stack;
   debugger::OperatorsView operators;
   std::map<std::string, debugger::MemoryObject> objects;  ///< Those that are unfolded, by identifier.

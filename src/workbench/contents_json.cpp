@@ -251,6 +251,10 @@ constexpr ContentField kFields[] = {
     {"mind", "operators", "operators", "candidates, preferences, and why the winner won",
      [](const Contents& c) { return debugger::ToJson(c.operators); }},
 
+    {"mind", "shown", "",
+     "what the agent's script shows of its state: `rows`, each with `depth`, `name`, `value`, `active` and `since` (s)",
+     [](const Contents& c) { return debugger::ToJson(c.shown); }},
+
     {"memory", "stack", "stack", "the goal stack: where the tree begins",
      [](const Contents& c) { return debugger::ToJson(c.stack); }},
     {"memory", "objects", "", "objects that are unfolded, by identifier, each as `inspect --view \"memory ID\"` has it",

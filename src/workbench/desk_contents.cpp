@@ -178,6 +178,11 @@ void Desk::Refresh(Contents& contents) {
     contents.not_available = kNoKernel;
   }
   contents.not_recorded = mind == nullptr ? std::string{} : debugger::MemoryAbsence(*mind);
+  contents.shown = {};
+  if (shown != nullptr && visible_.Has(PanelId::kMind)) {
+    contents.shown = debugger::LookAtShown(shown->scene, agent_);
+    contents.shown.tick = shown->tick;
+  }
   if (mind != nullptr) FillMind(contents, *mind);
   FillBeside(contents, visible_.Has(PanelId::kWatch), visible_.Has(PanelId::kMinds));
   if (visible_.Has(PanelId::kAgents) || visible_.Has(PanelId::kMind)) FillActivities(contents);

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "world/agent_motion.h"
 #include "world/ids.h"
@@ -12,6 +14,7 @@
 #include "world/path.h"
 #include "world/random.h"
 #include "world/settings.h"
+#include "world/shown_state.h"
 #include "world/steer_wander.h"
 
 namespace soarbox::world {
@@ -117,6 +120,11 @@ class Agent {
   // What its mind is doing, for labels and panels only.
   const std::string& LastCommand() const { return last_command_; }
   void SetLastCommand(std::string_view command) { SetLabel(command, last_command_); }
+  /// What its script shows of its state. Nothing in the world depends on it.
+  const ShownState& Shown() const { return shown_; }
+  void Show(std::string_view topic, std::vector<ShownRow> rows, std::uint64_t tick) {
+    if (shown_.Show(topic, std::move(rows), tick)) ++texts_;
+  }
   bool Failed() const { return failed_; }
   void SetFailed(bool failed) { failed_ = failed; }
 
@@ -200,7 +208,8 @@ class Agent {
   std::string team_ = "team1";
   EntityId leader_ = kNoEntity;
   std::string last_command_;
-  std::uint32_t texts_ = 1;  ///< Changes with name, team and last command.
+  ShownState shown_;
+  std::uint32_t texts_ = 1;  ///< Changes with name, team, last command and what is shown.
   bool failed_ = false;
   bool has_path_ = false;
   bool is_node_placed_ = false;  ///< Where the body is now.

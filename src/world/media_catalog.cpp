@@ -29,7 +29,13 @@ constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 
 std::string Hint(std::string_view name, const std::vector<std::string_view>& known, std::string_view otherwise) {
   const std::string_view meant = Suggest(name, known);
-  if (meant.empty()) return std::string(otherwise);
+  if (meant.empty()) {
+    constexpr std::size_t kMostNamed = 100;  // There are hundreds of meshes; a list of those helps nobody.
+    if (known.size() > kMostNamed) return std::string(otherwise) + "; docs/lua/names.md lists them";
+    std::string all;
+    for (const std::string_view one : known) all += (all.empty() ? "" : ", ") + std::string(one);
+    return std::string(otherwise) + "; there are " + all;
+  }
   return "did you mean \"" + std::string(meant) + "\"? " + std::string(otherwise);
 }
 

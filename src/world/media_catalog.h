@@ -46,6 +46,7 @@ class MediaCatalog {
   void Warn(std::string message, std::string hint);
   /// The warnings since the last call, oldest first.
   std::vector<Diagnostic> TakeWarnings();
+  bool HasWarnings() const { return !warnings_.empty(); }
 
  private:
   std::map<std::string, MeshBounds, std::less<>> meshes_;

@@ -111,7 +111,8 @@ struct AgentSnapshot {
   float health = 100;
   bool alive = true;
   std::string team;
-  std::string last_command;  ///< What its mind last said; empty for agents without one.
+  std::string last_command;  ///< What its mind last said; without a mind, what its script says that it does.
+  std::string shown;         ///< What its script shows of its state (world::ReadShown); empty: nothing.
   bool failed = false;       ///< Its script stopped on an error.
   bool has_score = false;
   float score = 0;          ///< In a game, if it has one.

@@ -237,6 +237,14 @@ bool World::IsCrowded() const {
   return impl_->physics.IsCrowded();
 }
 
+bool World::HasMediaWarnings() const {
+  return impl_->catalog.HasWarnings();
+}
+
+std::vector<Diagnostic> World::TakeMediaWarnings() {
+  return impl_->catalog.TakeWarnings();
+}
+
 std::vector<Diagnostic> World::TakeWarnings() {
   std::vector<Diagnostic> warnings = impl_->catalog.TakeWarnings();
   if (impl_->physics.IsCrowded() && !std::exchange(impl_->told_crowded, true)) {

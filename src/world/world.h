@@ -144,6 +144,9 @@ class World {
   bool IsCrowded() const;
   /// Warnings since the last call (unknown meshes, materials, ...), each once per name.
   std::vector<Diagnostic> TakeWarnings();
+  /// Those about names that the catalog does not know. Whoever used such a name may take them and add the place.
+  bool HasMediaWarnings() const;
+  std::vector<Diagnostic> TakeMediaWarnings();
 
   SceneSnapshot Snapshot() const;
   /// The same, in place of an earlier one, whose memory it uses again: it needs next to no new memory.

@@ -81,6 +81,7 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
       seen.script = agent.script();
       seen.team = agent.Team();
       seen.last_command = agent.LastCommand();
+      seen.shown = agent.Shown().text();
     }
     const AgentMotion& motion = impl_->agents.motion(i);
     seen.position = motion.position;

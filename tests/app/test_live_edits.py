@@ -92,6 +92,21 @@ end
         self.assertEqual((words[0], words[-1]), ("old", "new"))
         self.assertEqual(words, sorted(words, reverse=True))
 
+    def test_of_a_script_that_another_one_requires_arrive_too_and_its_errors_name_it(self):
+        lib = "function Lib_Word()\n    return 'old';\nend\n"
+        self.write("Lib.lua", lib)
+        self.write("Sandbox.lua", "require 'Lib'\nfunction Sandbox_Update() print(Lib_Word()) end")
+        texts, err, _ = self.run_and_edit(lambda: self.write("Lib.lua", lib.replace("'old'", "'new'")), None)
+        self.assertIn("Lib.lua: note: reloaded", err)
+        words = [text.split(": ", 1)[1] for text in texts]
+        self.assertEqual((words[0], words[-1]), ("old", "new"))
+        self.write("Lib.lua", lib)
+        _, err, _ = self.run_and_edit(lambda: self.write("Lib.lua", "\n" + lib.replace("'old'", "nothing.word")), None,
+                                      until=lambda said: "attempt to index" in said)
+        self.assertIn("Lib.lua:3: error: attempt to index", err)
+        self.assertIn("    return nothing.word;", err)
+        self.assertIn("called from Sandbox.lua:2", err)
+
     def test_of_a_file_that_another_one_sources_arrive_too(self):
         (self.folder / "parts" / "deep").mkdir(parents=True)
         rules = COUNT.split("sp {hero*tell")

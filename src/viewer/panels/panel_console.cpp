@@ -44,10 +44,10 @@ class ConsolePanel final : public Panel {
       EmptyNote("No agent is selected.", "Click one in the scene or in the list of agents to talk to its mind.");
       return;
     }
-    if (!contents.has_mind) {
-      EmptyNote(contents.agent + " has no Soar mind.", "Its script decides; select another agent.");
-      return;
-    }
+    if (contents.console == nullptr) return;
+    if (!contents.has_mind && contents.console->lines().empty())
+      EmptyNote(contents.agent + " has no Soar mind.",
+                "Type Lua for its script: agent:GetPosition(), or lua-sandbox #Sandbox.GetAgents(sandbox).");
     DrawOutput(frame);
     Complete(frame);
     DrawField(frame);

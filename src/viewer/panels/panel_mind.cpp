@@ -16,6 +16,8 @@ using debugger::OperatorRow;
 class MindPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
+    DrawShown(frame);
+    if (!frame.contents.has_mind && !frame.contents.shown.rows.empty()) return;
     if (!HasMind(frame)) return;
     DrawPhases(frame);
     DrawStack(frame);
@@ -25,11 +27,30 @@ class MindPanel final : public Panel {
   }
 
   std::string Text(const PanelFrame& frame) const override {
-    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return {};
-    return debugger::ToText(frame.contents.stack) + debugger::ToText(frame.contents.operators);
+    const std::string shown = debugger::ToText(frame.contents.shown);
+    if (!frame.contents.has_mind || !frame.contents.not_available.empty()) return shown;
+    return shown + debugger::ToText(frame.contents.stack) + debugger::ToText(frame.contents.operators);
   }
 
  private:
+  /// What the agent's script shows of its state; the active path stands out.
+  static void DrawShown(PanelFrame& frame) {
+    const debugger::ShownView& shown = frame.contents.shown;
+    if (shown.rows.empty()) return;
+    Heading(frame, "State");
+    for (const world::ShownRow& row : shown.rows) {
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + frame.Px(12) * static_cast<float>(row.depth));
+      ColoredText(row.active ? theme::kGood : row.depth == 0 ? theme::kVariable : theme::kText, row.name);
+      if (!row.value.empty()) {
+        ImGui::SameLine();
+        ColoredText(theme::kAccent, row.value);
+      }
+      if (shown.tick == 0) continue;
+      const double since_s = shown.time_s * static_cast<double>(row.since_tick) / static_cast<double>(shown.tick);
+      Tooltip(Formatted("since %.2f s", since_s));
+    }
+  }
+
   static void DrawPhases(PanelFrame& frame) {
     const debugger::StackView& stack = frame.contents.stack;
     const auto& phases = debugger::Phases();

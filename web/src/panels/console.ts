@@ -10,7 +10,7 @@ export const consolePanel: MakePanel = (context) => {
     word: "console", title: "Console", about: "The Soar command line of the selected agent.", uses: ["console", "moment"],
     view: (contents) => {
       const agent = contents.moment?.agent ?? "", lines = contents.console?.lines ?? [], completion = contents.console?.completion;
-      if (agent === "" || (context.run.hello?.minds ?? [agent]).length === 0) return noMind(context, contents, "Select an agent with a Soar mind: you can give its kernel commands here, such as print s1 or matches my*rule.");
+      if (agent === "") return noMind(context, contents, "Select an agent: you can give the kernel of its mind commands here, such as print s1 or matches my*rule, and its script Lua, such as lua agent:GetPosition().");
       const words = completion !== undefined && contents.console?.completed_line === asked && asked !== "" && line === asked ? completion.words : [];
       const take = (word: string): void => {
         line = line.slice(0, completion?.begin ?? line.length) + word;

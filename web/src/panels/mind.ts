@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
-import type { OperatorRow, Operators, Stack } from "../run/contents";
+import type { OperatorRow, Operators, ShownRow, Stack } from "../run/contents";
 import type { MakePanel, PanelContext } from "./panel";
 import { makerView, lacksMind, noMind, short } from "./parts";
 
@@ -36,13 +36,23 @@ export function operatorsView(context: PanelContext, operators: Operators): Chil
   ];
 }
 
+/** What the agent's script shows: each value with since when it holds, and the active path. */
+export function shownView(rows: readonly ShownRow[]): Child[] {
+  if (rows.length === 0) return [];
+  return [h("h3", null, "State"), h("ol.stack", { attributes: { "aria-label": "State" } }, rows.map((row, place) =>
+    h(`li${row.active ? ".chosen" : ""}`, { key: String(place), style: { "--level": String(row.depth + 1) }, attributes: { title: `since ${row.since.toFixed(2)} s` } },
+      row.active ? h("b", null, row.name) : row.name, row.value !== "" && h("code", null, ` ${row.value}`))))];
+}
+
 export const mindPanel: MakePanel = (context) => ({
   word: "mind", title: "Mind", about: "The goal stack, the operators that compete in it, and why the winner won.", uses: ["mind", "moment"],
   view: (contents) => {
-    const mind = contents.mind, moment = contents.moment;
+    const mind = contents.mind, moment = contents.moment, rows = mind?.shown?.rows ?? [];
+    if (rows.length > 0 && moment !== undefined && !moment.has_mind) return shownView(rows);
     if (mind === undefined || lacksMind(context, contents) || (moment !== undefined && moment.agent === "")) return noMind(context, contents, moment?.agent === "" ? "Select an agent: click it in the picture or in the list of agents." : "The goal stack and the operators come when the world runs.");
     const stack = mind.stack, phase = stack.phase;
     return [
+      ...shownView(rows),
       h("ol.phases", { attributes: { "aria-label": "Phases" } }, PHASES.map((name) => h(`li${phase === name ? ".now" : ""}`, { attributes: { "aria-current": phase === name ? "step" : undefined } }, name))),
       h("p.quiet", null, `decision ${stack.decisions}, ${stack.elements} elements, ${stack.rules} rules, ${stack.firings} firings`),
       stack.halted && h("p.warn", null, "The agent has halted."), stack.breakdown !== undefined && h("p.warn", null, stack.breakdown), stack.note !== undefined && h("p.quiet", null, stack.note),

@@ -73,6 +73,17 @@ test("a reason of then goes to its moment", () => {
   assert.deepEqual(asked, [["seek", { tick: 45 }]]);
 });
 
+test("an agent without a Soar mind shows what its script shows of its state", () => {
+  const { panel } = made(mindPanel);
+  const rows = [{ depth: 0, name: "tree", value: "", active: false, since: 0 }, { depth: 1, name: MARKUP, value: "yes", active: true, since: 1.5 }];
+  const operators = { state: "", selected: "", impasse: "", why: "", operators: [] };
+  const view = panel.view({ moment: { ...MOMENT, has_mind: false }, mind: { stack: STACK, operators, shown: { agent: "guard", rows } } });
+  const chosen = all(view).find((one) => one.tag === "li.chosen");
+  assert.equal(textOf(chosen!), `${MARKUP} yes`);
+  assert.equal(chosen!.props.attributes?.["title"], "since 1.50 s");
+  assert.ok(!textOf(view).includes("Goal stack"));
+});
+
 test("imagery is told state by state, and an answer is drawn when it is pressed", () => {
   const { panel, asked } = made(imageryPanel);
   const answer = { record: "R5", value: "1.400000", why: { text: "1.4: distance", kind: "imagined", link: "R5" }, nodes: ["self", MARKUP], lines: [] };

@@ -65,7 +65,9 @@ export interface OperatorRow {
   preferences: readonly Preference[];
 }
 export interface Operators { state: string; selected: string; impasse: string; why: string; note?: string; operators: readonly OperatorRow[] }
-export interface Mind { stack: Stack; operators: Operators }
+/** What an agent's script shows of its state (Agent.Show). */
+export interface ShownRow { depth: number; name: string; value: string; active: boolean; since: number }
+export interface Mind { stack: Stack; operators: Operators; shown?: { agent: string; rows: readonly ShownRow[] } }
 
 export interface MemoryRow extends Element { about?: string; change?: "added" | "removed"; elements?: readonly MemoryRow[] }
 export interface MemoryObject { id: string; about: string; exists: boolean; note?: string; elements: readonly MemoryRow[] }

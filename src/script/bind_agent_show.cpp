@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include <algorithm>
+#include <cstdio>
+#include <lua.hpp>
+#include <string>
+#include <vector>
+
+#include "script/bind_api.h"
+#include "script/bind_arguments.h"
+#include "script/binding.h"
+#include "script/lua_order.h"
+#include "world/shown_state.h"
+
+// Agent.Show: a script tells people what state an agent is in.
+
+namespace soarbox::script {
+namespace {
+
+using world::ShownRow;
+using world::ShownState;
+
+constexpr int kDeepestShown = 8;
+
+/// A value as people read it; empty for tables and functions.
+std::string ShownText(lua_State* state, int index) {
+  switch (lua_type(state, index)) {
+    case LUA_TNUMBER: {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.6g", lua_tonumber(state, index));
+      return text;
+    }
+    case LUA_TSTRING:
+      return lua_tostring(state, index);
+    case LUA_TBOOLEAN:
+      return lua_toboolean(state, index) != 0 ? "true" : "false";
+    case LUA_TNIL:
+      return "nil";
+    default:
+      break;
+  }
+  if (const world::Vec3* vector = ToVector(state, index)) {
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", static_cast<double>(vector->x),
+                  static_cast<double>(vector->y), static_cast<double>(vector->z));
+    return text;
+  }
+  if (const Handle* handle = ToHandle(state, index)) {
+    const world::Agent* agent =
+        handle->kind == ValueKind::kAgent ? ContextOf(state).world.FindAgent(world::EntityId{handle->number}) : nullptr;
+    return agent != nullptr ? agent->name() : std::string(NameOf(handle->kind));
+  }
+  return {};
+}
+
+void PushRawField(lua_State* state, int table, std::string_view name) {
+  lua_pushlstring(state, name.data(), name.size());
+  lua_rawget(state, table);
+}
+
+/// Reads a table's fields "name", "value" and "active" as what they say of its own row.
+void ReadOwnFields(lua_State* state, int table, ShownRow& row) {
+  PushRawField(state, table, "name");
+  if (lua_type(state, -1) == LUA_TSTRING) row.name = lua_tostring(state, -1);
+  lua_pop(state, 1);
+  PushRawField(state, table, "value");
+  if (!lua_isnil(state, -1)) row.value = ShownText(state, lua_gettop(state));
+  lua_pop(state, 1);
+  PushRawField(state, table, "active");
+  row.active = lua_toboolean(state, -1) != 0;
+  lua_pop(state, 1);
+}
+
+bool IsOwnField(const std::string& name) {
+  return name == "name" || name == "value" || name == "active";
+}
+
+/// Adds a row for the value on top of the stack, and rows for what a table holds: its list in order, then its fields by
+/// name. Tables are read raw: no function of the script runs.
+void ReadShownValue(lua_State* state, std::string name, int depth, std::vector<ShownRow>& rows) {
+  if (rows.size() >= ShownState::kMostRows) return;
+  const int index = lua_gettop(state);
+  const std::size_t at = rows.size();
+  ShownRow& row = rows.emplace_back();
+  row.depth = depth;
+  row.name = std::move(name);
+  if (!lua_istable(state, index)) {
+    rows[at].value = ShownText(state, index);
+    return;
+  }
+  ReadOwnFields(state, index, rows[at]);
+  if (depth >= kDeepestShown) return;
+  const int length = static_cast<int>(std::min<std::size_t>(lua_objlen(state, index), ShownState::kMostRows));
+  for (int i = 1; i <= length; ++i) {
+    lua_rawgeti(state, index, i);
+    ReadShownValue(state, std::to_string(i), depth + 1, rows);
+    lua_pop(state, 1);
+  }
+  std::vector<std::string> names;
+  for (lua_pushnil(state); lua_next(state, index) != 0; lua_pop(state, 1)) {
+    if (lua_type(state, -2) != LUA_TSTRING || lua_isfunction(state, -1)) continue;
+    if (std::string field = lua_tostring(state, -2); !IsOwnField(field)) names.push_back(std::move(field));
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& field : names) {
+    PushRawField(state, index, field);
+    ReadShownValue(state, field, depth + 1, rows);
+    lua_pop(state, 1);
+  }
+}
+
+/// (agent, name [, value])
+int Show(lua_State* state) {
+  world::Agent& agent = AgentArgument(state, 1);
+  const std::string topic(TextArgument(state, 2));
+  lua_settop(state, 3);
+  luaL_checkstack(state, 6 * kDeepestShown, "too many nested calls");
+  std::vector<ShownRow> rows;
+  if (!lua_isnil(state, 3)) ReadShownValue(state, topic, 0, rows);
+  if (rows.size() >= ShownState::kMostRows)
+    WarnAtCallerOnce(state, "an agent shows at most " + std::to_string(ShownState::kMostRows) + " rows", "rows");
+  LuaMachine::Of(state).Charge(20 + 20 * rows.size());
+  agent.Show(topic, std::move(rows), ContextOf(state).world.tick());
+  // What a mind does it says itself.
+  if (agent.kind() == "lua") agent.SetLastCommand(world::DoingOf(agent.Shown().rows()));
+  return 0;
+}
+
+int Self(lua_State* state) {
+  const std::uint32_t owner = LuaMachine::Of(state).owner();
+  if (owner == 0) {
+    lua_pushnil(state);
+  } else {
+    PushAgent(state, world::EntityId{owner});
+  }
+  return 1;
+}
+
+constexpr Binding kAgentShowBindings[] = {
+    {"Self", Self, 0, 0, WrongCount::kError},
+    {"Show", Show, 2, 3, WrongCount::kError},
+};
+
+}  // namespace
+
+void BindAgentShow(lua_State* state) {
+  RegisterTable(state, "Agent", kAgentShowBindings);
+}
+
+}  // namespace soarbox::script

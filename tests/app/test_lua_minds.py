@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Minds in Lua: what they show of their state, commands that take time, the console, and calls of functions that nothing defines."""
+import json
+
+from soarbox_command import Run, ScenarioCase
+
+BODY = """
+local steps = 0;
+function Agent_Sense() return { body = { steps = steps } }; end
+function Agent_Update(agent, ms, command, parameters)
+    if (command == "leap") then return "error", "too-high", "nobody leaps so high"; end
+    parameters.left = (parameters.left or 3) - 1;
+    if (parameters.left > 0) then return "running", 1 - parameters.left / 3; end
+end
+function Agent_Withdraw(agent, command) print("no more " .. command); end
+function Agent_Tick() steps = steps + 1; end
+"""
+RULES = """
+sp {go (state <s> ^superstate nil ^io.output-link <out> -^went) --> (<s> ^went go) (<out> ^go <c>)}
+sp {gone (state <s> ^superstate nil ^io.output-link <out> ^went go) (<out> ^go <c>) (<c> ^status complete) -->
+   (write |gone| (crlf)) (<s> ^went go - leap) (<out> ^go <c> -) (<out> ^leap <l>)}
+sp {leapt (state <s> ^superstate nil ^io.output-link <out> ^went leap) (<out> ^leap <c>) (<c> ^status error ^reason <why>) -->
+   (write |no: | <why> (crlf)) (<s> ^went leap - wait) (<out> ^leap <c> -)}
+"""
+
+
+class LuaMinds(ScenarioCase):
+    def test_a_body_in_lua_takes_time_for_a_command_and_has_a_tick_of_its_own(self):
+        self.write("Body.lua", BODY)
+        self.write("body.soar", RULES)
+        self.write("Sandbox.lua", "function Sandbox_Initialize(s) Sandbox.CreateSoarAgent(s, 'Body.lua', 'body.soar', { name = 'b' }) end")
+        run = Run("run", self.folder, "--headless", "--seconds", 1)
+        self.assertIn("gone", run.out)
+        self.assertIn("leap: error too-high: nobody leaps so high", run.out)
+        self.assertIn("no: too-high", run.out)
+        view = json.loads(Run("inspect", self.folder, "--at", 1, "--agent", "b", "--view", "io", "--json").out)
+        self.assertIn("steps", json.dumps(view))
+
+    def test_what_scripts_show_is_seen_live_and_in_a_recording(self):
+        shown = Run("inspect", "decisions", "--at", 3, "--view", "state").out
+        self.assertIn("behavior tree", shown)
+        self.assertRegex(shown, r"> \w+.*since \d")
+        recording = self.folder / "flock.soarrec"
+        Run("run", "sheepdog", "--headless", "--seconds", 3, "--record", recording)
+        live = Run("inspect", "sheepdog", "--at", 3, "--agent", "Sheep-1", "--view", "state").out
+        self.assertIn("wishes", live)
+        self.assertEqual(Run("inspect", recording, "--at", 3, "--agent", "Sheep-1", "--view", "state").out, live)
+        agents = json.loads(Run("inspect", "sheepdog", "--at", 3, "--view", "agents Sheep-1", "--json").out)
+        self.assertIn(agents[0]["command"], ("flee", "flock", "graze"))
+
+    def test_the_dog_brings_all_sheep_into_the_pen(self):
+        run = Run("test", "sheepdog", "--seeds", "1..3")
+        self.assertEqual(run.code, 0, run.out + run.err)
+
+    def test_lua_that_is_typed_knows_the_sandbox_and_the_agent(self):
+        inputs = self.write("typed.txt", "1 script sandbox #Sandbox.GetAgents(sandbox)\n2 script Sheep-1 agent:GetTeam()\n"
+                                         "3 script sandbox Sandbox.Fly(sandbox)\n")
+        run = Run("run", "sheepdog", "--headless", "--seconds", 1, "--input", inputs)
+        self.assertRegex(run.out, r"sandbox +9\n")
+        self.assertRegex(run.out, r"Sheep-1 +sheep\n")
+        self.assertIn("console:1: error", run.err)
+
+    def test_check_finds_calls_of_functions_that_nothing_defines(self):
+        self.write("Sandbox.lua", 'require "Lib"\nfunction Sandbox_Update()\n    Lib_Help();\n    Lib_Hlep();\nend\n')
+        self.write("Lib.lua", "function Lib_Help() end\n")
+        out = Run("check", self.folder).out
+        self.assertIn("Sandbox.lua:4:5: warning: nothing defines the function Lib_Hlep", out)
+        self.assertIn("did you mean Lib_Help?", out)
+        self.assertNotIn("Lib_Help;", out)
