@@ -62,6 +62,8 @@ int ServeKernel(const KernelServerOptions& options) {
                       (why == nullptr ? "" : std::string(" (") + why + ")"),
                   "another program holds it; choose another with --port N, or any free one with --port 0");
   }
+  if (kernel->GetListenerPort() == 0)
+    return Refuse("this build has no sockets", "use the native soarbox for connections to other programs");
   std::set<std::string> names;
   for (const std::filesystem::path& file : options.agents) {
     if (!AddAgent(*kernel, file, names)) {

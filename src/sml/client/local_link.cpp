@@ -12,6 +12,7 @@
 #include "sml/server/answers.h"
 #include "sml/server/kernel_host.h"
 #include "sml/server/listener.h"
+#include "sml/wire/channel.h"
 #include "sml/wire/message.h"
 #include "sml/wire/xml_reader.h"
 
@@ -281,6 +282,8 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
 
   void Listen(bool own_thread, int port, std::string& error) {
+    // "Any port" does not insist on one, so a build without sockets goes on without; a certain port is an error there.
+    if (port == Kernel::kUseAnyPort && !soarbox::wire::HasSockets()) return;
     soarbox::server::ListenerOptions options;
     options.port = port;
     auto opened = soarbox::server::Listener::Open(host_, options);

@@ -40,7 +40,7 @@ class EXPORT Kernel : public ClientErrors {
  public:
   static constexpr int kDefaultSMLPort = 12121;
   static constexpr int kSuppressListener = 0;  ///< No port: no remote clients.
-  static constexpr int kUseAnyPort = -1;       ///< Any free port; ask GetListenerPort().
+  static constexpr int kUseAnyPort = -1;       ///< Any free port, none without sockets; ask GetListenerPort().
 
   /// A kernel that works only inside calls from this process: remote clients are served during runs and by
   /// CheckForIncomingCommands(). A port that is taken is an error that names it; the kernel works without a listener.

@@ -406,6 +406,10 @@ std::string Place(const std::string& address, int port) {
 
 }  // namespace
 
+bool HasSockets() {
+  return true;
+}
+
 Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port,
                                          const ChannelLimits& limits) {
   asio::error_code error;

@@ -76,6 +76,9 @@ class Channel {
   std::shared_ptr<Socket> socket_;
 };
 
+/// Whether this build has sockets; without them, each of the functions below returns an error.
+bool HasSockets();
+
 /// Connects. The error names address and port.
 Result<std::unique_ptr<Channel>> Connect(IoThread& thread, const std::string& address, int port,
                                          const ChannelLimits& limits = {});

@@ -49,6 +49,10 @@ bool Channel::silent() const {
 void Channel::WakeAfter(std::chrono::milliseconds) {}
 void Channel::SetWake(std::function<void()>) {}
 
+bool HasSockets() {
+  return false;
+}
+
 Result<std::unique_ptr<Channel>> Connect(IoThread&, const std::string&, int, const ChannelLimits&) {
   return NoSockets();
 }
