@@ -3,6 +3,8 @@
 
 // Lua 5.1, compiled as C++, with what src/script uses of LuaJIT besides.
 
+#include <cstddef>
+
 #include "lauxlib.h"
 #include "lua.h"
 #include "lualib.h"
