@@ -31,6 +31,9 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   std::string RuleSource(std::string_view rule) override;
   /// Conditions and how many pass them.
   std::optional<MatchFacts> Match(std::string_view rule) override;
+  std::optional<std::uint64_t> Firings(std::string_view rule) override;
+  bool IsPending(std::string_view rule) override;
+  std::vector<ElementFact> RestsOn(std::string_view state, const PreferenceFact& preference) override;
   std::vector<std::string> Complete(std::string_view line) override;
   /// Without the parts of the numbers.
   LearningFacts Learning() override;
@@ -54,5 +57,9 @@ OperatorFacts ReadPreferences(std::string_view text);
 std::vector<NumberFact> ReadNumbers(std::string_view text);
 /// `matches RULE`.
 MatchFacts ReadMatches(std::string_view rule, std::string_view text);
+/// `matches --assertions`: whether a match of the rule is in the list.
+bool ReadIsPending(std::string_view rule, std::string_view text);
+/// `preferences S1 operator --names --wmes`: the time tags of the elements that a preference rests on.
+std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::string_view text);
 
 }  // namespace soarbox::explain

@@ -92,6 +92,7 @@ enum class Situation : std::uint8_t {
   kOneDoesNotFit,
   kNoneFits,
   kNoLinks,
+  kOnStateAbove,
   kElsewhere,
   kOnlyWords,
   kOneExists,

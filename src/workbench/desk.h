@@ -71,6 +71,8 @@ class Desk {
   bool Serve(const std::vector<Request>& requests, Contents& contents);
   /// The agent of this number in the scene that is shown; empty: there is none.
   std::string NameOf(std::uint32_t agent_id);
+  /// Everything that went wrong, ranked as `soarbox run` and `learn check` rank it.
+  std::vector<ProblemRow> RankedProblems() const;
   /// Adds a problem to the list.
   void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// The scene to draw instead of the live one; null while live.
@@ -152,7 +154,8 @@ class Desk {
   debugger::Breakpoints breakpoints_;
   std::vector<debugger::BreakHit> hits_;
   bool hit_is_new_ = false;
-  std::vector<ProblemRow> problems_;
+  std::vector<ProblemRow> problems_;  ///< In order of time.
+  sim::EventFindings findings_;       ///< Refused commands and idle agents.
   std::vector<CheckRow> checks_;
   std::string news_;  ///< To be told at once; empty: nothing.
   std::map<std::string, debugger::Coverage> coverage_;
