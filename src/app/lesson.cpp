@@ -138,7 +138,11 @@ std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty()) return mission::Cause::kMistake;
   const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
-  const bool is_absence = mistake.mode == mission::Mode::kNever || mistake.for_s || is_few;
+  // That an element is there for long is something that happened: an agent has made it.
+  const bool is_made = std::ranges::any_of(mistake.conditions, [](const mission::Condition& condition) {
+    return condition.row->key == mission::Key::kElement;
+  });
+  const bool is_absence = mistake.mode == mission::Mode::kNever || (mistake.for_s && !is_made) || is_few;
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
 }
 

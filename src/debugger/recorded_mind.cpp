@@ -250,11 +250,6 @@ class RecordInspector final : public explain::Inspector {
     }
     return rules;
   }
-  std::optional<std::uint64_t> Firings(std::string_view rule) override {
-    const auto at = mind_.firings.find(std::string(rule));
-    return at == mind_.firings.end() ? std::nullopt : std::optional<std::uint64_t>(at->second);
-  }
-  bool IsPending(std::string_view) override { return false; }
   std::string RuleSource(std::string_view) override { return {}; }
   std::optional<explain::MatchFacts> Match(std::string_view) override { return std::nullopt; }
   std::vector<std::string> Complete(std::string_view) override { return {}; }

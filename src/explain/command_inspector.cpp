@@ -340,22 +340,11 @@ std::optional<MatchFacts> CommandInspector::Match(std::string_view rule) {
   return facts;
 }
 
-std::optional<std::uint64_t> CommandInspector::Firings(std::string_view rule) {
-  // " 3:  rule"
-  std::istringstream in(Ask("production firing-counts " + std::string(rule)));
-  std::uint64_t count = 0;
-  return in >> count ? std::optional(count) : std::nullopt;
-}
-
 bool ReadIsPending(std::string_view rule, std::string_view text) {
   return std::ranges::any_of(Lines(text), [&](const std::string& line) {
     const std::vector<std::string> words = Words(WithoutBlanks(line));
     return std::ranges::find(words, rule) != words.end();
   });
-}
-
-bool CommandInspector::IsPending(std::string_view rule) {
-  return ReadIsPending(rule, Ask("matches --assertions"));
 }
 
 std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::string_view text) {
@@ -379,17 +368,6 @@ std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::st
     }
   }
   return tags;
-}
-
-std::vector<ElementFact> CommandInspector::RestsOn(std::string_view state, const PreferenceFact& preference) {
-  constexpr std::size_t kMostAsked = 20;
-  std::vector<ElementFact> found;
-  for (const std::uint64_t tag :
-       ReadRestsOn(preference, Ask("preferences " + std::string(state) + " operator --names --wmes"))) {
-    if (found.size() >= kMostAsked) break;
-    if (std::optional<ElementFact> element = Element(tag)) found.push_back(std::move(*element));
-  }
-  return found;
 }
 
 std::vector<std::string> CommandInspector::Complete(std::string_view) {

@@ -31,9 +31,6 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   std::string RuleSource(std::string_view rule) override;
   /// Conditions and how many pass them.
   std::optional<MatchFacts> Match(std::string_view rule) override;
-  std::optional<std::uint64_t> Firings(std::string_view rule) override;
-  bool IsPending(std::string_view rule) override;
-  std::vector<ElementFact> RestsOn(std::string_view state, const PreferenceFact& preference) override;
   std::vector<std::string> Complete(std::string_view line) override;
   /// Without the parts of the numbers.
   LearningFacts Learning() override;

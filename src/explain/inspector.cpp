@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "explain/inspector.h"
 
-#include <functional>
-#include <map>
 #include <utility>
 
 #include "explain/command_inspector.h"
@@ -39,15 +37,6 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
   std::vector<RuleFact> Rules() override { return mind_->Rules(); }
   std::string RuleSource(std::string_view rule) override { return mind_->RuleSource(rule); }
   std::optional<MatchFacts> Match(std::string_view rule) override { return mind_->Match(rule); }
-  std::optional<std::uint64_t> Firings(std::string_view rule) override {
-    if (firings_.empty())
-      for (const RuleFact& each : mind_->Rules()) firings_.emplace(each.name, each.firings);
-    const auto at = firings_.find(rule);
-    return at == firings_.end() ? std::nullopt : std::optional(at->second);
-  }
-  bool IsPending(std::string_view rule) override {
-    return ReadIsPending(rule, agent_.ExecuteCommandLine("matches --assertions"));
-  }
   std::vector<std::string> Complete(std::string_view line) override { return mind_->Complete(line); }
 
   LearningFacts Learning() override { return mind_->Learning(); }
@@ -65,7 +54,6 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
  private:
   std::unique_ptr<MindInspection> mind_;
   sml::Agent& agent_;
-  std::map<std::string, std::uint64_t, std::less<>> firings_;  ///< By rule, once somebody has asked.
 };
 
 }  // namespace

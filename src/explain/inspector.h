@@ -67,14 +67,6 @@ class Inspector {
   /// As `print` shows it; empty if there is none of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<MatchFacts> Match(std::string_view rule) = 0;
-  /// How often a rule has fired since its agent was made; nothing if that is not reported.
-  virtual std::optional<std::uint64_t> Firings(std::string_view rule) = 0;
-  /// Whether a match of a rule is yet to fire: the elaboration limit, or a break, came before.
-  virtual bool IsPending(std::string_view rule) = 0;
-  /// The elements that a preference of Operators(state) rests on.
-  virtual std::vector<ElementFact> RestsOn(std::string_view, const PreferenceFact& preference) {
-    return preference.maker.elements;
-  }
   /// How the last word of a command line may go on.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
 

@@ -10,8 +10,10 @@
 #include <unordered_set>
 #include <utility>
 
+#include "explain/command_inspector.h"
 #include "explain/rule_from_facts.h"
 #include "explain/rule_text.h"
+#include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
 #endif
@@ -77,6 +79,11 @@ void ReadTests(const std::string& value, const PathMap& paths, ConditionText& te
 
 }  // namespace
 
+std::string MindView::Ask(const std::string& command) {
+  const char* answer = agent_.ExecuteCommandLine(command.c_str());
+  return answer == nullptr ? std::string() : answer;
+}
+
 const std::vector<RuleText>& MindView::rules() {
   if (std::exchange(read_, true)) return rules_;
 #ifdef SOARBOX_OWN_KERNEL
@@ -131,11 +138,20 @@ bool MindView::HasFired(const std::string& rule) {
 }
 
 std::optional<std::uint64_t> MindView::Firings(const std::string& rule) {
-  return inspector_->Firings(rule);
+  if (!inspector_->TellsAll()) {
+    // " 3:  rule". To ask for all rules would ask another process for each.
+    std::istringstream in(Ask("production firing-counts " + rule));
+    std::uint64_t count = 0;
+    return in >> count ? std::optional(count) : std::nullopt;
+  }
+  if (firings_.empty())
+    for (const RuleFact& each : inspector_->Rules()) firings_.emplace(each.name, each.firings);
+  const auto at = firings_.find(rule);
+  return at == firings_.end() ? std::nullopt : std::optional(at->second);
 }
 
 bool MindView::IsPending(const std::string& rule) {
-  return inspector_->IsPending(rule);
+  return ReadIsPending(rule, Ask("matches --assertions"));
 }
 
 std::vector<Preference> MindView::Preferences(const std::string& state) {
@@ -177,8 +193,16 @@ std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::ve
 
 std::vector<std::string> MindView::Elements(const std::string& state, const Preference& preference) {
   constexpr std::size_t kMost = 12;
+  std::vector<ElementFact> elements = preference.fact.maker.elements;
+  if (!inspector_->TellsAll()) {
+    for (const std::uint64_t tag :
+         ReadRestsOn(preference.fact, Ask("preferences " + state + " operator --names --wmes"))) {
+      if (elements.size() >= kMost) break;
+      if (std::optional<ElementFact> element = inspector_->Element(tag)) elements.push_back(std::move(*element));
+    }
+  }
   std::vector<std::string> found;
-  for (const ElementFact& element : inspector_->RestsOn(state, preference.fact)) {
+  for (const ElementFact& element : elements) {
     if (found.size() >= kMost) break;
     std::string text = ElementText(element);
     if (std::ranges::find(found, text) == found.end()) found.push_back(std::move(text));

@@ -68,8 +68,11 @@ class MindView {
   std::string DescribeOperator(const std::string& id);
 
  private:
+  std::string Ask(const std::string& command);
+
   sml::Agent& agent_;
   std::unique_ptr<Inspector> inspector_;
+  std::map<std::string, std::uint64_t> firings_;  ///< By rule, once somebody has asked.
   std::vector<RuleText> rules_;
   bool read_ = false;
 };

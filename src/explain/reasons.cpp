@@ -189,7 +189,7 @@ std::string MindReasons::WhichStateAboveHas(const std::string& state, const std:
   for (auto at = above.rbegin(); at != above.rend(); ++at) {
     way += "superstate.";
     if (!view_.ValuesAt(*at, path).empty())
-      return Say(Situation::kOnStateAbove, {{"state", state}, {"above", *at}, {"path", way + path.front()}});
+      return state + " is a substate and has none; " + *at + " has it: test ^" + way + path.front();
   }
   return {};
 }

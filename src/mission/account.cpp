@@ -29,6 +29,12 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
   return text;
 }
 
+/// How much it says that a rule never fired. `is_torn`: operators tied, so that none was applied.
+Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
+  if (is_torn || waiting.waits_for_operator) return Cause::kWaiting;
+  return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
+}
+
 /// Rules of a file that never fired, in words: those that came with the lesson.
 std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const AccountSettings& settings) {
   std::vector<std::string> told;
@@ -118,8 +124,7 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
                          return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
                        });
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
-    found.push_back(
-        {is_torn || waiting[i].waits_for_operator ? Cause::kWaiting : Cause::kFurthest, NeverFired(waiting[i])});
+    found.push_back({CauseOf(waiting[i], is_torn), NeverFired(waiting[i])});
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
       const std::string& line = idle->reasons[i];

@@ -50,8 +50,8 @@ bool IsDiagnostic(const RunEvent& event) {
 
 std::string_view CauseName(Cause cause) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastCause) + 1> kNames = {
-      "broken",   "slip",    "mistake", "endless", "refused", "furthest",
-      "happened", "stalled", "missing", "waiting", "symptom"};
+      "broken",   "slip",   "mistake", "endless", "refused", "furthest",
+      "happened", "awaits", "stalled", "missing", "waiting", "symptom"};
   return kNames.at(static_cast<std::size_t>(cause));
 }
 

@@ -23,6 +23,7 @@ enum class Cause : std::uint8_t {
   kRefused,   ///< The world refused a command because of how it is written.
   kFurthest,  ///< A rule that never fired, and the condition that failed when it got furthest.
   kHappened,  ///< A known mistake: something happened that should not.
+  kAwaits,    ///< A rule that never fired, for want of something that may come, or because something never went.
   kStalled,   ///< An operator was applied and stays selected, so that nothing follows.
   kMissing,   ///< A known mistake: something never happened.
   kWaiting,   ///< A rule that never fired because its operator was not selected.

@@ -21,6 +21,10 @@ constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
 /// What a partial match takes, and what it takes with all that becomes of it.
 constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
 
+/// No rules that somebody wrote on purpose fire so often in a tick, and a world that waits for it stands still: it
+/// takes the better part of a second.
+constexpr std::uint64_t kMostFirings = 200'000;
+
 /// A mind that takes this part of the world's memory is told of.
 constexpr std::size_t kMuch = 8;
 /// So is a mind that has learned so many rules: each of them is matched from then on.
@@ -113,7 +117,7 @@ bool Minds::TellBreakdown(Mind& mind, const world::Agent& body) {
 
 bool Minds::HaltForWork(Mind& mind) {
   const std::uint64_t fired = mind.soar.fired();
-  if (fired < SoarMind::kMostFirings) return false;
+  if (fired < kMostFirings) return false;
   const std::string& name = world_.FindAgent(mind.agent)->name();
   RunEvent event = AboutMind(EventKind::kMindFailed, name, mind.rules);
   event.diagnostic.message = name + " stops for good: its rules fired " + std::to_string(fired) +

@@ -150,7 +150,6 @@ void SoarMind::Decide() {
   agent_->Commit();
 #ifdef SOARBOX_OWN_KERNEL
   const std::uint64_t before = MindFirings(*agent_);
-  SetMindFiringLimit(*agent_, before + kMostFirings);
 #endif
   answer_ = agent_->RunSelfTilOutput();
 #ifdef SOARBOX_OWN_KERNEL

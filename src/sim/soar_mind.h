@@ -85,9 +85,6 @@ class SoarMind {
   std::size_t LearnedRules() const;
   /// The rule that most of them came from, with their number: "478 of them from 'tour*look*note'".
   std::string MostLearnedFrom() const;
-  /// No rules that somebody wrote on purpose fire so often in a tick. From then on each phase of the tick ends after one
-  /// elaboration, and the mind is halted after it (minds.h).
-  static constexpr std::uint64_t kMostFirings = 200'000;
   /// How often its rules fired in the last Decide; 0 if the kernel is in another process.
   std::uint64_t fired() const { return fired_; }
   /// Which of them has fired most often, and how often: "'count', which has fired 12000 times".

@@ -127,8 +127,6 @@ constexpr std::array kSentences = {
     Sentence{kNoneFits, "objects that earlier conditions exclude",
              "none of the {count} that are there fits the conditions before it"},
     Sentence{kNoLinks, "the links of a substate", "{state} is a substate, which has none: test ^superstate.io"},
-    Sentence{kOnStateAbove, "a state above has what a substate lacks",
-             "{state} is a substate and has none; {above} has it: test ^{path}"},
     Sentence{kElsewhere, "the value is there, but of something else",
              "the one that has it does not fit the rule's other conditions"},
     Sentence{kOnlyWords, "a word that a percept never has", "; it is never {value}, only {words}"},

@@ -92,7 +92,6 @@ enum class Situation : std::uint8_t {
   kOneDoesNotFit,
   kNoneFits,
   kNoLinks,
-  kOnStateAbove,
   kElsewhere,
   kOnlyWords,
   kOneExists,

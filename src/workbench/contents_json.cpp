@@ -337,7 +337,7 @@ constexpr ContentField kFields[] = {
 
     {"problems", "problems", "",
      "what went wrong, the cause first: a diagnostic with `agent`, `tick`, `time_s`, `cause` (`broken`, `slip`, "
-     "`endless`, `refused`, `furthest`, `stalled`, `waiting`, `symptom`)",
+     "`endless`, `refused`, `furthest`, `awaits`, `stalled`, `waiting`, `symptom`)",
      [](const Contents& c) { return ListOf(c.problems, ProblemJson); }},
 
     {"watch", "agents", "", "whose minds are looked at side by side",

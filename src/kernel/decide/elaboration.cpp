@@ -49,9 +49,7 @@ Elaboration::Next Elaboration::Determine(bool apply) {
     }
     return Next::kPhaseEnds;
   }
-  const AgentSettings& settings = engine_.settings;
-  if (count_ >= static_cast<std::uint32_t>(settings.max_elaborations) ||
-      engine_.counters.firings >= settings.most_firings) {
+  if (count_ >= static_cast<std::uint32_t>(engine_.settings.max_elaborations)) {
     engine_.observers.Warn(apply ? WarningKind::kMaxElaborationsApply : WarningKind::kMaxElaborationsPropose,
                            apply ? "reached max-elaborations; proceeding to output phase"
                                  : "reached max-elaborations; proceeding to decide phase");

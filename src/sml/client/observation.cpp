@@ -281,8 +281,4 @@ void SetMindMemoryLimit(sml::Agent& agent, std::size_t bytes) {
   if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().most_memory_bytes = bytes;
 }
 
-void SetMindFiringLimit(sml::Agent& agent, std::uint64_t most) {
-  if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().most_firings = most;
-}
-
 }  // namespace soarbox

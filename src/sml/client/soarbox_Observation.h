@@ -143,8 +143,4 @@ void EXPORT SetMindMatchLimit(sml::Agent& agent, std::uint32_t most);
 /// memory had run out. Does nothing if its kernel is in another process.
 void EXPORT SetMindMemoryLimit(sml::Agent& agent, std::size_t bytes);
 
-/// Once MindFirings has reached this number, each phase of the agent ends as if it had reached max-elaborations. Does
-/// nothing if its kernel is in another process.
-void EXPORT SetMindFiringLimit(sml::Agent& agent, std::uint64_t most);
-
 }  // namespace soarbox
