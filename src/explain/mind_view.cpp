@@ -126,7 +126,7 @@ RuleMatch MindView::Match(const std::string& rule) {
   match.matched = static_cast<int>(facts->failing.value_or(facts->conditions.size()));
   if (!facts->failing) return match;
   match.failing = facts->conditions[*facts->failing].text;
-  constexpr std::string_view kOpen = "-{ ", kClose = " }";
+  constexpr std::string_view kOpen = "-{", kClose = "}";
   match.is_group = match.failing.starts_with(kOpen) && match.failing.ends_with(kClose);
   if (match.is_group)
     match.failing = match.failing.substr(kOpen.size(), match.failing.size() - kOpen.size() - kClose.size());

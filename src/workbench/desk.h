@@ -71,8 +71,6 @@ class Desk {
   bool Serve(const std::vector<Request>& requests, Contents& contents);
   /// The agent of this number in the scene that is shown; empty: there is none.
   std::string NameOf(std::uint32_t agent_id);
-  /// Everything that went wrong, ranked as `soarbox run` and `learn check` rank it.
-  std::vector<ProblemRow> RankedProblems() const;
   /// Adds a problem to the list.
   void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// The scene to draw instead of the live one; null while live.
@@ -122,6 +120,8 @@ class Desk {
   void FillOffers(Contents& contents, explain::Inspector* mind);
   /// The rule that is looked at as its author wrote it.
   void FillRuleText(Contents& contents);
+  /// Everything that went wrong, ranked as `soarbox run` and `learn check` rank it.
+  std::vector<ProblemRow> RankedProblems() const;
   /// What bodies do now.
   void FillActivities(Contents& contents);
   void FillWhy(Contents& contents, explain::Inspector* mind);
