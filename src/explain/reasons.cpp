@@ -393,6 +393,19 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
     if (const std::string state = SubstateOfSelected(rule); first.path.front() == "io" && !state.empty())
       return waits(Say(Situation::kNoLinks, {{"state", state}}));
+    // Its first conditions may match a state above, which does not fit the rest: the substate lacks what they test.
+    for (const RuleAttribute& condition : rule.conditions) {
+      const std::string state = StateOf(rule);
+      if (!IsForSubstate(rule) || condition.negated || !condition.on_state ||
+          !IsConstantAttribute(condition.attribute) || IsArchitectureAttribute(condition.attribute) ||
+          !view_.ValuesAt(state, {condition.attribute}).empty())
+        continue;
+      ConditionText own;
+      own.path = {condition.attribute};
+      if (!IsVariable(condition.value)) own.value = condition.value;
+      if (const std::string above = WhichStateAboveHas(state, own.path); !above.empty())
+        return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", own.Text()}, {"found", above}});
+    }
   }
   if (shown.empty())
     return waits(others == 1 ? Say(Situation::kOneDoesNotFit)

@@ -77,6 +77,7 @@ std::string SecondsText(double seconds) {
 
 Cause CauseOfReason(std::string_view reason) {
   const auto has = [&](std::string_view words) { return reason.find(words) != std::string_view::npos; };
+  if (reason.starts_with("its last command ")) return Cause::kRefused;
   if (reason.starts_with("operator ") && has(" has been applied ")) return Cause::kStalled;
   if (!reason.starts_with("rule ") || !has(" requires ")) return Cause::kSymptom;
   return has("no operator is selected") || has("the operator selected in") ? Cause::kWaiting : Cause::kFurthest;
@@ -123,8 +124,11 @@ std::vector<Finding> EventFindings::OfAgents() const {
   for (const auto& [agent, idle] : idle_) {
     Finding finding{Cause::kSymptom, idle.symptom, agent, idle.tick, idle.time_s};
     if (!idle.reasons.empty()) {
-      finding.cause = CauseOfReason(idle.reasons.front());
-      finding.text = "At " + SecondsText(idle.time_s) + " " + agent + " has nothing to do: " + idle.reasons.front();
+      // "no operator is proposed" says less than the condition at which the proposal stops.
+      const std::string& reason =
+          *std::ranges::min_element(idle.reasons, {}, [](const std::string& one) { return CauseOfReason(one); });
+      finding.cause = CauseOfReason(reason);
+      finding.text = "At " + SecondsText(idle.time_s) + " " + agent + " has nothing to do: " + reason;
     }
     found.push_back(std::move(finding));
   }
