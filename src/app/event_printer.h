@@ -4,7 +4,9 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "sim/findings.h"
 #include "sim/run_event.h"
 #include "world/scene_snapshot.h"
 
@@ -23,6 +25,7 @@ struct RunFooter {
   std::size_t agents = 0;
   std::size_t soar_agents = 0;
   std::size_t problems = 0;
+  std::vector<sim::Finding> findings;  ///< What went wrong, the cause first.
 };
 
 /// Prints what happens in a run, legibly or as lines of JSON. Everything printed depends on the run alone, never on the

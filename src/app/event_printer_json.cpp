@@ -88,6 +88,13 @@ class JsonPrinter : public EventPrinter {
   }
 
   void End(const RunFooter& footer) override {
+    for (const sim::Finding& finding : footer.findings) {
+      Json json{{"event", "finding"}, {"tick", finding.tick}, {"time", finding.time_s}};
+      if (!finding.agent.empty()) json["agent"] = finding.agent;
+      json["cause"] = sim::CauseName(finding.cause);
+      json["text"] = finding.text;
+      Write(json);
+    }
     Json json;
     json["event"] = "end";
     json["ticks"] = footer.ticks;

@@ -83,6 +83,7 @@ class TextPrinter : public EventPrinter {
     const auto counted = [](std::uint64_t number, const char* word) {
       return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
     };
+    PrintFindings(footer.findings);
     out_ << fmt::format("soarbox: {}, {:.1f} s simulated, {} ({} of them Soar), {}, state {:016x}\n",
                         counted(footer.ticks, "tick"), footer.time_s, counted(footer.agents, "agent"),
                         footer.soar_agents, counted(footer.problems, "problem"), footer.state_hash);
@@ -90,6 +91,15 @@ class TextPrinter : public EventPrinter {
   }
 
  private:
+  void PrintFindings(const std::vector<sim::Finding>& findings) {
+    constexpr std::size_t kMost = 5;
+    if (findings.empty()) return;
+    out_ << "soarbox: what went wrong, the cause first:\n";
+    for (std::size_t i = 0; i < findings.size() && i < kMost; ++i)
+      out_ << fmt::format("  {}. {}\n", i + 1, Printable(findings[i].text, "", findings[i].text.size()));
+    if (findings.size() > kMost) out_ << fmt::format("  and {} more\n", findings.size() - kMost);
+  }
+
   void Line(const sim::RunEvent& event, const std::string& text) {
     // What scripts and rules print is theirs but for what would steer the terminal.
     out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s,

@@ -67,6 +67,8 @@ struct LearnersRules {
   std::map<std::string, std::string> all;
   std::set<std::string> given;
   std::vector<explain::RuleText> own;
+  std::set<std::string> proposed;  ///< Operators that some rule of the file proposes.
+  bool proposes_own = false;       ///< A rule that the learner wrote proposes an operator.
 
   LearnersRules(const Lesson& lesson, const fs::path& file) : all(RulesOf(ReadText(file).value_or(""))) {
     for (const auto& [name, text] : RulesOf(ReadText(lesson.folder / lesson.rules).value_or(""))) {
@@ -74,7 +76,9 @@ struct LearnersRules {
       if (at != all.end() && at->second == text) given.insert(name);
     }
     own = sim::RulesOf(file);
+    for (const explain::RuleText& rule : own) proposed.insert(rule.proposes.begin(), rule.proposes.end());
     std::erase_if(own, [&](const explain::RuleText& rule) { return given.contains(rule.name); });
+    proposes_own = std::ranges::any_of(own, [](const explain::RuleText& rule) { return !rule.proposes.empty(); });
   }
 
   /// True if one that the learner wrote fits the pattern.
@@ -91,12 +95,6 @@ struct LearnersRules {
     });
   }
 };
-
-/// "porter.soar:7: what is wrong; what to do"
-std::string SlipText(const Diagnostic& problem) {
-  return fs::path(problem.file).filename().string() + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") +
-         ": " + problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
-}
 
 /// The lessons that course.toml of a folder lists: folders, seen from there.
 std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnostic>& problems) {
@@ -171,8 +169,32 @@ std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty()) return mission::Cause::kMistake;
   const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
-  const bool is_absence = mistake.mode == mission::Mode::kNever || mistake.for_s || is_few;
+  // That an element is there for long is something that happened: an agent has made it.
+  const bool is_made = std::ranges::any_of(mistake.conditions, [](const mission::Condition& condition) {
+    return condition.row->key == mission::Key::kElement;
+  });
+  const bool is_absence = mistake.mode == mission::Mode::kNever || (mistake.for_s && !is_made) || is_few;
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
+}
+
+/// True if a mistake says that an operator was never selected, the learner gave the operator another name, and no check
+/// asks for this one. Then the name is no mistake.
+bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake, const LearnersRules& written) {
+  const auto asks_for = [](const mission::Check& check, const std::string& name) {
+    return std::ranges::any_of(check.conditions, [&](const mission::Condition& condition) {
+      return condition.row->key == mission::Key::kOperator &&
+             std::ranges::find(condition.words, name) != condition.words.end();
+    });
+  };
+  if (mistake.mode != mission::Mode::kNever || !written.proposes_own || written.proposed.contains("")) return false;
+  for (const mission::Condition& condition : mistake.conditions) {
+    if (condition.row->key != mission::Key::kOperator) continue;
+    return std::ranges::none_of(condition.words, [&](const std::string& name) {
+      return name == "any" || written.proposed.contains(name) ||
+             std::ranges::any_of(mission.checks, [&](const mission::Check& check) { return asks_for(check, name); });
+    });
+  }
+  return false;
 }
 
 /// The first known mistake of the lesson that a run shows, and its place in the list; none: past the end.
@@ -182,14 +204,16 @@ std::size_t FindMistake(const mission::Mission& mission, const mission::RunResul
     if (!mistake.conditions.empty() && !run.IsTrue(mission.checks.size() + i)) continue;
     if (mistake.unless != mission::kNoCheck && run.IsTrue(mistake.unless)) continue;
     if (!mistake.written.empty() && !written.Fit(mistake.written)) continue;
+    if (!mistake.unwritten.empty() && written.Fit(mistake.unwritten)) continue;
+    if (HasOtherName(mission, mistake, written)) continue;
     return i;
   }
   return mission.mistakes.size();
 }
 
 /// What the failed run says of the learner's rules: it is made again, and its mind is asked.
-std::vector<mission::RunFinding> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson,
-                                           const LearnersRules& rules, std::uint64_t seed) {
+std::vector<sim::Finding> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson,
+                                    const LearnersRules& rules, std::uint64_t seed) {
   mission::TestSettings settings;
   settings.seeds = {seed};
   settings.ends_endless = true;
@@ -206,12 +230,12 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   using mission::Cause;
   const mission::Mission& mission = lesson.loaded.mission;
   const mission::RunResult& failed = grade.outcome.runs[grade.example];
-  std::vector<mission::RunFinding>& findings = grade.findings;
-  for (const Diagnostic& warning : grade.warnings) findings.push_back({Cause::kSlip, SlipText(warning)});
+  std::vector<sim::Finding>& findings = grade.findings;
+  for (const Diagnostic& warning : grade.warnings) findings.push_back({sim::CauseOf(warning), sim::OneLine(warning)});
   const bool is_endless = failed.outcome == "endless";
   if (failed.outcome == "ok" || is_endless) {
-    for (mission::RunFinding& finding : AccountOf(loaded, lesson, written, failed.seed))
-      if (std::ranges::find(findings, finding.text, &mission::RunFinding::text) == findings.end())
+    for (sim::Finding& finding : AccountOf(loaded, lesson, written, failed.seed))
+      if (std::ranges::find(findings, finding.text, &sim::Finding::text) == findings.end())
         findings.push_back(std::move(finding));
   }
   // A rule that never fires does not write too often.
@@ -221,7 +245,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
       std::erase_if(findings, [&](const auto& finding) { return finding.text.find(too_often) != std::string::npos; });
   }
   const auto is_told = [&](Cause cause) {
-    return std::ranges::find(findings, cause, &mission::RunFinding::cause) != findings.end();
+    return std::ranges::find(findings, cause, &sim::Finding::cause) != findings.end();
   };
   if (is_endless && !is_told(Cause::kEndless)) findings.push_back({Cause::kEndless, failed.error});
   if (failed.outcome != "ok" && !is_endless)
@@ -238,7 +262,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
         {Cause::kSymptom,
          "This is no mistake that the lesson knows. Look at the first check that failed: which rule should make it "
          "come true, and when does this rule fire?"});
-  std::ranges::stable_sort(findings, {}, &mission::RunFinding::cause);
+  sim::RankByCause(findings);
 }
 
 }  // namespace

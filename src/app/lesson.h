@@ -59,7 +59,7 @@ struct Grade {
   std::string mistake;      ///< The known mistake that was recognised; empty: none.
   std::size_t example = 0;  ///< Of the outcome's runs, the first that failed.
   /// What went wrong, the cause first: never empty if a run failed.
-  std::vector<mission::RunFinding> findings;
+  std::vector<sim::Finding> findings;
 };
 
 /// Called after each seed.

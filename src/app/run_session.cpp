@@ -177,6 +177,7 @@ Result<void> RunSession::BeginAgain(bool with_next_seed) {
   simulation_ = std::move(*made);
   if (watches) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
   next_report_s_ = 0;
+  findings_.Clear();
   printer_->Begin({scenario_name_, seed_, false});
   PrintEvents();
   if (mission_ != nullptr) mission_->Begin(*simulation_, unrecorded_);
@@ -243,6 +244,7 @@ int RunSession::Finish() {
   footer.agents = simulation_->Snapshot().agents.size();
   footer.soar_agents = simulation_->soar_agents();
   footer.problems = problems_;
+  footer.findings = findings_.Ranked();
   printer_->End(footer);
   // A script's exit code is one byte, as a process' is.
   constexpr int kMostCode = 255;
@@ -253,6 +255,7 @@ int RunSession::Finish() {
 
 void RunSession::PrintEvents() {
   sim::EventList events = simulation_->TakeEvents();
+  findings_.See(events);
   for (sim::RunEvent& event : events) {
     const bool is_problem =
         event.kind == sim::EventKind::kAgentFailed || event.kind == sim::EventKind::kMindFailed ||

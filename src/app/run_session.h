@@ -15,6 +15,7 @@
 #include "app/run_options.h"
 #include "dis/gateway.h"
 #include "record/recorder.h"
+#include "sim/findings.h"
 #include "sim/simulation.h"
 #include "workbench/live_run.h"
 
@@ -93,6 +94,7 @@ class RunSession final : public workbench::LiveRun {
   std::unique_ptr<sim::LiveEdits> edits_;  ///< Null if files are not watched.
   std::chrono::steady_clock::time_point next_look_;
   std::size_t problems_ = 0;
+  sim::EventFindings findings_;
   bool expects_inputs_ = true;
   std::uint64_t seed_ = 1;
   std::string scenario_name_;

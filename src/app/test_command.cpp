@@ -198,8 +198,8 @@ std::string CauseOf(const TestedMission& tested, const mission::TestSettings& se
       tested.loaded, again, [](const RunResult&) {}, [] { return !WasInterrupted(); });
   if (!outcome || outcome->runs.empty() || outcome->runs.front().account.empty()) return {};
   // Rules that never fire are no fault of an agent that had something to do all the time.
-  const std::vector<mission::RunFinding>& found = outcome->runs.front().account;
-  const bool was_idle = std::ranges::any_of(found, [](const mission::RunFinding& finding) {
+  const std::vector<sim::Finding>& found = outcome->runs.front().account;
+  const bool was_idle = std::ranges::any_of(found, [](const sim::Finding& finding) {
     return finding.cause == mission::Cause::kStalled || finding.cause == mission::Cause::kSymptom;
   });
   return was_idle || found.front().cause <= mission::Cause::kRefused ? found.front().text : std::string();

@@ -340,6 +340,36 @@ std::optional<MatchFacts> CommandInspector::Match(std::string_view rule) {
   return facts;
 }
 
+bool ReadIsPending(std::string_view rule, std::string_view text) {
+  return std::ranges::any_of(Lines(text), [&](const std::string& line) {
+    const std::vector<std::string> words = Words(WithoutBlanks(line));
+    return std::ranges::find(words, rule) != words.end();
+  });
+}
+
+std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::string_view text) {
+  std::vector<std::uint64_t> tags;
+  std::string_view type;
+  bool is_it = false;
+  for (const std::string& line : Lines(text)) {
+    const std::string_view trimmed = WithoutBlanks(line);
+    constexpr std::string_view kTag = "WME with time tag ";
+    if (trimmed.starts_with("selection probabilities")) break;
+    if (trimmed.starts_with(kTag)) {
+      if (is_it) tags.push_back(Number(trimmed.substr(kTag.size())));
+    } else if (trimmed.starts_with("From ")) {
+      is_it = is_it && trimmed.substr(5) == preference.maker.rule;
+    } else if (trimmed.ends_with(':')) {
+      for (const Section& section : kSections)
+        if (trimmed == std::string(section.title) + ":") type = section.type;
+    } else if (IsIdentifier(trimmed.substr(0, trimmed.find(' '))) && !type.empty()) {
+      const PreferenceFact read = ReadPreference(trimmed, type);
+      is_it = read.type == preference.type && read.value == preference.value && read.referent == preference.referent;
+    }
+  }
+  return tags;
+}
+
 std::vector<std::string> CommandInspector::Complete(std::string_view) {
   return {};
 }

@@ -54,5 +54,9 @@ OperatorFacts ReadPreferences(std::string_view text);
 std::vector<NumberFact> ReadNumbers(std::string_view text);
 /// `matches RULE`.
 MatchFacts ReadMatches(std::string_view rule, std::string_view text);
+/// `matches --assertions`: whether a match of the rule is in the list.
+bool ReadIsPending(std::string_view rule, std::string_view text);
+/// `preferences S1 operator --names --wmes`: the time tags of the elements that a preference rests on.
+std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::string_view text);
 
 }  // namespace soarbox::explain

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <unordered_set>
 #include <utility>
 
 #include "explain/command_inspector.h"
-#include "explain/command_text.h"
 #include "explain/rule_from_facts.h"
 #include "explain/rule_text.h"
 #include "sml_Client.h"
@@ -24,17 +23,21 @@ namespace {
 
 constexpr std::size_t kMostFollowed = 50;  ///< Identifiers of one step of a path.
 
-/// The values behind each ^attribute in "(I2 ^attribute a ^attribute b)".
-void ReadValues(const std::string& text, const std::string& attribute, std::vector<std::string>& values) {
-  const std::string mark = " ^" + attribute + " ";
-  for (const std::string& line : Lines(text)) {
-    for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark, at + 1)) {
-      const std::string rest = line.substr(at + mark.size());
-      std::string value = Trimmed(rest.substr(0, std::min(rest.find(" ^"), rest.find_last_of(')'))));
-      if (value.ends_with(" +")) value.resize(value.size() - 2);
-      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
-    }
-  }
+/// "(S1 ^operator O1 +)"
+std::string ElementText(const ElementFact& element) {
+  return "(" + element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +)" : ")");
+}
+
+/// As `preferences` calls them.
+std::string SectionOf(const std::string& type) {
+  if (type == "indifferent") return "unary indifferent";
+  if (type == "numeric") return "numeric indifferent";
+  return type == "equal" ? "binary indifferent" : type;
+}
+
+/// "O1 (left)"
+std::string WithName(const std::string& id, const std::string& name) {
+  return name.empty() ? id : id + " (" + name + ")";
 }
 
 std::string Dotted(const std::vector<std::string>& path) {
@@ -91,11 +94,10 @@ const std::vector<RuleText>& MindView::rules() {
     return rules_;
   }
 #endif
-  // Names first: `print --all` lists them, `print --full` shows one.
-  for (const std::string& line : Lines(Ask("print --all --user"))) {
-    const std::string name = Trimmed(line);
-    if (name.empty() || name.find(' ') != std::string::npos) continue;
-    std::vector<RuleText> read = ReadRules(Ask("print --full " + name));
+  // The newest first, as `print --all` lists them.
+  const std::vector<RuleFact> listed = inspector_->Rules();
+  for (auto rule = listed.rbegin(); rule != listed.rend(); ++rule) {
+    std::vector<RuleText> read = ReadRules(inspector_->RuleSource(rule->name));
     rules_.insert(rules_.end(), read.begin(), read.end());
   }
   return rules_;
@@ -109,7 +111,7 @@ const RuleText* MindView::FindRule(std::string_view name) {
 
 std::vector<StackEntry> MindView::Stack() {
   std::vector<StackEntry> stack;
-  for (const StateFact& state : ReadStack(Ask("print --stack"))) {
+  for (const StateFact& state : inspector_->Stack()) {
     stack.push_back({true, state.id, state.attribute.empty() ? "" : state.attribute + " " + state.impasse});
     if (!state.operator_id.empty()) stack.push_back({false, state.operator_id, state.operator_name});
   }
@@ -117,13 +119,14 @@ std::vector<StackEntry> MindView::Stack() {
 }
 
 RuleMatch MindView::Match(const std::string& rule) {
-  const MatchFacts facts = ReadMatches(rule, Ask("matches " + rule));
   RuleMatch match;
-  match.total = static_cast<int>(facts.conditions.size());
-  match.matched = static_cast<int>(facts.failing.value_or(facts.conditions.size()));
-  if (!facts.failing) return match;
-  match.failing = facts.conditions[*facts.failing].text;
-  constexpr std::string_view kOpen = "-{ ", kClose = " }";
+  const std::optional<MatchFacts> facts = inspector_->Match(rule);
+  if (!facts) return match;
+  match.total = static_cast<int>(facts->conditions.size());
+  match.matched = static_cast<int>(facts->failing.value_or(facts->conditions.size()));
+  if (!facts->failing) return match;
+  match.failing = facts->conditions[*facts->failing].text;
+  constexpr std::string_view kOpen = "-{", kClose = "}";
   match.is_group = match.failing.starts_with(kOpen) && match.failing.ends_with(kClose);
   if (match.is_group)
     match.failing = match.failing.substr(kOpen.size(), match.failing.size() - kOpen.size() - kClose.size());
@@ -135,50 +138,42 @@ bool MindView::HasFired(const std::string& rule) {
 }
 
 std::optional<std::uint64_t> MindView::Firings(const std::string& rule) {
-  // " 3:  rule"
-  std::istringstream in(Ask("production firing-counts " + rule));
-  std::uint64_t count = 0;
-  return in >> count ? std::optional(count) : std::nullopt;
+  if (!inspector_->TellsAll()) {
+    // " 3:  rule". To ask for all rules would ask another process for each.
+    std::istringstream in(Ask("production firing-counts " + rule));
+    std::uint64_t count = 0;
+    return in >> count ? std::optional(count) : std::nullopt;
+  }
+  if (firings_.empty())
+    for (const RuleFact& each : inspector_->Rules()) firings_.emplace(each.name, each.firings);
+  const auto at = firings_.find(rule);
+  return at == firings_.end() ? std::nullopt : std::optional(at->second);
 }
 
 bool MindView::IsPending(const std::string& rule) {
-  for (const std::string& line : Lines(Ask("matches --assertions"))) {
-    std::istringstream in(line);
-    for (std::string word; in >> word;)
-      if (word == rule) return true;
-  }
-  return false;
+  return ReadIsPending(rule, Ask("matches --assertions"));
 }
 
-std::vector<Preference> MindView::Preferences(const std::string& state, bool with_elements) {
+std::vector<Preference> MindView::Preferences(const std::string& state) {
   std::vector<Preference> found;
-  std::string section;
-  for (const std::string& line :
-       Lines(Ask("preferences " + state + " operator --names" + (with_elements ? " --wmes" : "")))) {
-    const std::string text = Trimmed(line);
-    constexpr std::string_view kTag = "WME with time tag ";
-    if (text.starts_with("selection prob")) break;
-    if (text.starts_with("Preferences for")) continue;
-    if (text.ends_with("s:") && text.find('(') == std::string::npos) {
-      section = text.substr(0, text.size() - 2);
-    } else if (text.starts_with("From ")) {
-      if (!found.empty() && found.back().rule.empty()) found.back().rule = text.substr(5);
-    } else if (text.starts_with(kTag)) {
-      if (!found.empty()) found.back().elements.push_back(text.substr(kTag.size()));
-    } else if (const std::size_t open = text.find(" ("); open != std::string::npos && !section.empty()) {
-      Preference& preference = found.emplace_back();
-      preference.section = section;
-      preference.operator_id = text.substr(0, open);
-      preference.name = text.substr(open + 2, text.find(')') - open - 2);
-      preference.text = Trimmed(text.substr(0, text.find(" :")));
-    }
+  for (const PreferenceFact& fact : inspector_->Operators(state).preferences) {
+    Preference& preference = found.emplace_back();
+    preference.section = SectionOf(fact.type);
+    preference.operator_id = fact.value;
+    preference.name = fact.name;
+    preference.text = WithName(fact.value, fact.name) + " " + fact.sign;
+    if (!fact.referent.empty()) preference.text += " " + WithName(fact.referent, fact.other_name);
+    preference.rule = fact.maker.rule;
+    preference.fact = fact;
   }
   return found;
 }
 
 std::vector<std::string> MindView::ValuesOf(const std::string& attribute) {
   std::vector<std::string> values;
-  ReadValues(Ask("print {(* ^" + attribute + " *)}"), attribute, values);
+  for (const ElementFact& element : inspector_->Search(attribute, std::numeric_limits<std::size_t>::max()))
+    if (element.attribute == attribute && std::ranges::find(values, element.value) == values.end())
+      values.push_back(element.value);
   return values;
 }
 
@@ -186,46 +181,43 @@ std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::ve
   std::vector<std::string> at = {id};
   for (const std::string& attribute : path) {
     std::vector<std::string> next;
-    for (std::size_t i = 0; i < at.size() && i < kMostFollowed; ++i)
-      if (IsIdentifier(at[i])) ReadValues(Ask("print --exact (" + at[i] + " ^" + attribute + " *)"), attribute, next);
-    at.clear();
     std::unordered_set<std::string> seen;
-    for (std::string& value : next)
-      if (seen.insert(value).second) at.push_back(std::move(value));
+    for (std::size_t i = 0; i < at.size() && i < kMostFollowed; ++i)
+      for (ElementFact& element : inspector_->ElementsOf(at[i]))
+        if (element.attribute == attribute && seen.insert(element.value).second)
+          next.push_back(std::move(element.value));
+    at = std::move(next);
   }
   return at;
 }
 
-std::vector<std::string> MindView::Elements(const Preference& preference) {
+std::vector<std::string> MindView::Elements(const std::string& state, const Preference& preference) {
   constexpr std::size_t kMost = 12;
+  std::vector<ElementFact> elements = preference.fact.maker.elements;
+  if (!inspector_->TellsAll()) {
+    for (const std::uint64_t tag :
+         ReadRestsOn(preference.fact, Ask("preferences " + state + " operator --names --wmes"))) {
+      if (elements.size() >= kMost) break;
+      if (std::optional<ElementFact> element = inspector_->Element(tag)) elements.push_back(std::move(*element));
+    }
+  }
   std::vector<std::string> found;
-  for (const std::string& tag : preference.elements) {
+  for (const ElementFact& element : elements) {
     if (found.size() >= kMost) break;
-    // "(12: S1 ^io I1)", the element alone.
-    std::string text = Trimmed(Ask("print --internal " + tag));
-    const std::string mark = "(" + tag + ": ";
-    const std::size_t begin = text.find(mark);
-    if (begin == std::string::npos) continue;
-    text = "(" + text.substr(begin + mark.size(), text.find(')', begin) - begin - mark.size()) + ")";
-    if (std::find(found.begin(), found.end(), text) == found.end()) found.push_back(std::move(text));
+    std::string text = ElementText(element);
+    if (std::ranges::find(found, text) == found.end()) found.push_back(std::move(text));
   }
   return found;
 }
 
 std::string MindView::DescribeOperator(const std::string& id) {
-  std::string text = Trimmed(Ask("print " + id));
-  if (!text.starts_with("(" + id) || !text.ends_with(')')) return id;
-  text = text.substr(1, text.size() - 2);
   std::string name, rest;
-  for (std::size_t at = text.find(" ^"); at != std::string::npos;) {
-    const std::size_t end = text.find(" ^", at + 2);
-    const std::string one = Trimmed(text.substr(at, end == std::string::npos ? end : end - at));
-    if (one.starts_with("^name ")) {
-      name = one.substr(6);
+  for (const ElementFact& element : inspector_->ElementsOf(id)) {
+    if (element.attribute == "name") {
+      name = element.value;
     } else {
-      rest += " " + one;
+      rest += " ^" + element.attribute + " " + element.value;
     }
-    at = end;
   }
   return name.empty() ? id + rest : name + rest;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "explain/inspector.h"
 #include "explain/rule_text.h"
 
 namespace sml {
@@ -31,20 +33,19 @@ struct RuleMatch {
 
 /// One preference for an operator.
 struct Preference {
-  std::string section;                ///< "acceptable", "better", "best", ...
-  std::string operator_id, name;      ///< "O3", "move-to"
-  std::string text;                   ///< "O1 (left) > O2 (right)"
-  std::string rule;                   ///< That made it; empty if none is named.
-  std::vector<std::string> elements;  ///< The time tags of the elements that it rests on, if they were asked for.
+  std::string section;            ///< "acceptable", "better", "best", ...
+  std::string operator_id, name;  ///< "O3", "move-to"
+  std::string text;               ///< "O1 (left) > O2 (right)"
+  std::string rule;               ///< That made it; empty if none is named.
+  PreferenceFact fact;
 };
 
-/// What a Soar program reports about itself, through its command language alone, so that it works with any kernel. Asks
-/// again each time; keeps only the rules.
+/// What a Soar program reports about itself, whatever kernel it lives in: the facts of an Inspector, and walks over
+/// them. Asks again each time; keeps only the rules and how often they have fired. Valid until the agent runs on.
 class MindView {
  public:
-  explicit MindView(sml::Agent& agent) : agent_(agent) {}
+  explicit MindView(sml::Agent& agent) : agent_(agent), inspector_(MakeInspector(agent)) {}
 
-  std::string Ask(const std::string& command);
   const std::vector<RuleText>& rules();
   const RuleText* FindRule(std::string_view name);
   /// From the top state down.
@@ -56,18 +57,22 @@ class MindView {
   bool IsPending(const std::string& rule);
   /// How often it has fired; nothing if that is not reported.
   std::optional<std::uint64_t> Firings(const std::string& rule);
-  std::vector<Preference> Preferences(const std::string& state, bool with_elements = false);
+  std::vector<Preference> Preferences(const std::string& state);
   /// Values of an attribute anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);
   /// Values at the end of a path of attributes that begins at an identifier, each once.
   std::vector<std::string> ValuesAt(const std::string& id, const std::vector<std::string>& path);
-  /// The elements that a preference rests on, "(I2 ^path P2)".
-  std::vector<std::string> Elements(const Preference& preference);
+  /// The elements that a preference of this state rests on, "(I2 ^path P2)".
+  std::vector<std::string> Elements(const std::string& state, const Preference& preference);
   /// "move-to ^waypoint north": an operator's name and attributes.
   std::string DescribeOperator(const std::string& id);
 
  private:
+  std::string Ask(const std::string& command);
+
   sml::Agent& agent_;
+  std::unique_ptr<Inspector> inspector_;
+  std::map<std::string, std::uint64_t> firings_;  ///< By rule, once somebody has asked.
   std::vector<RuleText> rules_;
   bool read_ = false;
 };

@@ -160,13 +160,38 @@ mind::Decision MindReasons::DecisionOf(const std::string& state) {
 }
 
 std::string MindReasons::StateOf(const RuleText& rule) {
-  std::string top = "S1", last;
+  std::string top = "S1", last, worked_on;
+  bool is_below = false;  // The operator before it is one that the rule works on.
   for (const StackEntry& entry : view_.Stack()) {
-    if (!entry.is_state) continue;
+    if (!entry.is_state) {
+      is_below = rule.works_on.contains(entry.about);
+      continue;
+    }
     if (last.empty()) top = entry.id;
     last = entry.id;
+    if (is_below) worked_on = entry.id;
   }
-  return IsForSubstate(rule) && !last.empty() ? last : top;
+  if (IsForSubstate(rule)) return !worked_on.empty() ? worked_on : !last.empty() ? last : top;
+  const bool is_for_top = std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
+    return condition.on_state && condition.attribute == "superstate" && condition.value == "nil";
+  });
+  const std::string below = is_for_top ? std::string() : SubstateOfSelected(rule);
+  return below.empty() ? top : below;
+}
+
+std::string MindReasons::WhichStateAboveHas(const std::string& state, const std::vector<std::string>& path) {
+  std::vector<std::string> above;  // From the top state down.
+  for (const StackEntry& entry : view_.Stack()) {
+    if (entry.id == state) break;
+    if (entry.is_state) above.push_back(entry.id);
+  }
+  std::string way;
+  for (auto at = above.rbegin(); at != above.rend(); ++at) {
+    way += "superstate.";
+    if (!view_.ValuesAt(*at, path).empty())
+      return state + " is a substate and has none; " + *at + " has it: test ^" + way + path.front();
+  }
+  return {};
 }
 
 std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
@@ -230,6 +255,11 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   const std::string& attribute = condition.path.back();
   const std::vector<std::string> path = FromTop(condition.path);
   const bool is_percept = !path.empty() && path.front() == "io";
+  const bool is_own = !condition.path.empty() && condition.path.front() != "superstate" &&
+                      !IsArchitectureAttribute(condition.path.front());
+  if (is_own) {
+    if (std::string elsewhere = WhichStateAboveHas(StateOf(rule), condition.path); !elsewhere.empty()) return elsewhere;
+  }
   if (!is_percept) {
     if (const std::vector<Wait> circle = CircleFrom(rule, condition); !circle.empty()) {
       std::vector<std::string> attributes, makers;
@@ -363,6 +393,19 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
     if (const std::string state = SubstateOfSelected(rule); first.path.front() == "io" && !state.empty())
       return waits(Say(Situation::kNoLinks, {{"state", state}}));
+    // Its first conditions may match a state above, which does not fit the rest: the substate lacks what they test.
+    for (const RuleAttribute& condition : rule.conditions) {
+      const std::string state = StateOf(rule);
+      if (!IsForSubstate(rule) || condition.negated || !condition.on_state ||
+          !IsConstantAttribute(condition.attribute) || IsArchitectureAttribute(condition.attribute) ||
+          !view_.ValuesAt(state, {condition.attribute}).empty())
+        continue;
+      ConditionText own;
+      own.path = {condition.attribute};
+      if (!IsVariable(condition.value)) own.value = condition.value;
+      if (const std::string above = WhichStateAboveHas(state, own.path); !above.empty())
+        return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", own.Text()}, {"found", above}});
+    }
   }
   if (shown.empty())
     return waits(others == 1 ? Say(Situation::kOneDoesNotFit)

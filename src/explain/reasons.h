@@ -93,12 +93,14 @@ class MindReasons {
   /// "rule x in hero.soar:7 failed to parse: ..."; empty if all loaded.
   std::string WhatFailed();
   std::string StateOf(const RuleText& rule);
+  /// If a state above has a path that a substate lacks: where, and how to test it; else empty.
+  std::string WhichStateAboveHas(const std::string& state, const std::vector<std::string>& path);
 
   struct Told;
   void TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into);
   void TellOperator(const std::string& name, int depth, Told& told, std::vector<WhyNode>& into);
   void TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into);
-  WhyNode OfPreference(const Preference& preference, bool with_elements);
+  WhyNode OfPreference(const std::string& state, const Preference& preference, bool with_elements);
 
   sml::Agent& agent_;
   MindView view_;

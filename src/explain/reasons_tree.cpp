@@ -63,7 +63,7 @@ void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vec
   }
 }
 
-WhyNode MindReasons::OfPreference(const Preference& preference, bool with_elements) {
+WhyNode MindReasons::OfPreference(const std::string& state, const Preference& preference, bool with_elements) {
   WhyNode node{
       preference.section + ": " + preference.text +
           (preference.rule.empty() ? "" : (preference.text.empty() ? "by rule " : " by rule ") + preference.rule),
@@ -71,7 +71,7 @@ WhyNode MindReasons::OfPreference(const Preference& preference, bool with_elemen
       preference.rule,
       {}};
   if (!with_elements || preference.section != "acceptable") return node;
-  for (std::string& element : view_.Elements(preference))
+  for (std::string& element : view_.Elements(state, preference))
     node.below.push_back({std::move(element), WhyKind::kElement, "", {}});
   return node;
 }
@@ -87,10 +87,10 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
     if (entry.about != name) continue;
     WhyNode& node = into.emplace_back(WhyNode{
         "operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, WhyKind::kOperator, entry.id, {}});
-    for (Preference preference : view_.Preferences(state, true)) {
+    for (Preference preference : view_.Preferences(state)) {
       if (preference.operator_id != entry.id) continue;
       preference.text.clear();
-      node.below.push_back(OfPreference(preference, true));
+      node.below.push_back(OfPreference(state, preference, true));
     }
     return;
   }
@@ -108,7 +108,7 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
                                   {}});
     for (const Preference& preference : preferences)
       if (preference.section != "acceptable" || preference.name == name)
-        node.below.push_back(OfPreference(preference, false));
+        node.below.push_back(OfPreference(top, preference, false));
     return;
   }
   WhyNode& node = into.emplace_back(
@@ -225,7 +225,7 @@ std::vector<WhyNode> MindReasons::OperatorTree() {
               WhyKind::kOperator,
               selected->id,
               {}});
-  for (const Preference& preference : view_.Preferences(state, true)) {
+  for (const Preference& preference : view_.Preferences(state)) {
     const bool is_mine = preference.operator_id == selected->id;
     if (preference.section == "acceptable" && !is_mine) {
       node.below.push_back(
@@ -234,7 +234,7 @@ std::vector<WhyNode> MindReasons::OperatorTree() {
            preference.operator_id,
            {}});
     } else {
-      node.below.push_back(OfPreference(preference, is_mine));
+      node.below.push_back(OfPreference(state, preference, is_mine));
     }
   }
   return nodes;

@@ -10,6 +10,7 @@
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
+#include "tell/sentences.h"
 #include "vocabulary/command_check.h"
 #include "vocabulary/vocabulary.h"
 
@@ -194,10 +195,31 @@ class MeaningChecker {
              near.empty() ? "write a rule that proposes it: (<s> ^operator <o> +) (<o> ^name " + name + ")"
                           : "did you mean " + std::string(near) + "?");
       }
+      if (!proposes_any && !proposed.empty()) CheckCompared(rule, proposed);
     }
   }
 
  private:
+  /// A candidate is asked for by a name that no operator has.
+  void CheckCompared(const RuleText& rule, const std::set<std::string>& proposed) {
+    for (const RuleAttribute& candidate : rule.conditions) {
+      if (candidate.attribute != "operator" || candidate.negated || !candidate.value.ends_with(" +")) continue;
+      for (const RuleAttribute& test : rule.conditions) {
+        const std::string name = FirstWord(test.value);
+        if (test.id != FirstWord(candidate.value) || test.attribute != "name" || test.negated || name != test.value ||
+            IsVariable(name) || name.empty() || proposed.contains(name))
+          continue;
+        const std::vector<std::string> names(proposed.begin(), proposed.end());
+        const std::string_view near = Suggest(name, {proposed.begin(), proposed.end()});
+        Tell(rule, name, false,
+             "rule " + rule.name + " looks for a proposed operator with the name " + name + ", which no rule proposes",
+             near.empty() ? "operators here are called " + tell::Listed(names) +
+                                "; what they are about is another attribute, which the rule that proposes them makes"
+                          : "did you mean " + std::string(near) + "?");
+      }
+    }
+  }
+
   /// "^name go there": reported as two names.
   static bool IsSecondName(const RuleText& rule, const std::string& name) {
     return std::ranges::any_of(rule.actions, [&](const RuleAttribute& second) {

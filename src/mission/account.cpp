@@ -13,42 +13,10 @@
 namespace soarbox::mission {
 namespace {
 
-/// An agent is told to have nothing to do when it has done nothing for so long.
-constexpr double kToldAfter_s = 1;
 constexpr std::size_t kMostSlips = 3, kMostIdleReasons = 4, kMostRules = 3;
 
 std::string FileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
-}
-
-/// Without the blanks that make it a line of a tree.
-std::string Trimmed(const std::string& line) {
-  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
-}
-
-/// The sentence of an outcome that says how a command was written wrong, without the reason's name; empty if another
-/// thing was wrong, or none.
-std::string RefusedText(const std::string& outcome) {
-  for (const std::string_view reason : {"bad-value", "unknown-parameter", "missing-parameter", "unknown-command"}) {
-    const std::string start = "error " + std::string(reason) + ": ";
-    if (outcome.starts_with(start)) return outcome.substr(start.size());
-  }
-  return {};
-}
-
-/// What an object holds says little where a word was expected.
-std::string WithoutContents(std::string text) {
-  const std::size_t begin = text.find('('), end = text.rfind(')');
-  if (begin != std::string::npos && end != std::string::npos && end > begin)
-    text.replace(begin, end + 1 - begin, "an object, not its name");
-  return text;
-}
-
-/// Of a reason that says that a command failed because a parameter is an identifier: what that means. Empty otherwise.
-std::string IdentifierText(const std::string& reason) {
-  const std::string text = Trimmed(reason);
-  if (!text.starts_with("its last command ") || text.find(" is an identifier") == std::string::npos) return {};
-  return text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
 }
 
 /// "rule x never fired: it requires ^next 3, but it is 2; at 1.0 s it got furthest"
@@ -61,13 +29,10 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
   return text;
 }
 
-/// "operator go has been applied (rule r) and stays selected: ..."
-bool IsStall(const std::string& line) {
-  return line.starts_with("operator ") && line.find(" has been applied ") != std::string::npos;
-}
-
-bool IsEndless(const Diagnostic& problem) {
-  return problem.message.starts_with("rules fire again and again in one phase");
+/// How much it says that a rule never fired. `is_torn`: operators tied, so that none was applied.
+Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
+  if (is_torn || waiting.waits_for_operator) return Cause::kWaiting;
+  return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
 }
 
 /// Rules of a file that never fired, in words: those that came with the lesson.
@@ -108,44 +73,12 @@ bool Account::IsAboutGiven(const std::string& message) const {
 void Account::See(const sim::EventList& events) {
   if (!settings_.IsAsked()) return;
   watch_.See();
-  for (const sim::RunEvent& event : events) {
-    if (event.kind == sim::EventKind::kGap && idle_.empty() && settings_.IsAboutAgent(event.agent)) {
-      idle_agent_ = event.agent;
-      idle_s_ = event.time_s - kToldAfter_s;
-      for (std::size_t i = 0; i < event.reasons.size() && idle_.size() < kMostIdleReasons; ++i) {
-        if (const std::string text = IdentifierText(event.reasons[i]); !text.empty() && refused_.empty()) {
-          refused_agent_ = event.agent;
-          refused_s_ = event.time_s;
-          refused_ = text;
-        }
-        // All that it perceives says nothing about its rules.
-        if (std::string line = Trimmed(event.reasons[i]); !line.starts_with("it perceives "))
-          idle_.push_back(std::move(line));
-      }
-      idle_.push_back("At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text);
-    }
-    if (event.kind == sim::EventKind::kOutcome && refused_.empty() && settings_.IsAboutAgent(event.agent)) {
-      if (const std::string text = RefusedText(event.text); !text.empty()) {
-        refused_agent_ = event.agent;
-        refused_s_ = event.time_s;
-        refused_ = "At " + SecondsText(event.time_s) + " the world refused " + event.news + " of " + event.agent +
-                   ": " + WithoutContents(text);
-      }
-    }
-    const Diagnostic& problem = event.diagnostic;
-    if (event.kind != sim::EventKind::kDiagnostic || problem.severity == Severity::kNote ||
-        !settings_.IsAbout(problem.file) || slips_.size() >= kMostSlips || IsAboutGiven(problem.message))
-      continue;
-    std::string text = FileName(problem.file) + (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": " +
-                       problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
-    if (std::ranges::find(slips_, text, &RunFinding::text) == slips_.end())
-      slips_.push_back({IsEndless(problem) ? Cause::kEndless : Cause::kSlip, std::move(text)});
-  }
+  events_.See(events);
 }
 
-std::vector<RunFinding> Account::Finish(double failed_s) {
-  std::vector<RunFinding> found;
-  std::set<std::string> agents;  // That run the rules of this file.
+/// The agents that run rules of the file.
+std::set<std::string> Account::AgentsOfFile() {
+  std::set<std::string> agents;
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
@@ -154,30 +87,58 @@ std::vector<RunFinding> Account::Finish(double failed_s) {
                             [&](const explain::RuleFact& rule) { return settings_.IsAbout(rule.file); }))
       agents.insert(agent);
   }
-  const std::vector<RuleWatch::Waiting> waiting = watch_.Finish();
-  for (const RuleWatch::Waiting& each : waiting) {
+  return agents;
+}
+
+std::vector<sim::Finding> Account::Slips(const std::vector<RuleWatch::Waiting>& waiting) const {
+  std::vector<sim::Finding> slips;
+  for (const sim::EventFindings::Reported& reported : events_.reported()) {
+    const Diagnostic& problem = reported.diagnostic;
+    if (slips.size() >= kMostSlips) break;
+    if (!settings_.IsAbout(problem.file) || IsAboutGiven(problem.message)) continue;
     // A rule that never fires does not write too often.
-    std::erase_if(slips_, [&](const RunFinding& slip) {
-      return slip.text.find("rule " + each.rule + " writes again") != std::string::npos;
+    const bool is_refuted = std::ranges::any_of(waiting, [&](const RuleWatch::Waiting& each) {
+      return problem.message.find("rule " + each.rule + " writes again") != std::string::npos;
     });
+    if (!is_refuted) slips.push_back(reported.finding);
   }
-  found = slips_;
-  if (agents.contains(refused_agent_) && refused_s_ <= failed_s) found.push_back({Cause::kRefused, refused_});
-  const bool is_idle = agents.contains(idle_agent_) && idle_s_ <= failed_s;
+  return slips;
+}
+
+std::vector<sim::Finding> Account::Finish(double failed_s) {
+  const std::set<std::string> agents = AgentsOfFile();
+  const std::vector<RuleWatch::Waiting> waiting = watch_.Finish();
+  std::vector<sim::Finding> found = Slips(waiting);
+  const sim::Finding* refused = nullptr;
+  for (const auto& [agent, finding] : events_.refused())
+    if (agents.contains(agent) && finding.time_s <= failed_s && (refused == nullptr || finding.tick < refused->tick))
+      refused = &finding;
+  if (refused != nullptr) found.push_back(*refused);
+  const sim::EventFindings::Idle* idle = nullptr;
+  for (const auto& [agent, each] : events_.idle())
+    if (agents.contains(agent) && each.time_s - sim::EventFindings::kToldAfter_s <= failed_s &&
+        (idle == nullptr || each.tick < idle->tick))
+      idle = &each;
   // Between operators that tie none is applied: what rules wait for then comes of the tie.
-  const bool is_torn = is_idle && std::ranges::any_of(idle_, [](const std::string& line) {
+  const bool is_torn = idle != nullptr && std::ranges::any_of(idle->reasons, [](const std::string& line) {
                          return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
                        });
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
-    found.push_back(
-        {is_torn || waiting[i].waits_for_operator ? Cause::kWaiting : Cause::kFurthest, NeverFired(waiting[i])});
-  if (is_idle)
-    for (const std::string& line : idle_) found.push_back({IsStall(line) ? Cause::kStalled : Cause::kSymptom, line});
+    found.push_back({CauseOf(waiting[i], is_torn), NeverFired(waiting[i])});
+  if (idle != nullptr) {
+    for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
+      const std::string& line = idle->reasons[i];
+      // What a rule waits for is asked of the watch, which knows when it got furthest.
+      const bool is_stall = sim::CauseOfReason(line) == Cause::kStalled;
+      found.push_back({is_stall ? Cause::kStalled : Cause::kSymptom, line});
+    }
+    found.push_back({Cause::kSymptom, idle->symptom});
+  }
   // What a rule of the lesson waits for in vain is often the fault of one's own.
   if (found.empty())
     for (std::string& line : GivenThatNeverFired(simulation_, settings_))
       found.push_back({Cause::kSymptom, std::move(line)});
-  std::ranges::stable_sort(found, {}, &RunFinding::cause);
+  sim::RankByCause(found);
   return found;
 }
 

@@ -78,6 +78,7 @@ struct Check {
   std::string hint;
   std::size_t unless = kNoCheck;  ///< Of a mistake: it is none if this check came true.
   RulePattern written;            ///< Of a mistake: a rule of the learner fits this; empty: any rule.
+  RulePattern unwritten;          ///< Of a mistake: it is none if a rule of the learner fits this.
   bool marker = false;            ///< A moment to refer to, not a requirement.
   std::optional<int> pass;        ///< Counted over the seeds by itself.
 };

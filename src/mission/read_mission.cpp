@@ -203,12 +203,15 @@ class MissionReader : public sim::TableReader {
 
   void ReadCheck(const toml::table& table, bool is_mistake, Check& check) {
     std::vector<std::string_view> known(std::begin(kCheckWords), std::end(kCheckWords));
-    if (is_mistake) known.insert(known.end(), {"unless", "written"});
+    if (is_mistake) known.insert(known.end(), {"unless", "written", "unwritten"});
     for (const KeyRow& row : Keys()) known.push_back(row.name);
     CheckKeys(table, "a check", known);
     check.name = Text(table, "name");
     check.hint = Text(table, "hint");
-    if (is_mistake) ReadPattern(table, check.written);
+    if (is_mistake) {
+      ReadPattern(table, "written", check.written);
+      ReadPattern(table, "unwritten", check.unwritten);
+    }
     check.marker = Truth(table, "marker");
     check.pass = WholeNumber(table, "pass", 0, 1'000'000);
     ReadWho(table, check);
@@ -230,14 +233,14 @@ class MissionReader : public sim::TableReader {
     }
   }
 
-  void ReadPattern(const toml::table& table, RulePattern& pattern) {
-    const toml::node* node = table.get("written");
+  void ReadPattern(const toml::table& table, const std::string& word, RulePattern& pattern) {
+    const toml::node* node = table.get(word);
     if (node == nullptr) return;
     const toml::table* parts = node->as_table();
     if (parts == nullptr)
-      return Problem(*node, "'written' says what a rule of the learner has",
-                     "written = { tests = [\"^status complete\"], makes = [\"^closed\"] }");
-    CheckKeys(*parts, "'written'", {"tests", "makes", "calls", "without"});
+      return Problem(*node, "'" + word + "' says what a rule of the learner has",
+                     word + " = { tests = [\"^status complete\"], makes = [\"^closed\"] }");
+    CheckKeys(*parts, "'" + word + "'", {"tests", "makes", "calls", "without"});
     pattern.tests = Words(*parts, "tests");
     pattern.makes = Words(*parts, "makes");
     pattern.calls = Words(*parts, "calls");
@@ -246,7 +249,7 @@ class MissionReader : public sim::TableReader {
       for (const std::string& clause : *clauses)
         if (const std::string problem = ProblemOfClause(clause); !problem.empty())
           Problem(*node, "'" + clause + "' is no clause", problem);
-    if (pattern.empty()) Problem(*node, "'written' names nothing that a rule has");
+    if (pattern.empty()) Problem(*node, "'" + word + "' names nothing that a rule has");
   }
 
   void ReadWho(const toml::table& table, Check& check) {

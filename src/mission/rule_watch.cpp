@@ -61,6 +61,13 @@ bool IsAboutSelected(std::string_view why) {
          why.find("the operator selected in") != std::string_view::npos;
 }
 
+/// Whether the text says no more than that something is not there, or that something is: a value that differs, or that
+/// nothing can make, says more.
+bool IsAboutOthers(std::string_view why) {
+  return why.ends_with("but there is none now") ||
+         (why.starts_with("requires no ") && why.ends_with("but there is one"));
+}
+
 /// "; rule x made it", for a text "requires no ^fire, but ..." of an agent; empty if nobody says which rule.
 std::string MakerOfExcluded(explain::Inspector& inspector, const std::string& why) {
   constexpr std::string_view kExcluded = "requires no ^";
@@ -137,6 +144,7 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
   waiting.why = std::move(why);
   waiting.time_s = simulation_.time_s();
   waiting.waits_for_operator = waits;
+  waiting.waits_for_others = IsAboutOthers(waiting.why);
 }
 
 std::vector<RuleWatch::Waiting> RuleWatch::Finish() {

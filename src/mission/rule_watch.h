@@ -44,7 +44,8 @@ class RuleWatch {
     std::string agent, rule;
     std::string why;  ///< "requires ^next 3, but it is 2"
     double time_s = 0;
-    std::string wanted, maker;  ///< If a rule that fired makes what it waits for: both; it was there for a moment.
+    std::string wanted, maker;      ///< If a rule that fired makes what it waits for: both; it was there for a moment.
+    bool waits_for_others = false;  ///< For something that may come, or that may go: perhaps other rules are why.
     bool waits_for_operator = false;  ///< Another operator was selected, or none: other rules are why.
   };
   /// Call at the end. In the order of the file, rules that only wait for an operator last.

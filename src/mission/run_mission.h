@@ -59,7 +59,7 @@ struct RunResult {
   std::vector<std::size_t> idle_checks;   ///< Checks that hold before anybody acts.
   std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
   std::string recording;                  ///< The file that was kept; empty: none.
-  std::vector<RunFinding> account;        ///< If it was asked for.
+  std::vector<sim::Finding> account;      ///< If it was asked for.
   std::vector<std::string> problems;      ///< The first errors and warnings, with file and line; each once.
   bool has_errors = false;                ///< It reported an error, and no check is about that.
   bool is_faulty = false;                 ///< There was an error before the first tick: rules that cannot be read.

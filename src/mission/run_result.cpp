@@ -32,7 +32,7 @@ std::string ToJsonLine(const RunResult& result) {
             {"checks", std::move(checks)}, {"numbers", result.numbers}};
   if (!result.error.empty()) json["error"] = result.error;
   if (!result.recording.empty()) json["recording"] = result.recording;
-  for (const RunFinding& finding : result.account)
+  for (const sim::Finding& finding : result.account)
     json["account"].push_back(Json{{"cause", static_cast<int>(finding.cause)}, {"text", finding.text}});
   if (!result.problems.empty()) json["problems"] = result.problems;
   if (result.has_errors) json["has_errors"] = true;

@@ -57,12 +57,6 @@ std::string NumberText(double number) {
   return result == "-0" ? "0" : result;
 }
 
-std::string SecondsText(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
-  return text.data();
-}
-
 std::string Infinitive(const Condition& condition) {
   const std::string words = Joined(condition.words, "or");
   if (const NumberRow* number = FindNumber(condition.row->key)) {

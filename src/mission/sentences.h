@@ -5,13 +5,13 @@
 #include <string_view>
 
 #include "mission/mission.h"
+#include "sim/findings.h"
 
 namespace soarbox::mission {
 
 /// A number as people write it: "3", "0.5", "12.25".
 std::string NumberText(double number);
-/// Seconds with one digit: "17.3 s".
-std::string SecondsText(double seconds);
+using sim::SecondsText;
 
 /// "be at gate", "say move-to ^waypoint north", "have a health of at least 30".
 std::string Infinitive(const Condition& condition);

@@ -29,6 +29,7 @@
 #include "debugger/why.h"
 #include "diagnostics/diagnostic.h"
 #include "record/compare.h"
+#include "sim/findings.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::workbench {
@@ -42,6 +43,7 @@ struct ProblemRow {
   std::string agent;  ///< Empty: the scenario's or the sandbox's own.
   std::uint64_t tick = 0;
   double time_s = 0;
+  sim::Cause cause = sim::Cause::kSlip;
 };
 
 /// A check of the run's mission.
@@ -212,7 +214,7 @@ struct Contents {
 
   std::vector<debugger::AgentRow> agents;
   std::map<std::uint32_t, std::string> activities;  ///< By agent: what its body does now, "move-to gate".
-  std::vector<ProblemRow> problems;                 ///< In order of time.
+  std::vector<ProblemRow> problems;                 ///< The cause first, of equal ones the newest.
   std::vector<CheckRow> checks;                     ///< Of the run's mission; none: it has none.
   std::optional<LessonContents> lesson;
   std::vector<LessonOffer> lessons;  ///< All, in their order.

@@ -65,6 +65,7 @@ Json ProblemJson(const ProblemRow& row) {
   json["agent"] = row.agent;
   json["tick"] = row.tick;
   json["time_s"] = row.time_s;
+  json["cause"] = sim::CauseName(row.cause);
   return json;
 }
 
@@ -339,7 +340,8 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) { return c.futures ? FuturesJson(*c.futures) : Json(); }},
 
     {"problems", "problems", "",
-     "what a user should mend, in order of time: a diagnostic with `agent`, `tick`, `time_s`",
+     "what went wrong, the cause first: a diagnostic with `agent`, `tick`, `time_s`, `cause` (`broken`, `slip`, "
+     "`endless`, `refused`, `furthest`, `awaits`, `stalled`, `waiting`, `symptom`)",
      [](const Contents& c) { return ListOf(c.problems, ProblemJson); }},
 
     {"watch", "agents", "", "whose minds are looked at side by side",

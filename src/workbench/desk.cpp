@@ -134,10 +134,12 @@ void Desk::OnTick(const record::TickRecord& tick) {
 
 void Desk::Learn(const record::TickRecord& tick) {
   models_.Add(tick);
+  findings_.See(tick.events);
   for (const sim::RunEvent& event : tick.events) {
     is_stale_ |= NoteCheck(event, checks_);
     if (!IsProblem(event)) continue;
-    problems_.push_back({DiagnosticOf(event), event.agent, tick.tick, tick.scene.time_s});
+    const Diagnostic problem = DiagnosticOf(event);
+    problems_.push_back({problem, event.agent, tick.tick, tick.scene.time_s, sim::CauseOf(problem)});
     if (problems_.size() > kMostProblems) problems_.erase(problems_.begin());
   }
   for (auto& [agent, coverage] : coverage_) {
@@ -207,8 +209,22 @@ void Desk::NoteProblem(Diagnostic diagnostic, std::string agent) {
   const std::uint64_t tick = simulation != nullptr ? simulation->tick() : past_.shown_tick();
   const double time_s =
       simulation != nullptr ? simulation->time_s() : static_cast<double>(tick) * recording_->header().step_s;
-  problems_.push_back({std::move(diagnostic), std::move(agent), tick, time_s});
+  const sim::Cause cause = sim::CauseOf(diagnostic);
+  problems_.push_back({std::move(diagnostic), std::move(agent), tick, time_s, cause});
   is_stale_ = true;
+}
+
+std::vector<ProblemRow> Desk::RankedProblems() const {
+  std::vector<ProblemRow> rows;
+  for (const sim::Finding& finding : findings_.OfAgents()) {
+    ProblemRow& row = rows.emplace_back(ProblemRow{{}, finding.agent, finding.tick, finding.time_s, finding.cause});
+    row.diagnostic.severity = finding.cause == sim::Cause::kRefused ? Severity::kWarning : Severity::kNote;
+    row.diagnostic.message = finding.text;
+  }
+  rows.insert(rows.end(), problems_.begin(), problems_.end());
+  std::ranges::reverse(rows);
+  sim::RankByCause(rows);
+  return rows;
 }
 
 const world::SceneSnapshot* Desk::PastScene() {

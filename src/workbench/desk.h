@@ -120,6 +120,8 @@ class Desk {
   void FillOffers(Contents& contents, explain::Inspector* mind);
   /// The rule that is looked at as its author wrote it.
   void FillRuleText(Contents& contents);
+  /// Everything that went wrong, ranked as `soarbox run` and `learn check` rank it.
+  std::vector<ProblemRow> RankedProblems() const;
   /// What bodies do now.
   void FillActivities(Contents& contents);
   void FillWhy(Contents& contents, explain::Inspector* mind);
@@ -152,7 +154,8 @@ class Desk {
   debugger::Breakpoints breakpoints_;
   std::vector<debugger::BreakHit> hits_;
   bool hit_is_new_ = false;
-  std::vector<ProblemRow> problems_;
+  std::vector<ProblemRow> problems_;  ///< In order of time.
+  sim::EventFindings findings_;       ///< Refused commands and idle agents.
   std::vector<CheckRow> checks_;
   std::string news_;  ///< To be told at once; empty: nothing.
   std::map<std::string, debugger::Coverage> coverage_;

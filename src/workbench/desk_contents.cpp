@@ -136,7 +136,7 @@ void Desk::Refresh(Contents& contents) {
   contents.recalls = recalls == models_.recalls.end() ? nullptr : &recalls->second;
   const auto learning = models_.learning.find(agent_);
   contents.learning_log = learning == models_.learning.end() ? nullptr : &learning->second;
-  contents.problems = problems_;
+  contents.problems = RankedProblems();
   contents.checks = checks_;
   if (const Lessons* const lessons = surroundings_.lessons()) lessons->Fill(contents);
   contents.breakpoints = breakpoints_.list();

@@ -22,7 +22,10 @@ struct Desk::Visitor {
   void operator()(const CompleteRequest& request) const { desk.consoles_.Complete(request); }
   void operator()(const KeepLineRequest& request) const { desk.consoles_.Keep(request); }
   void operator()(const ClearConsoleRequest&) const { desk.consoles_.Clear(desk.agent_); }
-  void operator()(const ClearProblemsRequest&) const { desk.problems_.clear(); }
+  void operator()(const ClearProblemsRequest&) const {
+    desk.problems_.clear();
+    desk.findings_.Clear();
+  }
   void operator()(const SeekRequest& request) const {
     surroundings.Pause();
     desk.past_.Seek(request.tick);

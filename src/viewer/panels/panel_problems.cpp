@@ -38,11 +38,11 @@ class ProblemsPanel final : public Panel {
     if (ImGui::SmallButton("Clear")) frame.Ask(workbench::ClearProblemsRequest{});
     const Part list("list");
     int number = 0;
-    for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem) {  // The newest first.
+    for (const workbench::ProblemRow& problem : problems) {  // The cause first.
       ++number;
-      if (only_selected_ && agent != nullptr && problem->agent != agent->name) continue;
+      if (only_selected_ && agent != nullptr && problem.agent != agent->name) continue;
       const IdScope id(number);
-      DrawProblem(frame, *problem);
+      DrawProblem(frame, problem);
     }
   }
 

@@ -14,13 +14,13 @@ export function problemView(context: PanelContext, one: Problem, ...more: View[]
 export const problemsPanel: MakePanel = (context) => ({
   word: "problems", title: "Problems", about: "Errors and warnings in full, with file and line.", uses: ["problems"],
   badge: (contents) => {
-    const count = (contents.problems?.problems ?? []).filter((one) => !context.attempt.isMended(one)).length;
+    const count = (contents.problems?.problems ?? []).filter((one) => one.severity !== "note" && !context.attempt.isMended(one)).length;
     return count === 0 ? "" : String(count);
   },
   view: (contents) => {
-    // What was mended goes.
+    // The cause comes first, as the run ranks it. What was mended goes.
     const all = (contents.problems?.problems ?? []).filter((one) => !context.attempt.isMended(one));
     if (all.length === 0) return empty("No problems. Errors and warnings about rules, scripts and commands would be listed here, with what to do about them.");
-    return [h("div.row", null, button("Clear", () => context.run.ask("clear-problems"))), h("ul.plain", null, all.slice().reverse().map((one) => problemView(context, one, h("b", null, one.agent), moment(context, one.tick, one.time_s))))];
+    return [h("div.row", null, button("Clear", () => context.run.ask("clear-problems"))), h("ul.plain", null, all.map((one) => problemView(context, one, h("b", null, one.agent), moment(context, one.tick, one.time_s))))];
   },
 });

@@ -172,7 +172,7 @@ export interface Futures {
     }[];
   };
 }
-export interface Problems { problems: readonly (Problem & { agent: string; tick: number; time_s: number })[] }
+export interface Problems { problems: readonly (Problem & { agent: string; tick: number; time_s: number; cause: string })[] }
 export interface Watch {
   agents: readonly string[];
   rows: readonly { what: string; cells: readonly { agent: string; text: string; is_new: boolean; is_error: boolean; tick: number }[] }[];

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/findings.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+namespace soarbox::sim {
+namespace {
+
+/// Maximum number of different diagnostics that are kept.
+constexpr std::size_t kMostReported = 500;
+
+/// Without the blanks that make it a line of a tree.
+std::string WithoutIndent(const std::string& line) {
+  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+}
+
+/// The sentence of an outcome that says how a command was written wrong, without the reason's name; empty if another
+/// thing was wrong, or none.
+std::string RefusedText(const std::string& outcome) {
+  for (const std::string_view reason : {"bad-value", "unknown-parameter", "missing-parameter", "unknown-command"}) {
+    const std::string start = "error " + std::string(reason) + ": ";
+    if (outcome.starts_with(start)) return outcome.substr(start.size());
+  }
+  return {};
+}
+
+/// The contents of an object do not help if a word was expected.
+std::string WithoutContents(std::string text) {
+  const std::size_t begin = text.find('('), end = text.rfind(')');
+  if (begin != std::string::npos && end != std::string::npos && end > begin)
+    text.replace(begin, end + 1 - begin, "an object, not its name");
+  return text;
+}
+
+/// Of a reason that says that a command failed because a parameter is an identifier: what that means. Empty otherwise.
+std::string IdentifierText(const std::string& reason) {
+  const std::string text = WithoutIndent(reason);
+  if (!text.starts_with("its last command ") || text.find(" is an identifier") == std::string::npos) return {};
+  return text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
+}
+
+bool IsDiagnostic(const RunEvent& event) {
+  return event.kind == EventKind::kDiagnostic || event.kind == EventKind::kAgentFailed ||
+         event.kind == EventKind::kMindFailed;
+}
+
+}  // namespace
+
+std::string_view CauseName(Cause cause) {
+  constexpr std::array<std::string_view, static_cast<std::size_t>(kLastCause) + 1> kNames = {
+      "broken",   "slip",   "mistake", "endless", "refused", "furthest",
+      "happened", "awaits", "stalled", "missing", "waiting", "symptom"};
+  return kNames.at(static_cast<std::size_t>(cause));
+}
+
+Cause CauseOf(const Diagnostic& problem) {
+  if (problem.severity == Severity::kNote) return Cause::kSymptom;
+  const bool is_endless = problem.message.starts_with("rules fire again and again in one phase") ||
+                          problem.message.find(" stops for good: its rules fired ") != std::string::npos;
+  if (is_endless) return Cause::kEndless;
+  return problem.severity == Severity::kError ? Cause::kBroken : Cause::kSlip;
+}
+
+std::string OneLine(const Diagnostic& problem) {
+  std::string place = std::filesystem::path(problem.file).filename().string();
+  if (!place.empty()) place += (problem.line > 0 ? ":" + std::to_string(problem.line) : "") + ": ";
+  return place + problem.message + (problem.hint.empty() ? "" : "; " + problem.hint);
+}
+
+std::string SecondsText(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
+Cause CauseOfReason(std::string_view reason) {
+  const auto has = [&](std::string_view words) { return reason.find(words) != std::string_view::npos; };
+  if (reason.starts_with("its last command ")) return Cause::kRefused;
+  if (reason.starts_with("operator ") && has(" has been applied ")) return Cause::kStalled;
+  if (!reason.starts_with("rule ") || !has(" requires ")) return Cause::kSymptom;
+  return has("no operator is selected") || has("the operator selected in") ? Cause::kWaiting : Cause::kFurthest;
+}
+
+void EventFindings::SeeIdle(const RunEvent& event) {
+  const auto [at, is_new] = idle_.try_emplace(event.agent);
+  if (!is_new) return;
+  Idle& idle = at->second;
+  idle.tick = event.tick;
+  idle.time_s = event.time_s;
+  idle.symptom = "At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text;
+  for (const std::string& reason : event.reasons) {
+    if (const std::string text = IdentifierText(reason); !text.empty())
+      refused_.try_emplace(event.agent, Finding{Cause::kRefused, text, event.agent, event.tick, event.time_s});
+    // All that it perceives says nothing about its rules.
+    if (std::string line = WithoutIndent(reason); !line.starts_with("it perceives "))
+      idle.reasons.push_back(std::move(line));
+  }
+}
+
+void EventFindings::See(const EventList& events) {
+  for (const RunEvent& event : events) {
+    if (event.kind == EventKind::kGap) SeeIdle(event);
+    if (event.kind == EventKind::kOutcome) {
+      if (const std::string text = RefusedText(event.text); !text.empty())
+        refused_.try_emplace(event.agent, Finding{Cause::kRefused,
+                                                  "At " + SecondsText(event.time_s) + " the world refused " +
+                                                      event.news + " of " + event.agent + ": " + WithoutContents(text),
+                                                  event.agent, event.tick, event.time_s});
+    }
+    if (!IsDiagnostic(event) || event.diagnostic.severity == Severity::kNote || reported_.size() >= kMostReported)
+      continue;
+    Finding finding{CauseOf(event.diagnostic), OneLine(event.diagnostic), event.agent, event.tick, event.time_s};
+    const bool is_known =
+        std::ranges::any_of(reported_, [&](const Reported& one) { return one.finding.text == finding.text; });
+    if (!is_known) reported_.push_back({std::move(finding), event.diagnostic});
+  }
+}
+
+std::vector<Finding> EventFindings::OfAgents() const {
+  std::vector<Finding> found;
+  for (const auto& [agent, refused] : refused_) found.push_back(refused);
+  for (const auto& [agent, idle] : idle_) {
+    Finding finding{Cause::kSymptom, idle.symptom, agent, idle.tick, idle.time_s};
+    if (!idle.reasons.empty()) {
+      // "no operator is proposed" says less than the condition at which the proposal stops.
+      const std::string& reason =
+          *std::ranges::min_element(idle.reasons, {}, [](const std::string& one) { return CauseOfReason(one); });
+      finding.cause = CauseOfReason(reason);
+      finding.text = "At " + SecondsText(idle.time_s) + " " + agent + " has nothing to do: " + reason;
+    }
+    found.push_back(std::move(finding));
+  }
+  std::ranges::stable_sort(found, {}, &Finding::tick);
+  return found;
+}
+
+std::vector<Finding> EventFindings::Ranked() const {
+  std::vector<Finding> found;
+  for (const Reported& one : reported_) found.push_back(one.finding);
+  for (Finding& finding : OfAgents()) found.push_back(std::move(finding));
+  RankByCause(found);
+  return found;
+}
+
+}  // namespace soarbox::sim
