@@ -37,21 +37,21 @@ OrderedJson InfoOf(const record::Reader& recording) {
 }
 
 /// A value in one line; a list is its words.
-std::string TextOf(const OrderedJson& value) {
+std::string ValueText(const OrderedJson& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   std::string text;
-  for (const OrderedJson& word : value) text += (text.empty() ? "" : " ") + TextOf(word);
+  for (const OrderedJson& word : value) text += (text.empty() ? "" : " ") + ValueText(word);
   return text;
 }
 
 void PrintDigests(const OrderedJson& digests) {
-  for (const auto& [name, digest] : digests.items()) std::cout << "  " << TextOf(digest) << "  " << name << '\n';
+  for (const auto& [name, digest] : digests.items()) std::cout << "  " << ValueText(digest) << "  " << name << '\n';
 }
 
 void PrintEntries(const OrderedJson& entries) {
   for (const auto& [name, value] : entries.items()) {
-    if (!value.is_object()) std::cout << fmt::format("{:<15} {}\n", name, TextOf(value));
+    if (!value.is_object()) std::cout << fmt::format("{:<15} {}\n", name, ValueText(value));
   }
   for (const auto& [name, value] : entries.items()) {
     if (!value.is_object()) continue;

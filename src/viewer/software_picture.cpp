@@ -25,7 +25,7 @@ using world::Vec3;
 
 constexpr int kSunPixels = 2048, kClothCell = 32;
 constexpr float kAmbient = 0.58f, kSunlight = 0.46f, kShadow = 0.70f;
-const Vec3 kToSun = world::Normalized({0.45f, 0.85f, 0.35f});
+const Vec3 kToSun = world::Normalized(Vec3{0.45f, 0.85f, 0.35f});
 
 Ink InkOf(world::Color color, float light = 1) {
   return {color.r * light, color.g * light, color.b * light, color.a};
@@ -59,6 +59,14 @@ world::Color ColorOnCloth(const Image& cloths, float u, float v) {
                           static_cast<std::size_t>(within(u, cloths.width)));
   const auto channel = [&](std::size_t i) { return static_cast<float>(cloths.pixels[pixel + i]) / 255; };
   return {channel(0), channel(1), channel(2), 1};
+}
+
+/// Clouds are left out: from blue above to pale at the horizon, and haze below it.
+Ink SkyAt(Vec3 ray) {
+  constexpr world::Color kHorizon{0.80f, 0.87f, 0.92f, 1}, kZenith{0.30f, 0.52f, 0.80f, 1},
+      kHaze{0.45f, 0.50f, 0.46f, 1};
+  const world::Color sky = Mean(kHorizon, kZenith, std::sqrt(std::clamp(ray.y, 0.0f, 1.0f)));
+  return InkOf(ray.y < 0 ? Mean(sky, kHaze, std::min(1.0f, -6 * ray.y)) : sky);
 }
 
 }  // namespace
@@ -185,17 +193,6 @@ void SoftwarePictures::DrawPlaced(const Placed& placed) {
     raster_.Triangle(corner(indices[i]), corner(indices[i + 1]), corner(indices[i + 2]));
 }
 
-void SoftwarePictures::DrawSky() {
-  picture::Image& image = raster_.image();
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const float up = raster_.RayOf(x, y).y, share = std::sqrt(std::clamp(up, 0.0f, 1.0f));
-      const world::Color sky = Mean({0.80f, 0.87f, 0.92f, 1}, {0.30f, 0.52f, 0.80f, 1}, share);
-      image.Mix(x, y, InkOf(up < 0 ? Mean(sky, {0.45f, 0.50f, 0.46f, 1}, std::min(1.0f, -6 * up)) : sky), 1);
-    }
-  }
-}
-
 /// Draws the world from the sun, around what the camera sees: what is hidden there has no light.
 void SoftwarePictures::SeeFromSun(const std::vector<Placed>& all, const SoftwareCamera& camera) {
   // What the middle of the picture shows, and how far the picture reaches there.
@@ -224,13 +221,16 @@ bool SoftwarePictures::IsShadowed(Vec3 point) const {
   return seen->depth > depth + bias;
 }
 
-/// Darkens what is in shadow, and gives the ground a pattern of squares of 2 m, which shows distances.
+/// Draws the sky, darkens what is in shadow, and gives the ground a pattern of squares of 2 m, which shows distances.
 void SoftwarePictures::Shade(float ground_m) {
   picture::Image& image = raster_.image();
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const std::optional<Vec3> at = raster_.WorldAt(x, y);
-      if (!at) continue;
+      if (!at) {
+        image.Mix(x, y, SkyAt(raster_.RayOf(x, y)), 1);
+        continue;
+      }
       float light = IsShadowed(*at) ? kShadow : 1;
       if (std::abs(at->y - ground_m) < 0.02f) {
         const int square = static_cast<int>(std::floor(at->x / 2)) + static_cast<int>(std::floor(at->z / 2));
@@ -269,7 +269,6 @@ picture::Image SoftwarePictures::Draw(const world::SceneSnapshot& scene, const S
   const std::vector<Placed> all = PlaceAll(scene);
   SeeFromSun(all, camera);
   raster_.Begin(camera);
-  DrawSky();
   float ground_m = std::numeric_limits<float>::infinity();
   for (const DrawableSnapshot& drawable : scene.drawables)
     if (drawable.visible && drawable.shape == world::ShapeKind::kPlane)

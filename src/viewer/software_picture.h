@@ -40,7 +40,6 @@ class SoftwarePictures {
   std::vector<Placed> PlaceAll(const world::SceneSnapshot& scene);
   void AddBackdrop(std::vector<Placed>& all);
   void DrawPlaced(const Placed& placed);
-  void DrawSky();
   void SeeFromSun(const std::vector<Placed>& all, const SoftwareCamera& camera);
   bool IsShadowed(world::Vec3 point) const;
   void Shade(float ground_m);

@@ -70,8 +70,8 @@ class Drawings(MissionCase):
 
     def test_an_animation_needs_nothing_else(self):
         clip = self.folder / "clip.gif"
-        self.draw("--video", clip, "--width", 160, "--height", 90, PATH="")
-        self.assertEqual(frames_of_gif(clip), (160, 90, 31))
+        self.draw("--video", clip, "--width", 160, "--height", 120, PATH="")
+        self.assertEqual(frames_of_gif(clip), (160, 120, 31))
 
     def test_a_video_needs_ffmpeg_and_says_so(self):
         clip = self.folder / "it's a clip.mp4"
@@ -88,19 +88,19 @@ class Drawings(MissionCase):
         (tools / "ffmpeg").write_text(f"#!/bin/sh\necho \"$@\" > {self.folder}/words\nwc -c > {self.folder}/count\n", encoding="utf-8")
         (tools / "ffmpeg").chmod(0o755)
         clip = self.folder / "it's a clip.mp4"
-        self.draw("--video", clip, "--width", 160, "--height", 90, PATH=f"{tools}:{os.environ['PATH']}")
-        self.assertEqual(int((self.folder / "count").read_text()), 31 * 160 * 90 * 3)
+        self.draw("--video", clip, "--width", 160, "--height", 120, PATH=f"{tools}:{os.environ['PATH']}")
+        self.assertEqual(int((self.folder / "count").read_text()), 31 * 160 * 120 * 3)
         words = (self.folder / "words").read_text()
-        self.assertIn("-f rawvideo -pix_fmt rgb24 -s 160x90 -r 10 -i -", words)
+        self.assertIn("-f rawvideo -pix_fmt rgb24 -s 160x120 -r 10 -i -", words)
         self.assertIn(str(clip), words)
         (tools / "ffmpeg").write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
-        err = self.draw("--video", clip, "--width", 160, "--height", 90, code=3, PATH=f"{tools}:{os.environ['PATH']}").stderr
+        err = self.draw("--video", clip, "--width", 160, "--height", 120, code=3, PATH=f"{tools}:{os.environ['PATH']}").stderr
         self.assertIn("ffmpeg made no video", err)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_ffmpeg_makes_a_video(self):
         clip = self.folder / "clip.mp4"
-        self.draw("--video", clip, "--width", 160, "--height", 90)
+        self.draw("--video", clip, "--width", 160, "--height", 120)
         self.assertEqual(clip.read_bytes()[4:8], b"ftyp")
 
 
