@@ -96,7 +96,7 @@ void DrawAxis(Drawing& drawing, const Frame& frame) {
 float LeftFor(const std::vector<std::string>& names) {
   std::size_t longest = 4;
   for (const std::string& name : names) longest = std::max(longest, name.size());
-  return std::clamp(16 + kLetter * static_cast<float>(longest), 70.0f, kWidth * 0.35f);
+  return std::clamp(22 + kLetter * static_cast<float>(longest), 70.0f, kWidth * 0.35f);
 }
 
 /// A drawing with a row for each name and a heading.

@@ -253,15 +253,37 @@ void SoftwarePictures::DrawLines(const world::SceneSnapshot& scene) {
 }
 
 void SoftwarePictures::WriteNames(const world::SceneSnapshot& scene, picture::Image& image) const {
+  constexpr float kOver_m = 0.35f, kHigh_px = 9, kPadding_px = 5, kBox_px = kHigh_px + 2 * kPadding_px;
+  struct Label {
+    const world::AgentSnapshot* agent;
+    float x, y, width;  ///< Of its box; y is its lower edge.
+  };
+  std::vector<Label> labels;
   for (const world::AgentSnapshot& agent : scene.agents) {
-    constexpr float kOver_m = 0.35f, kHigh_px = 9;
     const std::optional<Projected> head = raster_.Project(agent.position + Vec3{0, agent.height_m / 2 + kOver_m, 0});
-    if (!head) continue;
-    const float width = picture::TextWidth(agent.name, kHigh_px), x = head->x / 2 - width / 2, y = head->y / 2;
+    const float width = picture::TextWidth(agent.name, kHigh_px) + 2 * kPadding_px;
+    if (head) labels.push_back({&agent, head->x / 2 - width / 2, head->y / 2, width});
+  }
+  // From the lowest up: what would cover a label that is there moves above it.
+  std::ranges::stable_sort(labels, [](const Label& a, const Label& b) { return a.y > b.y; });
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    Label& label = labels[i];
+    constexpr int kMostMoves = 40;
+    const auto covers = [&label](const Label& other) {
+      return label.x < other.x + other.width && other.x < label.x + label.width &&
+             std::abs(label.y - other.y) < kBox_px;
+    };
+    for (int move = 0; move < kMostMoves; ++move) {
+      const auto there = std::ranges::find_if(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), covers);
+      if (there == labels.begin() + static_cast<std::ptrdiff_t>(i)) break;
+      label.y = there->y - kBox_px - 1;
+    }
+    const world::AgentSnapshot& agent = *label.agent;
     const world::Color color = agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
-    image.Box(x - 5, y - kHigh_px - 5, width + 10, kHigh_px + 10, {1, 1, 1, agent.alive ? 0.82f : 0.55f});
-    image.Box(x - 5, y - kHigh_px - 5, 3, kHigh_px + 10, InkOf(color));
-    picture::WriteText(image, x + 1, y, kHigh_px, agent.name, {0.08f, 0.09f, 0.10f, agent.alive ? 1 : 0.6f}, 1.4f);
+    image.Box(label.x, label.y - kBox_px, label.width, kBox_px, {1, 1, 1, agent.alive ? 0.82f : 0.55f});
+    image.Box(label.x, label.y - kBox_px, 3, kBox_px, InkOf(color));
+    picture::WriteText(image, label.x + kPadding_px + 1, label.y - kPadding_px, kHigh_px, agent.name,
+                       {0.08f, 0.09f, 0.10f, agent.alive ? 1 : 0.6f}, 1.4f);
   }
 }
 
@@ -304,13 +326,19 @@ SoftwareCamera CameraOver(const std::vector<Vec3>& places, float aspect, bool is
     camera.high_m = std::max(deep, wide / aspect);
     return camera;
   }
-  constexpr float kDown_deg = 38;
+  constexpr float kDown_deg = 38, kUsed = 0.85f, kNearest_m = 9;
   const float down = kDown_deg * std::numbers::pi_v<float> / 180;
   camera.ahead = {0, -std::sin(down), -std::cos(down)};
   camera.up = {0, 1, 0};
-  const float half = std::tan(camera.vertical_fov_deg / 2 * std::numbers::pi_v<float> / 180);
-  // The near edge of the field is wider in the picture than its middle.
-  const float away = std::max(wide / aspect, deep * std::sin(down) * 1.15f) / 2 / half + deep / 2 * std::cos(down);
+  const Vec3 up = Cross(Vec3{1, 0, 0}, camera.ahead);
+  const float half = kUsed * std::tan(camera.vertical_fov_deg / 2 * std::numbers::pi_v<float> / 180);
+  // Each place is within that share of the picture.
+  float away = kNearest_m;
+  for (const Vec3 place : places) {
+    const Vec3 from = place - middle;
+    away =
+        std::max(away, std::max(std::abs(from.x) / aspect, std::abs(Dot(from, up))) / half - Dot(from, camera.ahead));
+  }
   camera.eye = middle - away * camera.ahead;
   return camera;
 }
