@@ -82,7 +82,7 @@ class FfmpegFilm final : public Film {
   FfmpegFilm(fs::path file, int width, int height, double every_s) : file_(std::move(file)) {
     std::signal(SIGPIPE, SIG_IGN);  // A program that ends early is told by its exit status.
     const std::string command =
-        fmt::format("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {} -i - -pix_fmt yuv420p {}",
+        fmt::format("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {:.6g} -i - -pix_fmt yuv420p {}",
                     width, height, 1 / every_s, sweep::ShellWord(fs::absolute(file_).string()));
     pipe_ = popen(command.c_str(), "w");
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -164,7 +165,7 @@ TEST(Picture, AGifOfManyColoursStaysNearThemAndFillsTheTableOfCodesAgainAndAgain
   const Image wild = Colourful(kWidth, kHeight);
   GifMaker maker(kWidth, kHeight, 10);
   std::string file;
-  for (const Image* image : {&smooth, &wild}) file += maker.Add(*image);
+  for (const Image* image : std::initializer_list<const Image*>{&smooth, &wild}) file += maker.Add(*image);
   const std::vector<Image> shown = ReadGif(file + GifMaker::End(), kWidth, kHeight);
   ASSERT_EQ(shown.size(), 2u);
   EXPECT_LT(FarthestApart(shown[0], smooth), 24);

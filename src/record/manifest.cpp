@@ -46,11 +46,28 @@ void AddKeptFiles(const sim::Scenario& scenario, const Header& header, OrderedJs
   }
 }
 
+/// The folders of scripts and rules that come with the program.
+std::vector<fs::path> LibraryFolders(const sim::Scenario& scenario) {
+  std::vector<fs::path> folders = scenario.script_folders;
+  folders.insert(folders.end(), scenario.fallback_rule_folders.begin(), scenario.fallback_rule_folders.end());
+  std::erase_if(folders, [&](const fs::path& folder) {
+    return std::ranges::find(scenario.rule_folders, folder) != scenario.rule_folders.end();
+  });
+  return folders;
+}
+
+bool IsBelow(const fs::path& file, const fs::path& folder) {
+  const fs::path inside = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  return !inside.empty() && *inside.begin() != "..";
+}
+
 /// Files that the scenario names and that lie elsewhere, or that are too large to be held.
 void AddNamedFiles(const sim::Scenario& scenario, OrderedJson& digests) {
   std::vector<fs::path> named = {scenario.script, scenario.definition, scenario.rules};
   for (const auto& [agent, file] : scenario.replaced_rules) named.push_back(file);
+  const std::vector<fs::path> library = LibraryFolders(scenario);
   for (const fs::path& file : named) {
+    if (std::ranges::any_of(library, [&](const fs::path& folder) { return IsBelow(file, folder); })) continue;
     const std::string name = scenario.Original(file).generic_string();
     const auto is_listed = [&](const auto& entry) { return name == entry.key() || name.ends_with("/" + entry.key()); };
     const auto entries = digests.items();
@@ -74,10 +91,7 @@ std::string DigestOfFolder(const fs::path& folder) {
 }
 
 void AddLibrary(const sim::Scenario& scenario, OrderedJson& made) {
-  std::vector<fs::path> folders = scenario.script_folders;
-  folders.insert(folders.end(), scenario.fallback_rule_folders.begin(), scenario.fallback_rule_folders.end());
-  for (const fs::path& folder : folders) {
-    if (std::ranges::find(scenario.rule_folders, folder) != scenario.rule_folders.end()) continue;
+  for (const fs::path& folder : LibraryFolders(scenario)) {
     // Where the program is installed says nothing about what it is.
     const fs::path normal = (folder / "").lexically_normal().parent_path();
     made["library_sha256"][(normal.parent_path().filename() / normal.filename()).generic_string()] =

@@ -171,7 +171,7 @@ class Compare(MissionCase):
         self.assertIn("chance selected, and came to another result", out)
         self.assertNotIn("its rules or its memory differ", out)
         # Two operators of one name are told apart by what they consist of.
-        contents = re.findall(r"^  ([AB]): O\d+ .*\^name step.*\^to (gate|mill)", out, re.MULTILINE)
+        contents = re.findall(r"^  ([AB]): O\d+ \^to (gate|mill) \^name step$", out, re.MULTILINE)
         self.assertEqual([side for side, _ in contents], ["A", "B"], out)
         self.assertNotEqual(contents[0][1], contents[1][1])
 
