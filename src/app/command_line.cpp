@@ -26,6 +26,7 @@
 #include "app/usage_errors.h"
 #include "app/usage_text.h"
 #include "app/window.h"
+#include "record/manifest.h"
 #include "sim/scenario.h"
 
 namespace soarbox::app {
@@ -118,13 +119,16 @@ int Main(int argc, char** argv, const PageServer* server) {
     }
     return kUsage;
   }
+  // A server's engine is called by the server; its recordings go to whoever asks for them.
+  record::SetOrigin({Commit(), program.got_subcommand("engine") ? std::vector<std::string>()
+                                                                : std::vector<std::string>(argv, argv + argc)});
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
     return WithServer(server, argv, options, is_replay);
   // Before anything is done that would be done twice.
   if ((program.got_subcommand("run") && !options.run.headless) ||
       (program.got_subcommand("learn") && !options.learn.headless) ||
-      (is_replay && !options.recording.headless && !options.recording.json)) {
+      (is_replay && !NeedsNoWindow(options.recording))) {
     GoOnInWindow(argv);
   }
   if (program.got_subcommand("run")) return FollowedByOthers(Run(options.run), options.run);
@@ -139,10 +143,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   if (program.got_subcommand("resume")) return Resume(options.recording);
   if (program.got_subcommand("compare")) return Compare(options.recording);
   if (program.got_subcommand("kernel")) return ServeKernel(options.kernel);
-  if (program.got_subcommand("sweep")) {
-    options.sweep.command.assign(argv, argv + argc);
-    return Sweep(options.sweep);
-  }
+  if (program.got_subcommand("sweep")) return Sweep(options.sweep);
   if (program.got_subcommand("report")) return Report(options.report);
   if (program.got_subcommand("learn")) return FollowedByOthers(Learn(options.learn), options.learn.window);
   if (program.got_subcommand("test")) return Test(options.test);

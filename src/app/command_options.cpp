@@ -225,6 +225,8 @@ void AddReport(CLI::App& program, ReportOptions& options) {
       program.add_subcommand("report", "Write one page about a recording or a sweep, to send to somebody");
   report->add_option("source", options.source, "A recording, a folder of recordings, a sweep")->required();
   report->add_option("-o,--output", options.output, "Write the page to this file")->capture_default_str();
+  report->add_option("--plots", options.plots,
+                     "Write its plots into this folder instead of the page, as SVG and PNG files");
 }
 
 void AddLearn(CLI::App& program, LearnOptions& options) {
@@ -360,7 +362,15 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
-  replay->add_option("--select", options.select, "Select this agent from the start");
+  replay->add_flag("--info", options.info, "Print what it was made from and with, and end");
+  replay->add_option("--pictures", options.pictures, "Draw pictures into this folder, without a window");
+  replay->add_option("--video", options.video, "Draw an animation: a .gif, or what ffmpeg makes of another ending");
+  replay
+      ->add_option("--every", options.every_s,
+                   "Simulated seconds from picture to picture (default: 1; 0.1 for an animation)")
+      ->check(NumberIn(0.001, kLongest_s));
+  replay->add_flag("--plan", options.is_plan, "Draw these pictures from straight above");
+  replay->add_option("--select", options.select, "Select this agent from the start; pictures follow it");
   AddBrowser(*replay, options);
   AddWindow(*replay, options);
   CLI::App* verify = program.add_subcommand("verify", "Simulate a recorded run again and compare every tick");
@@ -374,6 +384,12 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   CLI::Option* csv = export_data->add_flag("--csv", options.csv, "Write a row for each agent and tick (the default)");
   export_data->add_flag("--json", options.json, "Write everything, one line per tick")->excludes(csv);
   CLI::Option* output = export_data->add_option("-o,--output", options.output, "Write to this file");
+  export_data
+      ->add_flag("--tidy", options.tidy,
+                 "Write tables in long form: agents, events and percepts. The output is a folder of CSV files, or a "
+                 ".sqlite or .jsonl file")
+      ->excludes(csv)
+      ->needs(output);
   export_data
       ->add_flag("--recording", options.as_recording, "Write the part from --from to --to as a recording of its own")
       ->excludes(csv)

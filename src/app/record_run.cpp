@@ -130,6 +130,7 @@ std::string RunRecordings::Write(RunSession& session, const fs::path& file, cons
   record::WriterSettings writing;
   const double limit_mb = options_.record_limit_mb.value_or(is_usual ? kUsualLimitMb : 0);
   writing.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
+  writing.manifest = manifest_;
   const auto fail = [&](Diagnostic problem) -> std::string {
     if (is_usual || at != nullptr) problem.severity = Severity::kWarning;
     std::cerr << Format(problem);

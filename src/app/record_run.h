@@ -27,6 +27,9 @@ class RunRecordings {
  public:
   explicit RunRecordings(const RunOptions& options) : options_(options) {}
 
+  /// What recordings from now on say they were made from (record::ManifestOf).
+  void SetManifest(std::string manifest) { manifest_ = std::move(manifest); }
+
   /// Starts recording a run that has made no tick yet: into the file named, or into the usual one, which is bounded;
   /// one that begins again, into the next such file, so that what was recorded stays. If it cannot be written that is
   /// told. Returns a remark on where it goes, or nothing if there is no recording.
@@ -43,6 +46,7 @@ class RunRecordings {
 
   RunOptions options_;
   std::filesystem::path file_;  ///< The latest; empty: none.
+  std::string manifest_;
 };
 
 /// "fight-2.soarrec" beside "fight.soarrec", with the first number that no file has.

@@ -14,15 +14,20 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/recording_info.h"
+#include "app/recording_pictures.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "app/window.h"
 #include "diagnostics/read_text.h"
 #include "record/compare.h"
 #include "record/export.h"
+#include "record/manifest.h"
+#include "record/operator_elements.h"
 #include "record/reader.h"
 #include "record/recorder.h"
 #include "record/rerun.h"
+#include "sweep/tidy.h"
 
 namespace soarbox::app {
 namespace {
@@ -79,7 +84,13 @@ int Replay(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
   if (!reader) return Refuse(reader.error());
   CatchInterrupts();
-  if (!options.headless && !options.json && CanOpenWindow()) {
+  if (options.info) {
+    PrintRecordingInfo(**reader, options.json);
+    return kOk;
+  }
+  if (!options.pictures.empty() || !options.video.empty())
+    return DrawPictures(**reader, RangeOf(**reader, options), options);
+  if (!NeedsNoWindow(options) && CanOpenWindow()) {
     const Result<sim::DataFolders> data = FindDataFolders();
     if (!data) return Refuse(data.error());
     return ProgramWindow()->Replay(**reader, RangeOf(**reader, options), *data, options);
@@ -121,6 +132,13 @@ int Export(const RecordingOptions& options) {
   Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
   if (!reader) return Refuse(reader.error());
   const record::TickRange range = RangeOf(**reader, options);
+  if (options.tidy) {
+    const Result<sweep::TidyCounts> written = sweep::WriteTidy(**reader, range, options.output);
+    if (!written) return Refuse(written.error());
+    std::cout << fmt::format("{}: {} rows of agents, {} of events, {} of percepts\n", options.output.string(),
+                             written->agents, written->events, written->percepts);
+    return kOk;
+  }
   if (options.as_recording) {
     const Result<void> written = record::ExportRecording(**reader, range, options.output);
     return written ? static_cast<int>(kOk) : Refuse(written.error());
@@ -228,6 +246,11 @@ int Compare(const RecordingOptions& options) {
   tell("first difference", *comparison->difference);
   if (comparison->decision) {
     tell("first other decision", *comparison->decision);
+    for (const auto& [name, source] : {std::pair{"A", a->get()}, {"B", b->get()}}) {
+      const Result<std::string> elements =
+          record::ElementsOfOperator(*source, comparison->decision->agent, comparison->decision->tick);
+      if (elements && !elements->empty()) std::cout << "  " << name << ": " << *elements << '\n';
+    }
     if (!comparison->why_a.empty()) std::cout << "  A: " << comparison->why_a << '\n';
     if (!comparison->why_b.empty()) std::cout << "  B: " << comparison->why_b << '\n';
     if (comparison->percepts.empty()) {
@@ -299,10 +322,12 @@ int Resume(const RecordingOptions& options) {
   if (!options.output.empty()) {
     record::Header header = (*reader)->header();
     header.build = record::BuildId();
+    record::WriterSettings writing;
+    writing.manifest = record::ManifestOfBranch(record::ManifestIn(options.file), header.build);
     std::error_code error;
     header.branched_from = std::filesystem::absolute(options.file, error).string();
     header.branch_tick = at;
-    Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(options.output, header);
+    Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(options.output, header, writing);
     if (!writer) return Refuse(writer.error());
     if ((*reader)->first_tick() > 0) {
       Result<std::vector<record::TickInputs>> inputs = (*reader)->Inputs();

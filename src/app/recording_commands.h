@@ -17,8 +17,14 @@ struct RecordingOptions : WindowWishes {
   std::optional<double> from_s, to_s;  ///< Simulated seconds; none: as far as the recording goes.
   bool headless = false;               ///< replay: print, do not open a window.
   std::string select;                  ///< replay: name of the agent that is selected from the start.
+  bool info = false;                   ///< replay: print what it was made from, and end.
+  std::filesystem::path pictures;      ///< replay: draw PNG files into this folder; empty: none.
+  std::filesystem::path video;         ///< replay: draw an animation into this file; empty: none.
+  std::optional<double> every_s;       ///< replay: simulated seconds from picture to picture.
+  bool is_plan = false;                ///< replay: pictures from straight above.
   bool json = false;
   bool csv = false;
+  bool tidy = false;                         ///< export: tables in long form.
   bool as_recording = false;                 ///< export: a part as a recording of its own.
   std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
   double at_s = 0;                           ///< resume.
@@ -28,6 +34,11 @@ struct RecordingOptions : WindowWishes {
   std::vector<std::filesystem::path> rules;  ///< resume: files of rules that replace those of the same names.
   std::vector<std::string> agents;           ///< resume: whose rules; empty: those of all agents with a Soar mind.
 };
+
+/// Whether `soarbox replay` opens no window: it prints, or draws pictures.
+inline bool NeedsNoWindow(const RecordingOptions& options) {
+  return options.headless || options.json || options.info || !options.pictures.empty() || !options.video.empty();
+}
 
 // Each carries out `soarbox replay`, `verify`, ...; returns an ExitCode.
 int Replay(const RecordingOptions& options);

@@ -11,7 +11,10 @@
 #include "app/scene_report.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
+#include "picture/png.h"
+#include "record/reader.h"
 #include "report/page.h"
+#include "report/plots.h"
 
 namespace soarbox::app {
 namespace {
@@ -29,9 +32,49 @@ Result<report::PageTexts> ReadPageTexts(const sim::DataFolders& data) {
 
 }  // namespace
 
+namespace {
+
+/// The data of a page about one recording or one sweep.
+Result<std::string> DataOf(const std::filesystem::path& source, const sim::DataFolders& data) {
+  std::error_code error;
+  const std::filesystem::path beside = std::filesystem::path(source).replace_extension(".sweep");
+  if (std::filesystem::exists(source / "sweep.id", error)) return report::SweepData(source, data);
+  if (record::IsRecording(source)) {
+    constexpr std::size_t kMostBytes = 50'000'000;
+    return report::RunData(source, data, kMostBytes);
+  }
+  if (source.extension() == ".toml" && std::filesystem::exists(beside / "sweep.id", error))
+    return report::SweepData(beside, data);
+  return ProblemIn(source, "there is nothing here to make plots of",
+                   "name a recording, a sweep that has runs, or its folder");
+}
+
+/// Writes each plot as SVG and as PNG.
+int WritePlots(const ReportOptions& options, const sim::DataFolders& data) {
+  const Result<std::string> made = DataOf(options.source, data);
+  if (!made) return Refuse(made.error());
+  std::error_code error;
+  std::filesystem::create_directories(options.plots, error);
+  if (error) return Refuse(ProblemIn(options.plots, "this folder cannot be made: " + error.message()));
+  const std::vector<report::Plot> plots = report::PlotsOf(*made);
+  for (const report::Plot& plot : plots) {
+    for (const auto& [ending, bytes] :
+         {std::pair{".svg", picture::SvgOf(plot.drawing)}, {".png", picture::PngOf(picture::ImageOf(plot.drawing))}}) {
+      const std::filesystem::path file = options.plots / (plot.name + ending);
+      if (!(std::ofstream(file, std::ios::binary) << bytes).flush())
+        return Refuse(ProblemIn(file, "this plot cannot be written", "is the disk full, or the folder not yours?"));
+    }
+  }
+  std::cout << options.plots.string() << ": " << plots.size() << " plots, each as SVG and PNG\n";
+  return kOk;
+}
+
+}  // namespace
+
 int Report(const ReportOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
+  if (!options.plots.empty()) return WritePlots(options, *data);
   const Result<report::PageTexts> texts = ReadPageTexts(*data);
   if (!texts) return Refuse(texts.error());
   const Result<std::string> page = report::MakePage(options.source, *data, *texts, RecordedRun);

@@ -24,6 +24,7 @@
 #include "diagnostics/read_text.h"
 #include "dis/gateway.h"
 #include "record/header.h"
+#include "record/manifest.h"
 #include "record/recorder.h"
 #include "sim/input_text.h"
 #include "sim/replaced_rules.h"
@@ -238,6 +239,7 @@ int Run(const RunOptions& given) {
   record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
   RunRecordings recordings(options);
   if (is_recorded) {
+    recordings.SetManifest(record::ManifestOf(*scenario, header));
     const std::string note = recordings.Begin(session, header);
     if (note.empty() && !options.record.empty()) return kCannotStart;
     options.remark = note;
@@ -254,7 +256,10 @@ int Run(const RunOptions& given) {
       },
       [&] {
         header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
-        if (is_recorded) tell(recordings.Begin(session, header));
+        if (is_recorded) {
+          recordings.SetManifest(record::ManifestOf(*scenario, header));
+          tell(recordings.Begin(session, header));
+        }
       });
   session.SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
     tell(recordings.GoOn(session, header, at, inputs));

@@ -12,7 +12,6 @@
 #include <iostream>
 #include <set>
 
-#include "app/commit.h"
 #include "app/data_folders.h"
 #include "app/diagnostic_json.h"
 #include "app/exit_codes.h"
@@ -238,7 +237,7 @@ int Sweep(const SweepOptions& asked) {
   std::vector<Diagnostic> differing;
   const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, folder, differing);
   for (const Diagnostic& problem : differing) std::cerr << Format(problem);
-  const std::string manifest = sweep::ManifestOf(spec, *plan, rows, folder, {Version(), Commit(), options.command});
+  const std::string manifest = sweep::ManifestOf(spec, *plan, rows, folder);
   if (const Result<void> written = sweep::WriteTables(folder, spec, *plan, rows, manifest); !written)
     return Refuse(written.error());
   const bool has_errors = std::ranges::any_of(rows, [](const sweep::Row& row) { return row.result.has_errors; });

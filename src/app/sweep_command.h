@@ -25,8 +25,7 @@ struct SweepOptions {
   bool json = false;   ///< Lines of JSON instead of text.
   /// `spec` is the folder of a sweep, of which so many runs are made again and compared.
   bool verify = false;
-  std::size_t sample = 20;           ///< 0: all.
-  std::vector<std::string> command;  ///< The words of the command line, for the manifest.
+  std::size_t sample = 20;  ///< 0: all.
 };
 
 int Sweep(const SweepOptions& options);

@@ -31,6 +31,7 @@ constexpr ExampleRow kExamples[] = {
     {"replay", {"soarbox replay hallway.soarrec", "Watch it again, forwards and backwards"}},
     {"replay", {"soarbox replay hallway.soarrec --headless --from 2 --to 3", "Print one second of it"}},
     {"verify", {"soarbox verify hallway.soarrec", "Is the run still the same?"}},
+    {"replay", {"soarbox replay hallway.soarrec --video hallway.gif", "Draw it without a window"}},
     {"export", {"soarbox export hallway.soarrec -o hallway.csv", "A row for each agent and tick"}},
     {"export",
      {"soarbox export hallway.soarrec --recording --from 2 --to 6 -o part.soarrec", "Four seconds as a recording"}},

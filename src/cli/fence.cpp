@@ -2,9 +2,10 @@
 #include "cli/fence.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <utility>
+
+#include "diagnostics/lower_case.h"
 
 namespace soarbox::cli {
 namespace {
@@ -41,15 +42,10 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-std::string ToLower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// `--set path FILE` and `--set database file` lead to a file; `--set path :memory:` and other settings do not.
 bool OpensFile(std::span<const Word> words) {
   const std::string& name = words.front().text;
-  if (name == "svs") return words.size() > 1 && ToLower(words[1].text).starts_with("connect_viewer");
+  if (name == "svs") return words.size() > 1 && LowerCase(words[1].text).starts_with("connect_viewer");
   if (name == "rl") return std::ranges::any_of(words, [](const Word& word) { return word.text == "update-log-path"; });
   if ((name != "smem" && name != "epmem") || words.size() < 2) return false;
   const std::string& option = words[1].text;

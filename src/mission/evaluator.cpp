@@ -218,7 +218,7 @@ std::string Evaluator::Miss(const Slot& slot, const Check& check) const {
   }
   if (check.conditions.size() > 1 && slot.most > 0) {
     return std::to_string(slot.most) + " of " + std::to_string(check.conditions.size()) + " conditions held at " +
-           SecondsText(slot.best_s) + "; it did not " + slot.missing +
+           SecondsText(slot.best_s) + "; " + Denied(slot.missing) +
            (slot.best_detail.empty() ? "" : ": " + slot.best_detail);
   }
   if (slot.nearest < 1e29 && !slot.best_detail.empty()) return slot.best_detail + " at " + SecondsText(slot.best_s);

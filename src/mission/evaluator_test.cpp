@@ -261,6 +261,12 @@ TEST(ReadMission, NamesThatNothingKnowsAreRefusedWithWhatWasMeant) {
   EXPECT_EQ(problems[3].message, "there is no impasse 'tei'");
 }
 
+TEST(Sentences, WhatDidNotHoldIsSaidAsPeopleSayIt) {
+  EXPECT_EQ(Denied("give move-to"), "it did not give move-to");
+  EXPECT_EQ(Denied("be at gate"), "it was not at gate");
+  EXPECT_EQ(Denied("not be carried"), "it was carried");
+}
+
 TEST(Seeds, AreListsAndRanges) {
   EXPECT_EQ(ParseSeeds("1..3,7"), (std::vector<std::uint64_t>{1, 2, 3, 7}));
   EXPECT_EQ(ParseSeeds("3..1"), std::nullopt);
@@ -278,25 +284,8 @@ TEST(Statistics, AgreeWithPublishedValues) {
   EXPECT_NEAR(McNemar(1, 9), 0.021484375, 1e-9);
   EXPECT_NEAR(McNemar(5, 5), 1, 1e-9);
   const std::vector<double> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-  const Interval mean = BootstrapInterval(values);
   EXPECT_NEAR(Mean(values), 5.5, 1e-12);
-  EXPECT_NEAR(mean.low, 3.7, 0.3);
-  EXPECT_NEAR(mean.high, 7.2, 0.3);
   EXPECT_EQ(Median(values), 5.5);
-}
-
-/// Of 200 samples of a known distribution, nearly all intervals hold its mean.
-TEST(Statistics, IntervalsHoldTheMeanAsOftenAsTheySay) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> normal(10, 2);
-  int held = 0;
-  for (int round = 0; round < 60; ++round) {
-    std::vector<double> sample(40);
-    for (double& value : sample) value = normal(random);
-    const Interval interval = BootstrapInterval(sample, static_cast<std::uint64_t>(round));
-    held += interval.low <= 10 && interval.high >= 10 ? 1 : 0;
-  }
-  EXPECT_GE(held, 51);
 }
 
 TEST(ChildPool, AChildThatCrashesOrHangsCostsItsWorkOnly) {

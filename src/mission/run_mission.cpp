@@ -12,6 +12,7 @@
 #include "mission/gather_facts.h"
 #include "mission/sentences.h"
 #include "record/header.h"
+#include "record/manifest.h"
 #include "record/recorder.h"
 #include "record/writer.h"
 #include "sim/simulation.h"
@@ -135,7 +136,8 @@ class Keeper {
     for (std::size_t i = 1; i < spec.scenario.rule_folders.size(); ++i)
       header.extra_folders.push_back(std::filesystem::absolute(spec.scenario.rule_folders[i], failure).string());
     std::filesystem::create_directories(spec.recording.parent_path(), failure);
-    Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(spec.recording, header, {});
+    Result<std::unique_ptr<record::Writer>> writer =
+        record::Writer::Create(spec.recording, header, {.manifest = record::ManifestOf(spec.scenario, header)});
     if (!writer) {
       error = writer.error().message;
       return;

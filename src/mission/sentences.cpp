@@ -128,6 +128,13 @@ std::string Infinitive(const Condition& condition) {
   }
 }
 
+std::string Denied(std::string_view infinitive) {
+  constexpr std::string_view kNotBe = "not be ", kBe = "be ";
+  if (infinitive.starts_with(kNotBe)) return "it was " + std::string(infinitive.substr(kNotBe.size()));
+  if (infinitive.starts_with(kBe)) return "it was not " + std::string(infinitive.substr(kBe.size()));
+  return "it did not " + std::string(infinitive);
+}
+
 std::string Whom(const Check& check) {
   if (!check.item.empty()) return check.item;
   if (check.agents.empty() && check.team.empty()) return "the run";

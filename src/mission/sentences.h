@@ -15,6 +15,8 @@ using sim::SecondsText;
 
 /// "be at gate", "say move-to ^waypoint north", "have a health of at least 30".
 std::string Infinitive(const Condition& condition);
+/// That what an infinitive says was not so: "it did not say move-to", "it was not at gate", "it was carried".
+std::string Denied(std::string_view infinitive);
 /// "scout", "blue", "anna or bert", "all of blue in one tick".
 std::string Whom(const Check& check);
 /// What a check demands: "scout should be at gate by 30 s". `who`: instead of all whom it is about. `other`: the names

@@ -11,38 +11,6 @@ namespace soarbox::mission {
 namespace {
 
 constexpr double kZ95 = 1.959963984540054;
-constexpr int kResamples = 10'000;
-
-/// A small generator of our own: the standard library's distributions differ between implementations.
-class Generator {
- public:
-  explicit Generator(std::uint64_t seed) : state_(seed) {}
-  std::size_t Below(std::size_t bound) {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return static_cast<std::size_t>((z >> 11) % bound);
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-double NormalCdf(double x) {
-  return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
-
-/// By bisection: it is asked a few times only.
-double NormalQuantile(double probability) {
-  double low = -9, high = 9;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = (low + high) / 2;
-    (NormalCdf(middle) < probability ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
 
 /// The probability that Student's t lies between -t and t. For a whole number of degrees of freedom it is a finite sum
 /// of powers of the cosine of an angle (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.3 and 26.7.4).
@@ -89,42 +57,6 @@ double StandardDeviation(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
-}
-
-Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
-  if (values.empty()) return {};
-  const double mean = Mean(values);
-  if (values.size() < 2 || StandardDeviation(values) == 0) return {mean, mean};
-  Generator generator(seed);
-  std::vector<double> means(kResamples);
-  for (double& each : means) {
-    double sum = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += values[generator.Below(values.size())];
-    each = sum / static_cast<double>(values.size());
-  }
-  std::sort(means.begin(), means.end());
-  // Corrected for bias and acceleration: means of skewed samples lean to one side.
-  // Few different values make many means equal to the sample's: half of those count as below it.
-  const double slack = 1e-9 * std::max(1.0, std::abs(mean));
-  const auto place_of = [&](double value) {
-    return static_cast<double>(std::lower_bound(means.begin(), means.end(), value) - means.begin());
-  };
-  const double below = (place_of(mean - slack) + place_of(mean + slack)) / 2;
-  const double bias = NormalQuantile(std::clamp(below / kResamples, 1e-4, 1 - 1e-4));
-  const double sum = mean * static_cast<double>(values.size());
-  double cubes = 0, squares = 0;
-  for (const double value : values) {
-    const double without = mean - (sum - value) / static_cast<double>(values.size() - 1);
-    cubes += without * without * without;
-    squares += without * without;
-  }
-  const double acceleration = squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
-  const auto at = [&](double z) {
-    const double shifted = bias + (bias + z) / (1 - acceleration * (bias + z));
-    const double place = NormalCdf(shifted) * (kResamples - 1);
-    return means[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(kResamples - 1)))];
-  };
-  return {at(-kZ95), at(kZ95)};
 }
 
 double StudentCdf(double x, std::size_t freedom) {

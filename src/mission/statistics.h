@@ -20,8 +20,6 @@ double Mean(std::span<const double> values);
 double Median(std::span<const double> values);
 /// Of a sample; 0 for fewer than two values.
 double StandardDeviation(std::span<const double> values);
-/// 95 % confidence interval of a mean from resampling: the same seed gives the same interval.
-Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed = 1);
 /// Student's t distribution with `freedom` degrees of freedom: the probability of a value below x (error about 1e-13),
 /// and its inverse.
 double StudentCdf(double x, std::size_t freedom);

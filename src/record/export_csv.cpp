@@ -14,7 +14,7 @@ namespace soarbox::record {
 namespace {
 
 /// A cell of the table: quoted if it holds what separates cells (RFC 4180).
-std::string Cell(std::string_view text) {
+std::string CsvCell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) {
@@ -50,7 +50,7 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
   if (!read) return read;
 
   out << "tick,time_s,agent,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,speed_mps,heading_deg,health,command,decision";
-  for (const std::string& name : names) out << ',' << Cell(name);
+  for (const std::string& name : names) out << ',' << CsvCell(name);
   out << '\n';
   perceived.clear();
   return ForEachTick(recording, before_too, [&](const TickRecord& record) {
@@ -61,13 +61,13 @@ Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
       const MindRecord* mind = FindMind(record, agent.name);
       const std::string decision = mind != nullptr ? LastDecision(mind->events) : std::string();
       out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", record.tick, record.scene.time_s,
-                         Cell(agent.name), agent.position.x, agent.position.y, agent.position.z, agent.velocity.x,
+                         CsvCell(agent.name), agent.position.x, agent.position.y, agent.position.z, agent.velocity.x,
                          agent.velocity.y, agent.velocity.z, world::Length(agent.velocity), static_cast<float>(heading),
-                         agent.health, Cell(agent.last_command), Cell(decision));
+                         agent.health, CsvCell(agent.last_command), CsvCell(decision));
       const PerceptValues& values = perceived[agent.name];
       for (const std::string& name : names) {
         const auto at = values.find(name);
-        out << ',' << (at == values.end() ? std::string() : Cell(TextOf(at->second)));
+        out << ',' << (at == values.end() ? std::string() : CsvCell(TextOf(at->second)));
       }
       out << '\n';
     }

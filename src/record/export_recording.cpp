@@ -4,6 +4,7 @@
 
 #include "diagnostics/problem.h"
 #include "record/export.h"
+#include "record/manifest.h"
 #include "record/writer.h"
 
 namespace soarbox::record {
@@ -19,7 +20,8 @@ Result<void> ExportRecording(Reader& recording, TickRange range, const std::file
   Result<std::vector<TickInputs>> earlier = recording.Inputs();
   if (!earlier) return earlier.error();
   std::erase_if(*earlier, [&](const TickInputs& entry) { return entry.tick >= first; });
-  Result<std::unique_ptr<Writer>> writer = Writer::Create(file, recording.header());
+  Result<std::unique_ptr<Writer>> writer =
+      Writer::Create(file, recording.header(), {.manifest = ManifestIn(recording.file())});
   if (!writer) return writer.error();
   if (const Result<void> added = (*writer)->AddEarlierInputs(*earlier); !added) return added;
   for (std::uint64_t tick = first; tick <= last; ++tick) {

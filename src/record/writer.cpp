@@ -9,6 +9,7 @@
 
 #include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
+#include "record/manifest.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -18,6 +19,9 @@ Writer::Writer(File file, fs::path path, const Header& header, const WriterSetti
   BlockFrame frame;
   frame.kind = BlockKind::kHeader;
   header_block_ = std::string(kMagic) + EncodeBlock(frame, EncodeHeader(header));
+  if (settings.manifest.empty()) return;
+  frame.kind = kManifestBlock;
+  header_block_ += EncodeBlock(frame, settings.manifest);
 }
 
 Writer::~Writer() {

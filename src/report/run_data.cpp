@@ -8,6 +8,7 @@
 #include "mission/gather_facts.h"
 #include "mission/sentences.h"
 #include "mission/test_missions.h"
+#include "record/manifest.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "report/page.h"
@@ -463,6 +464,8 @@ Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& d
   made["scenario"] = header.scenario;
   made["seed"] = header.seed;
   made["build"] = header.build;
+  if (Json manifest = Json::parse(record::ManifestIn(recording), nullptr, false); manifest.is_object())
+    made["manifest"] = std::move(manifest);
   made["seconds"] = Short(simulation.time_s());
   made["command"] = "soarbox replay " + recording.string();
   made["things"] = std::move(things);

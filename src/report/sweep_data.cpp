@@ -85,7 +85,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   }
   Json made{{"kind", "sweep"},
             {"title", place.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
-            {"command", "soarbox run " + plan->variants.front().argument}};
+            {"command", "soarbox run " + sweep::ShellWord(plan->variants.front().argument)}};
   made["build"] = rows.front().build;
   if (Json manifest = Json::parse(sweep::ReadManifest(place), nullptr, false); manifest.is_object())
     made["manifest"] = std::move(manifest);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sweep/manifest.h"
 
-#include <sys/utsname.h>
-
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,7 +9,8 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "record/header.h"
-#include "sweep/sha256.h"
+#include "record/manifest.h"
+#include "record/sha256.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -22,20 +20,6 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kName = "manifest.json";
 
-std::string NowText() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  char text[32] = "";
-  if (gmtime_r(&now, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
-
-std::string SystemText() {
-  utsname name{};
-  if (uname(&name) != 0) return {};
-  return std::string(name.sysname) + " " + name.release + " " + name.machine;
-}
-
 /// The SHA-256 of each file below the folder, by its path from there.
 OrderedJson FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -44,7 +28,7 @@ OrderedJson FilesBelow(const fs::path& folder) {
     if (it->is_regular_file(error) && !it->is_symlink(error)) files.push_back(it->path());
   std::ranges::sort(files);
   OrderedJson made = OrderedJson::object();
-  for (const fs::path& file : files) made[fs::relative(file, folder, error).string()] = Sha256OfFile(file);
+  for (const fs::path& file : files) made[fs::relative(file, folder, error).string()] = record::Sha256OfFile(file);
   return made;
 }
 
@@ -64,23 +48,23 @@ OrderedJson VariantOf(const ReadyVariant& ready, const fs::path& folder) {
 
 }  // namespace
 
-std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows, const fs::path& folder,
-                       const Origin& origin) {
+std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows, const fs::path& folder) {
   std::error_code error;
   std::set<std::string> hosts, builds;
   for (const Row& row : rows) {
     hosts.insert(row.host);
     builds.insert(row.build);
   }
-  OrderedJson made{{"program", "soarbox " + origin.version}, {"build", record::BuildId()}};
-  if (!origin.commit.empty()) made["commit"] = origin.commit;
-  made["command"] = origin.command;
+  const std::string build = record::BuildId(), &commit = record::TheOrigin().commit;
+  OrderedJson made{{"program", "soarbox " + build.substr(0, build.find(' '))}, {"build", build}};
+  if (!commit.empty()) made["commit"] = commit;
+  made["command"] = record::TheOrigin().command;
   made["working_folder"] = fs::current_path(error).string();
-  made["host"] = HostName();
-  made["system"] = SystemText();
-  made["written"] = NowText();
+  made["host"] = record::HostName();
+  made["system"] = record::SystemText();
+  made["written"] = record::NowText();
   made["sweep"] = spec.file.string();
-  made["sweep_sha256"] = Sha256OfFile(spec.file);
+  made["sweep_sha256"] = record::Sha256OfFile(spec.file);
   made["runs"] = rows.size();
   made["seeds"] = spec.mission.seeds;
   made["hosts_of_runs"] = hosts;
@@ -102,15 +86,6 @@ Result<void> WriteManifest(const fs::path& folder, const std::string& manifest) 
   if (is_written && !error) return {};
   return ProblemIn(file.string(), "this file cannot be written: " + (error ? error.message() : "is the disk full?"),
                    "the rows are safe in the folder parts: run the same command again when there is room");
-}
-
-std::vector<std::pair<std::string, std::string>> EntriesOf(const std::string& manifest) {
-  std::vector<std::pair<std::string, std::string>> entries;
-  const OrderedJson read = OrderedJson::parse(manifest, nullptr, false);
-  if (!read.is_object()) return entries;
-  for (const auto& [name, value] : read.items())
-    entries.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
-  return entries;
 }
 
 }  // namespace soarbox::sweep

@@ -7,6 +7,7 @@
 #include "mission/conditions.h"
 #include "mission/gather_facts.h"
 #include "record/header.h"
+#include "record/manifest.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -121,7 +122,7 @@ Row RowOf(const Plan& plan, std::size_t variant, std::uint64_t seed, int tries, 
   Row row;
   row.key = KeyOf(plan, variant, seed);
   row.build = record::BuildId();
-  row.host = HostName();
+  row.host = record::HostName();
   row.variant = variant;
   row.seed = seed;
   row.tries = tries;

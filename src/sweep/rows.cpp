@@ -11,6 +11,7 @@
 
 #include "diagnostics/problem.h"
 #include "record/header.h"
+#include "record/manifest.h"
 
 namespace soarbox::sweep {
 namespace {
@@ -67,11 +68,6 @@ std::optional<Row> ReadRow(const std::string& line) {
 
 }  // namespace
 
-std::string HostName() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "host";
-}
-
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed) {
   const ReadyVariant& ready = plan.variants[variant];
   return ready.digest + "/" + ready.variant.name + "/" + std::to_string(seed);
@@ -82,7 +78,7 @@ Result<std::unique_ptr<RowWriter>> RowWriter::Create(const fs::path& folder) {
   fs::create_directories(folder, error);
   for (int number = 1; number < 10'000; ++number) {
     const fs::path path =
-        folder / (HostName() + "-" + std::to_string(getpid()) + "-" + std::to_string(number) + ".rows");
+        folder / (record::HostName() + "-" + std::to_string(getpid()) + "-" + std::to_string(number) + ".rows");
     if (fs::exists(path, error)) continue;
     std::FILE* file = std::fopen(path.c_str(), "wxe");
     if (file == nullptr) return Failed(path);

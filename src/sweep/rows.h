@@ -52,7 +52,6 @@ class RowWriter {
 std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::vector<Diagnostic>& problems);
 
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed);
-std::string HostName();
 
 /// results.csv has a row for each run, numbers.csv one for each number of each run; results.sqlite has both, as `runs`
 /// and `numbers`, and the entries of the manifest as `metadata`. manifest.json is the manifest. Each is written beside

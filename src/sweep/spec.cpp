@@ -2,12 +2,15 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <set>
 #include <sstream>
 
 #include "diagnostics/read_text.h"
 #include "mission/read_mission.h"
 #include "sim/table_reader.h"
+#include "sweep/design.h"
 #include "sweep/plan.h"
 #include "sweep/rows.h"
 
@@ -177,7 +180,7 @@ class SpecReader : public sim::TableReader {
   }
 
   void ReadVariant(const toml::table& table) {
-    CheckKeys(table, "a variant", {"name", "scenario", "rules", "parameters", "setup", "kernel"});
+    CheckKeys(table, "a variant", {"name", "scenario", "rules", "parameters", "setup", "kernel", "draw"});
     Variant base;
     base.line = static_cast<int>(table.source().begin.line);
     base.name = Text(table, "name");
@@ -208,10 +211,15 @@ class SpecReader : public sim::TableReader {
         Problem(*setup, "'setup' takes a list of command lines in quotes");
     }
     std::vector<Variant> expanded = {base};
+    std::vector<Range> ranges;
     if (const toml::node* node = table.get("parameters")) {
       const toml::table* parameters = node->as_table();
       if (parameters == nullptr) Problem(*node, "'parameters' takes { \"agent.scout.senses.sight\" = 40 }");
       for (const auto& [key, value] : parameters != nullptr ? *parameters : toml::table{}) {
+        if (const toml::table* range = value.as_table()) {
+          AddRange(std::string(key.str()), *range, ranges);
+          continue;
+        }
         const toml::array* list = value.as_array();
         std::vector<Variant> next;
         for (const Variant& variant : expanded) {
@@ -228,7 +236,77 @@ class SpecReader : public sim::TableReader {
         expanded = std::move(next);
       }
     }
+    if (table.contains("draw") || !ranges.empty()) expanded = Drawn(table, expanded, ranges);
     spec_.variants.insert(spec_.variants.end(), expanded.begin(), expanded.end());
+  }
+
+  /// A parameter that is drawn: between two numbers, both included if they are whole.
+  struct Range {
+    std::string key;
+    double from = 0, to = 0;
+    bool is_whole = false, is_log = false;
+
+    std::string TextAt(double share) const {
+      if (is_whole) return std::to_string(static_cast<std::int64_t>(from + std::floor(share * (to - from + 1))));
+      const double value = is_log ? from * std::pow(to / from, share) : from + share * (to - from);
+      char text[32];
+      // Six digits are enough to tell variants apart, and are read in the table as they are in the scenario.
+      std::snprintf(text, sizeof text, "%.6g", value);
+      std::string number = text;
+      // A whole number would be of another type.
+      return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
+    }
+  };
+
+  void AddRange(std::string key, const toml::table& table, std::vector<Range>& ranges) {
+    CheckKeys(table, "a range of a parameter", {"from", "to", "log"});
+    const toml::node *from = table.get("from"), *to = table.get("to");
+    const bool are_numbers = from != nullptr && to != nullptr && from->is_number() && to->is_number();
+    Range range{std::move(key), are_numbers ? from->value<double>().value_or(0) : 0,
+                are_numbers ? to->value<double>().value_or(0) : 0,
+                are_numbers && from->is_integer() && to->is_integer(), table["log"].value_or(false)};
+    if (!are_numbers || !std::isfinite(range.from) || !std::isfinite(range.to) || range.from >= range.to)
+      return Problem(table, "a range of a parameter goes from one number to a greater one",
+                     "write { from = 2.0, to = 9.0 }; from = 2 and to = 9 draw whole numbers");
+    if (range.is_log && (range.is_whole || range.from <= 0))
+      return Problem(table, "only positive numbers with a point are drawn evenly over their logarithms",
+                     "write { from = 0.01, to = 1.0, log = true }");
+    ranges.push_back(std::move(range));
+  }
+
+  /// Each variant as many times as the table says, with numbers drawn from the ranges.
+  std::vector<Variant> Drawn(const toml::table& table, const std::vector<Variant>& variants,
+                             const std::vector<Range>& ranges) {
+    const toml::table* const draw = table.get_as<toml::table>("draw");
+    const std::string design = draw != nullptr ? Text(*draw, "design") : std::string();
+    const std::int64_t count = draw != nullptr ? (*draw)["variants"].value_or(std::int64_t{0}) : 0;
+    if (draw != nullptr) CheckKeys(*draw, "draw", {"variants", "design", "seed"});
+    const auto refuse = [&](std::string what) {
+      Problem(table, std::move(what),
+              "write draw = { variants = 20, design = \"latin\" } and parameters = { \"agent.scout.speed\" = { from = "
+              "2.0, to = 9.0 } }");
+      return variants;
+    };
+    if (ranges.empty()) return refuse("'draw' needs parameters with ranges");
+    if (draw == nullptr) return refuse("ranges of parameters need 'draw'");
+    if (design != "latin" && design != "random") return refuse("the design of 'draw' is \"latin\" or \"random\"");
+    if (count < 1 || static_cast<std::size_t>(count) * variants.size() > kMostVariants)
+      return refuse("'draw' takes 1 to " + std::to_string(kMostVariants) + " variants");
+    const auto seed = static_cast<std::uint64_t>((*draw)["seed"].value_or(std::int64_t{1}));
+    const auto number = static_cast<std::size_t>(count);
+    const Points points =
+        design == "latin" ? LatinPoints(number, ranges.size(), seed) : RandomPoints(number, ranges.size(), seed);
+    std::vector<Variant> drawn;
+    for (const Variant& variant : variants) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        Variant made = variant;
+        made.name += "-" + std::to_string(i + 1);
+        for (std::size_t side = 0; side < ranges.size(); ++side)
+          made.parameters.emplace_back(ranges[side].key, ranges[side].TextAt(points[i][side]));
+        drawn.push_back(std::move(made));
+      }
+    }
+    return drawn;
   }
 
   static std::string SafeName(std::string text) {

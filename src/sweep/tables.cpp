@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include <sqlite3.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,39 +8,27 @@
 #include <utility>
 #include <variant>
 
-#include "diagnostics/problem.h"
+#include "diagnostics/lower_case.h"
 #include "mission/sentences.h"
+#include "record/manifest.h"
 #include "sweep/manifest.h"
 #include "sweep/rows.h"
+#include "sweep/table_files.h"
 
 namespace soarbox::sweep {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Cell = std::variant<std::monostate, double, std::int64_t, std::string>;
-
-struct Column {
-  std::string name;
-  const char* type = " REAL";  ///< For SQL; empty: as each cell is.
-};
-constexpr const char *kText = " TEXT", *kWhole = " INTEGER";
+using record::Cell;
+using record::Column;
+using record::kText;
+using record::kWhole;
 
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 };
-
-Diagnostic Unwritten(const fs::path& file, std::string message) {
-  return ProblemIn(file.string(), "this table cannot be written: " + std::move(message),
-                   "the rows are safe in the folder parts: run the same command again when there is room");
-}
-
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 /// "40" as a number, "\"soldier\"" as a text.
 Cell ParameterCell(const std::string& text) {
@@ -62,7 +46,7 @@ void MakeNamesDiffer(std::vector<Column>& columns) {
   std::set<std::string> taken;
   for (Column& column : columns) {
     const std::string name = column.name;
-    for (int number = 2; !taken.insert(Lower(column.name)).second; ++number)
+    for (int number = 2; !taken.insert(LowerCase(column.name)).second; ++number)
       column.name = name + " (" + std::to_string(number) + ")";
   }
 }
@@ -130,49 +114,6 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
   return table;
 }
 
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-Result<void> WriteCsv(const fs::path& file, const Table& table) {
-  std::ofstream out(file, std::ios::binary);
-  for (std::size_t i = 0; i < table.columns.size(); ++i) out << (i > 0 ? "," : "") << CsvField(table.columns[i].name);
-  out << "\r\n";
-  for (const std::vector<Cell>& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out << ',';
-      if (const double* number = std::get_if<double>(&row[i])) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.10g", *number);
-        out << text;
-      } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
-        out << *whole;
-      } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
-        out << CsvField(*text);
-      }
-    }
-    out << "\r\n";
-  }
-  if (!out.flush()) return Unwritten(file, "is the disk full?");
-  return {};
-}
-
-struct CloseDatabase {
-  void operator()(sqlite3* database) const { sqlite3_close(database); }
-};
-struct EndStatement {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-
-std::string Identifier(const std::string& name) {
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 /// What a run is named by, before the first column that a run measures.
 std::size_t NamesIn(const Spec& spec) {
   return 2 + spec.parameters.size();
@@ -207,62 +148,11 @@ Table TidyOf(const Spec& spec, const Table& wide) {
   return tidy;
 }
 
-/// The manifest as a table of names and values.
-Table MetadataOf(const std::string& manifest) {
-  Table table;
-  table.columns = {{"name", kText}, {"value", kText}};
-  for (auto& [name, value] : EntriesOf(manifest)) {
-    std::vector<Cell>& cells = table.rows.emplace_back();
-    cells.emplace_back(name);
-    cells.emplace_back(value);
-  }
-  return table;
-}
-
-/// Adds a table to an open database; false if that fails.
-bool AddTable(sqlite3* database, const std::string& name, const Table& table) {
-  std::string create = "CREATE TABLE " + name + " (", insert = "INSERT INTO " + name + " VALUES (";
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    create += (i > 0 ? ", " : "") + Identifier(table.columns[i].name) + table.columns[i].type;
-    insert += i > 0 ? ", ?" : "?";
-  }
-  if (sqlite3_exec(database, (create + ")").c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) return false;
-  sqlite3_stmt* prepared = nullptr;
-  if (sqlite3_prepare_v2(database, (insert + ")").c_str(), -1, &prepared, nullptr) != SQLITE_OK) return false;
-  const std::unique_ptr<sqlite3_stmt, EndStatement> statement(prepared);
-  for (const std::vector<Cell>& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const int place = static_cast<int>(i) + 1;
-      if (const double* number = std::get_if<double>(&row[i])) {
-        sqlite3_bind_double(prepared, place, *number);
-      } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&row[i])) {
-        sqlite3_bind_int64(prepared, place, *whole);
-      } else if (const std::string* text = std::get_if<std::string>(&row[i])) {
-        sqlite3_bind_text(prepared, place, text->c_str(), static_cast<int>(text->size()), nullptr);
-      } else {
-        sqlite3_bind_null(prepared, place);
-      }
-    }
-    if (sqlite3_step(prepared) != SQLITE_DONE) return false;
-    sqlite3_reset(prepared);
-  }
-  return true;
-}
-
-Result<void> WriteSqlite(const fs::path& file, const Table& runs, const Table& tidy, const Table& metadata) {
-  std::error_code error;
-  fs::remove(file, error);
-  sqlite3* opened = nullptr;
-  const int code = sqlite3_open(file.c_str(), &opened);
-  const std::unique_ptr<sqlite3, CloseDatabase> database(opened);
-  const auto fail = [&] { return Unwritten(file, opened != nullptr ? sqlite3_errmsg(opened) : "no memory"); };
-  if (code != SQLITE_OK) return fail();
-  // The file is thrown away if this does not come to its end: no journal, one transaction.
-  for (const char* line : {"PRAGMA journal_mode = OFF", "BEGIN"})
-    if (sqlite3_exec(opened, line, nullptr, nullptr, nullptr) != SQLITE_OK) return fail();
-  for (const auto& [name, table] : {std::pair{"runs", &runs}, {"numbers", &tidy}, {"metadata", &metadata}})
-    if (!AddTable(opened, name, *table)) return fail();
-  if (sqlite3_exec(opened, "COMMIT", nullptr, nullptr, nullptr) != SQLITE_OK) return fail();
+/// Gives a table to a sink.
+Result<void> Put(record::TableSink& sink, std::size_t number, const std::string& name, const Table& table) {
+  if (Result<void> begun = sink.Begin(name, table.columns); !begun) return begun;
+  for (const std::vector<Cell>& row : table.rows)
+    if (Result<void> added = sink.Add(number, row); !added) return added;
   return {};
 }
 
@@ -274,7 +164,7 @@ bool IsOwnColumn(std::string_view name) {
       "state_hash", "host",      "tries",    "recording",       "alive",    "collisions", "commands",
       "damage",     "decisions", "distance", "failed_commands", "firings",  "gaps",       "health",
       "hits",       "idle",      "learned",  "messages",        "problems", "rounds",     "score"};
-  const std::string lower = Lower(name);
+  const std::string lower = LowerCase(name);
   return lower.starts_with("impasses_") || lower.starts_with("check: ") || lower.starts_with("time: ") ||
          lower.starts_with("parameter: ") || std::ranges::find(kOwn, lower) != std::end(kOwn);
 }
@@ -282,15 +172,19 @@ bool IsOwnColumn(std::string_view name) {
 Result<void> WriteTables(const fs::path& folder, const Spec& spec, const Plan& plan, const std::vector<Row>& rows,
                          const std::string& manifest) {
   const Table runs = MakeTable(spec, plan, rows), tidy = TidyOf(spec, runs);
-  std::error_code error;
-  for (const char* name : {"results.csv", "numbers.csv", "results.sqlite"}) {
-    const fs::path file = folder / name, making = folder / (std::string(".") + name);
-    const Result<void> written = file.extension() == ".sqlite"
-                                     ? WriteSqlite(making, runs, tidy, MetadataOf(manifest))
-                                     : WriteCsv(making, file.stem() == "results" ? runs : tidy);
-    if (!written) return written;
-    fs::rename(making, file, error);
-    if (error) return Unwritten(file, error.message());
+  const auto write = [&](Result<std::unique_ptr<record::TableSink>> sink, const char* runs_name) -> Result<void> {
+    if (!sink) return sink.error();
+    if (Result<void> put = Put(**sink, 0, runs_name, runs); !put) return put;
+    if (Result<void> put = Put(**sink, 1, "numbers", tidy); !put) return put;
+    return (*sink)->Finish();
+  };
+  const record::Metadata metadata = record::EntriesOf(manifest);
+  Result<void> written = write(CsvFolder(folder, metadata), "results");
+  if (written) written = write(SqliteFile(folder / "results.sqlite", metadata), "runs");
+  if (!written) {
+    Diagnostic problem = written.error();
+    problem.hint = "the rows are safe in the folder parts: run the same command again when there is room";
+    return problem;
   }
   return WriteManifest(folder, manifest);
 }

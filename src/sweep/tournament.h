@@ -16,7 +16,7 @@ struct Standing {
   double place = 0;                        ///< On average; 1 is the best of a game. Equal agents share places.
   double points = 0;                       ///< Per game.
   double rating = 0;                       ///< On Elo's scale, 1500 on average: 400 more wins ten games of eleven.
-  double rating_low = 0, rating_high = 0;  ///< 95 %, from resampling the games.
+  double rating_low = 0, rating_high = 0;  ///< 95 %, from resampling the seeds, each with all its games.
 };
 
 /// The agents of a tournament by what the rows say, best first. The agent with the most points wins a game; it is drawn

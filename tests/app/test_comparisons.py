@@ -170,6 +170,10 @@ class Compare(MissionCase):
         self.assertRegex(out, r"  A: .*chance.*\n  B: .*chance")
         self.assertIn("chance selected, and came to another result", out)
         self.assertNotIn("its rules or its memory differ", out)
+        # Two operators of one name are told apart by what they consist of.
+        contents = re.findall(r"^  ([AB]): O\d+ \^to (gate|mill) \^name step$", out, re.MULTILINE)
+        self.assertEqual([side for side, _ in contents], ["A", "B"], out)
+        self.assertNotEqual(contents[0][1], contents[1][1])
 
     def test_other_rules_are_named_with_their_line(self):
         a = self.record("a.soarrec", 1, RULES)

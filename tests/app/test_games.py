@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 
 from soarbox_command import Run, ScenarioCase, page_missing, run_json
 
@@ -293,10 +294,19 @@ sp {tanksoar*apply*turn
         self.assertEqual(table[0][5:9], ["8", "4", "4", "0"], played.out)
         self.assertGreater(int(table[0][1]), 1550)
         self.assertIn("score of eater-2", (self.folder / "cup.sweep" / "results.csv").read_text())
+        with self.subTest("plots"):
+            Run("report", spec, "--plots", self.folder / "plots", code=0)
+            self.assertTrue((self.folder / "plots" / "ratings.png").is_file())
         with self.subTest("report"):
             if page_missing():
                 self.skipTest(page_missing())
             Run("report", spec, "-o", self.folder / "cup.html", code=0)
+            text = (self.folder / "cup.html").read_text()
+            data = json.loads(re.search(r'<script type="application/json" id="data"[^>]*>(.*?)</script>', text, re.S)[1])[0]
+            # The names of games have blanks; the command can be copied.
+            command = shlex.split(data["command"])
+            self.assertEqual(command[:2], ["soarbox", "run"])
+            Run(*command[1:], "--headless", "--seconds", 1, code=0)
         for slip, told in (('seats = ["eater"]', "a tournament has 2 to 8 seats"),
                            ('seats = ["eater", "eater-3"]', "there is no agent 'eater-3'")):
             faulty = self.write("faulty.toml", spec.read_text().replace('seats = ["eater", "eater-2"]', slip))

@@ -5,10 +5,11 @@ import hashlib
 import json
 import re
 import shutil
+import socket
 import sqlite3
 import subprocess
 
-from mission_case import REPOSITORY, SWEEP, MissionCase
+from mission_case import REPOSITORY, RULES, SWEEP, MissionCase
 from soarbox_command import Run
 
 
@@ -120,3 +121,76 @@ class Provenance(MissionCase):
         run = Run("sweep", "--verify", self.folder / "study.sweep", code=1)
         self.assertRegex(run.out, r"variant '(slow|fast)', seed \d: its state is [0-9a-f]{16} now, and 0000000000003039 in its row")
         self.assertIn("12 of 12 runs made again, 1 differ", run.out)
+
+
+class OfRecordings(MissionCase):
+    def record(self, name, *words, rules=None):
+        self.mission("", **({} if rules is None else {"rules": rules}))
+        file = self.folder / name
+        Run("run", self.folder / "scenario.toml", "--headless", "--seconds", 3, "--seed", 3, "--record", file, *words, code=0)
+        return file
+
+    def info(self, file):
+        return json.loads(Run("replay", file, "--info", "--json", code=0).out)
+
+    def test_a_recording_says_what_it_was_made_from_when_and_where(self):
+        file = self.record("run.soarrec")
+        info = self.info(file)
+        manifest = info["manifest"]
+        version = Run("--version").out.splitlines()
+        self.assertEqual(manifest["program"], "soarbox " + version[0])
+        self.assertEqual(manifest["build"], info["build"])
+        if version[1].startswith("commit "):
+            self.assertEqual(manifest["commit"], version[1].removeprefix("commit "))
+        self.assertEqual(manifest["command"][1:3], ["run", str(self.folder / "scenario.toml")])
+        self.assertEqual(manifest["host"], socket.gethostname())
+        self.assertRegex(manifest["began"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$")
+        self.assertEqual((manifest["seed"], info["seed"], info["last_tick"]), (3, 3, 90))
+        files = {name: hashlib.sha256((self.folder / name).read_bytes()).hexdigest() for name in ("scenario.toml", "scout.soar")}
+        self.assertEqual(manifest["sha256"], files)
+        self.assertTrue(all(re.fullmatch("[0-9a-f]{64}", digest) for digest in manifest["library_sha256"].values()))
+        text = Run("replay", file, "--info", code=0).out
+        for words in (manifest["host"], manifest["began"], f"  {files['scout.soar']}  scout.soar", "soarbox", "seed            3"):
+            self.assertIn(words, text)
+
+    def test_nothing_that_is_compared_depends_on_when_and_where(self):
+        a = self.record("a.soarrec")
+        b = self.record("b.soarrec", "--threads", "1")
+        self.assertNotEqual(self.info(a)["manifest"]["command"], self.info(b)["manifest"]["command"])
+        self.assertRegex(Run("compare", a, b, code=0).out, r"\Aequal: ticks 0 to 90\n\Z")
+        Run("verify", a, code=0)
+        self.assertEqual(Run("export", a, "--json", code=0).out, Run("export", b, "--json", code=0).out)
+
+    def test_rules_given_on_the_command_line_are_among_the_digests(self):
+        other = self.write("other.soar", RULES.replace("off I go", "here I go"))
+        digests = self.info(self.record("run.soarrec", "--rules", f"scout={other}"))["manifest"]["sha256"]
+        self.assertEqual(digests["other.soar"], hashlib.sha256(other.read_bytes()).hexdigest())
+
+    def test_a_part_keeps_the_manifest_and_a_run_that_continues_has_its_own(self):
+        file = self.record("run.soarrec")
+        whole = self.info(file)["manifest"]
+        Run("export", file, "--recording", "--from", "1", "--to", "2", "-o", self.folder / "part.soarrec", code=0)
+        self.assertEqual(self.info(self.folder / "part.soarrec")["manifest"], whole)
+        Run("resume", file, "--at", "1", "--record", self.folder / "on.soarrec", code=0)
+        on = self.info(self.folder / "on.soarrec")
+        self.assertEqual(on["manifest"]["command"][1], "resume")
+        self.assertEqual((on["manifest"]["sha256"], on["branch_tick"]), (whole["sha256"], 30))
+
+    def test_a_bounded_recording_keeps_it(self):
+        self.mission("")
+        file = self.folder / "long.soarrec"
+        Run("run", self.folder / "scenario.toml", "--headless", "--seconds", 120, "--record", file, "--record-level", "all", "--record-limit", 1, code=0)
+        info = self.info(file)
+        self.assertEqual(info["manifest"]["command"][1], "run")
+
+    def test_recordings_of_earlier_versions_have_none_and_say_so(self):
+        old = next((REPOSITORY / "tests" / "app" / "recordings").glob("*.soarrec"))
+        self.assertNotIn("manifest", self.info(old))
+        self.assertIn("no manifest", Run("replay", old, "--info", code=0).out)
+
+    def test_recordings_of_failed_missions_have_one(self):
+        self.mission('[[check]]\nagent = "scout"\nat = "mill"\nby = 2\n')
+        Run("test", self.folder / "scenario.toml", "--keep", self.folder / "kept", code=1)
+        manifest = self.info(next((self.folder / "kept").rglob("*.soarrec")))["manifest"]
+        self.assertEqual(manifest["command"][1], "test")
+        self.assertIn("scout.soar", manifest["sha256"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A sweep on a real Slurm of one node, with daemons, keys and ports of its own."""
+"""A sweep on a real Slurm of one node or two, with daemons, keys and ports of its own."""
 import csv
 import os
 import pathlib
@@ -28,8 +28,10 @@ def missing():
     return "Slurm's daemons want to be started by root" if os.geteuid() != 0 else ""
 
 
-@unittest.skipIf(missing(), missing())
-class OnSlurm(unittest.TestCase):
+class SlurmCase(unittest.TestCase):
+    """A Slurm that lives as long as a test. Several nodes are daemons of one host."""
+    nodes = None  # Their names; None: one, named like the host.
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory(dir="/tmp")
         self.addCleanup(folder.cleanup)
@@ -43,11 +45,13 @@ class OnSlurm(unittest.TestCase):
         sock = self.folder / "munge.sock"
         conf = self.folder / "slurm.conf"
         processors = len(os.sched_getaffinity(0))
+        names = self.nodes or [host]
+        lines = "\n".join(f"NodeName={name} NodeHostname={host} NodeAddr=127.0.0.1 Port={free_port()} CPUs={max(1, processors // len(names))} "
+                          "RealMemory=1000 State=UNKNOWN" for name in names)
         conf.write_text(f"""
 ClusterName=here
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={free_port()}
-SlurmdPort={free_port()}
 SlurmUser=root
 SlurmdUser=root
 AuthType=auth/munge
@@ -62,19 +66,21 @@ SelectTypeParameters=CR_Core
 SwitchType=switch/none
 ReturnToService=2
 StateSaveLocation={self.folder}/state
-SlurmdSpoolDir={self.folder}/spool
+SlurmdSpoolDir={self.folder}/spool-%n
 SlurmctldPidFile={self.folder}/slurmctld.pid
-SlurmdPidFile={self.folder}/slurmd.pid
+SlurmdPidFile={self.folder}/slurmd-%n.pid
 SlurmctldLogFile={self.folder}/slurmctld.log
-SlurmdLogFile={self.folder}/slurmd.log
+SlurmdLogFile={self.folder}/slurmd-%n.log
+SlurmdTimeout=5
 SchedulerParameters=sched_interval=1
 MinJobAge=5
 MaxArraySize=8
-NodeName={host} NodeAddr=127.0.0.1 CPUs={processors} RealMemory=1000 State=UNKNOWN
-PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
+{lines}
+PartitionName=all Nodes={",".join(names)} Default=YES MaxTime=INFINITE State=UP
 """, encoding="utf-8")
         (self.folder / "state").mkdir()
-        (self.folder / "spool").mkdir()
+        for name in names:
+            (self.folder / f"spool-{name}").mkdir()
         os.environ["SLURM_CONF"] = str(conf)
         self.addCleanup(os.environ.pop, "SLURM_CONF")
         self.daemons = []
@@ -83,8 +89,12 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
                    "--pid-file", self.folder / "munge.pid", "--seed-file", self.folder / "munge.seed")
         self.wait(sock.exists)
         self.start("slurmctld", "-D", "-f", conf)
-        self.start("slurmd", "-D", "-f", conf, "-N", host)
-        self.wait(lambda: "idle" in subprocess.run(["sinfo", "-h", "-o", "%T"], capture_output=True, text=True, check=False).stdout)
+        for name in names:
+            self.start("slurmd", "-D", "-f", conf, "-N", name)
+        self.wait(lambda: self.slurm("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * len(names))
+
+    def slurm(self, *words):
+        return subprocess.run(words, capture_output=True, text=True, check=False).stdout
 
     def start(self, *words):
         with open(self.folder / (words[0] + ".out"), "wb") as out:
@@ -112,6 +122,16 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         with open(folder / "results.csv", newline="", encoding="utf-8") as file:
             return [{key: value for key, value in row.items() if key not in ("cpu_s", "peak_mb", "host", "tries")} for row in csv.DictReader(file)]
 
+    def sweep_of(self, seeds):
+        (self.folder / "scenario.toml").write_text(WORLD, encoding="utf-8")
+        (self.folder / "scout.soar").write_text(RULES, encoding="utf-8")
+        spec = self.folder / "sweep.toml"
+        spec.write_text(SWEEP.replace("1..6", seeds), encoding="utf-8")
+        return spec
+
+
+@unittest.skipIf(missing(), missing())
+class OnSlurm(SlurmCase):
     def test_a_job_array_with_a_task_killed_comes_to_the_local_table(self):
         (self.folder / "scenario.toml").write_text(WORLD, encoding="utf-8")
         (self.folder / "scout.soar").write_text(RULES, encoding="utf-8")
@@ -140,13 +160,6 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         rows = self.rows(there)
         self.assertEqual(len(rows), 200)
         self.assertEqual(rows, self.rows(self.folder / "here"))
-
-    def sweep_of(self, seeds):
-        (self.folder / "scenario.toml").write_text(WORLD, encoding="utf-8")
-        (self.folder / "scout.soar").write_text(RULES, encoding="utf-8")
-        spec = self.folder / "sweep.toml"
-        spec.write_text(SWEEP.replace("1..6", seeds), encoding="utf-8")
-        return spec
 
     def on_a_terminal(self, *words):
         """The command with its errors on a terminal of its own: progress is for people."""
@@ -236,3 +249,46 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         run = Run("sweep", spec, "--folder", there, code=0)
         self.assertRegex(run.err, r"[1-9]\d* were there")
         self.assertEqual(len(self.rows(there)), 200)
+
+
+@unittest.skipIf(missing(), missing())
+class OnTwoNodes(SlurmCase):
+    nodes = ("one", "two")
+
+    def processes_of(self, node):
+        """What runs for this node besides its daemon: steps and tasks."""
+        found = []
+        for entry in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                environment = (entry / "environ").read_bytes().split(b"\0")
+            except OSError:
+                continue
+            if f"SLURMD_NODENAME={node}".encode() in environment and f"SLURM_CONF={os.environ['SLURM_CONF']}".encode() in environment:
+                found.append(int(entry.name))
+        return found
+
+    def lose(self, node):
+        """The node goes as in a power failure: its daemon and all that it runs, at once."""
+        self.daemons[-1 if node == self.nodes[-1] else -2].kill()
+        for process in self.processes_of(node):
+            try:
+                os.kill(process, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+
+    def test_two_nodes_share_the_work_and_one_that_is_lost_leaves_it_to_the_other(self):
+        spec, there = self.sweep_of("1..40"), self.folder / "there"
+        process = subprocess.Popen([COMMAND, "sweep", spec, "--folder", there, "--on", "slurm", "--tasks", "4"], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        end_with(self, process)
+        def both_work():
+            return set(self.slurm("squeue", "-h", "-t", "running", "-o", "%N").split()) == set(self.nodes) and \
+                len(list((there / "parts").glob("*.rows"))) >= 2
+        wait_until(both_work, "both nodes at work")
+        self.lose("two")
+        wait_until(lambda: "down" in self.slurm("sinfo", "-h", "-n", "two", "-o", "%T") or process.poll() is not None, "Slurm sees the loss")
+        _, err = process.communicate(timeout=300)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertEqual(len(self.rows(there)), 80)
+        Run("sweep", spec, "--folder", self.folder / "here", code=0)
+        self.assertEqual(self.rows(there), self.rows(self.folder / "here"))

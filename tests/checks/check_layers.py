@@ -16,6 +16,8 @@ ALLOWED = {
     "diagnostics": set(),
     # How values become bytes.
     "bytes": set(),
+    # Pixels, shapes and their files, without a display.
+    "picture": set(),
     # Called by the names that C gives its functions, so nobody includes it.
     "numerics": set(),
     "kernel": {"bytes", "diagnostics"},
@@ -40,7 +42,7 @@ ALLOWED = {
     "record": {"bytes", "diagnostics", "mind", "tell", "world", "script", "sim"},
     "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
-    "report": {"diagnostics", "world", "sim", "record", "mission", "sweep"},
+    "report": {"diagnostics", "picture", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
@@ -49,8 +51,8 @@ ALLOWED = {
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and knows no panel and no world.
     "serve": {"diagnostics"},
-    "viewer": {"diagnostics", "world", "sim", "record", "debugger", "workbench"},
-    "app": {"diagnostics", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
+    "viewer": {"diagnostics", "picture", "world", "sim", "record", "debugger", "workbench"},
+    "app": {"diagnostics", "picture", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.

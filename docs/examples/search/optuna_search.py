@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Optuna looks for the speed and the range of view with which a hare walks least. Needs `pip install optuna`.
+"""Optuna looks for the speed and the range of view with which a hare walks least. Needs Optuna (Debian: python3-optuna).
 
     python3 optuna_search.py FOLDER TRIALS
 """
@@ -47,7 +47,7 @@ def main():
     study = optuna.create_study(study_name="hare", storage=f"sqlite:///{folder}/optuna.db", load_if_exists=True,
                                 sampler=optuna.samplers.TPESampler(seed=1))
     study.optimize(lambda trial: objective(trial, folder), n_trials=trials)
-    print(f"best: {study.best_params}, {study.best_value:.1f} m")
+    print(f"best: {dict(sorted(study.best_params.items()))}, {study.best_value:.1f} m")
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ interface Head {
   /** The command that shows the run. */
   command: string;
   build: string;
+  /** What the runs were made from and with; those of earlier versions have none. */
+  manifest?: Readonly<Record<string, unknown>>;
   passed?: boolean | null;
 }
 
@@ -72,8 +74,6 @@ export type Cell = string | number | boolean;
 export interface SweepReport extends Head {
   kind: "sweep";
   standings?: readonly Standing[];
-  /** What the runs were made from and with; sweeps of earlier versions have none. */
-  manifest?: Readonly<Record<string, unknown>>;
   variants: readonly { name: string; runs: number; broken: number; judged: number; passed: number; low: number; high: number; checks: readonly { true: number; of: number; low: number; high: number }[] }[];
   check_names: readonly string[];
   metrics: readonly Metric[];

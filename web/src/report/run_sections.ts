@@ -5,7 +5,7 @@ import { seconds } from "./chart";
 import { wayOf, type CheckReport, type RunReport, type Way } from "./data";
 import { mapFigure } from "./map";
 import { legend, plotFigure, timelineFigure } from "./run_charts";
-import { section } from "./section";
+import { manifestOf, section } from "./section";
 import { fold, table, type TableCell } from "./table";
 import type { Time } from "./time";
 
@@ -70,7 +70,7 @@ function files(run: RunReport): Child {
 function about(run: RunReport): Child {
   const lines = [`Scenario ${run.scenario}, seed ${run.seed}, ${seconds(run.seconds)}, build ${run.build}.`,
     run.same ? "The run was simulated again for this page and came to the recorded state." : "The run was simulated again for this page and did NOT come to the recorded state: files or the program have changed.", ...run.warnings];
-  return section("about", "About", lines.map((words) => h(`p.quiet${words.includes(" NOT ") ? ".warn" : ""}`, null, words)));
+  return section("about", "About", lines.map((words) => h(`p.quiet${words.includes(" NOT ") ? ".warn" : ""}`, null, words)), manifestOf(run));
 }
 
 /** All that a page tells of a run, below its picture in 3D if it has one. */

@@ -2,7 +2,7 @@
 import { h, type Child, type View } from "../dom/view";
 import { axis, chart, color, cut, digits, line, scale, text, tickCount } from "./chart";
 import type { Metric, Standing, SweepReport } from "./data";
-import { section } from "./section";
+import { manifestOf, section } from "./section";
 import { table, type TableCell } from "./table";
 
 const LETTER_PX = 7, MOST_METRICS = 24, MOST_DOTS = 200;
@@ -75,6 +75,6 @@ export function sweepSections(sweep: SweepReport): Child {
     sweep.failed.length > 0 && section("failed", "Runs that broke", table(["variant", "seed", "outcome", "why"], sweep.failed.map((one) => [one.variant, one.seed, one.outcome, one.error]), "Crashed and hung runs")),
     section("rows", "All runs", table(sweep.columns, sweep.rows.map((row) => row.map((cell) => (typeof cell === "boolean" ? (cell ? "yes" : "no") : cell))), "All runs")),
     section("about", "About", h("p.quiet", null, `Build ${sweep.build}. Intervals of means: Student's t; of rates: Wilson; of ratings: resampling.`),
-      sweep.manifest !== undefined && h("details", null, h("summary", null, "Manifest: what the runs were made from"), h("pre", null, JSON.stringify(sweep.manifest, null, 1)))),
+      manifestOf(sweep)),
   ];
 }

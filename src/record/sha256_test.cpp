@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "sweep/sha256.h"
+#include "record/sha256.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace soarbox::sweep {
+namespace soarbox::record {
 namespace {
 
 TEST(Sha256, IsThatOfTheStandardsExamples) {
@@ -17,4 +17,4 @@ TEST(Sha256, IsThatOfTheStandardsExamples) {
 }
 
 }  // namespace
-}  // namespace soarbox::sweep
+}  // namespace soarbox::record

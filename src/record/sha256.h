@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-namespace soarbox::sweep {
+namespace soarbox::record {
 
 /// SHA-256 (FIPS 180-4) of these bytes, as 64 hexadecimal digits.
 std::string Sha256(std::string_view bytes);
 /// The same of a file's content; empty if the file cannot be read.
 std::string Sha256OfFile(const std::filesystem::path& file);
 
-}  // namespace soarbox::sweep
+}  // namespace soarbox::record

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "sweep/sha256.h"
+#include "record/sha256.h"
 
 #include <array>
 #include <bit>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace soarbox::sweep {
+namespace soarbox::record {
 namespace {
 
 constexpr std::size_t kBlock = 64;
@@ -85,4 +85,4 @@ std::string Sha256OfFile(const std::filesystem::path& file) {
   return Sha256(content.str());
 }
 
-}  // namespace soarbox::sweep
+}  // namespace soarbox::record

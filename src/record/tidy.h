@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "record/export.h"
+#include "record/table.h"
+
+namespace soarbox::record {
+
+/// How many rows each table of TidyTables got.
+struct TidyCounts {
+  std::size_t agents = 0, events = 0, percepts = 0;
+};
+
+/// A recording as three tables in long form:
+///
+/// * `agents`: a row per agent and tick: place, speed, health, command, operator, depth of its goal stack
+/// * `events`: a row per event, of the world and of minds
+/// * `percepts`: a row for each change of a percept; a percept keeps its value until its next row
+Result<TidyCounts> TidyTables(Reader& recording, TickRange range, TableSink& sink);
+
+/// What the recording was made from and with: its header and its manifest.
+Metadata MetadataOf(const Reader& recording);
+
+}  // namespace soarbox::record
