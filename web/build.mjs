@@ -39,6 +39,8 @@ for (const name of ["report.js", "report_scene.js"])
 writeFileSync("dist/page/index.html", readFileSync("src/index.html", "utf8").replace("<!-- preloads -->", preloads));
 writeFileSync("dist/page/assets/licences.txt", noticesFor(metafile));
 cpSync("src/icon.svg", "dist/page/assets/icon.svg");
+// One small script without modules, for pages of other sites.
+await build({ entryPoints: { embed: "src/embed.ts" }, outdir: "dist/page/assets", bundle: true, format: "iife", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const files = ["dist/page/index.html", ...readdirSync("dist/page/assets").map((name) => `dist/page/assets/${name}`)];
 const bytes = files.filter((name) => !name.endsWith(".txt")).reduce((sum, name) => sum + gzipSync(readFileSync(name)).length, 0);
 if (bytes > MOST_COMPRESSED_BYTES) {

@@ -92,6 +92,7 @@ constexpr Row kRows[] = {
     {"", "--listen", {"ADDRESS:PORT"}},
     {"", "--dis", {"ADDRESS:PORT[,SITE,APPLICATION,EXERCISE]"}},
     {"", "--proxy", {"ADDRESS"}},
+    {"", "--embed", {"SITE"}},
     {"", "--token", {"SECRET"}},
 };
 

@@ -308,6 +308,8 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
+  serve->add_option("--embed", options.embedders,
+                    "Let this site, https://NAME, show worlds in its pages (may be repeated)");
   serve->add_flag("--dis", options.dis, "Let worlds join exercises of other simulations, as they say (docs/dis.md)");
   serve->add_option("--page", options.page, "Serve the page in this folder instead of the program's own")
       ->check(CLI::ExistingDirectory);
@@ -320,6 +322,8 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--lesson", engine.lesson);
   runs->add_option("--recording", engine.recording);
   runs->add_option("--home", engine.home)->required();
+  runs->add_option("--match", engine.match);
+  runs->add_option("--seconds", engine.match_s);
   runs->add_option("--memory", engine.memory_mb);
   runs->add_flag("--walled", engine.is_walled);
   runs->add_flag("--join", engine.may_join);

@@ -17,6 +17,7 @@ struct ServeOptions {
   bool open = false;                 ///< Anybody who reaches the address may use it.
   bool no_wall = false;              ///< Worlds get no second wall (serve/wall.h).
   std::vector<std::string> hosts, proxies;
+  std::vector<std::string> embedders;  ///< Sites that may show worlds in their pages.
   std::size_t sessions = 128;
   int memory_mb = 256;
   std::size_t each = 0;  ///< Runs of one address; 0: three quarters of all.

@@ -27,6 +27,7 @@ class ClassList {
   bool IsKey(std::string_view given) const;
   /// The learner whose place this is; empty: it belongs to nobody in the class.
   std::string NameOf(std::string_view place) const;
+  bool empty() const { return learners_.empty(); }
 
  private:
   std::vector<Learner> learners_;

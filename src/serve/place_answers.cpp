@@ -48,8 +48,15 @@ WebResponse About(const Place& place, const PlaceStatus& status, const Catalog& 
   for (const Catalog::Scenario& scenario : catalog.Scenarios())
     scenarios.push_back({{"name", scenario.name}, {"about", scenario.about}});
   for (const PlaceFile& file : place.Files()) files.push_back({{"path", file.path}, {"bytes", file.bytes}});
-  for (const PlaceRecording& recording : place.Recordings())
-    recordings.push_back({{"name", recording.name}, {"bytes", recording.bytes}, {"when", recording.when_s}});
+  for (const PlaceRecording& recording : place.Recordings()) {
+    const Result<std::filesystem::path> file = place.FindRecording(recording.name);
+    const Catalog::Recording about = file ? catalog.Describe(*file) : Catalog::Recording();
+    recordings.push_back({{"name", recording.name},
+                          {"bytes", recording.bytes},
+                          {"when", recording.when_s},
+                          {"world", about.world},
+                          {"seconds", about.seconds}});
+  }
   return Good({{"place", place.id()},
                {"learner", status.learner},
                {"opens", status.opens},

@@ -20,6 +20,7 @@ struct WebResponse {
   std::string body;
   std::filesystem::path file = {};  ///< If not empty: the body is this file, which is read while it is sent.
   std::vector<std::pair<std::string, std::string>> headers = {};
+  std::string framed_by = {};  ///< Sites whose pages may show it in a frame; empty: none.
 };
 
 WebResponse Refusal(int status, const Diagnostic& problem);

@@ -191,16 +191,17 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.version(version);
     response.result(static_cast<unsigned>(given.status));
     response.set(http::field::content_type, given.type);
-    for (const auto& [name, value] : given.headers) response.set(name, value);
-    // No script but the page's own, in no frame, and no place's link in anybody's log.
-    response.set(
-        "Content-Security-Policy",
-        "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-        "connect-src 'self' ws: wss:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'; object-src 'none'");
+    // No script but the page's own, in no frame but those that --embed names, and no place's link in anybody's log.
+    response.set("Content-Security-Policy",
+                 "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+                 "connect-src 'self' ws: wss:; frame-ancestors " +
+                     (given.framed_by.empty() ? "'none'" : given.framed_by) +
+                     "; base-uri 'none'; form-action 'none'; object-src 'none'");
     response.set("X-Content-Type-Options", "nosniff");
     response.set("Referrer-Policy", "no-referrer");
     response.set("Cross-Origin-Opener-Policy", "same-origin");
     response.set("Cross-Origin-Resource-Policy", "same-origin");
+    for (const auto& [name, value] : given.headers) response.set(name, value);
   }
 
   void Write(WebResponse given, unsigned version, bool keeps_on, bool is_head) {

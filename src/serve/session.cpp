@@ -153,6 +153,7 @@ void Session::OnStarted(const std::string& what, const EngineProcess::Spawned& s
   phase_ = Phase::kRest;
   what_ = what;
   began_ = looked_at_ = Clock::now();
+  activity_.Begin(what, began_);
   silent_checks_ = 0;
   // Somebody has asked for something else meanwhile, or the run was ended before it had begun.
   if (!wanted_) return End("The run was ended before it had begun.");
@@ -176,6 +177,8 @@ void Session::Join(Viewer& viewer, const std::string& tab) {
     // A tab whose connection was lost connects again before the server has noticed the loss.
     const bool is_back = editor_ != nullptr && !tab.empty() && tabs_[editor_] == tab;
     HandTextsTo(editor_ == nullptr || is_back ? &viewer : editor_);
+    if (const std::string greeting = greeting_ ? greeting_() : ""; !greeting.empty())
+      viewer.SendText(Shared(greeting), "class");
   }
   if (engine_ == nullptr) {
     if (!is_running()) viewer.SendText(Shared(R"({"message":"none"})"), {});
@@ -186,6 +189,28 @@ void Session::Join(Viewer& viewer, const std::string& tab) {
   for (const auto& [name, text] : contents_) viewer.SendText(text, name);
   for (const auto& [block, is_full] : blocks_) viewer.SendScene(block, is_full);
   TellPresence();
+}
+
+void Session::Greet() {
+  const std::string greeting = greeting_ ? greeting_() : "";
+  if (greeting.empty()) return;
+  const Bytes shared = Shared(greeting);
+  for (Viewer* viewer : std::vector<Viewer*>(viewers_))
+    if (viewer->MayAsk()) viewer->SendText(shared, "class");
+}
+
+Activity::Standing Session::Standing() {
+  const Clock::time_point now = Clock::now();
+  if (engine_ == nullptr) return {};
+  const auto find = [&](const char* name) {
+    const auto found = contents_.find(name);
+    return found == contents_.end() ? nullptr : found->second;
+  };
+  // To read them takes time: they are read again only when they have changed.
+  const std::array<Bytes, 3> told = {find("edit"), find("problems"), find("mission")};
+  const auto text = [&](std::size_t i) { return told[i] == nullptr ? std::string() : *told[i]; };
+  if (std::exchange(looked_, told) != told) activity_.Look(text(0), text(1), text(2), now);
+  return activity_.At(now);
 }
 
 void Session::HandTextsTo(const Viewer* viewer) {
@@ -233,6 +258,7 @@ void Session::Take(Viewer& viewer, std::string text) {
     return;
   }
   if (!viewer.MayAsk()) return refuse(NewProblem("you only watch this run", "the person whose run it is can do this"));
+  activity_.NoteRequest(*message, Clock::now());
   if (request == "presence") return refuse(NewProblem("the server itself says who is present"));
   if (request == "open") {
     // The page may be gone when the answer is there.

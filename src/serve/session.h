@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "serve/activity.h"
 #include "serve/engine_process.h"
 #include "serve/page_message.h"
 #include "serve/place_lock.h"
@@ -55,6 +57,11 @@ class Session : public std::enable_shared_from_this<Session> {
   void Leave(Viewer& viewer);
   /// A message of a page.
   void Take(Viewer& viewer, std::string text);
+  /// What each page of the person whose run it is gets when it joins, and again after Greet; empty: nothing.
+  void SetGreeting(std::function<std::string()> greeting) { greeting_ = std::move(greeting); }
+  void Greet();
+  /// What the person does, as far as the contents that were sent last say it.
+  Activity::Standing Standing();
   /// Ends a run that nobody has looked at for long, or that has lasted too long.
   void EndIfIdle();
   /// Ends the run; pages are told why.
@@ -117,6 +124,10 @@ class Session : public std::enable_shared_from_this<Session> {
   const Viewer* editor_ = nullptr;                             ///< The page that may edit texts.
   std::map<const Viewer*, std::string> tabs_;
   Clock::time_point began_, looked_at_;
+
+  std::function<std::string()> greeting_;
+  Activity activity_;
+  std::array<Bytes, 3> looked_;  ///< The contents that activity_ has seen.
 
   // What is told to a page that comes later.
   Bytes hello_, watcher_hello_, flow_;

@@ -44,6 +44,18 @@ struct Progress {
   std::string last_hint = {};  ///< Its text; empty: none was asked for.
 };
 
+/// Who plays a match: the name of an agent, and its file of rules relative to the scenario.
+struct Player {
+  std::string name, rules;
+};
+/// A game for two in which learners of a class can measure their rules.
+struct Game {
+  std::string name, title;
+  int seconds = 60;  ///< Simulated, at most, of a match.
+  /// The text of scenario.toml for a match.
+  std::function<std::string(const std::vector<Player>&)> scenario;
+};
+
 /// What the program around the server knows of lessons and worlds.
 class Catalog {
  public:
@@ -53,23 +65,34 @@ class Catalog {
     std::string name, about;
   };
   virtual std::vector<Scenario> Scenarios() const = 0;
+  virtual std::vector<Game> Games() const = 0;
+  /// What a recording says of itself; an empty world: it cannot be read.
+  struct Recording {
+    std::string world;
+    double seconds = 0;
+  };
+  virtual Recording Describe(const std::filesystem::path& recording) const = 0;
   /// As noted below this folder, a place's `state`.
   virtual Progress ProgressOf(const std::filesystem::path& state, const std::string& lesson) const = 0;
 };
 
 struct Settings {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;         ///< 0: any free one.
-  std::vector<std::string> hosts;    ///< Names by which browsers may call the server, besides numbers and localhost.
-  std::vector<std::string> proxies;  ///< Addresses whose X-Forwarded-For is believed.
-  std::string token;                 ///< Empty: none is needed.
-  std::filesystem::path state;       ///< Where places are kept.
-  std::filesystem::path page;        ///< The folder of the built page.
-  std::filesystem::path class_list;  ///< Names of learners, one a line; empty: no class.
-  std::string opens;                 ///< What a new place opens at once: "scenario:scout"; empty: nothing.
+  std::uint16_t port = 8080;           ///< 0: any free one.
+  std::vector<std::string> hosts;      ///< Names by which browsers may call the server, besides numbers and localhost.
+  std::vector<std::string> proxies;    ///< Addresses whose X-Forwarded-For is believed.
+  std::string token;                   ///< Empty: none is needed.
+  std::filesystem::path state;         ///< Where places are kept.
+  std::filesystem::path page;          ///< The folder of the built page.
+  std::filesystem::path class_list;    ///< Names of learners, one a line; empty: no class.
+  std::vector<std::string> embedders;  ///< Sites that may show worlds in their pages: "https://school.example".
+  std::string opens;                   ///< What a new place opens at once: "scenario:scout"; empty: nothing.
   /// The program of an engine with its arguments, for what a page wants to see: "lesson:...", "scenario:...", or
-  /// "recording:..." with the path of the file. Empty: there is no such thing.
+  /// "recording:..." with the name of the file, or "match:..." with the id of a match. Empty: there is no such thing.
   std::function<std::vector<std::string>(const std::string& what, const Place& place)> engine;
+  /// The program that plays the scenario `home/match` of the folder in which it begins, for so many simulated seconds,
+  /// records it as `state/match.soarrec` and sends {"message":"match","scores":[...]}, in the order of its agents.
+  std::function<std::vector<std::string>(std::uint64_t seed, int seconds)> match;
   bool ends_when_alone = false;  ///< Once its last page has been gone for some seconds.
   Limits limits;
 };

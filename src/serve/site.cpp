@@ -72,14 +72,6 @@ bool IsNumber(std::string_view host) {
   return inet_pton(AF_INET, name.c_str(), &four) == 1 || inet_pton(AF_INET6, name.c_str(), &six) == 1;
 }
 
-/// A cell of a table, quoted; a spreadsheet takes none for a formula.
-std::string CsvCell(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) text.insert(0, "'");
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings settings,
@@ -99,7 +91,13 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
     Result<ClassList> list = ClassList::Read(site->settings_.class_list, site->settings_.state, site->places_);
     if (!list) return list.error();
     site->class_ = std::move(*list);
+    Result<ClassDesk> desk = ClassDesk::Read(site->DeskFile());
+    if (!desk) return desk.error();
+    site->desk_ = std::move(*desk);
   }
+  Result<std::unique_ptr<Arena>> arena = Arena::Make(io, site->work_, site->settings_, site->catalog_->Games());
+  if (!arena) return arena.error();
+  site->arena_ = std::move(*arena);
   return site;
 }
 
@@ -189,8 +187,24 @@ void Site::Answer(const WebRequest& request, std::function<void(WebResponse)> do
     });
   }
   if (request.method != "GET" && request.method != "HEAD") return done(Refusal(405, "a page can only be read"));
-  const bool is_page = parts.empty() || (parts.size() == 2 && (parts[0] == "p" || parts[0] == "class"));
+  const std::string first = parts.empty() ? "" : parts.front();
+  if (parts.size() == 1 && (first == "embed" || first == "embed.js")) return done(Embedded(request, first));
+  const bool is_page = parts.empty() || (parts.size() == 2 && (first == "p" || first == "class" || first == "w"));
   done(Page(request, is_page ? "index.html" : JoinedFrom(parts, 0)));
+}
+
+WebResponse Site::Embedded(const WebRequest& request, const std::string& what) const {
+  if (settings_.embedders.empty())
+    return Refusal(404, "this server lets no other site show its worlds",
+                   "whoever runs it can name sites: --embed https://your.site.example");
+  WebResponse response = Page(request, what == "embed" ? "index.html" : "assets/embed.js");
+  if (what == "embed.js") {
+    response.headers.emplace_back("Cross-Origin-Resource-Policy", "cross-origin");
+    return response;
+  }
+  for (const std::string& site : settings_.embedders)
+    response.framed_by += (response.framed_by.empty() ? "" : " ") + site;
+  return response;
 }
 
 bool Site::MayBegin(const std::string& place, const std::string& address) {
@@ -208,7 +222,8 @@ void Site::AnswerApi(const WebRequest& request, const std::vector<std::string>& 
     if (request.method != "POST") return done(Refusal(405, "a place is made by POST"));
     return NewPlace(request, std::move(done));
   }
-  if (parts.size() == 3 && parts[1] == "class") return AnswerClass(parts[2], std::move(done));
+  if (parts.size() >= 3 && parts[1] == "class") return AnswerClass(request, parts, std::move(done));
+  if (parts.size() == 3 && parts[1] == "w") return AnswerWatch(parts[2], std::move(done));
   if (parts.size() < 3 || parts[1] != "p") return done(Refusal(404, "there is nothing of this name"));
   AnswerPlace(request, parts, std::move(done));
 }
@@ -253,6 +268,9 @@ void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>
                    request.body,
                    {class_.NameOf(id), settings_.opens, session != sessions_.end() && session->second->is_running()}});
   Charge(id, request.address, CostBefore(*asked));
+  const std::string what = parts.size() > 3 ? parts[3] : "";
+  if (what == "hand" || what == "notes" || what == "arena") return AnswerLearner(request, parts, std::move(done));
+  if (what == "watch") return AnswerWatchLink(request, id, std::move(done));
   Do(
       id,
       [this, asked] {
@@ -263,64 +281,6 @@ void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>
         Charge(id, address, CostAfter(*asked, response));
         done(std::move(response));
       });
-}
-
-void Site::AnswerClass(const std::string& name, Done done) {
-  const bool as_csv = name.ends_with(".csv");
-  if (!class_.IsKey(as_csv ? name.substr(0, name.size() - 4) : name))
-    return done(Refusal(404, "there is no class by this link", "the server printed the link when it began"));
-  const auto doing = std::make_shared<std::map<std::string, Doing>>();
-  for (const auto& [id, session] : sessions_)
-    if (session->is_running()) (*doing)[id] = {session->what(), session->viewers() > 0};
-  Do(
-      "class", [this, as_csv, doing] { return Table(as_csv, *doing); }, std::move(done));
-}
-
-WebResponse Site::Table(bool as_csv, const std::map<std::string, Doing>& doing) const {
-  const std::vector<Lesson> lessons = catalog_->Lessons();
-  Json titles = Json::array(), learners = Json::array();
-  std::string csv = "learner";
-  for (const Lesson& lesson : lessons) {
-    titles.push_back({{"name", lesson.name}, {"title", lesson.title}, {"course", lesson.course}});
-    csv += "," + CsvCell(lesson.name + " passed") + "," + CsvCell(lesson.name + " tries") + "," +
-           CsvCell(lesson.name + " hints");
-  }
-  csv += ",last hint\r\n";
-  for (const ClassList::Learner& learner : class_.learners()) {
-    const Result<Place> place = places_.Find(learner.place);
-    if (!place) continue;
-    const auto found = doing.find(learner.place);
-    const bool is_here = found != doing.end();
-    std::string last_hint;
-    bool has_open_hint = false;
-    Json done = Json::object();
-    csv += CsvCell(learner.name);
-    for (const Lesson& lesson : lessons) {
-      const Progress progress = catalog_->ProgressOf(place->state(), lesson.name);
-      done[lesson.name] = {{"is_done", progress.is_passed}, {"tries", progress.attempts}, {"hints", progress.hints}};
-      csv += std::string(",") + (progress.is_passed ? "yes" : "no") + "," + std::to_string(progress.attempts) + "," +
-             std::to_string(progress.hints);
-      // Of the lesson that is open now, else of the last one that is not passed.
-      const bool is_open = is_here && found->second.what == "lesson:" + lesson.name;
-      if (!progress.last_hint.empty() && (is_open || (!has_open_hint && !progress.is_passed)))
-        last_hint = progress.last_hint;
-      has_open_hint |= is_open && !progress.last_hint.empty();
-    }
-    csv += "," + CsvCell(last_hint) + "\r\n";
-    learners.push_back({{"name", learner.name},
-                        {"place_link", "/p/" + learner.place + "/"},
-                        {"watch_link", "/p/" + learner.place + "/#watch=" + class_.key()},
-                        {"done", std::move(done)},
-                        {"last_hint", last_hint},
-                        {"doing", is_here ? found->second.what : ""},
-                        {"is_here", is_here && found->second.is_watched}});
-  }
-  if (!as_csv) return Good({{"lessons", std::move(titles)}, {"learners", std::move(learners)}});
-  WebResponse response;
-  response.type = "text/csv; charset=utf-8";
-  response.headers.emplace_back("Content-Disposition", "attachment; filename=\"class.csv\"");
-  response.body = std::move(csv);
-  return response;
 }
 
 Result<void> Site::MayStart(const Session& session) const {
@@ -349,6 +309,8 @@ std::shared_ptr<Session> Site::SessionOf(const Place& place, const std::string& 
   auto session =
       std::make_shared<Session>(io_, work_, settings_, place, [this](const Session& each) { return MayStart(each); });
   session->set_address(address);
+  if (!class_.NameOf(place.id()).empty())
+    session->SetGreeting([this, id = place.id()] { return desk_.MessageFor(id); });
   return sessions_.emplace(place.id(), std::move(session)).first->second;
 }
 
@@ -359,12 +321,14 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
     done(std::move(admission));
   };
   const std::vector<std::string> parts = PartsOf(request.target);
-  const bool may_ask = parts.size() == 4 && parts[3] == "run", watches = parts.size() == 4 && parts[3] == "watch";
-  if (parts.size() != 4 || parts[0] != "api" || parts[1] != "p" || !(may_ask || watches))
+  const bool by_link = parts.size() == 4 && parts[1] == "w";
+  const bool may_ask = parts.size() == 4 && parts[3] == "run" && !by_link,
+             watches = parts.size() == 4 && parts[3] == "watch";
+  if (parts.size() != 4 || parts[0] != "api" || (parts[1] != "p" && !by_link) || !(may_ask || watches))
     return refuse(Refusal(404, "there is no run of this name"));
   if (WebResponse refusal; !IsWelcome(request, refusal)) return refuse(std::move(refusal));
   if (!IsId(parts[2])) return refuse(Refusal(404, places_.Find(parts[2]).error()));
-  if (watches && !class_.IsKey(QueryOf(request.target, "key")))
+  if (watches && !by_link && !class_.IsKey(QueryOf(request.target, "key")))
     return refuse(Refusal(403, "only the teacher of the class may watch", "use a link of the class's table"));
   admission.may_ask = may_ask;
   admission.address = request.address;
@@ -373,7 +337,11 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
   if (!request.protocols.empty()) admission.protocol = request.protocols.substr(0, request.protocols.find(','));
   const auto place = std::make_shared<Result<Place>>(NewProblem("not looked for"));
   work_.Do(
-      parts[2], [this, place, id = parts[2]] { *place = places_.Find(id); },
+      parts[2],
+      [this, place, id = parts[2], by_link] {
+        const Result<std::string> found = by_link ? watch_links_.PlaceOf(id) : Result<std::string>(id);
+        *place = found ? places_.Find(*found) : Result<Place>(found.error());
+      },
       [this, place, admission = std::move(admission), done = std::move(done)]() mutable {
         if (!*place) {
           admission.refusal = Refusal(404, place->error());
@@ -394,7 +362,11 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
 
 void Site::CleanUp() {
   std::vector<std::string> kept;
-  for (auto& [id, session] : sessions_) session->EndIfIdle();
+  for (auto& [id, session] : sessions_) {
+    session->EndIfIdle();
+    // Since when somebody has had a mistake is known only if somebody looks.
+    if (!class_.NameOf(id).empty()) session->Standing();
+  }
   std::erase_if(sessions_, [](const auto& each) { return !each.second->is_running() && each.second->viewers() == 0; });
   for (const auto& [id, session] : sessions_) kept.push_back(id);
   for (const ClassList::Learner& learner : class_.learners()) kept.push_back(learner.place);

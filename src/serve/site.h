@@ -6,16 +6,20 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "serve/arena.h"
+#include "serve/class_desk.h"
 #include "serve/class_list.h"
 #include "serve/place_answers.h"
 #include "serve/session.h"
 #include "serve/settings.h"
 #include "serve/static_files.h"
+#include "serve/watch_links.h"
 #include "serve/work.h"
 
 namespace soarbox::serve {
@@ -67,6 +71,7 @@ class Site {
         catalog_(std::move(catalog)),
         files_(std::move(files)),
         places_(settings_.state / "places", settings_.limits.place),
+        watch_links_(settings_.state / "watch"),
         work_(io) {}
 
   /// Refuses what comes from no page of this server, or from somebody who may not use it, and says why.
@@ -77,15 +82,34 @@ class Site {
   void AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   void NewPlace(const WebRequest& request, Done done);
   void AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done);
-  void AnswerClass(const std::string& name, Done done);
+  /// The page for a frame in a page of another site, and the script that such a page includes.
+  WebResponse Embedded(const WebRequest& request, const std::string& what) const;
+  /// What only the teacher may see and do (site_class.cpp).
+  void AnswerClass(const WebRequest& request, const std::vector<std::string>& parts, Done done);
+  void AnswerTable(const std::string& form, Done done);
+  /// A raised hand, a message that was read, and the arena, of a learner.
+  void AnswerLearner(const WebRequest& request, const std::vector<std::string>& parts, Done done);
+  void HandIn(const std::string& game, const std::string& place, const std::string& body, Done done);
+  WebResponse WriteNote(const std::string& body);
+  std::filesystem::path DeskFile() const { return settings_.state / "class_desk.json"; }
+  void SaveDesk();
+  /// Tells the learner's pages what has changed.
+  void GreetAgain(const std::string& place);
+  /// The link by which others may watch a place's run, and what such a link leads to.
+  void AnswerWatchLink(const WebRequest& request, const std::string& place, Done done);
+  void AnswerWatch(const std::string& link, Done done);
   /// Answers on a thread of the pool, after what came before in the same line.
   void Do(const std::string& line, std::function<WebResponse()> job, Done done);
   /// What somebody of the class does now, by place.
   struct Doing {
     std::string what;
     bool is_watched = false;
+    Activity::Standing standing = {};
+    std::optional<std::int64_t> hand_since = {};
+    std::vector<ClassDesk::Note> notes = {};
   };
-  WebResponse Table(bool as_csv, const std::map<std::string, Doing>& doing) const;
+  WebResponse Table(const std::map<std::string, Doing>& doing) const;
+  WebResponse TableAsCsv(bool is_long) const;
   std::shared_ptr<Session> SessionOf(const Place& place, const std::string& address);
   Result<void> MayStart(const Session& session) const;
 
@@ -94,7 +118,9 @@ class Site {
   std::unique_ptr<const Catalog> catalog_;
   StaticFiles files_;
   Places places_;
+  WatchLinks watch_links_;
   ClassList class_;
+  ClassDesk desk_;
   bool was_visited_ = false;
   std::map<std::string, std::shared_ptr<Session>, std::less<>> sessions_;  ///< By place.
   /// How often an address did something in the window that began then.
@@ -107,6 +133,7 @@ class Site {
   std::map<std::string, Count> wrong_tokens_, new_places_;
   // A place may keep a tenth of a core busy, an address half of one.
   Costs place_costs_{100, 1'000}, address_costs_{500, 5'000};
+  std::unique_ptr<Arena> arena_;
   Work work_;  ///< Last: its jobs use all of the above.
 };
 

@@ -30,11 +30,11 @@ void FileDesk::Edit(const EditRequest& request, const std::string& agent) {
   sim::WatchedFile file{agent, wanted, wanted.extension() == ".soar"};
   if (found != files.end()) file = *found;
   const std::string name = file.file.string();
-  if (found == files.end() && !common_.surroundings.MayBrowse()) {
+  if (found == files.end() && !common_.surroundings.MayBrowse() && !common_.surroundings.MayWrite(wanted)) {
     Diagnostic problem;
     problem.file = name;
     problem.message = "the run was not made from this file";
-    problem.hint = "only files of the run can be edited here";
+    problem.hint = "only files of the run, and files of your own beside them, can be edited here";
     return common_.note_problem(std::move(problem), agent);
   }
   if (!files_.contains(name)) {

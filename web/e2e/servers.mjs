@@ -79,7 +79,7 @@ test("a teacher sees the class, and watches without a hand in it; names with mar
   await learner.page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
   const hint = await learner.page.locator(".hints li").first().innerText();
   await teacher.page.goto(here(table));
-  await until(async () => (await teacher.page.locator("table.class").innerText()).includes(hint), "the last hint is in the table");
+  await until(async () => (await teacher.page.locator("table.class").textContent()).includes(hint), "the last hint is in the table");
   for (const one of [learner, teacher]) {
     assert.equal(await one.page.evaluate(() => globalThis.hit), undefined);
     assert.deepEqual(one.troubles, []);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Api, Refused, takeToken, type PlaceInfo } from "./app/api";
+import { parseAddress } from "./app/address";
 import { App } from "./app/app";
 import { applyTheme, themeNow } from "./app/theme";
 import { ClassTable } from "./class/class_table";
@@ -23,6 +24,21 @@ async function findPlace(api: Api): Promise<PlaceInfo> {
   return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(made.place)}`);
 }
 
+/** The place of a world in a page of another site: each world of that page has one of its own, because a place has one run. */
+async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
+  const key = `${PLACE_KEY}.embedded.${what}`, kept = localStorage.getItem(key);
+  if (kept !== null) {
+    try {
+      return await api.json<PlaceInfo>(`/api/p/${encodeURIComponent(kept)}`);
+    } catch (error) {
+      if (!(error instanceof Refused) || error.status !== 404) throw error;
+    }
+  }
+  const { place } = await api.json<{ place: string }>("/api/places", { method: "POST" });
+  localStorage.setItem(key, place);
+  return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(place)}`);
+}
+
 function tell(root: HTMLElement, error: unknown): void {
   const told = error as { message?: string; hint?: string };
   patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
@@ -39,14 +55,28 @@ async function begin(): Promise<void> {
     new ClassTable(root, api, decodeURIComponent(classKey));
     return;
   }
-  const watchKey = new URLSearchParams(location.hash.slice(1)).get("watch") ?? "";
+  const fields = new URLSearchParams(location.hash.slice(1)), watchKey = fields.get("watch") ?? "";
+  const link = /^\/w\/([^/]+)\/?$/.exec(location.pathname)?.[1];
   try {
+    if (location.pathname === "/embed") {
+      const panels = (fields.get("panels") ?? "").split(",").filter((word) => word !== "");
+      const info = await embeddedPlace(api, parseAddress(location.hash).what);
+      root.replaceChildren();
+      new App(root, api, info, { panels });
+      return;
+    }
+    if (link !== undefined) {
+      const info = await api.json<PlaceInfo>(`/api/w/${encodeURIComponent(link)}`);
+      root.replaceChildren();
+      new App(root, api, info, { link });
+      return;
+    }
     const info = await findPlace(api);
     if (watchKey === "") localStorage.setItem(PLACE_KEY, info.place);
     const path = `/p/${info.place}/`;
     if (location.pathname !== path) history.replaceState(null, "", path + location.search + location.hash);
     root.replaceChildren();
-    new App(root, api, info, watchKey);
+    new App(root, api, info, watchKey === "" ? {} : { key: watchKey });
   } catch (error) {
     tell(root, error);
   }

@@ -16,6 +16,8 @@
 #include "app/lesson.h"
 #include "app/mind_steps.h"
 #include "app/refuse.h"
+#include "app/run_options.h"
+#include "record/reader.h"
 #include "record/rerun.h"
 #include "serve/wall.h"
 #include "sim/scenario_file.h"
@@ -366,7 +368,40 @@ void RaiseWall(const EngineOptions& options) {
     wall.readable = {data->scenarios, data->media, ShippedLessons(*data)};
   }
   if (!options.from.empty()) wall.readable.push_back(options.from);
+  // The recording of a match lies in no place.
+  if (!options.recording.empty()) wall.readable.push_back(options.recording);
   serve::RaiseWall(wall);
+}
+
+/// Plays a match without pages, records it, and tells the server the scores of the agents in their order.
+int PlayMatch(const EngineOptions& options) {
+  const char* const state = std::getenv("XDG_STATE_HOME");
+  RunOptions run;
+  run.scenario = options.match.string();
+  run.headless = run.by_strangers = true;
+  run.may_join = false;
+  run.port = 0;
+  run.threads = 1;
+  run.memory_mb = options.memory_mb;
+  run.seed = options.seed;
+  run.seconds = options.match_s;
+  run.record = fs::path(state != nullptr ? state : ".") / "match.soarrec";
+  constexpr double kRecording_mb = 16;
+  run.record_limit_mb = kRecording_mb;
+  const int code = Run(run);
+  const Result<std::unique_ptr<record::Reader>> recording = record::Reader::Open(run.record);
+  if (!recording) return code == kOk ? Refuse(recording.error()) : code;
+  const Result<const record::TickRecord*> last = (*recording)->At((*recording)->last_tick());
+  if (!last) return Refuse(last.error());
+  nlohmann::ordered_json scores = nlohmann::ordered_json::array();
+  for (const world::AgentSnapshot& agent : (*last)->scene.agents)
+    scores.push_back(agent.has_score ? nlohmann::ordered_json(agent.score) : nlohmann::ordered_json());
+  EngineChannel channel(options.socket);
+  channel.Send(serve::FrameKind::kText, nlohmann::ordered_json{{"message", "match"}, {"scores", scores}}.dump());
+  // What is sent goes out before this process ends.
+  constexpr int kToSend_ms = 100;
+  channel.Receive(kToSend_ms);
+  return kOk;
 }
 
 }  // namespace
@@ -378,6 +413,7 @@ int Engine(const EngineOptions& given) {
   if (!options.recording.empty()) options.recording = fs::absolute(options.recording, error);
   if (options.is_walled) RaiseWall(options);
   EndWithServer(options.socket);
+  if (!options.match.empty()) return PlayMatch(options);
   const EngineWindow window(options);
   SetProgramWindow(&window);
   if (!options.recording.empty()) {

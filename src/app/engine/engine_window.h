@@ -17,6 +17,8 @@ struct EngineOptions {
   std::optional<std::uint64_t> seed;
   std::string lesson;               ///< Or a lesson, whose files are put into the learner's folder.
   std::filesystem::path recording;  ///< Or a recording.
+  std::filesystem::path match;      ///< Or a scenario that is played to its end, for its scores.
+  double match_s = 60;              ///< At most so long, in simulated seconds.
   std::filesystem::path home;       ///< What the learner edits may be written below this folder alone.
   bool is_walled = false;           ///< For strangers: the process can reach its place and the program's data alone.
   int memory_mb = 256;

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/data_folders.h"
@@ -21,6 +22,7 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/test_missions.h"
+#include "record/reader.h"
 #include "serve/random_id.h"
 #include "serve/server.h"
 #include "serve/wall.h"
@@ -30,6 +32,17 @@ namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The scenario of a match on a board of the game's script.
+std::string MatchOf(const std::string& script, const std::vector<serve::Player>& players) {
+  std::string text = "# A match that `soarbox serve` has made.\ndescription = \"" + script + ": ";
+  for (std::size_t i = 0; i < players.size(); ++i) text += (i == 0 ? "" : " against ") + players[i].name;
+  text += "\"\nscript = \"" + script + ".lua\"\nturn = 10\n";
+  for (const serve::Player& player : players)
+    text += "\n[[agent]]\nname = " + nlohmann::json(player.name).dump() +
+            "\nrules = " + nlohmann::json(player.rules).dump() + "\nby = \"sandbox\"\n";
+  return text;
+}
 
 /// Lessons and worlds that come with the program, read once.
 class ShippedCatalog final : public serve::Catalog {
@@ -46,6 +59,18 @@ class ShippedCatalog final : public serve::Catalog {
   }
   std::vector<serve::Lesson> Lessons() const override { return lessons_; }
   std::vector<Scenario> Scenarios() const override { return scenarios_; }
+  std::vector<serve::Game> Games() const override {
+    constexpr int kEaters_s = 120, kTanks_s = 200;
+    return {{"eaters", "Eaters", kEaters_s, [](const auto& players) { return MatchOf("Eaters", players); }},
+            {"tanksoar", "TankSoar", kTanks_s, [](const auto& players) { return MatchOf("TankSoar", players); }}};
+  }
+  Recording Describe(const fs::path& recording) const override {
+    const Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(recording);
+    if (!reader) return {};
+    const record::Header& header = (*reader)->header();
+    return {fs::path(header.scenario).filename().string(),
+            static_cast<double>((*reader)->last_tick() - (*reader)->first_tick()) * header.step_s};
+  }
   serve::Progress ProgressOf(const fs::path& state, const std::string& lesson) const override {
     const LessonProgress progress = LessonProgress::Below(state);
     serve::Progress told{progress.IsPassed(lesson), progress.Get(lesson, "attempts"), progress.Get(lesson, "hints")};
@@ -85,13 +110,19 @@ fs::path FolderOf(const std::string& scenario) {
 
 /// The program of an engine and its arguments.
 std::vector<std::string> EngineFor(const std::string& what, const serve::Place& place, const ServeOptions& options,
-                                   const std::string& program, const ShippedCatalog& catalog) {
+                                   const std::string& program, const ShippedCatalog& catalog, const fs::path& state) {
   std::vector<std::string> words = {program, "engine", "--home", "home", "--memory", std::to_string(options.memory_mb)};
   if (!options.no_wall) words.emplace_back("--walled");
   if (options.dis) words.emplace_back("--join");
   const std::size_t colon = what.find(':');
   const std::string kind = what.substr(0, colon), name = colon == std::string::npos ? "" : what.substr(colon + 1);
   if (!IsPlainName(name)) return {};
+  if (kind == "match") {
+    const fs::path file = state / "arena" / "matches" / name / "state" / "match.soarrec";
+    if (!serve::IsId(name) || !fs::exists(file)) return {};
+    words.insert(words.end(), {"--recording", file.string()});
+    return words;
+  }
   if (kind == "recording") {
     const Result<fs::path> file = place.FindRecording(name);
     if (!file) return {};
@@ -128,6 +159,15 @@ Result<void> ReadListen(const std::string& listen, serve::Settings& settings) {
   settings.address = address;
   settings.port = static_cast<std::uint16_t>(port);
   return {};
+}
+
+/// "https://school.example:8443": a scheme, a name and perhaps a port, as browsers name the site of a page.
+bool IsOrigin(std::string_view site) {
+  const std::size_t name = site.starts_with("https://") ? 8 : site.starts_with("http://") ? 7 : std::string_view::npos;
+  return name < site.size() && std::ranges::all_of(site.substr(name), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' ||
+                  c == ':';
+         });
 }
 
 bool IsThisMachine(const std::string& address) {
@@ -167,6 +207,11 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   settings.token = *token;
   settings.hosts = options.hosts;
   settings.proxies = options.proxies;
+  for (const std::string& site : options.embedders) {
+    if (!IsOrigin(site))
+      return NewProblem("--embed " + site + " is no site", "write it as https://school.example, without a path");
+    settings.embedders.push_back(site);
+  }
   settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
   settings.page = options.page.empty() ? PageFolder(data) : options.page;
   settings.class_list = options.class_list;
@@ -235,8 +280,19 @@ int ServePages(const ServeOptions& options) {
                     "name a folder with scenario.toml, or one that soarbox list shows");
     settings->opens = "scenario:" + name;
   }
-  settings->engine = [&options, &program, shipped = catalog.get()](const std::string& what, const serve::Place& place) {
-    return EngineFor(what, place, options, *program, *shipped);
+  settings->engine = [&options, &program, shipped = catalog.get(), state = settings->state](const std::string& what,
+                                                                                            const serve::Place& place) {
+    return EngineFor(what, place, options, *program, *shipped, state);
+  };
+  settings->match = [&options, &program](std::uint64_t seed, int seconds) {
+    std::vector<std::string> words = {*program,    "engine",
+                                      "--home",    "home",
+                                      "--match",   "home/match",
+                                      "--seed",    std::to_string(seed),
+                                      "--seconds", std::to_string(seconds),
+                                      "--memory",  std::to_string(options.memory_mb)};
+    if (!options.no_wall) words.emplace_back("--walled");
+    return words;
   };
   const auto tell = [](const std::vector<serve::Address>& links) {
     std::cout << "Open " << links.front().link << " in a browser. Ctrl-C ends the server.\n";

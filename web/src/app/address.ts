@@ -2,7 +2,7 @@
 
 /** What a page shows, as the part of its address after #: "#lesson=02-operators&t=4.3&file=mower.soar". */
 export interface Address {
-  /** "lesson:NAME", "scenario:NAME" or "recording:NAME"; empty: lessons and worlds. */
+  /** "lesson:NAME", "scenario:NAME", "recording:NAME" or "match:ID" of the arena; empty: lessons and worlds. */
   what: string;
   /** The moment that is shown, in seconds of the world; null: the newest. */
   seconds: number | null;
@@ -12,7 +12,7 @@ export interface Address {
   text: string;
 }
 
-const NAMES = [["lesson", "lesson:"], ["world", "scenario:"], ["recording", "recording:"]] as const;
+const NAMES = [["lesson", "lesson:"], ["world", "scenario:"], ["recording", "recording:"], ["match", "match:"]] as const;
 const LONGEST_S = 3600;
 
 export function parseAddress(hash: string): Address {

@@ -8,22 +8,52 @@ export interface PlaceInfo {
   lessons: readonly { name: string; title: string; course?: string; is_passed: boolean }[];
   scenarios: readonly { name: string; about: string }[];
   files: readonly { path: string; bytes: number }[];
-  recordings: readonly { name: string; bytes: number; when: string | number }[];
+  /** `when`: seconds since 1970; `world`: empty if the file cannot be read. */
+  recordings: readonly { name: string; bytes: number; when: number; world?: string; seconds?: number }[];
   kept_days: number;
   has_run: boolean;
 }
 export interface ClassInfo {
-  lessons: readonly { name: string; title: string }[];
+  lessons: readonly { name: string; title: string; course?: string }[];
   learners: readonly Learner[];
 }
 export interface Learner {
   name: string;
+  place: string;
   place_link: string;
   watch_link: string;
   is_here: boolean;
   doing?: string;
   last_hint?: string;
+  /** "works", "mistake", "stuck" or "idle"; for how long, and what the matter is. */
+  standing?: string;
+  trouble?: string;
+  lasts_s?: number;
+  /** For how many seconds the hand is up; null: it is down. */
+  hand_s?: number | null;
+  notes?: readonly { text: string; file: string; line: number; when: number; is_read: boolean }[];
   done: Readonly<Record<string, { is_done: boolean; tries?: number; hints?: number; passed?: number; of?: number }>>;
+}
+
+/** A message of the teacher; `line`: 0 if it is about no line. */
+export interface TeacherNote { id: number; text: string; file: string; line: number; when: number }
+
+/** The games in which learners measure their rules. */
+export interface ArenaInfo { games: readonly GameInfo[] }
+export interface GameInfo {
+  name: string;
+  title: string;
+  seconds: number;
+  entries: readonly { learner: string; file: string; when: number }[];
+  mine: { learner: string; file: string; when: number } | null;
+  tournament: Tournament | null;
+}
+export interface Tournament {
+  is_playing: boolean;
+  played: number;
+  seeds: number;
+  ladder: readonly { learner: string; points: number; won: number; drawn: number; lost: number; scored: number; conceded: number }[];
+  matches: readonly { learners: readonly [string, string]; seed: number; scores: readonly [number, number] | null; trouble: string; replay: string | null }[];
 }
 
 /** What the server said to a request that it refused. */

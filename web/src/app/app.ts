@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, type Child } from "../dom/view";
+import { learnersArena } from "../class/arena_view";
+import { LearnerDesk } from "../class/learner_desk";
 import { startPage } from "../lesson/start_page";
+import type { WorldMaps } from "../lesson/world_map";
 import { Run, type Remark } from "../run/run";
 import { SocketSource } from "../run/socket_source";
-import type { Api, PlaceInfo } from "./api";
+import type { Api, ArenaInfo, PlaceInfo } from "./api";
+import type { PlaceFiles } from "../panels/panel";
 import { clock } from "../panels/parts";
 import { keysDialog, linkDialog, type Link } from "./dialogs";
 import { icon } from "./icons";
@@ -16,9 +20,21 @@ import { RunPage } from "./run_page";
 import { isDark, switchTheme } from "./theme";
 
 const FETCHED_AFTER_MS = 800;
+/** Where a run sees the files of its place. */
+const HOME = "/place/home/";
 /** What was opened last in a place. */
 const LAST = "soarbox.last.";
 const REMARK_MS = 7000, MOST_REMARKS = 4;
+
+/** How a page is shown that is not the place's own. */
+export interface Guest {
+  /** The teacher watches, with the key of the class. */
+  key?: string;
+  /** Somebody watches by a link that was given away. */
+  link?: string;
+  /** It is a frame in a page of another site, with these panels. */
+  panels?: readonly string[];
+}
 
 /** The page of a place: where one begins, and the run that is open. */
 export class App {
@@ -44,7 +60,13 @@ export class App {
   private readonly reach: Reach;
   private ticker: ReturnType<typeof setInterval> | null = null;
 
-  constructor(root: HTMLElement, private readonly api: Api, private info: PlaceInfo, private readonly watchKey: string) {
+  private maps: WorldMaps = {};
+  private arena: ArenaInfo | null = null;
+  private readonly desk: LearnerDesk | null;
+  /** What a teacher who watches writes to the learner. */
+  private message = "";
+
+  constructor(root: HTMLElement, private readonly api: Api, private info: PlaceInfo, private readonly guest: Guest = {}) {
     this.head.className = "head";
     this.body.className = "body";
     this.remarks.className = "remarks";
@@ -52,9 +74,18 @@ export class App {
     root.replaceChildren(this.head, this.body, this.remarks, this.over);
     // The server knows this tab again when it connects again.
     const tab = [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
-    const path = watchKey === "" ? `/api/p/${info.place}/run?tab=${tab}` : `/api/p/${info.place}/watch?key=${encodeURIComponent(watchKey)}`;
-    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret), watchKey === "" ? info.place : "");
-    this.navigator = new Navigator(watchKey !== "", (address) => this.goTo(address));
+    const { key, link } = guest, path = key !== undefined ? `/api/p/${info.place}/watch?key=${encodeURIComponent(key)}` : link !== undefined ? `/api/w/${link}/watch` : `/api/p/${info.place}/run?tab=${tab}`;
+    root.classList.toggle("embedded", guest.panels !== undefined);
+    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret), this.watches ? "" : info.place);
+    this.desk = this.watches || info.learner === "" ? null : new LearnerDesk(api, `/api/p/${info.place}`, this.run, () => {
+      this.draw();
+      this.drawRemarks();
+    }, (error) => this.fail(error), (file, line) => {
+      this.isHome = false;
+      this.draw();
+      this.runPage?.showLine(file, line);
+    });
+    this.navigator = new Navigator(this.watches, (address) => this.goTo(address));
     this.reach = new Reach(this.run);
     this.isHome = this.navigator.address.what === "";
     this.takeGiven(this.navigator.address);
@@ -67,17 +98,28 @@ export class App {
     this.run.on("connection", () => this.draw());
     this.run.on("contents", (names) => {
       if (names.includes("mission")) this.noteLessons();
+      if (names.includes("edit") && this.watches) this.draw();
       this.noteWhere();
     });
     document.addEventListener("keydown", (event) => this.key(event));
     addEventListener("soarbox-theme", () => this.draw());
     this.draw();
     this.run.start();
+    if (this.isHome) this.fetchArena();
+    void import("../lesson/maps.json").then(({ default: maps }) => {
+      this.maps = maps;
+      this.draw();
+    });
     // What a run needs is fetched while one still chooses.
     setTimeout(() => {
       void import("../scene/scene_view");
       void import("../editor/editor");
     }, FETCHED_AFTER_MS);
+  }
+
+  /** Whether it is somebody else's run, which this page cannot change. */
+  private get watches(): boolean {
+    return this.guest.key !== undefined || this.guest.link !== undefined;
   }
 
   private open(what: string): void {
@@ -111,18 +153,18 @@ export class App {
 
   private begun(what: string): void {
     const { address } = this.navigator;
-    if (this.watchKey === "" && address.what !== "" && address.what !== what && this.openedByAddress !== address.what) {
+    if (!this.watches && address.what !== "" && address.what !== what && this.openedByAddress !== address.what) {
       // Another run was left here.
       this.openedByAddress = address.what;
       this.run.open(address.what);
       return;
     }
     this.openedByAddress = "";
-    if (this.watchKey === "") localStorage.setItem(LAST + this.info.place, what);
+    if (!this.watches) localStorage.setItem(LAST + this.info.place, what);
     if (address.what === what) {
       this.isHome = false;
       if (address.seconds !== null) this.reach.start(address.seconds);
-    } else if (!this.navigator.isHome || this.watchKey !== "") {
+    } else if (!this.navigator.isHome || this.watches) {
       this.isHome = false;
       this.navigator.stay(what);
     }
@@ -132,7 +174,7 @@ export class App {
   /** There is no run: what the address names is opened; what cannot be opened leads to lessons and worlds. */
   private nothingRuns(): void {
     const { what } = this.navigator.address;
-    if (this.watchKey === "" && what !== "" && this.openedByAddress !== what) {
+    if (!this.watches && what !== "" && this.openedByAddress !== what) {
       this.openedByAddress = what;
       this.isHome = false;
       this.run.open(what);
@@ -141,7 +183,7 @@ export class App {
     this.isHome = true;
     this.navigator.stay("");
     const { opens } = this.info;
-    if (opens === "" || this.openedGiven || this.watchKey !== "") return;
+    if (opens === "" || this.openedGiven || this.watches) return;
     this.openedGiven = true;
     this.open(opens.includes(":") ? opens : `scenario:${opens}`);
   }
@@ -176,10 +218,65 @@ export class App {
   }
 
   private fetchInfo(): void {
+    if (this.watches) return;
     void this.api.json<PlaceInfo>(`/api/p/${this.info.place}`).then((info) => {
       this.info = info;
       this.draw();
     }, (error: unknown) => this.fail(error));
+    this.fetchArena();
+  }
+
+  /** Learners of a class see the arena; it is looked at again while a tournament is played. */
+  private fetchArena(): void {
+    if (this.desk === null) return;
+    const PLAYS_AGAIN_MS = 3000;
+    void this.api.json<ArenaInfo>(`/api/p/${this.info.place}/arena`).then((arena) => {
+      this.arena = arena;
+      this.draw();
+      if (this.isHome && arena.games.some((one) => one.tournament?.is_playing === true)) setTimeout(() => this.fetchArena(), PLAYS_AGAIN_MS);
+    }, (error: unknown) => this.fail(error));
+  }
+
+  /** Files of the place, by the names that the run gives them. */
+  private files(): PlaceFiles {
+    const path = (file: string): string => {
+      if (!file.startsWith(HOME)) throw new Error(`${fileName(file)} is no file of your place.`);
+      return `/api/p/${this.info.place}/files/${file.slice(HOME.length).split("/").map(encodeURIComponent).join("/")}`;
+    };
+    return {
+      read: async (file) => (await this.api.fetch(path(file))).text(),
+      write: async (file, text) => void (await this.api.fetch(path(file), { method: "PUT", body: text })),
+    };
+  }
+
+  private handIn(game: string, file: string): void {
+    void this.api.json<ArenaInfo>(`/api/p/${this.info.place}/arena/${game}`, { method: "POST", body: JSON.stringify({ file }) }).then((arena) => {
+      this.arena = arena;
+      this.say({ text: `${fileName(file)} is handed in.`, hint: "You can hand in again until the tournament is played.", isError: false });
+      this.draw();
+    }, (error: unknown) => this.fail(error));
+  }
+
+  /** Sends what the teacher wrote to the learner whose run is watched; about the line of the caret, if that is wanted. */
+  private sendMessage(isAboutLine: boolean): void {
+    const where = isAboutLine ? (this.runPage?.editorPlace ?? null) : null;
+    void this.api.json<unknown>(`/api/class/${encodeURIComponent(this.guest.key ?? "")}/message`, { method: "POST", body: JSON.stringify({ to: this.info.place, text: this.message, ...(where ?? {}) }) }).then(() => {
+      this.say({ text: where === null ? `Sent to ${this.info.learner}.` : `Sent to ${this.info.learner}, about line ${where.line} of ${where.file}.`, hint: "", isError: false });
+      this.message = "";
+      this.draw();
+    }, (error: unknown) => this.fail(error));
+  }
+
+  /** Whose run is watched, and what one can do about it. */
+  private watchBar(): Child {
+    const { learner } = this.info, who = learner === "" ? "somebody's run" : `${learner}'s place`, unsaved = this.run.contents.edit?.edit.is_unsaved === true;
+    const pill = h("span.pill", { key: "watch" }, `You watch ${who}; you cannot change anything`), typed = unsaved && h("span.pill", { key: "typed" }, "The text is not applied yet");
+    if (this.guest.key === undefined || learner === "") return [pill, typed];
+    return [pill, typed, h("form.row.write", { key: "write", on: { submit: (event) => {
+      event.preventDefault();
+      this.sendMessage((event as SubmitEvent).submitter?.dataset["about"] === "line");
+    } } }, h("input", { value: this.message, attributes: { type: "text", maxlength: 500, placeholder: `Write to ${learner}`, "aria-label": `Message to ${learner}`, autocomplete: "off" }, on: { input: (event) => (this.message = (event.target as HTMLInputElement).value) } }),
+    h("button", { attributes: { type: "submit" } }, "Send"), h("button", { attributes: { type: "submit", "data-about": "line", title: "The message leads to the line in which the caret is" } }, "Send about this line"))];
   }
 
   private say(remark: Remark): void {
@@ -200,8 +297,8 @@ export class App {
   }
 
   private drawRemarks(): void {
-    patch(this.remarks, this.shown.map(({ remark, id }) => h(`div.remark${remark.isError ? ".error" : ""}`, { key: String(id) }, h("div", null, h("p", null, remark.text), remark.hint !== "" && h("p.hint", null, remark.hint)),
-      button(icon("cross"), () => this.unsay(id), { attributes: { "aria-label": "Close this remark" } }, "button.tool"))));
+    patch(this.remarks, [this.desk !== null && this.desk.notesView(), this.shown.map(({ remark, id }) => h(`div.remark${remark.isError ? ".error" : ""}`, { key: String(id) }, h("div", null, h("p", null, remark.text), remark.hint !== "" && h("p.hint", null, remark.hint)),
+      button(icon("cross"), () => this.unsay(id), { attributes: { "aria-label": "Close this remark" } }, "button.tool")))]);
   }
 
   private draw(): void {
@@ -210,10 +307,12 @@ export class App {
     patch(this.head, [
       button([icon("home"), h("span.brand", null, "Soarbox")], () => this.goHome(), { attributes: { title: "Lessons and worlds", "aria-label": "Soarbox: lessons and worlds" } }, "button.home"),
       !this.isHome && title !== "" && h("h1.run-title", null, title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
-      this.watchKey !== "" && h("span.pill", null, "You watch; only the learner can change anything"), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
+      this.watches && this.watchBar(), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
       this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
       h("span.space"), this.connectionView(),
-      button(icon("link"), () => this.showDialog("link"), { attributes: { title: "Links to share", "aria-label": "Links to share" } }, "button.tool"),
+      this.desk !== null && this.desk.handButton(),
+      this.guest.panels !== undefined && hello !== null && h("a", { attributes: { href: `/${formatAddress({ ...NOWHERE, what: hello.what })}`, target: "_blank", rel: "noopener" } }, "Open in Soarbox"),
+      !this.watches && button(icon("link"), () => this.showDialog("link"), { attributes: { title: "Links to share", "aria-label": "Links to share" } }, "button.tool"),
       button(icon("sun"), switchTheme, { attributes: { title: isDark() ? "Light colours" : "Dark colours", "aria-label": isDark() ? "Light colours" : "Dark colours" } }, "button.tool"),
       button(icon("keys"), () => this.showDialog("keys"), { attributes: { title: "Keys (?)", "aria-label": "Keys" } }, "button.tool"),
     ]);
@@ -227,6 +326,7 @@ export class App {
   private titleOfRun(): string {
     const { hello } = this.run;
     if (hello === null) return "";
+    if (hello.what.startsWith("match:")) return `${hello.agents.join(" against ")}, seed ${hello.seed}`;
     const name = hello.what.replace(/^\w+:/, "");
     return hello.title || (this.info.lessons.find((one) => hello.what === `lesson:${one.name}`)?.title ?? name);
   }
@@ -248,7 +348,7 @@ export class App {
 
   private drawBody(): void {
     const { state, hello } = this.run;
-    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what), false, () => this.goHome());
+    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what), false, () => this.goHome(), this.guest.panels ?? null, this.watches ? null : this.files());
     const shows = this.isHome ? "start" : state === "joining" && hello === null ? "waiting" : "run";
     this.body.dataset["shows"] = shows;
     let start = this.body.querySelector<HTMLElement>(":scope > .start-place");
@@ -267,10 +367,10 @@ export class App {
   }
 
   private start(): Child {
-    if (this.watchKey !== "") return h("main.start", null, h("div.empty", null, h("p", null, "The learner has no world open now. It is shown here as soon as there is one.")));
+    if (this.watches) return h("main.start", null, h("div.empty", null, h("p", null, `${this.info.learner === "" ? "The person" : this.info.learner} has no world open now. It is shown here as soon as there is one.`)));
     const { hello } = this.run, running = hello !== null && this.run.state !== "ended" ? { what: hello.what, title: this.titleOfRun() } : null;
     const folder = `/api/p/${this.info.place}`;
-    return startPage(this.info, this.filter, running, localStorage.getItem(LAST + this.info.place) ?? "", {
+    return startPage(this.info, this.filter, running, localStorage.getItem(LAST + this.info.place) ?? "", this.maps, this.arena !== null && learnersArena(this.arena, this.info.files, (game, file) => this.handIn(game, file), { replay: (match) => this.open(`match:${match}`) }), {
       open: (what) => this.open(what),
       goOn: () => {
         this.isHome = false;
@@ -292,7 +392,7 @@ export class App {
   private ended(): Child {
     const what = this.run.hello?.what ?? "";
     return h("div.over-run", { attributes: { role: "alert" } }, h("h2", null, "This run has ended"), h("p", null, this.run.endedText),
-      h("div.row", null, this.run.canOpenAgain && what !== "" && this.watchKey === "" && button("Open it again", () => this.open(what), {}, "button.primary"), button("Lessons and worlds", () => this.goHome())));
+      h("div.row", null, this.run.canOpenAgain && what !== "" && !this.watches && button("Open it again", () => this.open(what), {}, "button.primary"), button("Lessons and worlds", () => this.goHome())));
   }
 
   private showDialog(which: "" | "keys" | "link"): void {
@@ -316,9 +416,26 @@ export class App {
         links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: location.origin + "/" + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
       }
     }
+    if (isShown && this.guest.panels === undefined) {
+      try {
+        links.push(await this.watchLink());
+      } catch (error) {
+        this.fail(error);
+      }
+    }
     links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
     this.links = links;
     this.draw();
+  }
+
+  /** The link by which others watch what runs here. */
+  private async watchLink(): Promise<Link> {
+    const title = "Watch what I do, live", path = `/api/p/${this.info.place}/watch`, ask = (method: string) => (): void => {
+      void this.api.json<unknown>(path, { method }).then(() => this.makeLinks(), (error: unknown) => this.fail(error));
+    };
+    const { link } = await this.api.json<{ link: string }>(path);
+    if (link === "") return { title, about: "Shows others what runs here, whatever you open, until you withdraw the link. They change nothing and do not learn the link of your place.", address: "", make: ask("POST") };
+    return { title, about: "Whoever has this link sees what runs here, whatever you open, and changes nothing. Withdrawn, it leads nowhere; whoever watches then sees on until the page is loaded again.", address: location.origin + link, withdraw: ask("DELETE") };
   }
 
   private async copyLink(address: string): Promise<void> {

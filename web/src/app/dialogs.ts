@@ -42,15 +42,17 @@ export function qrView(text: string): View | null {
   return h("svg.qr", { attributes: { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": "QR code of the link" } }, h("rect", { attributes: { width: size, height: size, fill: "#fff" } }), h("path", { attributes: { d: path, fill: "#000" } }));
 }
 
-export interface Link { title: string; about: string; address: string; isPlace?: boolean }
+/** `make`: there is no such link yet; `withdraw`: it can be taken back. */
+export interface Link { title: string; about: string; address: string; isPlace?: boolean; make?: () => void; withdraw?: () => void }
 
 /** Links for others, what they lead to, and what whoever has them can do. */
 export function linkDialog(links: readonly Link[], isSecret: boolean, told: string, copy: (address: string) => void, close: () => void): View {
   const place = links.find((one) => one.isPlace === true);
   return dialog("Links to share", close,
     links.map((one, i) => h("section.link", { key: one.title }, h("h3", null, one.title), h("p", null, one.about),
-      h("div.row", null, h("input.address", { value: one.address, attributes: { type: "text", readonly: true, "aria-label": one.title }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }),
-        button("Copy", () => copy(one.address), { attributes: { "aria-label": `Copy: ${one.title}` } }, i === 0 ? "button.primary" : "button")))),
+      one.make !== undefined ? h("div.row", null, button("Make this link", one.make)) : h("div.row", null, h("input.address", { value: one.address, attributes: { type: "text", readonly: true, "aria-label": one.title }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }),
+        button("Copy", () => copy(one.address), { attributes: { "aria-label": `Copy: ${one.title}` } }, i === 0 ? "button.primary" : "button"),
+        one.withdraw !== undefined && button("Withdraw", one.withdraw)))),
     isSecret && h("p.quiet", null, "This server asks for its token as well; the links do not hold it."),
     h("p.good", { attributes: { role: "status" } }, told),
     place !== undefined && h("figure", null, qrView(place.address.replace(/#.*$/, "")), h("figcaption.quiet", null, "Your whole place, for another machine of yours")));

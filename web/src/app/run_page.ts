@@ -16,7 +16,7 @@ import { memoryPanel } from "../panels/memory";
 import { messagesPanel } from "../panels/messages";
 import { mindPanel } from "../panels/mind";
 import { mindsPanel } from "../panels/minds";
-import type { Panel, PanelContext } from "../panels/panel";
+import type { Panel, PanelContext, PlaceFiles } from "../panels/panel";
 import { outputPanel } from "../panels/output";
 import { plotsPanel } from "../panels/plots";
 import { problemsPanel } from "../panels/problems";
@@ -81,13 +81,13 @@ export class RunPage {
   private isFronted = false;
   private readonly attempt = new Attempt(localStorage);
 
-  /** `isReport`: of what a page with a recorded run in it can show. */
-  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}) {
+  /** `isReport`: of what a page with a recorded run in it can show. `only`: the panels below the picture of a small page; null: all. */
+  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}, private readonly only: readonly string[] | null = null, files: PlaceFiles | null = null) {
     this.element.className = "run-page";
     this.work.className = "work";
     this.foot.className = "foot";
     const context: PanelContext = {
-      run, openWhat, goHome, attempt: this.attempt, grade: () => this.grade(),
+      run, openWhat, goHome, files, attempt: this.attempt, grade: () => this.grade(),
       redraw: (word) => this.docks.forEach((dock) => dock.has(word) && dock.redraw(word)),
       titleOf: (word) => this.panels.find((one) => one.word === word)?.title ?? word,
       reveal: (word) => this.reveal(word),
@@ -127,21 +127,20 @@ export class RunPage {
   }
 
   private arrange(): void {
-    const hello = this.run.hello, isNarrow = this.narrow.matches, shape = this.isReport ? (isNarrow ? "narrowReport" : "report") : isNarrow ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
+    const hello = this.run.hello, isNarrow = this.narrow.matches || this.only !== null, shape = this.only !== null ? "embedded" : this.isReport ? (isNarrow ? "narrowReport" : "report") : isNarrow ? "narrow" : hello !== null && !hello.what.startsWith("lesson:") ? "world" : "lesson";
     const hasExercise = hello?.has_exercise === true;
     if (shape === this.shape && hasExercise === this.hasExercise) return;
     this.shape = shape;
     this.hasExercise = hasExercise;
     this.element.dataset["shape"] = shape;
-    const arranged = withExercise(ARRANGEMENTS[shape], hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
+    const arranged = shape === "embedded" ? { left: [], right: [], bottom: (this.only ?? []).filter((word) => this.panels.some((one) => one.word === word)) } : withExercise(ARRANGEMENTS[shape], hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
     const dock = (name: string, words: readonly string[]): Dock => new Dock(name, `${shape}.${name}`, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
     const middle = document.createElement("div");
     middle.className = "middle";
     this.docks = [];
     if (isNarrow) {
-      const all = dock("bottom", arranged.bottom);
-      this.docks = [all];
-      middle.append(this.stage.element, this.foot, all.element);
+      this.docks = arranged.bottom.length === 0 ? [] : [dock("bottom", arranged.bottom)];
+      middle.append(this.stage.element, this.foot, ...this.docks.map((one) => one.element));
       this.work.replaceChildren(middle);
     } else {
       const left = dock("left", arranged.left), right = dock("right", arranged.right), bottom = dock("bottom", arranged.bottom);
@@ -153,6 +152,19 @@ export class RunPage {
       this.element.append(this.foot);
     }
     this.look();
+  }
+
+  get editorPlace(): { file: string; line: number } | null {
+    return this.edit.where;
+  }
+
+  /** Shows a line of a file of this run, by the file's name. */
+  showLine(file: string, line: number): void {
+    const found = this.run.contents.edit?.files.find((one) => one.file.split("/").at(-1) === file);
+    if (found === undefined) return this.run.remark(`${file} is not among the files of this world.`, "Open the lesson or world that it belongs to.", false);
+    this.edit.flush();
+    this.run.ask("edit", { file: found.file, line });
+    this.reveal("edit");
   }
 
   get editorText(): string | null {

@@ -3,11 +3,12 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { Contents } from "../run/contents";
 import type { Panel, PanelContext } from "../panels/panel";
 import { problemView } from "../panels/problems";
-import type { Editor } from "./editor";
+import type { Editor, EditorCommand } from "./editor";
 import { unpackText } from "../app/address";
 import { fileName, firstFile } from "./first_file";
 import { LanguageClient } from "./language_client";
 import { merged, problemOf, type PlacedProblem } from "./problem_place";
+import { changesOf, edited } from "./text_edits";
 
 const SIGNS = ["(", ")", "<", ">", "^", ".", "-->", "{", "}", "|", "*", "+", "-", "="] as const;
 const ANSWERED_AFTER_MS = 500;
@@ -37,6 +38,8 @@ export class EditPanel implements Panel {
   private offered: { file: string; text: string } | null = null;
   /** What was typed here before somebody changed the text elsewhere. */
   private older: string | null = null;
+  /** A name that is being asked for: of a new file, or for the name at a place. */
+  private asks: { what: "rename" | "new"; old: string; name: string; line: number; character: number } | null = null;
   /** Whether the editor holds what was typed or brought back here; if not, it follows the text of the run. */
   private isOwn = false;
 
@@ -94,6 +97,8 @@ export class EditPanel implements Panel {
         mayEdit && button("Apply", () => this.editor?.apply(), { attributes: { disabled: !isOpen, title: "Save, and reload the rules in the running world (Ctrl+Enter, Ctrl+S)" } }, "button.primary"),
         mayEdit && contents.mission?.lesson !== undefined && contents.mission.lesson !== null && button("Grade", () => this.context.grade(), { attributes: { disabled: contents.mission.lesson.is_graded, title: "Apply, and run your rules with ten seeds" } }),
         mayEdit && button("Revert", () => this.revert(), { attributes: { disabled: !isOpen || !edit.is_unsaved, title: "Back to what was saved" } })),
+      mayEdit && isOpen && this.commands(edit.is_rules),
+      mayEdit && this.asks !== null && this.asking(this.asks),
       !this.context.run.mayType && h("div.row.bar", { key: "tabs", attributes: { role: "status" } }, h("p.warn", null, "Another tab edits the texts of this place."), button("Edit here", () => this.context.run.takeOver(), {}, "button.primary")),
       isOpen && this.older !== null && h("div.row.bar", { key: "older", attributes: { role: "status" } }, h("p.warn", null, "This text was changed elsewhere. What you had typed here is kept in this browser."),
         mayEdit && button("Show what I typed", () => this.bringBack(edit.file)), button("Forget it", () => this.forget(edit.file))),
@@ -104,6 +109,91 @@ export class EditPanel implements Panel {
         isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
         !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
     ];
+  }
+
+  /** What else can be done with the text; all but a new file are keys, too. */
+  private commands(isRules: boolean): View {
+    const small = (label: string, title: string, press: () => void): View => button(label, press, { attributes: { title } }, "button.small");
+    return h("div.row.bar.commands", { key: "commands", attributes: { role: "group", "aria-label": "More for the text" } },
+      isRules && [small("Lay out", "Lay the rules out (Shift+Alt+F)", () => this.command("format")), small("Rename", "Give the name at the caret another one, wherever it is used (F2)", () => this.command("rename")),
+        small("Go to definition", "Go where the name at the caret is made (F12)", () => this.command("definition"))],
+      this.context.files !== null && small("New file", "A new file beside this one", () => this.ask({ what: "new", old: "", name: "", line: 0, character: 0 })));
+  }
+
+  private asking(asks: NonNullable<EditPanel["asks"]>): View {
+    const label = asks.what === "new" ? "Name of the new file" : `New name of ${asks.old}`;
+    return h("form.row.bar", { key: "asking", on: { submit: (event) => {
+      event.preventDefault();
+      this.asks = null;
+      this.context.redraw("edit");
+      void (asks.what === "new" ? this.newFile(asks.name) : this.rename(asks)).catch((error: unknown) => this.fail(error));
+    } } }, h("input", { value: asks.name, attributes: { type: "text", "aria-label": label, placeholder: label, spellcheck: "false", autocomplete: "off" }, mounted: (element) => (element as HTMLInputElement).select(), on: { input: (event) => (asks.name = (event.target as HTMLInputElement).value) } }),
+    h("button.primary", { attributes: { type: "submit" } }, asks.what === "new" ? "Create" : "Rename"), button("Cancel", () => this.ask(null)));
+  }
+
+  private ask(asks: EditPanel["asks"]): void {
+    this.asks = asks;
+    this.context.redraw("edit");
+    if (asks === null) this.focus();
+  }
+
+  private fail(error: unknown): void {
+    const told = error as { message?: string; hint?: string };
+    this.context.run.remark(told.message ?? String(error), told.hint ?? "");
+  }
+
+  private command(what: EditorCommand): void {
+    const { editor } = this;
+    if (editor === null || !this.mayType || this.file === "") return;
+    const { text, caret } = editor;
+    const work = async (): Promise<void> => {
+      if (what === "format") {
+        const edits = await this.client.format(text);
+        if (editor.text === text) editor.change(changesOf(text, edits));
+        return;
+      }
+      if (what === "definition") {
+        const found = await this.client.definition(text, caret.line, caret.character);
+        if (found === null) throw new Error("Nothing makes what is at the caret: no rule of these files does.");
+        if (found.path === this.file) editor.goTo(found.line);
+        else this.context.edit(found.path, found.line);
+        return;
+      }
+      const old = await this.client.nameAt(text, caret.line, caret.character);
+      if (old === null) throw new Error("At the caret is no name that can be renamed. Put it into a variable, an attribute or the name of a rule.");
+      this.ask({ what: "rename", old, name: old, ...caret });
+    };
+    void work().catch((error: unknown) => this.fail(error));
+  }
+
+  /** Renames in this text, as a draft, and in other files of the place, which are saved. */
+  private async rename(asks: NonNullable<EditPanel["asks"]>): Promise<void> {
+    const { editor } = this, { files } = this.context;
+    if (editor === null || asks.name === asks.old) return;
+    const text = editor.text, renamed = await this.client.rename(text, asks.line, asks.character, asks.name);
+    const others = renamed.filter((one) => one.path !== this.file), open = this.context.run.contents.edit?.open_files ?? [];
+    const unsaved = others.find((one) => open.some((file) => file.file === one.path && file.is_unsaved));
+    if (unsaved !== undefined) throw new Error(`${fileName(unsaved.path)} uses ${asks.old}, too, and has text that is not applied. Apply it first.`);
+    if (others.length > 0 && files === null) throw new Error(`${others.map((one) => fileName(one.path)).join(", ")} would have to change as well, and cannot be reached from here.`);
+    const texts = await Promise.all(others.map(async (one) => ({ path: one.path, text: edited(await files!.read(one.path), one.edits) })));
+    if (editor.text !== text) throw new Error("The text has changed meanwhile. Rename again.");
+    for (const one of texts) await files!.write(one.path, one.text);
+    editor.change(changesOf(text, renamed.find((one) => one.path === this.file)?.edits ?? []));
+    if (others.length > 0) this.context.run.remark(`Renamed in ${others.map((one) => fileName(one.path)).join(", ")}, too.`, "", false);
+    this.focus();
+  }
+
+  /** An empty file beside the one that is shown. */
+  private async newFile(name: string): Promise<void> {
+    const { files } = this.context, plain = name.trim();
+    if (files === null) return;
+    if (!/^[A-Za-z0-9_][A-Za-z0-9_.-]*$/.test(plain)) throw new Error("A file's name has letters, digits, - and _ only.");
+    const file = /\.\w+$/.test(plain) ? plain : `${plain}.soar`, path = this.file.slice(0, this.file.lastIndexOf("/") + 1) + file;
+    if (await files.read(path).then(() => true, () => false)) throw new Error(`There is a file ${file} already.`);
+    const first = fileName(this.file);
+    await files.write(path, `# ${file}\n`);
+    this.context.edit(path);
+    this.context.run.remark(`${file} is there.`, file.endsWith(".soar") ? `Write  source ${file}  into ${first}, so that it is loaded.` : "", false);
   }
 
   /** Signs of rules that a phone's keyboard hides; shown where fingers type. */
@@ -154,6 +244,7 @@ export class EditPanel implements Panel {
           this.mark();
         }, ANSWERED_AFTER_MS);
       },
+      command: (what) => this.command(what),
       apply: (text) => {
         void this.client.tell(text);
         if (!this.context.run.ask("edit-text", { what: "save", text })) return;
@@ -181,6 +272,11 @@ export class EditPanel implements Panel {
   /** What is in the editor; null: no file. */
   get text(): string | null {
     return this.editor === null || this.file === "" ? null : this.editor.text;
+  }
+
+  /** Where the caret is; null: no file is shown. */
+  get where(): { file: string; line: number } | null {
+    return this.editor === null || this.file === "" ? null : { file: fileName(this.file), line: this.editor.line };
   }
 
   /** A packed text that somebody gave away: it comes into the editor as a draft once its file is there. */

@@ -18,7 +18,10 @@ export interface EditorEvents {
   /** The text changed by typing; called at each change. */
   typing(text: string): void;
   apply(text: string): void;
+  /** Keys of the editor's other work: lay out, rename, go to the definition. */
+  command(what: EditorCommand): void;
 }
+export type EditorCommand = "format" | "rename" | "definition";
 
 /** The editor of rules: colours, problems at their place, remedies as fixes. */
 export class Editor {
@@ -40,6 +43,7 @@ export class Editor {
           EditorView.contentAttributes.of({ "aria-label": "Rules", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
           keymap.of([
             { key: "Mod-s", preventDefault: true, run: () => this.apply() }, { key: "Mod-Enter", run: () => this.apply() },
+            { key: "Shift-Alt-f", preventDefault: true, run: () => this.command("format") }, { key: "F2", preventDefault: true, run: () => this.command("rename") }, { key: "F12", preventDefault: true, run: () => this.command("definition") },
             ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab,
           ]),
           EditorView.updateListener.of((update) => this.changed(update)),
@@ -98,6 +102,11 @@ export class Editor {
     this.view.dispatch(setDiagnostics(this.view.state, shown));
   }
 
+  /** The line of the caret, from 1. */
+  get line(): number {
+    return this.view.state.doc.lineAt(this.view.state.selection.main.head).number;
+  }
+
   goTo(line: number): void {
     const doc = this.view.state.doc, at = doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
     this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
@@ -118,6 +127,22 @@ export class Editor {
 
   focus(): void {
     this.view.focus();
+  }
+
+  private command(what: EditorCommand): boolean {
+    this.events.command(what);
+    return true;
+  }
+
+  /** Where the caret is: its line and letter, from 0. */
+  get caret(): { line: number; character: number } {
+    const { head } = this.view.state.selection.main, line = this.view.state.doc.lineAt(head);
+    return { line: line.number - 1, character: head - line.from };
+  }
+
+  /** Changes the text as if somebody had typed it; one step for Undo. */
+  change(changes: readonly { from: number; to: number; insert: string }[]): void {
+    if (changes.length > 0) this.view.dispatch({ changes: [...changes], userEvent: "input.change" });
   }
 
   /** As if this was typed at the caret. */

@@ -4,13 +4,22 @@ import { hoverTooltip } from "@codemirror/view";
 import type { Run } from "../run/run";
 import type { LspDiagnostic } from "./problem_place";
 import { wordAt } from "./soar_words";
+import { pathOf, type TextEdit } from "./text_edits";
 
 const ANSWER_MS = 8000;
+const NO_HELP = "The help with rules does not answer. Try again when the page is connected.";
 
 interface Answer { id?: number; result?: unknown; error?: unknown }
 interface LspItem { label: string; kind?: number; detail?: string; documentation?: string | { value: string }; insertText?: string; textEdit?: { newText: string } }
 
 const TYPES: Readonly<Record<number, string>> = { 3: "function", 5: "property", 6: "variable", 12: "constant", 14: "keyword", 21: "constant", 22: "class" };
+
+/** The result of an answer; throws what was refused, in the server's words. */
+function resultOf<T>(answer: Answer | null): T {
+  if (answer === null) throw new Error(NO_HELP);
+  if (answer.error !== undefined) throw new Error((answer.error as { message?: string }).message ?? "This was refused.");
+  return answer.result as T;
+}
 
 /** Talks the language server's protocol through the run: what is wrong with the text, and what may stand where the caret is. */
 export class LanguageClient {
@@ -69,6 +78,32 @@ export class LanguageClient {
     const answer = await this.ask("textDocument/hover", { textDocument: { uri: this.uri }, position: { line, character } });
     const contents = (answer?.result as { contents?: string | { value?: string } } | null | undefined)?.contents;
     return typeof contents === "string" ? contents : (contents?.value ?? "");
+  }
+
+  /** The changes that lay the text out. */
+  async format(text: string): Promise<readonly TextEdit[]> {
+    if (!(await this.tell(text))) throw new Error(NO_HELP);
+    return resultOf<readonly TextEdit[] | null>(await this.ask("textDocument/formatting", { textDocument: { uri: this.uri }, options: { tabSize: 3, insertSpaces: true } })) ?? [];
+  }
+
+  /** The name at a place that can be renamed; null: there is none. */
+  async nameAt(text: string, line: number, character: number): Promise<string | null> {
+    if (!(await this.tell(text))) throw new Error(NO_HELP);
+    return resultOf<{ placeholder: string } | null>(await this.ask("textDocument/prepareRename", { textDocument: { uri: this.uri }, position: { line, character } }))?.placeholder ?? null;
+  }
+
+  /** The changes of each file that give the name at a place another one. */
+  async rename(text: string, line: number, character: number, newName: string): Promise<{ path: string; edits: readonly TextEdit[] }[]> {
+    if (!(await this.tell(text))) throw new Error(NO_HELP);
+    const result = resultOf<{ changes?: Readonly<Record<string, readonly TextEdit[]>> } | null>(await this.ask("textDocument/rename", { textDocument: { uri: this.uri }, position: { line, character }, newName }));
+    return Object.entries(result?.changes ?? {}).map(([uri, edits]) => ({ path: pathOf(uri), edits }));
+  }
+
+  /** Where what the word at a place names is made; lines count from 1. */
+  async definition(text: string, line: number, character: number): Promise<{ path: string; line: number } | null> {
+    if (!(await this.tell(text))) throw new Error(NO_HELP);
+    const [first] = resultOf<readonly { uri: string; range: TextEdit["range"] }[] | null>(await this.ask("textDocument/definition", { textDocument: { uri: this.uri }, position: { line, character } })) ?? [];
+    return first === undefined ? null : { path: pathOf(first.uri), line: first.range.start.line + 1 };
   }
 
   private take(content: Answer & { method?: string; params?: { uri?: string; diagnostics?: LspDiagnostic[] } }): void {

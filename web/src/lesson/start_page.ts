@@ -2,7 +2,9 @@
 import { button, h, type Child, type View } from "../dom/view";
 import { icon } from "../app/icons";
 import type { PlaceInfo } from "../app/api";
+import { clock } from "../panels/parts";
 import { nextLesson, nextThings, numberOf } from "./next_thing";
+import { worldMap, type WorldMaps } from "./world_map";
 
 export interface StartEvents {
   open(what: string): void;
@@ -16,18 +18,26 @@ export function sizeText(bytes: number): string {
   return bytes < 1000 ? `${bytes} bytes` : bytes < 1_000_000 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1_000_000).toFixed(1)} MB`;
 }
 
-function lessonCard(one: PlaceInfo["lessons"][number], isNext: boolean, events: StartEvents): View {
+/** What a recording is called on the page: its world, its length and when it was made. */
+export function recordingText(one: PlaceInfo["recordings"][number], locale?: string): { title: string; about: string } {
+  const when = one.when > 0 ? new Date(one.when * 1000).toLocaleString(locale, { dateStyle: "medium", timeStyle: "short" }) : "";
+  if (one.world === undefined || one.world === "") return { title: one.name, about: [when, sizeText(one.bytes)].filter((part) => part !== "").join(", ") };
+  return { title: one.world, about: [`${clock(one.seconds ?? 0)} long`, when, sizeText(one.bytes)].filter((part) => part !== "").join(", ") };
+}
+
+function lessonCard(one: PlaceInfo["lessons"][number], isNext: boolean, maps: WorldMaps, events: StartEvents): View {
   return h("li", { key: one.name }, button([
     h("span.number", { attributes: { "aria-hidden": "true" } }, one.is_passed ? icon("check") : numberOf(one.name)),
     h("span.words", null, h("b", null, one.title), h("span.quiet", null, one.is_passed ? "passed" : isNext ? "next" : "not passed yet")),
+    h("span.space"), worldMap(maps[one.name]),
   ], () => events.open(`lesson:${one.name}`), {}, `button.card.lesson${one.is_passed ? ".passed" : ""}${isNext ? ".next" : ""}`));
 }
 
 /** The lessons of one course, with how many are done. */
-function courseSection(title: string, lessons: PlaceInfo["lessons"], next: string, events: StartEvents): View {
+function courseSection(title: string, lessons: PlaceInfo["lessons"], next: string, maps: WorldMaps, events: StartEvents): View {
   const passed = lessons.filter((one) => one.is_passed).length, text = `${passed} of ${lessons.length} passed`;
   return h("section", { key: title, attributes: { "aria-label": title } }, h("div.row", null, h("h2", null, title), h("progress", { attributes: { max: lessons.length, value: passed, "aria-label": `${title}: ${text}` } }), h("span.quiet", null, text)),
-    h("ol.cards", null, lessons.map((one) => lessonCard(one, one.name === next, events))));
+    h("ol.cards", null, lessons.map((one) => lessonCard(one, one.name === next, maps, events))));
 }
 
 /** Other courses are named after the worlds that they teach. */
@@ -36,7 +46,7 @@ function titleOfCourse(course: string): string {
 }
 
 /** Where one begins: lessons with what is done, worlds, recordings, and one's files. */
-export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, events: StartEvents, setFilter: (text: string) => void): Child {
+export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, maps: WorldMaps, arena: Child, events: StartEvents, setFilter: (text: string) => void): Child {
   const things = nextThings(info, running, last), next = things.find((one) => one.what.startsWith("lesson:"))?.what.slice("lesson:".length) ?? nextLesson(info);
   const worlds = info.scenarios.filter((one) => `${one.name} ${one.about}`.toLowerCase().includes(filter.toLowerCase()));
   return h("main.start", null,
@@ -44,13 +54,14 @@ export function startPage(info: PlaceInfo, filter: string, running: { what: stri
       h("p", null, "Soar agents decide by rules. Change a rule, and watch what they do, why they do it, and why not."),
       h("div.row", null,
         things.map((one, i) => button(one.label, () => (one.goesOn ? events.goOn() : events.open(one.what)), { key: one.what }, i === 0 ? "button.primary.large" : "button.large"))))),
-    [...new Set(info.lessons.map((one) => one.course ?? ""))].map((course) => courseSection(titleOfCourse(course), info.lessons.filter((one) => (one.course ?? "") === course), next, events)),
+    [...new Set(info.lessons.map((one) => one.course ?? ""))].map((course) => courseSection(titleOfCourse(course), info.lessons.filter((one) => (one.course ?? "") === course), next, maps, events)),
+    arena,
     info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
       value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
-    })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button(h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about)), () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
+    })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button([worldMap(maps[one.name]), h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about))], () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
     h("section.kept", { attributes: { "aria-label": "Your place" } }, h("h2", null, "Your place"),
       h("p.quiet", null, `Your files, lessons and recordings are kept under this page's link. Keep the link: whoever has it works here. ${info.kept_days > 0 ? `Nobody needs to log in; what is not used for ${info.kept_days} days is deleted.` : ""}`),
-      info.recordings.length > 0 && h("ul.plain", null, info.recordings.map((one) => h("li.row", { key: one.name }, button(one.name, () => events.open(`recording:${one.name}`), { attributes: { title: "Watch this recording" } }, "button.link"), h("span.quiet", null, sizeText(one.bytes)),
+      info.recordings.length > 0 && h("ul.plain", null, [...info.recordings].sort((a, b) => b.when - a.when).map((one) => h("li.row", { key: one.name }, button(recordingText(one).title, () => events.open(`recording:${one.name}`), { attributes: { title: `Watch ${one.name}` } }, "button.link"), h("span.quiet", null, recordingText(one).about),
         button("Download", () => events.downloadRecording(one.name), { attributes: { "aria-label": `Download ${one.name}` } }, "button.small")))),
       h("div.row", null, button("Download my folder", events.download, { attributes: { title: "All your files as a zip" } }),
         h("label.button", null, "Upload a folder (zip)", h("input.hidden", { attributes: { type: "file", accept: ".zip,application/zip" }, on: { change: (event) => {

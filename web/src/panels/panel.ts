@@ -4,6 +4,12 @@ import type { Attempt } from "../lesson/attempt";
 import type { ContentName, Contents } from "../run/contents";
 import type { Run } from "../run/run";
 
+/** Files of a place, by the names that the run gives them ("/place/home/..."). Both throw what was wrong. */
+export interface PlaceFiles {
+  read(file: string): Promise<string>;
+  write(file: string, text: string): Promise<void>;
+}
+
 /** What a panel may use: the run, and the page around it. */
 export interface PanelContext {
   readonly run: Run;
@@ -22,6 +28,8 @@ export interface PanelContext {
   goHome(): void;
   /** Has the learner's rules graded; what was typed last is applied before. */
   grade(): void;
+  /** The files of the place; null: they cannot be reached from here. */
+  readonly files: PlaceFiles | null;
   /** What the learner has done with the rules of this run. */
   readonly attempt: Attempt;
 }

@@ -9,6 +9,7 @@ export class EditPanel implements Pick<Editor, keyof Editor> {
   readonly uses = ["edit", "moment", "mission"] as const;
   readonly isUnsaved = false;
   readonly text = null;
+  readonly where = null;
   badge(): string {
     return "";
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import type { TeacherNote } from "../app/api";
 import { isFull, SceneReader, unpack } from "../format/scene_reader";
 import type { Scene } from "../format/scene";
 import type { ContentName, Contents } from "./contents";
@@ -21,7 +22,11 @@ export interface RunEvents {
   printed: readonly PrintedLine[];
   /** Another tab edits texts, or this one does again. */
   tabs: boolean;
+  /** The learner's hand or the teacher's messages have changed. */
+  class: ClassNews;
 }
+/** What a learner of a class is told: whether the own hand is up, and messages that are not read. */
+export interface ClassNews { is_hand_up: boolean; notes: readonly TeacherNote[] }
 export type RunState = "joining" | "running" | "busy" | "ended" | "none";
 
 type Handlers = { [K in keyof RunEvents]: Set<(event: RunEvents[K]) => void> };
@@ -45,7 +50,7 @@ export class Run {
 
   private readonly handlers: Handlers = {
     hello: new Set(), flow: new Set(), contents: new Set(), scene: new Set(), remark: new Set(), state: new Set(),
-    connection: new Set(), language: new Set(), printed: new Set(), tabs: new Set(),
+    connection: new Set(), language: new Set(), printed: new Set(), tabs: new Set(), class: new Set(),
   };
   private reader = new SceneReader();
   /** Blocks are unpacked one after another, so that they stay in order. */
@@ -191,6 +196,9 @@ export class Run {
         if (this.mayType === message.may_type) break;
         this.mayType = message.may_type;
         this.tell("tabs", this.mayType);
+        break;
+      case "class":
+        this.tell("class", message);
         break;
       case "language":
         this.tell("language", message.content);

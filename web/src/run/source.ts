@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import type { TeacherNote } from "../app/api";
 import type { Contents } from "./contents";
 
 /** What a run says to whoever shows it. */
@@ -13,6 +14,7 @@ export type RunMessage =
   | { message: "ended"; text: string; can_open_again: boolean }
   | { message: "none" }
   | { message: "tabs"; may_type: boolean }
+  | { message: "class"; is_hand_up: boolean; notes: readonly TeacherNote[] }
   | { message: "language"; content: unknown };
 
 export interface Hello {

@@ -7,9 +7,13 @@ import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 import { DOING_FONT, NAME_FONT, SPEECH_FONT, textWidth } from "./text_width";
 
-const MOST_NAMES = 40, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
+const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
 /** Who looks from far away sees the names of what is so much further away than what is looked at. */
 const FURTHER = 2, MOST_COVERED = 0.5;
+/** More agents than these have a name alone, but for the one that is selected. */
+const MOST_WHOLE = 24;
+/** Border, padding and height of a name alone. */
+const COMPACT_EDGES_PX = 12, COMPACT_PX = 20;
 /** Border and padding of a name, as scene.css has them. */
 const NAME_EDGES_PX = 20;
 /** Longer speech goes on in the next line. */
@@ -101,15 +105,17 @@ export class Labels {
     if (on.has("labels")) {
       let names = 0;
       for (const { one, point } of heads) {
-        const isSmall = heads.length > 24 && point.away > 45 && one.id !== selected;
-        const doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, wide = Math.max(textWidth(name, NAME_FONT), textWidth(doing, DOING_FONT), 44) + NAME_EDGES_PX;
-        const box = names < MOST_NAMES && !isSmall ? layout.place(point.x, point.y, wide, doing === "" ? 29 : 44) : null;
+        const isSelected = one.id === selected, doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, nameWide = textWidth(name, NAME_FONT);
+        // In a crowd a name alone is more than nothing: who is who comes before what each does.
+        const isCrowd = heads.length > MOST_WHOLE && !isSelected;
+        const whole = names < MOST_NAMES && !isCrowd ? layout.place(point.x, point.y, Math.max(nameWide, textWidth(doing, DOING_FONT), 44) + NAME_EDGES_PX, doing === "" ? 29 : 44) : null;
+        const box = whole ?? (names < MOST_NAMES ? layout.place(point.x, point.y, nameWide + COMPACT_EDGES_PX, COMPACT_PX) : null);
         if (box === null) {
           this.dots.push({ place: headOf(one), color: agentColor(one.agent) });
           continue;
         }
         names += 1;
-        shown.push(this.name(one, name, doing, box, point, one.id === selected));
+        shown.push(this.name(one, name, whole === null ? null : doing, box, point, isSelected));
       }
     }
     for (const [i, ghost] of view.ghosts.entries()) {
@@ -121,14 +127,15 @@ export class Labels {
     return shown;
   }
 
-  private name(one: Placed, name: string, doing: string, box: Box, point: Point, isSelected: boolean): Child {
+  /** `doing`: null for a name alone. */
+  private name(one: Placed, name: string, doing: string | null, box: Box, point: Point, isSelected: boolean): Child {
     const health = Math.min(Math.max(one.agent.health / 100, 0), 1), color = cssColor(agentColor(one.agent));
     const thread = Math.hypot(box.left + box.width / 2 - point.x, box.top + box.height - point.y);
     return [
       thread > 16 && h("div.thread", { key: `t${one.id}`, style: threadStyle(box.left + box.width / 2, box.top + box.height, point.x, point.y) }),
-      h(`div.name${isSelected ? ".selected" : ""}`, { key: `n${one.id}`, style: { ...position(box), "border-left-color": color }, on: { click: () => this.select(one.id) } },
-        h("b", null, name), doing !== "" && h("span", null, doing),
-        one.agent.alive && h("i.health", null, h("i", { style: { width: `${Math.round(health * 100)}%`, background: cssColor(healthColor(health)) } }))),
+      h(`div.name${isSelected ? ".selected" : ""}${doing === null ? ".compact" : ""}`, { key: `n${one.id}`, style: { ...position(box), "border-left-color": color }, on: { click: () => this.select(one.id) } },
+        h("b", null, name), doing !== null && doing !== "" && h("span", null, doing),
+        one.agent.alive && doing !== null && h("i.health", null, h("i", { style: { width: `${Math.round(health * 100)}%`, background: cssColor(healthColor(health)) } }))),
     ];
   }
 
