@@ -98,6 +98,7 @@ export class App {
     this.run.on("connection", () => this.draw());
     this.run.on("contents", (names) => {
       if (names.includes("mission")) this.noteLessons();
+      if (names.includes("edit") && this.watches) this.draw();
       this.noteWhere();
     });
     document.addEventListener("keydown", (event) => this.key(event));
