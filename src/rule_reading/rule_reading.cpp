@@ -209,6 +209,9 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
   constexpr std::string_view kBegin = "sp {";
   std::vector<mind::RuleFacts> rules;
   kernel::SymbolTable symbols;
+  // A kernel has loaded these rules: a function that is not built in is a client's.
+  kernel::RuleLanguage language;
+  language.is_client_function = [](std::string_view) { return true; };
   for (std::size_t at = text.find(kBegin); at != std::string_view::npos; at = text.find(kBegin, at)) {
     const std::size_t begin = at + kBegin.size();
     const std::size_t end = EndOfBraces(text, begin);
@@ -216,7 +219,8 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
       at = begin;
       continue;
     }
-    const kernel::ParseOutcome outcome = kernel::ParseProduction(text.substr(begin, end - begin), {}, symbols);
+    const kernel::ParseOutcome outcome =
+        kernel::ParseProduction(text.substr(begin, end - begin), {}, symbols, {}, language);
     if (outcome.production != nullptr) rules.push_back(FactsOf(*outcome.production, symbols));
     at = end;
   }

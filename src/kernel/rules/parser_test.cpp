@@ -43,7 +43,7 @@ TEST_F(ParserTest, AnUnknownFunctionIsAnErrorWithItsPlaceUnlessAClientHasIt) {
   ASSERT_EQ(refused.diagnostics.size(), 1u);
   EXPECT_EQ(refused.diagnostics[0].line, 12);
   EXPECT_EQ(refused.diagnostics[0].column, 10);
-  EXPECT_THAT(refused.diagnostics[0].message, HasSubstr("There is no function named conact"));
+  EXPECT_THAT(refused.diagnostics[0].message, HasSubstr("calls the function conact, which does not exist"));
   EXPECT_THAT(refused.diagnostics[0].hint, HasSubstr("did you mean concat? (exec conact ...) calls a function"));
 
   RuleLanguage language;

@@ -188,10 +188,16 @@ bool RuleReader::FailUnknown(const RuleToken& name) {
   const std::string text = TextOf(name);
   std::vector<std::string_view> names;
   for (const BuiltinFunction& builtin : BuiltinFunctions()) names.push_back(builtin.name);
-  const std::string_view near = Suggest(text, names);
-  const std::string call = "(exec " + text + " ...) calls a function that a client registers later";
-  return Fail("There is no function named " + text,
-              near.empty() ? call : "did you mean " + std::string(near) + "? " + call);
+  std::string_view near = Suggest(text, names);
+  for (const std::string_view printer : {"print", "printf", "println", "echo", "say", "puts", "display"}) {
+    if (near.empty() && text == printer) near = "write";
+  }
+  std::string hint = "(exec " + text + " ...) calls a function that a client registers later";
+  if (text == "tcl") hint = "Soar has no Tcl any more: (write ...) prints, (cmd ...) gives a command";
+  if (!near.empty()) hint = "did you mean " + std::string(near) + "? " + hint;
+  Say("There is no function named " + text + "\n");
+  Report(Severity::kError, name, "rule " + out_.name + " calls the function " + text + ", which does not exist", hint);
+  return false;
 }
 
 void RuleReader::InsertExec(const RuleToken& name) {
