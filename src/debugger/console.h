@@ -19,10 +19,10 @@ struct ConsoleLine {
   std::string text;  ///< One line, without its end.
 };
 
-/// A command line for one agent. Its lines are Soar commands; those of an agent without a mind, and those that begin with
-/// "lua ", are Lua for its script, and "lua-sandbox " is Lua for the sandbox's. Lua runs at the beginning of the next
-/// tick; the value of an expression is its answer. What is typed takes effect at once, between two ticks, through the simulation's
-/// door: a recording keeps it.
+/// A command line for one agent. Its lines are Soar commands; those of an agent without a mind, and those that begin
+/// with "lua ", are Lua for its script, and "lua-sandbox " is Lua for the sandbox's. Lua runs at the beginning of the
+/// next tick; the value of an expression is its answer. What is typed takes effect at once, between two ticks, through
+/// the simulation's door: a recording keeps it.
 class Console {
  public:
   explicit Console(std::string agent) : agent_(std::move(agent)) {}

@@ -112,8 +112,8 @@ class Minds final : public script::MindFactory {
     SoarMind soar;
     std::size_t thread = 0;  ///< On which it decides.
     enum class Turn : unsigned char { kOver, kWaits, kHasDecided };
-    Turn turn = Turn::kOver;            ///< Of a scripted mind, in this tick.
-    std::size_t place = 0;              ///< Among those of its thread that decide beside the scripts in this tick.
+    Turn turn = Turn::kOver;  ///< Of a scripted mind, in this tick.
+    std::size_t place = 0;    ///< Among those of its thread that decide beside the scripts in this tick.
     /// Commands that its script carries out over time.
     struct UnderWay {
       std::uint64_t tag = 0;

@@ -13,9 +13,9 @@ namespace soarbox::world {
 struct ShownRow {
   int depth = 0;  ///< 0: a topic; below it its values, each deeper by one than the one that it belongs to.
   std::string name;
-  std::string value;              ///< May be empty.
-  bool active = false;            ///< On the active path: it is what the agent does, or what was chosen.
-  std::uint64_t since_tick = 0;   ///< Since when it has this value and is active, or not.
+  std::string value;             ///< May be empty.
+  bool active = false;           ///< On the active path: it is what the agent does, or what was chosen.
+  std::uint64_t since_tick = 0;  ///< Since when it has this value and is active, or not.
   friend bool operator==(const ShownRow&, const ShownRow&) = default;
 };
 

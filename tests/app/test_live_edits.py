@@ -49,6 +49,7 @@ class LiveEditCase(ScenarioCase):
                         run.send_signal(signal.SIGINT)
             errors.seek(0)
             err = errors.read()
+        self.events = events
         self.last_tick = max((event["tick"] for event in events if event["event"] == "log"), default=0)
         self.end_tick = max(event.get("tick", 0) for event in events)
         return [event["text"] for event in events if event["event"] == "log"], err, events[-1]
@@ -101,11 +102,11 @@ end
         words = [text.split(": ", 1)[1] for text in texts]
         self.assertEqual((words[0], words[-1]), ("old", "new"))
         self.write("Lib.lua", lib)
-        _, err, _ = self.run_and_edit(lambda: self.write("Lib.lua", "\n" + lib.replace("'old'", "nothing.word")), None,
-                                      until=lambda said: "attempt to index" in said)
-        self.assertIn("Lib.lua:3: error: attempt to index", err)
-        self.assertIn("    return nothing.word;", err)
-        self.assertIn("called from Sandbox.lua:2", err)
+        self.run_and_edit(lambda: self.write("Lib.lua", "\n" + lib.replace("'old'", "nothing.word")), None)
+        error = [event["diagnostic"] for event in self.events if event["event"] == "diagnostic"][0]
+        self.assertIn("attempt to index global 'nothing'", error["message"])
+        self.assertEqual((error["file"].rpartition("/")[2], error["line"]), ("Lib.lua", 3))
+        self.assertIn("called from Sandbox.lua:2", error["hint"])
 
     def test_of_a_file_that_another_one_sources_arrive_too(self):
         (self.folder / "parts" / "deep").mkdir(parents=True)

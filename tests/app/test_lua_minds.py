@@ -16,11 +16,13 @@ function Agent_Withdraw(agent, command) print("no more " .. command); end
 function Agent_Tick() steps = steps + 1; end
 """
 RULES = """
-sp {go (state <s> ^superstate nil ^io.output-link <out> -^went) --> (<s> ^went go) (<out> ^go <c>)}
-sp {gone (state <s> ^superstate nil ^io.output-link <out> ^went go) (<out> ^go <c>) (<c> ^status complete) -->
-   (write |gone| (crlf)) (<s> ^went go - leap) (<out> ^go <c> -) (<out> ^leap <l>)}
-sp {leapt (state <s> ^superstate nil ^io.output-link <out> ^went leap) (<out> ^leap <c>) (<c> ^status error ^reason <why>) -->
-   (write |no: | <why> (crlf)) (<s> ^went leap - wait) (<out> ^leap <c> -)}
+sp {propose*go (state <s> ^superstate nil -^did) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {apply*go (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^go <c>)}
+sp {done*go (state <s> ^operator.name go ^io.output-link.go <c>) (<c> ^status complete) --> (<s> ^did go) (write |gone| (crlf))}
+sp {propose*leap (state <s> ^superstate nil ^did go -^told) --> (<s> ^operator <o> +) (<o> ^name leap)}
+sp {apply*leap (state <s> ^operator.name leap ^io.output-link <out>) --> (<out> ^leap <c>)}
+sp {told*leap (state <s> ^operator.name leap ^io.output-link.leap <c>) (<c> ^status error ^reason <why>) -->
+   (<s> ^told <why>) (write |no: | <why> (crlf))}
 """
 
 
