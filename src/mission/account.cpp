@@ -31,7 +31,10 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
 
 /// How much it says that a rule never fired. `is_torn`: operators tied, so that none was applied.
 Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
-  if (is_torn || waiting.waits_for_operator) return Cause::kWaiting;
+  // That something is there and does not fit the other conditions does not say which of them is the cause.
+  const bool is_vague = waiting.why.find("fit the conditions before it") != std::string::npos ||
+                        waiting.why.find("does not fit the rule's other conditions") != std::string::npos;
+  if (is_torn || waiting.waits_for_operator || is_vague) return Cause::kWaiting;
   return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
 }
 
