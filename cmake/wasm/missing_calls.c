@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Calls that emscripten's C library declares and does not define. There is one process, so nobody else can hold a lock, and no
-// other program can be started.
+// Calls that emscripten's C library declares and does not define. There is one process, so nobody else can hold a lock,
+// and no other program can be started.
 #include <errno.h>
 #include <spawn.h>
 #include <sys/file.h>
 #include <sys/random.h>
 #include <unistd.h>
 
-int posix_spawnp(pid_t* process, const char* file, const posix_spawn_file_actions_t* actions, const posix_spawnattr_t* attributes,
-                 char* const arguments[], char* const environment[]) {
+int posix_spawnp(pid_t* process, const char* file, const posix_spawn_file_actions_t* actions,
+                 const posix_spawnattr_t* attributes, char* const arguments[], char* const environment[]) {
   (void)process, (void)file, (void)actions, (void)attributes, (void)arguments, (void)environment;
   return ENOSYS;
 }

@@ -6,7 +6,7 @@ usage: run_node.py --node FOLDER --native SOARBOX [--only golden|worlds|recordin
 
 golden       the kernel's cases (tests/golden): as many agree with Soar 9.6.3 as natively
 worlds       every world that comes with the program, and sway, ends in the same state as natively, bit for bit
-recordings   what one program records, the other simulates again with the same state in each tick
+recordings   what one program records, the other simulates again with the same state in each tick; if the command was compiled
 
 NAME: only worlds of these names. The exit status is 1 if anything differs.
 """
@@ -45,10 +45,10 @@ def run(command, *arguments, limit_s=900):
                           timeout=limit_s, cwd=REPOSITORY)
 
 
-def end_of(command, world, *more):
-    """The run's last event, as a dictionary; the error instead if there is none. And the seconds that it took."""
+def end_of(*words):
+    """The last event of a run, as a dictionary; the error instead if there is none. And the seconds that it took."""
     start = time.monotonic()
-    done = run(command, "run", world, "--headless", "--json", "--seconds", SECONDS, *more)
+    done = run(*words)
     ends = [json.loads(line) for line in done.stdout.splitlines() if line.startswith('{"event":"end"')]
     seconds = time.monotonic() - start
     if not ends:
@@ -77,7 +77,8 @@ def check_worlds(node, native, names, differences):
     worlds = [*shipped_worlds(), REPOSITORY / "tests" / "wasm" / "sway"]
     chosen = [world for world in worlds if not names or world.name in names]
     for world in chosen:
-        (ours, node_s), (theirs, native_s) = end_of(node / "soarbox", world), end_of(native, world, "--threads", 1)
+        (ours, node_s) = end_of(node / "run_world", world, SECONDS)
+        (theirs, native_s) = end_of(native, "run", world, "--headless", "--json", "--seconds", SECONDS, "--threads", 1)
         if ours["state"] == theirs["state"] and "ticks" in theirs:
             print(f"same     {world.name}: {ours['state']} after {theirs['ticks']} ticks; node {node_s:.1f} s, native {native_s:.1f} s",
                   flush=True)
@@ -115,7 +116,7 @@ def main():
         check_golden(arguments.node, differences)
     if arguments.only in (None, "worlds"):
         worlds = check_worlds(arguments.node, arguments.native, arguments.names, differences)
-    if arguments.only in (None, "recordings"):
+    if arguments.only == "recordings" or (arguments.only is None and (arguments.node / "soarbox.js").exists()):
         check_recordings(arguments.node, arguments.native, arguments.names, differences)
     print(f"{worlds} worlds; {differences.count} differences; {time.monotonic() - start:.0f} s", flush=True)
     return 1 if differences.count else 0
