@@ -11,6 +11,7 @@
 #include "mission/cast.h"
 #include "mission/child_pool.h"
 #include "mission/read_mission.h"
+#include "mission/sentences.h"
 #include "mission/statistics.h"
 
 namespace soarbox::mission {

@@ -20,7 +20,7 @@ namespace soarbox::record {
 struct WriterSettings {
   std::uint32_t ticks_per_block = 30;  ///< The most ticks that are lost when the program is killed.
   std::uint64_t limit_bytes = 0;       ///< 0: none. At the limit the older half of the frames goes; all inputs stay.
-  std::string manifest;                ///< ManifestOf (manifest.h), kept in a block of its own; empty: none.
+  std::string manifest = {};           ///< ManifestOf (manifest.h), kept in a block of its own; empty: none.
 };
 
 /// Writes a recording, block by block. A written block never changes, so you can read the file meanwhile, and a program
