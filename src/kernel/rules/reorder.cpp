@@ -662,10 +662,11 @@ class ListReorderer {
       }
       std::ranges::sort(tests_of_);
     }
-    const auto by_symbol = [](const auto& entry) { return std::get<0>(entry); };
-    const auto range = std::ranges::equal_range(tests_of_, symbol.bits(), {}, by_symbol);
+    const std::tuple<std::uint32_t, std::uint32_t, SavedTest*> first{symbol.bits(), 0, nullptr};
     candidates_.clear();
-    for (auto& [bits, number, saved] : range) {
+    for (auto at = std::ranges::lower_bound(tests_of_, first); at != tests_of_.end(); ++at) {
+      auto& [bits, number, saved] = *at;
+      if (bits != symbol.bits()) break;
       if (saved != nullptr) candidates_.push_back(saved);
       saved = nullptr;
     }
