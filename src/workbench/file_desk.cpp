@@ -30,7 +30,7 @@ void FileDesk::Edit(const EditRequest& request, const std::string& agent) {
   sim::WatchedFile file{agent, wanted, wanted.extension() == ".soar"};
   if (found != files.end()) file = *found;
   const std::string name = file.file.string();
-  if (found == files.end() && !common_.surroundings.MayBrowse() && !common_.surroundings.MayWrite(wanted)) {
+  if (found == files.end() && !common_.surroundings.MayBrowse() && !common_.surroundings.IsOwn(wanted)) {
     Diagnostic problem;
     problem.file = name;
     problem.message = "the run was not made from this file";

@@ -59,6 +59,8 @@ class Surroundings {
   virtual bool MayBrowse() const { return false; }
   /// Whether what the user edits may be written to this file.
   virtual bool MayWrite(const std::filesystem::path&) const { return true; }
+  /// Whether a file belongs to the user, who may open it although the run was not made from it.
+  virtual bool IsOwn(const std::filesystem::path&) const { return false; }
   /// Null: there are none.
   virtual Lessons* lessons() { return nullptr; }
 };

@@ -31,7 +31,8 @@ class EngineDesk final : public workbench::Surroundings {
   Result<void> OpenRun(const std::string&, const std::string&) override {
     return NewProblem("an engine has one run", "the page opens another one");
   }
-  bool MayWrite(const std::filesystem::path& file) const override {
+  bool MayWrite(const std::filesystem::path& file) const override { return IsOwn(file); }
+  bool IsOwn(const std::filesystem::path& file) const override {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
     const auto [end, ignored] = std::mismatch(home_.begin(), home_.end(), real.begin(), real.end());
