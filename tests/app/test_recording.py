@@ -252,7 +252,7 @@ class InWords(unittest.TestCase):
             newer = pathlib.Path(folder) / "newer.soarrec"
             Run("export", WORDS, "--recording", "-o", newer, code=0)
             self.assertEqual(WORDS.read_bytes()[8], 4)
-            self.assertEqual(newer.read_bytes()[8], 9)
+            self.assertEqual(newer.read_bytes()[8], 10)
             self.assertEqual(self.minds(newer), self.minds(WORDS))
             self.assertEqual(Run("compare", WORDS, newer).code, 0)
 
