@@ -148,7 +148,7 @@ class Panels(WindowUser):
             expect "Standing"
             expect "End"
             expect-not "Resume here"
-            expect-not "Problems 1"
+            expect "Problems 1"
             click "Why"
             expect "Why does walker do what it does?"
             expect "command seek"

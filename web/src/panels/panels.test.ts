@@ -78,7 +78,7 @@ test("an agent without a Soar mind shows what its script shows of its state", ()
   const rows = [{ depth: 0, name: "tree", value: "", active: false, since: 0 }, { depth: 1, name: MARKUP, value: "yes", active: true, since: 1.5 }];
   const operators = { state: "", selected: "", impasse: "", why: "", operators: [] };
   const view = panel.view({ moment: { ...MOMENT, has_mind: false }, mind: { stack: STACK, operators, shown: { agent: "guard", rows } } });
-  const chosen = all(view).find((one) => one.tag === "li.chosen");
+  const chosen = all(view).find((one) => one.tag === "li" && one.classes === "chosen");
   assert.equal(textOf(chosen!), `${MARKUP} yes`);
   assert.equal(chosen!.props.attributes?.["title"], "since 1.50 s");
   assert.ok(!textOf(view).includes("Goal stack"));
