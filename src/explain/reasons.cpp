@@ -377,6 +377,8 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
                                         {{"attribute", first.path.back()}, {"values", List(shown)}});
     return Say(Situation::kRuleExcluded, {{"rule", rule.name}, {"condition", excluded}, {"found", found}});
   }
+  if (const std::string state = SubstateOfSelected(rule); shown.empty() && first.path.front() == "io" && !state.empty())
+    return waits(Say(Situation::kNoLinks, {{"state", state}}));
   if (values.empty()) return waits(ExplainAbsence(rule, first, known));
   std::string bound;
   for (const std::vector<std::string>& path : first.compared) {
@@ -391,8 +393,6 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   const std::size_t others = values.size() - shown.size();
   if (shown.empty()) {
     if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
-    if (const std::string state = SubstateOfSelected(rule); first.path.front() == "io" && !state.empty())
-      return waits(Say(Situation::kNoLinks, {{"state", state}}));
     // Its first conditions may match a state above, which does not fit the rest: the substate lacks what they test.
     for (const RuleAttribute& condition : rule.conditions) {
       const std::string state = StateOf(rule);

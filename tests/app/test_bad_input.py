@@ -92,7 +92,7 @@ class Scripts(ScenarioCase):
                 ("// mine\n" + good % "", 1, "unexpected symbol", "comments start with --"),
                 (good % "if true then", 5, "'end' expected", "look from line 2 on"),
                 (good % "print('hello)", 3, "unfinished string", "with the quote that it began with"),
-                (good % "Agent.Walk(agent)", 3, "attempt to call field 'Walk'", "Agent has no function Walk: docs/lua lists"),
+                (good % "Agent.Walk(agent)", 3, "Agent has no function 'Walk'", "did you mean 'WalkTo'?"),
                 (good % "Agent.SetTarget(agent, target.position)", 3, "global 'target' (a nil value)", "nothing has given target a value"),
                 (good % "GoThere(agent)", 3, "global 'GoThere' (a nil value)", "is its script loaded with require?")):
             with self.subTest(text):
@@ -138,7 +138,7 @@ class Scripts(ScenarioCase):
         self.write("Bad.lua", "this is no Lua")
         run = self.run_()
         told = [event["event"] for event in run.events if event.get("agent") == "Bad-1"]
-        self.assertEqual(told, ["agent", "failed"])
+        self.assertEqual(told, ["agent", "failed", "finding"])
 
     def test_endless_loop_stops_that_agent_only(self):
         self.scenario('Sandbox.CreateAgent(sandbox, "Bad.lua");')

@@ -146,7 +146,8 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   const bool unknown = value.index == RhsValue::kUserFunction;
   if (unknown) {
     const bool is_registered = language_.is_client_function && language_.is_client_function(TextOf(name));
-    if (language_.version != SoarVersion::k963 && !is_registered) {
+    // (<o> is no call: a ) is missing before it, which the next error says.
+    if (language_.version != SoarVersion::k963 && !is_registered && name.kind != TokenKind::kVariable) {
       return FailUnknown(name);
     }
     InsertExec(name);
