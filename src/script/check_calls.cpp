@@ -123,7 +123,8 @@ std::vector<Diagnostic> CheckCalls(std::string_view text, const std::string& fil
   for (const auto& [name, word] : calls) {
     if (word == nullptr || known.contains(name)) continue;
     if (std::find(std::begin(kLuaFunctions), std::end(kLuaFunctions), name) != std::end(kLuaFunctions)) continue;
-    if (std::ranges::any_of(ApiGroups(), [&](const ApiGroup& group) { return group.name == name; })) continue;
+    if (std::ranges::any_of(ApiGroups(), [&called = name](const ApiGroup& group) { return group.name == called; }))
+      continue;
     Diagnostic& warning = found.emplace_back(WarningAt(text, file, *word));
     warning.message = "nothing defines the function " + std::string(name);
     const std::string_view near = Suggest(name, candidates);
