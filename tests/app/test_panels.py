@@ -398,7 +398,7 @@ class Panels(WindowUser):
                 click "Mind"
                 picture mark.png
                 expect "cannot be looked into"
-                click "Problems 1"
+                click "Problems 2"
                 expect "its agents do nothing until"
                 click "Why"
                 click "Memory"

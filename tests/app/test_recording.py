@@ -329,7 +329,7 @@ class Damage(Recorded):
             file = self.folder / f"killed{i}.soarrec"
             process = subprocess.Popen([COMMAND, "run", "thesis/mixed.lua", "--headless", "--seconds", "3600", "--record",
                                         str(file)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            wait_until(lambda: file.exists() and file.stat().st_size > 4000 * (i + 1))
+            wait_until(lambda: file.exists() and file.stat().st_size > 20000 + 4000 * (i + 1))
             time.sleep(random.random() * 0.05)
             process.send_signal(signal.SIGKILL)
             process.wait()

@@ -146,8 +146,9 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   const bool unknown = value.index == RhsValue::kUserFunction;
   if (unknown) {
     const bool is_registered = language_.is_client_function && language_.is_client_function(TextOf(name));
-    // (<o is no call: a sign is missing, which the next error says.
-    const bool is_call = !TextOf(name).starts_with('<');
+    // (<o and (state are no calls: the error that follows says what is wrong.
+    const std::string text = TextOf(name);
+    const bool is_call = !text.starts_with('<') && text != "state";
     if (language_.version != SoarVersion::k963 && is_call && !is_registered) {
       return FailUnknown(name);
     }
