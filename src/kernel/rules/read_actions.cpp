@@ -146,9 +146,10 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   const bool unknown = value.index == RhsValue::kUserFunction;
   if (unknown) {
     const bool is_registered = language_.is_client_function && language_.is_client_function(TextOf(name));
-    // (<o and (state are no calls: the error that follows says what is wrong.
-    const std::string text = TextOf(name);
-    const bool is_call = !text.starts_with('<') && text != "state";
+    // (make <o> ^name go) and (1 + <n>) are no calls: the errors at ^ and + say what is wrong.
+    const std::size_t after = body_.find_first_of("()|\"^", name.offset + name.length);
+    const bool is_word = name.kind == TokenKind::kString || name.kind == TokenKind::kIdentifier;
+    const bool is_call = is_word && (after == std::string_view::npos || body_[after] != '^');
     if (language_.version != SoarVersion::k963 && is_call && !is_registered) {
       return FailUnknown(name);
     }
@@ -195,6 +196,7 @@ bool RuleReader::FailUnknown(const RuleToken& name) {
   for (const std::string_view printer : {"print", "printf", "println", "echo", "say", "puts", "display"}) {
     if (near.empty() && text == printer) near = "write";
   }
+  if (near.empty() && text.starts_with("rand")) near = "rand-int or rand-float";
   std::string hint = "(exec " + text + " ...) calls a function that a client registers later";
   if (text == "tcl") hint = "Soar has no Tcl any more: (write ...) prints, (cmd ...) gives a command";
   if (!near.empty()) hint = "did you mean " + std::string(near) + "? " + hint;
