@@ -312,20 +312,6 @@ class Together(ServeCase):
 
 
 class Rules(Attack):
-    def test_long_rules_load_while_others_are_served(self):
-        """The world's process reads them; kernel_test counts that the work grows with their length alone."""
-        server = self.serve()
-        place = server.new_place()
-        page = self.opened(server, place, "scenario:soar_hallway", "console")
-        agent = next(message for message in page.messages if message["message"] == "hello")["minds"][0]
-        before_s = cpu_s(server.process.pid)
-        path, many = ".".join(["a"] * 4000), " ".join(f"^a-{i} <v{i}>" for i in range(4000))
-        for name, conditions in (("path", f"^{path} x"), ("many", many)):
-            page.ask(request="console", agent=agent, line=f"sp {{long*{name} (state <s> {conditions}) --> (<s> ^found {name})}}")
-        page.ask(request="console", agent=agent, line="print long*many")
-        self.assert_others_are_served(server, before_s)
-        page.until_contents("console", lambda console: "^a-3999 <v3999>" in str(console["lines"]))
-
     def test_a_refusal_names_the_command_and_no_folder_of_the_server(self):
         server = self.serve()
         page = self.opened(server, server.new_place(), "scenario:soar_hallway", "console")
