@@ -2,18 +2,13 @@
 #include "debugger/facts_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "diagnostics/lower_case.h"
+
 namespace soarbox::debugger {
 namespace {
-
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 /// How many columns a text takes: bytes that go on with a character count for nothing.
 std::size_t Width(std::string_view text) {
@@ -85,8 +80,8 @@ std::string Table(const std::vector<std::vector<std::string>>& rows) {
 }
 
 bool Passes(std::string_view filter, std::string_view text) {
-  const std::string lower = Lower(text);
-  std::istringstream words(Lower(filter));
+  const std::string lower = LowerCase(text);
+  std::istringstream words(LowerCase(filter));
   for (std::string word; words >> word;)
     if (lower.find(word) == std::string::npos) return false;
   return true;

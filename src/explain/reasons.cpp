@@ -377,8 +377,10 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
                                         {{"attribute", first.path.back()}, {"values", List(shown)}});
     return Say(Situation::kRuleExcluded, {{"rule", rule.name}, {"condition", excluded}, {"found", found}});
   }
-  if (const std::string state = SubstateOfSelected(rule); shown.empty() && first.path.front() == "io" && !state.empty())
-    return waits(Say(Situation::kNoLinks, {{"state", state}}));
+  if (shown.empty() && first.path.front() == "io") {
+    if (const std::string state = SubstateOfSelected(rule); !state.empty())
+      return waits(Say(Situation::kNoLinks, {{"state", state}}));
+  }
   if (values.empty()) return waits(ExplainAbsence(rule, first, known));
   std::string bound;
   for (const std::vector<std::string>& path : first.compared) {
@@ -394,11 +396,10 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   if (shown.empty()) {
     if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
     // Its first conditions may match a state above, which does not fit the rest: the substate lacks what they test.
+    const std::string state = IsForSubstate(rule) ? StateOf(rule) : std::string();
     for (const RuleAttribute& condition : rule.conditions) {
-      const std::string state = StateOf(rule);
-      if (!IsForSubstate(rule) || condition.negated || !condition.on_state ||
-          !IsConstantAttribute(condition.attribute) || IsArchitectureAttribute(condition.attribute) ||
-          !view_.ValuesAt(state, {condition.attribute}).empty())
+      if (state.empty() || condition.negated || !condition.on_state || !IsConstantAttribute(condition.attribute) ||
+          IsArchitectureAttribute(condition.attribute) || !view_.ValuesAt(state, {condition.attribute}).empty())
         continue;
       ConditionText own;
       own.path = {condition.attribute};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "diagnostics/lower_case.h"
 #include "script/api_table.h"
 
 namespace soarbox::script {
@@ -43,9 +44,7 @@ once for each place in a script. Numbers that are not finite (0 / 0) change noth
 )";
 
 std::string FileOf(std::string_view group) {
-  std::string file(group);
-  std::ranges::transform(file, file.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return file + ".md";
+  return LowerCase(group) + ".md";
 }
 
 /// "Agent.SetPath(agent, points [, cyclic])".

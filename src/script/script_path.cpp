@@ -2,24 +2,17 @@
 #include "script/script_path.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
+#include "diagnostics/lower_case.h"
 #include "diagnostics/plain_text.h"
 
 namespace soarbox::script {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string Lowered(std::string_view text) {
-  std::string lowered(text);
-  std::transform(lowered.begin(), lowered.end(), lowered.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lowered;
-}
 
 bool LeadsOutside(const fs::path& name) {
   return name.is_absolute() || std::any_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".."; });
@@ -39,9 +32,9 @@ std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
   std::error_code error;
   if (fs::is_regular_file(folder / name, error)) return folder / name;
   const fs::path parent = folder / name.parent_path();
-  const std::string wanted = Lowered(name.filename().string());
+  const std::string wanted = LowerCase(name.filename().string());
   for (const std::string& candidate : FileNames(parent))
-    if (Lowered(candidate) == wanted && fs::is_regular_file(parent / candidate, error)) return parent / candidate;
+    if (LowerCase(candidate) == wanted && fs::is_regular_file(parent / candidate, error)) return parent / candidate;
   return std::nullopt;
 }
 
