@@ -39,9 +39,9 @@ def cpu_s(pid):
 
 
 class Learner(threading.Thread):
-    def __init__(self, server, lesson, seconds):
+    def __init__(self, server, lesson, seconds, source):
         super().__init__(daemon=True)
-        self.server, self.lesson, self.seconds = server, lesson, seconds
+        self.server, self.lesson, self.seconds, self.source = server, lesson, seconds, source
         self.lateness, self.bytes, self.fault = [], 0, None
 
     def run(self):
@@ -51,7 +51,7 @@ class Learner(threading.Thread):
             self.fault = repr(fault)
 
     def learn(self):
-        page = WebSocket(self.server, f"/api/p/{self.server.new_place()}/run")
+        page = WebSocket(self.server, f"/api/p/{self.server.new_place()}/run", source=self.source)
         page.ask(request="open", what="lesson:" + self.lesson)
         page.until_message("hello")
         page.ask(request="look", panels=["agents", "mission", "edit", "mind", "why", "problems"])
@@ -185,7 +185,8 @@ def main():
 
 
 def measure_learners(server, count, seconds):
-    learners = [Learner(server, NAMES[i % len(NAMES)], seconds) for i in range(count)]
+    # From several addresses: one alone may not have all runs of a server.
+    learners = [Learner(server, NAMES[i % len(NAMES)], seconds, f"127.0.0.{2 + i % 4}") for i in range(count)]
     for learner in learners:
         learner.start()
         time.sleep(0.05)

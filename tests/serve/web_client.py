@@ -27,8 +27,8 @@ class Gone(Exception):
 class WebSocket:
     """One page's connection. Text comes as messages, blocks of the scene are kept beside them."""
 
-    def __init__(self, server, path, protocol=None, origin=None, host=None):
-        self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S)
+    def __init__(self, server, path, protocol=None, origin=None, host=None, source=None):
+        self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S, source_address=source and (source, 0))
         key = base64.b64encode(os.urandom(16)).decode()
         lines = [f"GET {path} HTTP/1.1", f"Host: {host or server.host}", "Upgrade: websocket", "Connection: Upgrade",
                  f"Sec-WebSocket-Key: {key}", "Sec-WebSocket-Version: 13", f"Origin: {origin or server.origin}"]
