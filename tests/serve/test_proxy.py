@@ -6,7 +6,7 @@ import socket
 import subprocess
 import unittest
 
-from web_client import Server, ServeCase
+from web_client import Server, ServeCase, WebSocket
 
 CONFIG = """
 daemon off;
@@ -15,7 +15,8 @@ pid {folder}/nginx.pid;
 error_log {folder}/nginx.log;
 events {{ worker_connections 256; }}
 http {{
-  access_log off;
+  log_format all '$request';
+  access_log {folder}/access.log all;
   client_body_temp_path {folder}/body; proxy_temp_path {folder}/proxy; fastcgi_temp_path {folder}/fastcgi;
   uwsgi_temp_path {folder}/uwsgi; scgi_temp_path {folder}/scgi;
   # The place, wherever it stands in the path; whoever has none yet goes anywhere.
@@ -87,6 +88,21 @@ class BehindNginx(ServeCase):
         for address, status in (("10.0.0.1", 429), ("10.0.0.2", 401)):
             self.assertEqual(server.http("POST", "/api/places", b"", X_Forwarded_For=address, Authorization="Bearer wrong")[0], status, address)
         self.assertEqual(server.http("POST", "/api/places", b"", X_Forwarded_For="10.0.0.1", Authorization="Bearer sesame")[0], 200)
+
+    def test_the_log_of_a_proxy_holds_places_and_no_token(self):
+        """docs/serve.md says so: a place's id is in the path, the token is in a header or a subprotocol."""
+        server = self.serve("--host", "soar.school", "--proxy", "127.0.0.1", "--token", "sesame")
+        proxy = self.proxy([server])
+        place = proxy.new_place(Authorization="Bearer sesame")
+        page = WebSocket(proxy, f"/api/p/{place}/run", protocol="soarbox.sesame", origin=proxy.origin)
+        self.addCleanup(page.close)
+        self.assertEqual(page.status, 101)
+        page.ask(request="open", what="scenario:soar_hallway")
+        page.until_message("hello")
+        page.close()
+        log = self.folder / "access.log"
+        self.wait_for(lambda: f"/api/p/{place}/run" in log.read_text(encoding="utf-8"), "the connection is in the log")
+        self.assertNotIn("sesame", log.read_text(encoding="utf-8"))
 
     def test_two_servers_share_the_work_and_a_place_outlives_its_server(self):
         # One disk for both.
