@@ -228,11 +228,11 @@ class Crates(Behavior):
 
 
 class ImageryExample(unittest.TestCase):
-    """The whole example of docs/imagery.md, as it is printed there."""
+    """The complete example of docs/imagery.md, as it is printed there."""
 
     def test_the_porter_puts_the_lamp_where_it_imagined_it(self):
         text = (REPOSITORY / "docs" / "imagery.md").read_text(encoding="utf-8")
-        section = text[text.index("## A whole example"):text.index("## What to know")]
+        section = text[text.index("## A complete example"):text.index("## What to know")]
         with tempfile.TemporaryDirectory() as folder:
             for language, name in (("toml", "scenario.toml"), ("soar", "porter.soar")):
                 block = section[section.index(f"```{language}\n") + len(language) + 4:]
