@@ -36,7 +36,7 @@ def run(command):
 
 
 def inclusive(profile):
-    """Instructions of each function with what it calls, by its name."""
+    """Instructions of each function including its callees, by name."""
     counts = {}
     for line in run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", profile]).splitlines():
         match = re.match(r"\s*([\d,]+) \(.*?\)\s+\S*?:(.+?)( \[[^\]]*\])?$", line)

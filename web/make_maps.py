@@ -48,7 +48,7 @@ def map_of(run):
     xs = [x for x, _ in agents] + [thing["x"] for thing in things if abs(thing["x"]) < 500]
     zs = [z for _, z in agents] + [thing["z"] for thing in things if abs(thing["z"]) < 500]
     if agents and things:
-        # Far scenery is left out: what is near somebody is the world.
+        # Distant scenery is left out: only objects near an agent are shown.
         near = 3 * max(max(x for x, _ in agents) - min(x for x, _ in agents), max(z for _, z in agents) - min(z for _, z in agents), 12)
         middle = (sum(x for x, _ in agents) / len(agents), sum(z for _, z in agents) / len(agents))
         things = [one for one in things if abs(one["x"] - middle[0]) < near and abs(one["z"] - middle[1]) < near]

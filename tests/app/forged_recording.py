@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Recordings whose header somebody wrote by hand (docs/dev/recording_format.md)."""
+"""Recordings with a header that was written by hand (docs/dev/recording_format.md)."""
 import struct
 
 MAGIC = b"\x53\x4f\x41\x52\x42\x4f\x58\x1a"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Missions, and sweeps of them, that a test writes into a folder of its own."""
+"""Test case that writes missions, and sweeps of them, into a temporary folder."""
 import os
 import pathlib
 

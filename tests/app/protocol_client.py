@@ -108,7 +108,7 @@ class Client:
         self.call("register_for_event", eventid=event, **arguments)
 
     def listen(self, seconds):
-        """Answers what comes for a while."""
+        """Answers incoming messages for a while."""
         until = time.monotonic() + seconds
         while (document := self.receive(until)) is not None:
             self.take(document)

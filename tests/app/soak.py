@@ -41,7 +41,7 @@ def all_names():
 
 
 def at_rest(name):
-    """The user stands still: what frames cost does not depend on how many of them a tick gets."""
+    """The user does nothing: the cost of a frame does not depend on the number of frames per tick."""
     return f'key P\nexpect "Paused"\nwait 20\nmeasure "settle"\nwait 60\nmeasure "{name}"\nkey P\n'
 
 

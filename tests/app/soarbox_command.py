@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs the real soarbox command and reads what it says."""
+"""Runs the real soarbox command and reads its output."""
 import json
 import os
 import pathlib
@@ -51,7 +51,7 @@ class Run:
         self.events = [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
 
     def of(self, kind, **fields):
-        """The events of a kind whose fields have these values."""
+        """The events of a kind with these values of fields."""
         return [event for event in self.events
                 if event["event"] == kind and all(event.get(key) == value for key, value in fields.items())]
 
@@ -91,7 +91,7 @@ def free_port():
 
 
 def start_kernel():
-    """A kernel in a process of its own, and the port at which it listens."""
+    """A kernel in a separate process, and its port."""
     port = free_port()
     kernel = subprocess.Popen([COMMAND, "kernel", "--port", str(port)], stdout=subprocess.PIPE, text=True)
     assert "listens" in kernel.stdout.readline()
@@ -109,7 +109,7 @@ def run_json(scenario, *arguments, **options):
 
 
 class ScenarioCase(unittest.TestCase):
-    """Tests that write a scenario of their own into a temporary folder."""
+    """Test case that writes a scenario into a temporary folder."""
 
     def setUp(self):
         self.folder = new_folder(self)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What the thesis' agents do, told by the events of headless runs."""
+"""The behaviour of the thesis' agents, checked by the events of headless runs."""
 import math
 import unittest
 
@@ -80,7 +80,7 @@ class WaypointAgent(unittest.TestCase):
         run = run_json("thesis", "--seconds", 70, "--every-command", code=0)
         agent = next(event["agent"] for event in run.of("agent") if "waypoint" in event["text"])
         switches = [event for event in run.of("command", agent=agent) if event["command"] == "nextwaypoint"]
-        # The first switch is from the target that it starts with; from then on it stands at the points in turn.
+        # The first switch is from its initial target; after that, its targets are the points in turn.
         visited = switches[1:11]
         self.assertEqual(len(visited), 10)
         for index, event in enumerate(visited):

@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 LESSONS = HERE.parents[1] / "lessons"
 ANSWERS = json.loads((HERE / "answers" / "answers.json").read_text(encoding="utf-8"))
 
-# Answers whose headline names only part of the cause, or a symptom.
+# Answers with a headline that names only part of the cause, or a symptom.
 HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "g20-success-below.soar"}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Whatever a user gets wrong is told with its place, and everything else goes on."""
+"""Each mistake of a user is reported with its place, and everything else continues."""
 import socket
 import unittest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Files, names and values that nobody means: each is told in words that help, and nothing else suffers."""
+"""Files, names and values that are given by accident: each is reported with a helpful message, and nothing else is affected."""
 import os
 import subprocess
 
@@ -15,7 +15,7 @@ end
 AGENT = '[[agent]]\nname = "hero"\nrules = "hero.soar"\n'
 RULES = "sp {hero*go (state <s> ^superstate nil ^io.output-link <o>) --> (<o> ^wander <c>)}\n"
 
-# What stands in place of a file -> what is said.
+# What is there instead of a file -> the message.
 OTHER_FILES = {
     "UTF-16": (lambda path: path.write_bytes(RULES.encode("utf-16")), "this file is UTF-16: save it as UTF-8"),
     "binary": (lambda path: path.write_bytes(bytes(range(256))), "this is no text: line 1 holds a zero byte"),
@@ -197,7 +197,7 @@ class Scenarios(ScenarioCase):
         self.assertEqual([(problem["line"], problem["severity"]) for problem in told], [(5, "warning")], run.out)
         self.assertIn("rule hero*share divides by zero with /", told[0]["message"])
         self.assertIn("<> 0", told[0]["hint"])
-        # What Soar prints is printed as it was.
+        # Soar's output is printed unchanged.
         self.assertTrue(any(event["text"] == "Error: attempt to divide ('/') by zero." for event in run.of("log")))
 
     def test_a_full_disk_behind_standard_output_is_told(self):

@@ -136,7 +136,7 @@ class Sweeps(MissionCase):
         spec = self.write("noisy.toml", one.replace('"scenario.toml"', '"."'))
         Run("sweep", spec, code=0)
         before = {(row["variant"], row["seed"]): row["state_hash"] for row in self.rows()}
-        # A file that nobody uses, a variant with a file of its own.
+        # An unused file; a variant with its own file.
         self.write("bolder.soar", RULES.replace("off I go", "here I go"))
         self.assertIn("0 runs made, 18 were there", Run("sweep", spec, code=0).err)
         spec.write_text(spec.read_text() + '[[variant]]\nname = "bolder"\nrules = { "scout" = "bolder.soar" }\n', encoding="utf-8")
@@ -170,7 +170,7 @@ class Compare(MissionCase):
         self.assertRegex(out, r"  A: .*chance.*\n  B: .*chance")
         self.assertIn("chance selected, and came to another result", out)
         self.assertNotIn("its rules or its memory differ", out)
-        # Two operators of one name are told apart by what they consist of.
+        # Two operators with the same name are distinguished by their elements.
         contents = re.findall(r"^  ([AB]): O\d+ \^to (gate|mill) \^name step$", out, re.MULTILINE)
         self.assertEqual([side for side, _ in contents], ["A", "B"], out)
         self.assertNotEqual(contents[0][1], contents[1][1])

@@ -11,7 +11,7 @@ from soarbox_command import COMMAND, Run, ScenarioCase
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "packaging" / "completion"
 BASH_COMPLETION = pathlib.Path("/usr/share/bash-completion/bash_completion")
 
-# Completes a line as a user who presses the tabulator at its end: readline hands these variables to the function.
+# Completes a line as if a user pressed Tab at its end: readline passes these variables to the function.
 IN_BASH = r"""
 source "$BASH_COMPLETION" && source "$COMPLETION" || exit 1
 open=
@@ -30,7 +30,7 @@ _soarbox soarbox "${COMP_WORDS[COMP_CWORD]}" "${COMP_WORDS[COMP_CWORD - 1]}"
 printf '%s\n' "${COMPREPLY[@]}" $open
 """
 
-# A shell on a terminal of its own, in which the tabulator is pressed.
+# A shell on a separate terminal, in which Tab is pressed.
 IN_ZSH = r"""
 zmodload zsh/zpty || exit 1
 zpty shell zsh -f -i

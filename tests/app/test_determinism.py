@@ -6,7 +6,7 @@ import unittest
 
 from soarbox_command import Run
 
-# An agent whose heading depends on the last bit of a sine: each error grows threefold in a step.
+# The heading of this agent depends on the last bit of a sine: an error triples in each step.
 SWAY = """require "AgentUtilities";
 local x = 0.3;
 function Agent_Initialize(agent) end

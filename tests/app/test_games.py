@@ -248,7 +248,7 @@ sp {tanksoar*apply*turn
         head, *rows = [line.split() for line in played.out.splitlines()[:6]]
         self.assertEqual(head[-5:], ["lost", "place", "points", "per", "game"])
         table = {row[0]: row for row in rows}
-        # Who goes west runs into walls, which costs points; who stands still has none to lose.
+        # An eater that goes west runs into walls and loses points; one that does not move loses none.
         self.assertEqual((rows[0][0], rows[-1][0]), ("still", "west"), played.out)
         self.assertEqual(sorted(table), ["east", "north", "south", "still", "west"])
         for row in rows:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A stranger's scenario may try what it likes: the process lives, the world goes on, and it is told what was refused."""
+"""An untrusted scenario may try anything: the process survives, the world continues, and refusals are reported."""
 import os
 import signal
 import subprocess
@@ -248,10 +248,10 @@ class Worlds(ScenarioCase):
 
 
 class Signals(ScenarioCase):
-    """A run that would last for days ends when it is told to, at any moment, with what it printed."""
+    """A run that would last for days can be ended at any moment, and its output is complete up to then."""
 
     def end(self, sandbox, number, told="begun"):
-        """Ends it once it has told that."""
+        """Ends the run after it has printed that."""
         self.write("Walker.lua", WALKER)
         self.write("Sandbox.lua", sandbox)
         with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--seconds", "1e7"], text=True,

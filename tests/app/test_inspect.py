@@ -119,7 +119,7 @@ class Inspect(ScenarioCase):
         return run.out
 
     def kernel_elsewhere(self):
-        """The port of a kernel in a process of its own."""
+        """The port of a kernel in a separate process."""
         kernel, port = start_kernel()
         self.addCleanup(end, kernel)
         return port

@@ -13,7 +13,7 @@ LATER = 13  # From here on, test_later_lessons.py tries them.
 
 
 def tried_as_it_should(case, numbers, wrong):
-    """Tries these lessons as their authors do: starter, solution and wrong answers, of which there are so many at least."""
+    """Tests these lessons: starter, solution and wrong answers. There must be at least `wrong` wrong answers."""
     told = []
     for number in numbers:
         run = Run("learn", "test", number, code=0, limit_s=480)

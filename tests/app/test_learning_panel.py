@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What agents learn, as the panel Learning and `soarbox why` tell it: live and of recordings, with real events."""
+"""Learned rules in the panel Learning and in `soarbox why`: live and in recordings, with real events."""
 import json
 import pathlib
 import unittest

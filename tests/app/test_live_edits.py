@@ -62,7 +62,7 @@ class LiveEdits(LiveEditCase):
         old = [int(text.split()[1]) for text in texts if text.startswith("old ")]
         new = [int(text.split()[1]) for text in texts if text.startswith("new ")]
         self.assertTrue(old and new, texts)
-        # It goes on counting where it was: nothing was forgotten.
+        # It continues to count from the same number: nothing was lost.
         self.assertIn(new[0] - old[-1], (0, 1))
         self.assertFalse(any(text.startswith("old ") for text in texts[texts.index(f"new {new[0]}"):]))
 
@@ -85,7 +85,7 @@ end
         self.assertIn("Body.lua: note: reloaded", err)
         self.assertEqual(end["problems"], 0)
         told = [text.split(": ", 1)[1].split() for text in texts]
-        # It goes on counting where it was; the word that its author changed is the new one.
+        # It continues to count from the same number, with the changed word.
         self.assertEqual([int(words[1]) for words in told], list(range(1, len(told) + 1)))
         self.assertEqual([int(words[2]) for words in told], list(range(2, 2 * len(told) + 2, 2)))
         self.assertEqual({words[3] for words in told}, {"anna"})

@@ -10,7 +10,7 @@ TELL = "sp {hero*tell"
 LOOP = "sp {hero*again (state <s> ^superstate nil ^n <n>) --> (<s> ^n (+ <n> 1))}\n"
 KEEPS = "the previous version keeps running"
 
-# What becomes of the text, and what is said. The old rules count on to the end.
+# The edit of the text, and the message. The old rules count to the end.
 SLIPS = {
     "a bracket is gone": (COUNT.replace("nil ^heard <n>) --> (write", "nil ^heard <n> --> (write"),
                           ("hero.soar:6:", "found '-->'", "still open", KEEPS)),
@@ -32,7 +32,7 @@ SLIPS = {
                               ("hero.soar:7:5: warning: rule hero*tell replaces the rule of the same name in line 6", "its own name")),
     "it is UTF-16": (COUNT.encode("utf-16"), ("hero.soar", "UTF-16", KEEPS)),
 }
-# These replace the rule that tells: nothing can be seen of it after that.
+# These replace the rule that prints: after that there is no output of it.
 REPLACES = ("two rules of one name",)
 
 
@@ -59,7 +59,7 @@ class LiveMistakes(LiveEditCase):
         """A byte order mark in front of the first rule, and line ends of Windows."""
         def edit():
             (self.folder / "hero.soar").write_bytes(b"\xef\xbb\xbf" + COUNT.strip().replace("\n", "\r\n").encode() + b"\r\n")
-        # Nothing is said of it: the run goes on for as long as anybody would wait.
+        # There is no message: the run continues as long as anybody would wait.
         texts, err, _ = self.run_and_edit(edit, COUNT.strip() + "\n", until=lambda _: True, goes_on=150)
         self.assertNotIn("error", err)
         counted = [int(line.split()[1]) for line in texts]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Errors of rules, scripts and files fail missions and sweeps, with their place; what was interrupted has not failed."""
+"""Errors of rules, scripts and files fail missions and sweeps, and are reported with their place. An interrupted test has not failed."""
 import json
 import pathlib
 import signal
@@ -10,7 +10,7 @@ from mission_case import RULES, SWEEP, WORLD, MissionCase
 from soarbox_command import COMMAND, Run, end_with, wait_until
 
 GOOD = '[[check]]\nname = "off"\nagent = "scout"\nprints = "off*"\n'
-# A rule that cannot be read beside a mission that passes without it.
+# A rule that cannot be read, next to a mission that passes without it.
 SPOILT = RULES + "sp {scout*spoilt\n   (state <s> ^name\n"
 LOOP = RULES + """
 sp {scout*a
@@ -80,7 +80,7 @@ class LoudErrors(MissionCase):
         run = Run("sweep", self.write("sweep.toml", SWEEP), code=3)
         self.assertRegex(run.err, r"variant 'slow' has an error before its first tick\n.*scout\.soar:\d+:\d+: error: ")
         self.assertEqual([path.read_text() for path in (self.folder / "sweep.sweep" / "parts").glob("*.rows")], [])
-        # Corrected, it goes on in the same folder.
+        # After the correction, the sweep continues in the same folder.
         self.mission("")
         self.assertIn("12 runs made, 0 were there", Run("sweep", self.folder / "sweep.toml", code=0).err)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Minds in Lua: what they show of their state, commands that take time, the console, and calls of functions that nothing defines."""
+"""Minds in Lua: their shown state, commands that take time, the console, and calls of undefined functions."""
 import json
 
 from soarbox_command import Run, ScenarioCase

@@ -76,14 +76,14 @@ class Manual(ScenarioCase):
             for line in examples(command):
                 if "| man" in line and not shutil.which("man"):
                     continue
-                if line in made:  # It would refuse to write over what it has written.
+                if line in made:  # It would refuse to overwrite its own files.
                     continue
                 made.add(line)
                 tried += 1
                 if command in ("kernel", "serve"):
                     self.serves(line, environment)
                     continue
-                # There is no display, so all is headless. A lesson is not passed by what it begins with.
+                # There is no display, so all runs are headless. The starter of a lesson does not pass.
                 done = subprocess.run(["bash", "-o", "pipefail", "-c", line], cwd=self.folder, env=environment, check=False,
                                       stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=200)
                 self.assertEqual(done.returncode, 1 if line == "soarbox learn check 1" else 0, f"{line}: {done.stdout}{done.stderr}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""An agent whose rules use all memory up stops and says why; the other agents and the world go on."""
+"""If the rules of an agent use all memory, the agent stops and the reason is reported; the other agents and the world continue."""
 import os
 import unittest
 

@@ -16,7 +16,7 @@ WORLDS = {
                                      "decisions", "firings", "elements"),
     ("soar_town", "learner", 90): ("depth", "learned", "reused"),
     ("soar_reward", "learner", 12): ("reward", "updates", "values"),
-    # It finds nothing to eat around this second, so what it perceives is its score.
+    # It finds nothing to eat around this second, so its perceived score equals its score.
     ("eaters", "eater", 24.5): ("score",),
 }
 

@@ -87,7 +87,7 @@ class Missions(WindowUser):
         self.assertEqual(Run("run", self.folder, "--headless", "--seconds", "10", "--record", recording).code, 0)
         kept = self.folder / "kept"
         Run("test", self.folder, "--keep", kept, code=1)
-        # The recordings that `soarbox test` keeps are those that one is told to look at.
+        # `soarbox test` keeps the recordings that its output names.
         for file in (recording, next(kept.glob("*.soarrec"))):
             told = Run("replay", file, "--headless").out
             north = re.findall(r"([0-9.]+) s  tick (\d+)", told[:told.index("news check it goes north true")])[-1]

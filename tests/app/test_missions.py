@@ -93,7 +93,7 @@ class Missions(MissionCase):
                 self.assertRegex(told, r"scenario\.toml:\d+", check)
 
     def test_names_are_looked_up_in_a_scenario_that_comes_with_the_program(self):
-        """The mission names it, as `soarbox run` takes it: no folder beside the mission."""
+        """The mission names a scenario by a name that `soarbox run` accepts; there is no such folder next to the mission."""
         check = 'scenario = "soar_hallway"\n[[check]]\nagent = "%s"\nalive = true\n'
         file = self.write("far.toml", check % "nobody")
         for command in ("check", "test"):
@@ -202,7 +202,7 @@ class Missions(MissionCase):
 
 class Watch(MissionCase):
     def begin(self, *words):
-        """Starts `soarbox test --watch`; what it prints goes into a file that can be read at any time."""
+        """Starts `soarbox test --watch`. Its output goes into a file that can be read at any time."""
         self.log = open(self.folder / "watch.log", "w+", encoding="utf-8")
         self.addCleanup(self.log.close)
         watch = subprocess.Popen([COMMAND, "test", *map(str, words), "--watch", "--no-keep"], stdout=self.log,
@@ -217,7 +217,7 @@ class Watch(MissionCase):
         wait_until(lambda: self.told().count(text) >= times, f"{times} times {text!r}", limit_s)
 
     def wait_for_a_run(self, watch, limit_s=60):
-        """Until a run of its own process has begun."""
+        """Waits until a run in a separate process has begun."""
         def children():
             tables = pathlib.Path("/proc").glob("[0-9]*/stat")
             return [table for table in tables if self.parent_in(table) == watch.pid]
@@ -245,10 +245,10 @@ class Watch(MissionCase):
         self.write("scout.soar", RULES.replace("(<command> ^waypoint gate)", "(<command> ^waypoint mill)"))
         self.wait_for(waiting, 2)
         self.assertIn("it came within", self.told())
-        # ... a scenario that cannot be read is told and does not end it ...
+        # ... a scenario that cannot be read is reported and does not end it ...
         self.write("scenario.toml", WORLD + checks.replace("at = ", "att = "))
         self.wait_for("none was run, 1 cannot be used")
-        # ... and what was mended passes again.
+        # ... and after the correction it passes again.
         self.write("scout.soar", RULES)
         self.write("scenario.toml", WORLD + checks)
         self.wait_for("all passed", 2)

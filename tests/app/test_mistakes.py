@@ -39,7 +39,7 @@ class Mistakes(ScenarioCase):
     maxDiff = None
 
     def told(self, name):
-        """All that somebody reads who makes this mistake."""
+        """All output for this mistake."""
         folder = self.folder / name
         folder.mkdir()
         (folder / "hero.soar").write_text((MISTAKES / f"{name}.soar").read_text(encoding="utf-8"), encoding="utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Neovim as it is packaged, without its screen, with the lines of docs/editors.md: it reads problems, completes and renames."""
+"""The packaged Neovim, without a screen, with the lines of docs/editors.md: it shows problems, completes and renames."""
 import json
 import os
 import pathlib
@@ -52,7 +52,7 @@ class Neovim(unittest.TestCase):
     def test_it_reads_problems_completes_and_renames(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name).resolve()
-            # Scripts beside the rules would count as what makes percepts.
+            # Words in scripts next to the rules would count as percepts.
             own = folder / "editor"
             own.mkdir()
             (folder / "main.soar").write_text(MAIN.replace("^relation", "^relaton"))

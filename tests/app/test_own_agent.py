@@ -31,7 +31,7 @@ sp {{hero*tell*{n} (state <s> ^step {n} ^said.reason <reason>) --> (write |{n} b
 
 
 def script(*commands):
-    """Rules that give these commands one after the other, and write how each went."""
+    """Rules that give these commands one after the other, and print their answers."""
     return BEGIN + "".join(STEP.format(n=n, next=n + 1, command=command, parameters=parameters)
                            for n, (command, parameters) in enumerate(commands, 1))
 

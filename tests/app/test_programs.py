@@ -76,7 +76,7 @@ class Check(Programs):
         self.write("sub/a.soar", apply("walk"))
         for name in ("main.soar", "top.soar", "sub/a.soar", "sub/sub_source.soar", "."):
             self.assertEqual([], self.check(name), name)
-        # Each file tells its own.
+        # Each file reports its own problems.
         self.write("sub/a.soar", apply("walk") + propose("stay"))
         self.assertEqual([], self.check("top.soar"))
         for name in ("main.soar", "sub/a.soar", "."):

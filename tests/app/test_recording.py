@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Recordings: what they hold is what ran, they can be run again, and whatever happens to the file is told."""
+"""Recordings contain what happened in the run, they can be simulated again, and damage to the file is reported."""
 import csv
 import io
 import json
@@ -137,7 +137,7 @@ class Verify(Recorded):
         done = Run("verify", file, code=1)
         self.assertIn("files of the scenario have changed", done.err)
         self.assertRegex(done.out, r"tick \d+ .* differs: .*command")
-        # The recording keeps what the run was made from: it is verified and gone on with as it was.
+        # The recording contains the files of the run: verify and resume use them.
         done = Run("verify", file, "--as-recorded", code=0)
         self.assertIn("made from them as they were then", done.err)
         again = self.folder / "again.soarrec"

@@ -125,7 +125,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         data = data_of(page)[0]
         self.assertTrue(data["same"])
         self.assertEqual(len(data["agents"]), 10)
-        # What is left out could not be seen, is told, and is spread over the hour.
+        # The omitted events could not be seen, are reported, and are spread over the hour.
         told = next(line for line in data["thinned"] if "events, commands and prints" in line)
         said = int(re.search(r"Of (\d+) events", told)[1])
         self.assertGreater(said, 9 * 3600 * 3)

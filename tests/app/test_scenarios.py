@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What the scenarios that come with the program do, one for each theme; told by headless runs of the command."""
+"""The behaviour of the shipped scenarios, one for each theme, checked by headless runs of the command."""
 import math
 import pathlib
 import re

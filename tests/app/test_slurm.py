@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A sweep on a real Slurm of one node or two, with daemons, keys and ports of its own."""
+"""A sweep on a real Slurm with one or two nodes, with separate daemons, keys and ports."""
 import csv
 import os
 import pathlib
@@ -140,7 +140,7 @@ class OnSlurm(SlurmCase):
         there = self.folder / "there"
 
         def kill_one():
-            # A task in the middle of its work: what it has made stays, the rest is given out again.
+            # A task is stopped in the middle: its finished runs stay, the others are assigned again.
             for entry in pathlib.Path("/proc").glob("[0-9]*"):
                 try:
                     words = (entry / "cmdline").read_bytes().decode(errors="replace").split("\0")
@@ -162,7 +162,7 @@ class OnSlurm(SlurmCase):
         self.assertEqual(rows, self.rows(self.folder / "here"))
 
     def on_a_terminal(self, *words):
-        """The command with its errors on a terminal of its own: progress is for people."""
+        """The command with its error output on a terminal, because progress is only shown there."""
         ours, its = pty.openpty()
         process = subprocess.Popen([COMMAND, *map(str, words)], stdout=subprocess.DEVNULL, stderr=its)
         os.close(its)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Agents of those who write Soar alone: percepts, commands, scenario files, starters."""
+"""Agents that consist of Soar rules only: percepts, commands, scenario files, starters."""
 import math
 import os
 import pathlib

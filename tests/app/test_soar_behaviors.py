@@ -195,7 +195,7 @@ class Imagery(Behavior):
 
 
 class Crates(Behavior):
-    """soar_crates: what is too wide for the door does not go through it, whatever a porter believes."""
+    """soar_crates: a crate that is too wide for the door cannot pass it, whatever a porter believes."""
 
     RULES = REPOSITORY / "scenarios" / "soar_crates" / "by_percepts.soar"
 
@@ -228,7 +228,7 @@ class Crates(Behavior):
 
 
 class ImageryExample(unittest.TestCase):
-    """The complete example of docs/imagery.md, as it is printed there."""
+    """The complete example of docs/imagery.md runs unchanged."""
 
     def test_the_porter_puts_the_lamp_where_it_imagined_it(self):
         text = (REPOSITORY / "docs" / "imagery.md").read_text(encoding="utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Why an agent does what it does, or nothing: gap reports, `soarbox why`, `soarbox check`."""
+"""The reasons for what an agent does or does not do: gap reports, `soarbox why`, `soarbox check`."""
 import json
 
 from soarbox_command import Run, ScenarioCase, run_json

@@ -63,7 +63,7 @@ class SoarShell(ScenarioCase):
 
 
 class Viewer:
-    """A program that shows scenes: it takes one connection and keeps what comes, or hangs up after the first line."""
+    """A viewer of scenes: it accepts one connection and stores the received data, or closes it after the first line."""
 
     def __init__(self, family, address, leaves=False):
         self.server = socket.socket(family)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What `soarbox check` says to the slips of those who write their first rules."""
+"""Messages of `soarbox check` about typical slips in a beginner's first rules."""
 import json
 
 from soarbox_command import Run, ScenarioCase
@@ -19,7 +19,7 @@ sp {hero*apply*go
 }
 """
 
-# What is replaced by what, the line that is told, and what the message and its hint hold. Each file has one slip.
+# The replaced text, its replacement, the reported line, and parts of the message and its hint. Each file has one slip.
 SLIPS = {
     "missing bracket at a condition's end": ("self <me>)", "self <me>", 4, "found '-->'", "( of line 2, column 4 is still open"),
     "missing arrow": ("-->\n", "", 6, "but the rule ends here", "write --> between"),
@@ -351,7 +351,7 @@ class Typos(ScenarioCase):
         for i, (name, (old, new, *_)) in enumerate(SLIPS.items()):
             text = new + "\n" + GOOD if old is None else GOOD.replace(old, new, 1)
             self.assertNotEqual(text, GOOD, name)
-            # Each in a folder of its own: what rules beside them make would count as known.
+            # Each in a separate folder: attributes that other rules in the folder make would count as known.
             (self.folder / f"{i:03}").mkdir()
             self.write(f"{i:03}/hero.soar", text)
         run = Run("check", self.folder, "--json", code=1)
@@ -362,7 +362,7 @@ class Typos(ScenarioCase):
             self.assertEqual(told["line"], line, (name, mine))
             self.assertIn(message, told["message"], name)
             self.assertIn(hint, told.get("hint", ""), name)
-            # An operator under two names is two places, and both are told.
+            # If an operator has two names, both places are reported.
             self.assertEqual(len(mine), 2 if name in ("applies another operator", "operator misspelt in an application") else 1, (name, mine))
 
     def test_rules_for_another_world_are_told_once(self):

@@ -110,7 +110,7 @@ class Doors(strangers_folder.StrangersFolder):
                     continue
                 for file in self.mine.iterdir():
                     self.assertNotIn(SECRET.encode(), file.read_bytes())
-            # Far from where it was made only what was stored is there.
+            # On another machine, only the stored data is available.
             doors = {
                 "replay": ["replay", recording, "--headless"],
                 "verify": ["verify", recording],
@@ -152,7 +152,7 @@ class Doors(strangers_folder.StrangersFolder):
             self.mine.mkdir()
 
     def test_a_sweep_of_a_stranger_sets_nothing_up_that_writes(self):
-        """What stands before the rules comes from a file, too."""
+        """The lines before the rules come from a file, too."""
         leak = self.outside / "leak"
         self.lay(rules(""))
         for line in (f"output log {leak}", f"command-to-file {leak} print s1", f"save agent {leak}", f"smem --set path {leak}",
@@ -166,7 +166,7 @@ class Doors(strangers_folder.StrangersFolder):
             self.mine.mkdir()
 
     def test_what_was_typed_when_a_run_was_recorded_is_fenced(self):
-        """A debugger's lines are recorded; whoever opens the recording does not carry out what they write."""
+        """A debugger's lines are recorded. Opening the recording does not execute their writes."""
         leak, secret = self.outside / "leak", self.outside / "secret.soar"
         typed = [f"output log {leak}", f"command-to-file {leak} print s1", f"save agent {leak}", f"source {secret}",
                  f"alias x save agent {leak}", f"x {leak}", f"cd {self.outside}", "ls", f"smem --set path {leak}",

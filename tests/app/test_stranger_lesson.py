@@ -14,7 +14,7 @@ LESSON, RULES = "02-operators", "mower.soar"
 class StrangersLesson(strangers_folder.StrangersFolder):
     def setUp(self):
         super().setUp()
-        # Progress is kept for whoever opens the folder, not in it.
+        # Progress is stored in the user's own state folder, not in the opened folder.
         before = os.environ.get("XDG_STATE_HOME")
         os.environ["XDG_STATE_HOME"] = str(self.mine)
         self.addCleanup(os.environ.pop if before is None else os.environ.__setitem__, "XDG_STATE_HOME", *[before or None])

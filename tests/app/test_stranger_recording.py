@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Recordings that a stranger wrote by hand, and scenarios whose minds run in a kernel in another process."""
+"""Recordings that were written by hand, and scenarios with minds in the kernel of another process."""
 import contextlib
 import os
 import pathlib

@@ -13,7 +13,7 @@ TOP = 'scenario = "folder"\nseeds = "1..2"\nseconds = 0.2\n'
 
 
 def checksum(text):
-    """What stands before a row."""
+    """The text before a row."""
     value = 0xCBF29CE484222325
     for byte in text.encode():
         value = ((value ^ byte) * 0x100000001B3) & (1 << 64) - 1
@@ -21,7 +21,7 @@ def checksum(text):
 
 
 class Sweeps(strangers_folder.StrangersFolder):
-    """Here the sweep lies beside the stranger's scenario; all but `mine` and the results must stay as it is."""
+    """Here the sweep is next to the untrusted scenario. Only `mine` and the results may change."""
 
     def setUp(self):
         super().setUp()

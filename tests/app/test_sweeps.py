@@ -115,7 +115,7 @@ class Sweeps(MissionCase):
         self.assertEqual([(row["seed"], row["outcome"]) for row in rows], [("1", "ok"), ("2", "ok")])
         self.assertGreater(float(rows[0]["decisions"]), 0)
         self.assertTrue((self.folder / "thesis.sweep" / "variants" / "default" / "Sandbox.lua").exists())
-        # So may a mission; and the scenario of the program is found beside both.
+        # The same for a mission. Both find the scenario that comes with the program.
         self.write("soar_hallway.toml", 'scenario = "soar_hallway"\n[[check]]\nname = "off"\nagent = "anna"\ncommand = "move-to"\nby = 5\n')
         Run("test", "soar_hallway.toml", "--no-keep", cwd=self.folder, code=0)
         self.assertEqual(Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).code, 0)

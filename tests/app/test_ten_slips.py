@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Ten slips that `soarbox check` finds without running the rules, each beside a rule that is right and looks alike."""
+"""Ten slips that `soarbox check` finds without running the rules, each with a similar rule that is right."""
 from soarbox_command import Run, ScenarioCase
 
 PROPOSE = """
@@ -35,7 +35,7 @@ sp {hero*apply*plan
 }
 """
 
-# What it is: the rules with the slip, what is said of it, and the same rules without the slip.
+# Name of the slip: the rules with it, the message, and the same rules without it.
 SLIPS = {
     "a rule makes what it tests as absent": (
         "sp {hero*safe (state <s> ^superstate nil -^safe) --> (<s> ^safe yes)}\n"

@@ -10,7 +10,7 @@ from window_user import WindowUser
 PAGE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "window.md"
 CLICKS = ("click", "click-agent", "click-at", "double-click", "right-click", "drag", "type", "key")
 
-# What a user does, in order, in one window: the task of the table (None: what is between two tasks), and the session.
+# The actions of a user in one window, in order: the task of the table (None: an action between two tasks), and the session.
 # Lines that are indented further are not the task's own: they see that it was done.
 STORY = (
     (None, """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A window that dies in the middle of something loses neither the recording nor what was typed."""
+"""A window that is killed loses neither the recording nor typed text."""
 import signal
 import subprocess
 import unittest
@@ -30,7 +30,7 @@ class Crash(WindowUser):
         self.assertEqual(window.wait(timeout=60), -how)
 
     def finds_again(self):
-        """The next window offers what was typed; the file is as it was."""
+        """The next window offers the typed text; the file is unchanged."""
         self.assertEqual((self.folder / "walker.soar").read_text(encoding="utf-8"), WALKER)
         self.play("""
             until 0.3

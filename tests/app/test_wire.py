@@ -235,7 +235,7 @@ class RemoteMinds(Case):
         after = [state for state in states if state["time"] > back["time"] + 3]
 
         def moved(first, last, soar):
-            """How far each agent of a kind of mind went between two reports."""
+            """The distance that each agent with this kind of mind moved between two reports."""
             there = {agent["name"]: agent["position"] for agent in last["agents"]}
             return [sum((a - b) ** 2 for a, b in zip(agent["position"], there[agent["name"]])) ** 0.5
                     for agent in first["agents"] if ("soar" in agent["kind"]) == soar]
@@ -332,7 +332,7 @@ class Trace(Case):
 
 
 class Watched(Case):
-    """A world that runs in real time and lets debuggers attach."""
+    """A world that runs in real time and accepts debuggers."""
 
     def setUp(self):
         self.port = free_port()
@@ -344,7 +344,7 @@ class Watched(Case):
         return self.world.events("state")[-1]["time"]
 
     def check_goes_on(self, seconds=2.0):
-        """The world goes on while whatever was done to it lasts."""
+        """Checks that the world continues during the attack."""
         until = self.world_time() + seconds
         self.world.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > until, 120)
 

@@ -32,7 +32,7 @@ def display(width, height):
 
 
 def environment(width, height):
-    """The environment of a program whose window opens on the virtual display of this size."""
+    """Environment variables for a program that opens its window on a virtual display of this size."""
     changed = {name: value for name, value in os.environ.items() if name not in ("WAYLAND_DISPLAY", "XAUTHORITY")}
     changed["DISPLAY"] = display(width, height)
     return changed

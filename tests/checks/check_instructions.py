@@ -23,7 +23,7 @@ import compare_bench  # noqa: E402  (bench/ is no package)
 HEADING = "The instruction gate"
 MOST_GROWTH = 0.02
 RECORDING = "recording "  # Begins the name of a run of recording_cost; its level follows.
-RECORDINGS = 3  # What the thread that writes does in between only adds: of so many counts the least holds.
+RECORDINGS = 3  # Instructions of the writing thread only add to a count, so the smallest count is used.
 SCENARIO, TICKS_PER_SECOND = "crowd/crowd_100.lua", 30
 ROW = re.compile(r"^\| *([a-z_-]+(?: \w+)*) *\| *([\d,]+) *\| *([\d,]+) *\|$", re.MULTILINE)
 COMPILER = re.compile(r"Counted with `([^`]+)`")

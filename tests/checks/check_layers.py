@@ -47,7 +47,7 @@ ALLOWED = {
     # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
     "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
-    # What everybody who watches a run works with: it draws nothing.
+    # Contents and requests for all views of a run: it draws nothing.
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and knows no panel and no world.
     "serve": {"diagnostics"},
@@ -57,12 +57,12 @@ ALLOWED = {
 }
 # The folders of the kernel in their order: each may include those before it.
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm", "imagery"]
-# What stands in src/kernel itself, and the folders that may include it: the events, and the face of the library.
+# The files in src/kernel itself, and the folders that may include them: the events, and the library's interface.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
 # Engine is what an agent consists of: it alone knows all parts.
 ENGINE = "kernel/decide/engine.h"
 ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
-# Who reaches others through it. All else gets what it uses from whoever makes it, and names it; nobody comes to this list.
+# Files that reach other parts through Engine. All other files get what they use from their creator. Do not add files to this list.
 USERS_OF_ENGINE = {"kernel/agent.cpp"} | {
     f"kernel/decide/{name}.cpp"
     for name in ("agent_rules", "decision", "elaboration", "engine", "firing", "goal_changes", "handle_check", "invariants",

@@ -24,7 +24,7 @@ EMBEDDED = [("THREE.", "three.js authors"), ("uplot", "Leon Sorokin"), ("cm-edit
 def without_licence(root):
     listed = subprocess.run(["git", "ls-files"], cwd=root, capture_output=True, text=True, check=False).stdout.splitlines()
     for name in listed:
-        # A corpus holds what broke something, as it was.
+        # A corpus contains unchanged inputs that once caused a failure.
         if not SOURCE.search(name) or "_corpus/" in name or name.startswith("scenarios/") or not (root / name).exists():
             continue
         if b"SPDX-License-Identifier: BSD-2-Clause" not in (root / name).read_bytes()[:FIRST_BYTES]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The check of layers lets pass what follows the order, and finds what does not."""
+"""The check of layers accepts includes that follow the order, and finds those that do not."""
 import pathlib
 import tempfile
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A member of an exercise that knows the standard on its own: it hears and says PDUs (IEEE 1278.1), and knows where they
+"""A member of an exercise, written independently from the standard: it receives and sends PDUs (IEEE 1278.1), and computes where they
 are on the earth by formulas of its own."""
 import math
 import socket

@@ -30,7 +30,7 @@ body = "soldier"
 team = "blue"
 position = [0, 0]
 """
-# It writes down what it knows of foreign agents, and says so to its team.
+# It prints what it perceives of foreign agents, and sends it to its team.
 GUARD_RULES = """
 sp {guard*propose*wait
    (state <s> ^superstate nil)
@@ -58,7 +58,7 @@ def free_port():
 
 
 class Running:
-    """A run of the command that goes on in the background."""
+    """A run of the command in the background."""
 
     def __init__(self, *arguments):
         environment = dict(os.environ)
@@ -67,7 +67,7 @@ class Running:
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
 
     def events_until(self, wanted):
-        """Reads what it reports up to the first event for which `wanted` is true; None behind it if it never comes."""
+        """Reads its events up to the first one for which `wanted` is true; ends with None if there is none."""
         events = []
         for line in self.process.stdout:
             if line.startswith("{"):
@@ -111,7 +111,7 @@ class Exercise(unittest.TestCase):
         return run, heard[-1]
 
     def keep_saying(self, datagrams, run, wanted):
-        """Says these again and again, as a living simulation does, until the run reports what is wanted."""
+        """Sends these repeatedly, as a real simulation does, until the run reports the wanted event."""
         import threading
         over = threading.Event()
 
@@ -151,7 +151,7 @@ class Exercise(unittest.TestCase):
         events = run.events_until(lambda e: is_news(e, "leaves"))
         self.assertIsNotNone(events[-1])
         run.finish()
-        # The recording holds what came in: the run can be made again without a network, bit for bit.
+        # The recording contains the received PDUs: the run can be repeated without a network, bit for bit.
         verified = subprocess.run([COMMAND, "verify", self.folder / "guard.soarrec"], capture_output=True, text=True,
                                   check=False)
         self.assertEqual(verified.returncode, 0, verified.stderr)
@@ -183,7 +183,7 @@ class Exercise(unittest.TestCase):
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
         self.assertIsNotNone(heard[-1], "it acknowledges")
         self.assertEqual(heard[-1][24:26], b"\0\4")
-        # It stands still, and says so.
+        # It does not move, and its PDUs say so.
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 1 and d[85] & 0x20)
         self.assertIsNotNone(heard[-1])
         self.member.say(exercise.order(13, (65535, 65535, 0)))
@@ -251,7 +251,7 @@ class Exercise(unittest.TestCase):
                                    and d[129:140].rstrip(b"\0").decode() == victim[:11])
         self.assertIsNotNone(heard[-1])
         self.assertEqual(exercise.entity_of(heard[-1])[:2], (1, 1))
-        # One process dies without a word: the others go on, and its soldiers leave them.
+        # One process is killed: the others continue, and its soldiers disappear from them.
         runs["blue"].process.kill()
         events = runs["red"].events_until(lambda e: is_news(e, "leaves"))
         self.assertTrue(events[-1]["agent"].startswith("blue"), events[-1])

@@ -28,7 +28,7 @@ SERVES = re.compile(r"^soarbox (serve|kernel|lsp|dap|mcp|help --man)\b|--watch\b
 
 @dataclasses.dataclass
 class Example:
-    """One command, with what is known of its result."""
+    """One command, with its expected result."""
     line: int
     command: str
     expected: list = dataclasses.field(default_factory=list)  # Lines; compared if `compares`.

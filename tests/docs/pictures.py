@@ -120,7 +120,7 @@ PICTURES = {
 
 
 def take(program, name, picture):
-    """Runs the program in a display of its own and returns what went wrong, or nothing."""
+    """Runs the program in a separate display and returns the problem, or nothing."""
     width, height = picture["size"]
     target = IMAGES / f"{name}.png"
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Every shell example of README, docs and lessons works as it is printed, in an empty folder, with the program on the path."""
+"""Every shell example of README, docs and lessons works unchanged, in an empty folder, with the program on the path."""
 import os
 import pathlib
 import re
@@ -23,7 +23,7 @@ def pages():
 
 
 class Reader:
-    """Somebody who types the examples of a page, one after the other, beginning in an empty folder."""
+    """Types the examples of a page, one after the other, beginning in an empty folder."""
 
     def __init__(self, folder):
         self.folder, self.home = folder, folder
@@ -46,7 +46,7 @@ class Reader:
 
 
 def says(expected, printed):
-    """Whether the lines are printed, in order and without others between them; `...` stands for any lines."""
+    """Whether the lines are printed, in order and without others between them; `...` matches any lines."""
     pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else re.escape(line.rstrip()) + r"[ ]*\n" for line in expected if line.strip())
     return re.search("^" + pattern, re.sub(r"\n\s*\n", "\n", printed.rstrip("\n") + "\n"), re.MULTILINE) is not None
 
@@ -85,7 +85,7 @@ add_tests()
 
 
 class Reading(unittest.TestCase):
-    """The test itself finds what it should."""
+    """The test itself detects errors."""
 
     def test_blocks_and_comments(self):
         text = ("<!-- before: soarbox new scout -->\n\n    soarbox check scout   # mistakes\n    soarbox run SCENARIO [--json]\n\ntext\n"

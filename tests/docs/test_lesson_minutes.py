@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The minutes of the lessons are counted from what is to be read and written: `python3 test_lesson_minutes.py` prints them."""
+"""The minutes of the lessons are computed from the text to read and the lines to write: `python3 test_lesson_minutes.py` prints them."""
 import pathlib
 import re
 import tomllib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The pictures of the documents: each is used, a script takes it, and the script writes what it read with fewer colours."""
+"""The pictures of the documents: each is used, a script takes it, and the script reduces its colours correctly."""
 import pathlib
 import re
 import struct

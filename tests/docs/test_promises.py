@@ -183,7 +183,7 @@ class Promises(unittest.TestCase):
         return addresses
 
     def while_it_runs(self, *words, until):
-        """The sockets of a program that has printed what it prints when it is ready."""
+        """The sockets of a program after it has printed its ready message."""
         with subprocess.Popen([COMMAND, *words], cwd=self.folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as program:
             limit = threading.Timer(LIMIT_S, program.kill)
             limit.start()

@@ -135,7 +135,7 @@ def semantic(draw):
 
 
 def episodic(draw):
-    """An agent whose world changes, and that asks when it was how."""
+    """An agent in a changing world that asks for earlier states of it."""
     colors, boxes = ["red", "green", "blue"], [f"box-{n}" for n in range(1, draw.randint(2, 4))]
     lines = ["epmem --enable", "epmem --set trigger " + draw.choice(["dc", "dc", "dc", "output"]), STEP]
     if draw.random() < 0.2:

@@ -84,7 +84,7 @@ def same(expected, actual, verbatim):
 
 
 def required_counts(required, case_count):
-    """The counts that an area asks for; "all" stands for every case."""
+    """The required counts of an area; "all" means every case."""
     return {kind: case_count if count == "all" else count for kind, count in required.items()}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The Python of docs/python.md runs as it is printed, from top to bottom."""
+"""The Python code of docs/python.md runs unchanged, from top to bottom."""
 import importlib.util
 import pathlib
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The wheel of a build holds all that its modules need, and says what it is."""
+"""The wheel of a build contains everything that its modules need, and correct metadata."""
 import csv
 import os
 import pathlib

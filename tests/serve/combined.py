@@ -35,7 +35,7 @@ def memory_mb(pid):
 
 
 def most_memory_mb(pid):
-    """What a server may hold. A build that checks memory (it reserves terabytes of addresses) keeps what was freed for a while."""
+    """Memory limit of a server. A build that checks memory (it reserves terabytes of addresses) keeps freed memory for a while."""
     return 300 if status_mb(pid, "VmSize") < 1_000_000 else 1_500
 
 
@@ -68,7 +68,7 @@ class Attackers:
         }
 
     def work(self, is_over, rounds):
-        """In a process of their own, so that they do not delay those who measure. Sends the number of rounds at the end."""
+        """Runs in a separate process, so that attacks do not delay the measurements. Sends the number of rounds at the end."""
         threading.Thread(target=lambda: (is_over.wait(), self.is_over.set()), daemon=True).start()
         self.start()
         for thread in self.threads:
@@ -221,7 +221,7 @@ class Combined:
         self.waits, self.memory_mb, self.processes, self.rounds = [], 0, 0, {}
 
     def run(self, seconds, least_answers=0):
-        """Attacks for so long, and until each learner has had so many answers."""
+        """Attacks for this long, and until each learner has had this many answers."""
         forks = multiprocessing.get_context("fork")
         is_over, (received, sent) = forks.Event(), forks.Pipe(False)
         attacking = forks.Process(target=self.attackers.work, args=(is_over, sent), daemon=True)

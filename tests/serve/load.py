@@ -100,7 +100,7 @@ class Watcher(threading.Thread):
 
 
 class Asker(threading.Thread):
-    """A page of its own that asks for its place and for the start page, again and again, and notes how long each answer takes."""
+    """A separate page that repeatedly requests its place and the start page, and measures the time of each answer."""
 
     def __init__(self, server):
         super().__init__(daemon=True)

@@ -93,7 +93,7 @@ class Desk(ClassCase):
         self.assertEqual(self.learners(server)["Ada"]["standing"], "works")
         text = "sp {greet\n   (state <s> ^io.input-link <in>\n-->\n   (write |hello|)}\n"
         page.ask(request="edit-text", what="check", text=text)
-        # Whoever watches sees what is typed before it is applied.
+        # A watcher sees typed text before it is applied.
         watching = WebSocket(server, f"/api/p/{self.places[0]}/watch?key={self.key}")
         self.addCleanup(watching.close)
         watching.ask(request="look", panels=["edit"])
@@ -160,7 +160,7 @@ class Tournament(ClassCase):
         viewer.until_contents("why", lambda why: why["answer"] is not None)
         viewer.ask(request="open", what="match:" + "0" * 26)
         self.assertIn("nothing called", viewer.until_message("error")["error"])
-        # The same matches come to the same scores; what was handed in and played is there after a restart.
+        # The same matches have the same scores. Entries and matches are still there after a restart.
         self.assertEqual(server.stop(), 0)
         server = self.again()
         self.assertEqual(played(), told)

@@ -33,7 +33,7 @@ def is_alive(pid):
 
 
 class Learner:
-    """Does one thing after another until a process is killed. `kept`: what was acknowledged, as numbers that only grow."""
+    """Does one action after another until a process is killed. `kept`: acknowledged actions, as numbers that only grow."""
 
     def __init__(self):
         self.kept = {"typed": 0, "saved": 0, "uploaded": 0, "hints": 0, "passed": 0}
@@ -144,7 +144,7 @@ class Kills(ServeCase):
         print(f"killed {kinds}; acknowledged {learner.kept}")
 
     def opens(self, page, name):
-        """Whether a recording opens. One whose world was killed before its first tick holds nothing."""
+        """Whether a recording opens. It is empty if the world was killed before its first tick."""
         what = "recording:" + name
         page.ask(request="open", what=what)
         return page.until(lambda message: message["message"] in ("error", "ended") or message.get("what") == what)["message"] == "hello"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs that pages look at: lessons, worlds, recordings, and what is left of them when something is killed."""
+"""Runs in pages: lessons, worlds, recordings, and what remains of them when a process is killed."""
 import base64
 import os
 import signal
@@ -123,7 +123,7 @@ class Runs(ServeCase):
         page.until_contents("edit", lambda edit: edit["edit"]["text"])
         page.ask(request="lesson", what="hint")
         page.until_contents("mission", lambda mission: len(mission["lesson"]["hints"]) == 1)
-        # What does not parse changes nothing and is told at its place.
+        # Text that does not parse changes nothing and is reported with its place.
         page.ask(request="edit-text", what="apply", text="sp {broken (state <s> --> }")
         broken = page.until_contents("edit", lambda edit: edit["edit"]["problems"])["edit"]
         self.assertEqual(broken["problems"][0]["line"], 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What strangers send to a server: it refuses with a sentence, and goes on."""
+"""Invalid requests from unknown clients: the server refuses them with a message, and continues."""
 import io
 import os
 import socket

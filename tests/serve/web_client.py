@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A server started by the real command, and what a browser would say to it."""
+"""A server started by the real command, and a client that behaves like a browser."""
 import base64
 import http.client
 import json
@@ -25,7 +25,7 @@ class Gone(Exception):
 
 
 class WebSocket:
-    """One page's connection. Text comes as messages, blocks of the scene are kept beside them."""
+    """A page's connection. Text frames become messages; binary frames are stored in `blocks`."""
 
     def __init__(self, server, path, protocol=None, origin=None, host=None, source=None):
         self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE_S, source_address=source and (source, 0))
@@ -124,7 +124,7 @@ class WebSocket:
 
 
 class Server:
-    """`soarbox serve` on a port of its own."""
+    """`soarbox serve` on a free port."""
 
     def __init__(self, folder, *options, listen="127.0.0.1:0"):
         self.folder = pathlib.Path(folder)

@@ -29,7 +29,7 @@ RECORDED = ("thesis", "soar_hallway", "soar_skirmish", "soar_reward")
 
 
 class Differences:
-    """What differed, printed as it is found."""
+    """The differences, printed as they are found."""
 
     def __init__(self):
         self.count = 0

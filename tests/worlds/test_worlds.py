@@ -132,7 +132,7 @@ class Worlds(unittest.TestCase):
         return copy / file.name
 
     def anew(self, world, rules):
-        """A copy of a world whose agent asks its scene anew in each moment."""
+        """A copy of a world in which the agent asks its scene again in each moment."""
         folder = world if world.is_dir() else world.parent
         copy = self.folder / "anew" / folder.name
         shutil.copytree(folder, copy)

@@ -7,7 +7,7 @@
         print(world["anna"].percepts["self"]["health"])
         print(world.why("anna"))
 
-The same scenario, seed and build give the same run, here as in a window. docs/python.md is the tutorial. For a Soar kernel
+The same scenario, seed and build give the same run as in a window. docs/python.md is the tutorial. For a Soar kernel
 without a world, import soar_sml.
 """
 from .command import CommandError

@@ -8,7 +8,7 @@ import shutil
 
 
 class CommandError(RuntimeError):
-    """The soarbox command is not there, or says something that this package does not understand."""
+    """The soarbox command is missing, failed, or printed something that this package does not understand."""
 
 
 def find_command() -> str:

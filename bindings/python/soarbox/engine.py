@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A world in a process of its own, which takes requests and shows contents (docs/workbench.md)."""
+"""A world in a separate process. It accepts requests and returns contents (docs/workbench.md)."""
 from __future__ import annotations
 
 import itertools
@@ -17,14 +17,14 @@ from .command import find_command
 
 
 class EngineGone(Exception):
-    """The process has ended. The text is what it said last."""
+    """The process has ended. The text is its last message."""
 
 
 class Engine:
-    """Starts `soarbox engine`; the world stands still at tick 0 until somebody steps it."""
+    """Starts `soarbox engine`. The world waits at tick 0 until a request steps it."""
 
     def __init__(self, run: str, seed: Optional[int]):
-        self.contents: Dict[str, Any] = {}  #: By name, the newest.
+        self.contents: Dict[str, Any] = {}  #: The newest contents, by their names.
         self.hello: Dict[str, Any] = {}
         self.remarks: List[str] = []
         self._bytes = bytearray()
@@ -37,12 +37,12 @@ class Engine:
         arguments = [command, "engine", "--home", self._folder, "--run", run]
         if seed is not None:
             arguments += ["--seed", str(seed)]
-        # The engine reads its requests from descriptor 3. What it records goes when the world does.
+        # The engine reads its requests from descriptor 3. Its recordings are removed together with the world.
         environment = dict(os.environ, XDG_STATE_HOME=self._folder)
         self._process = subprocess.Popen(["sh", "-c", 'exec "$@" 3<&0 </dev/null', "sh", *arguments], stdin=theirs,
                                          stdout=subprocess.DEVNULL, stderr=self._errors, env=environment)
         theirs.close()
-        # This lies there before the engine takes its first look, so that no tick passes unseen.
+        # The engine reads this request before its first tick, so no tick is missed.
         self.ask({"request": "flow", "what": "pause"})
 
     def ask(self, *requests: Dict[str, Any]) -> None:
@@ -57,10 +57,10 @@ class Engine:
             raise EngineGone(self._last_words()) from None
 
     def synchronize(self) -> List[str]:
-        """Waits until everything that was asked is carried out; what the engine refused of it, as sentences.
+        """Waits until all requests are carried out. Returns the errors of refused requests, as sentences.
 
-        The engine says when a batch of requests is done, but not which. A request that it refuses, with a number, is
-        answered in order: the end of the batch in which that comes is the end of all before it.
+        The engine reports the end of a batch of requests, but not of which batch. Therefore this sends a request that the
+        engine refuses. The refusal has an id and is sent in order: the end of its batch is the end of all earlier requests.
         """
         mark = f"mark-{next(self._marks)}"
         self.ask({"request": "flow", "what": "mark", "id": mark}, {"request": "live"})
@@ -83,7 +83,7 @@ class Engine:
                     refused.append(": ".join(part for part in (message.get("error"), message.get("hint")) if part))
 
     def recording(self) -> Optional[pathlib.Path]:
-        """The file that the newest run is recorded into; None if there is none."""
+        """The recording of the newest run; None if there is none."""
         files = list(pathlib.Path(self._folder).glob("soarbox/recordings/*.soarrec"))
         return max(files, key=lambda file: file.stat().st_mtime) if files else None
 

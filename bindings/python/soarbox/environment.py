@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A world as an environment to learn in: Python decides for one agent, Soar for all others."""
+"""A world as a learning environment: Python decides for one agent, Soar for all others."""
 from __future__ import annotations
 
 import math
@@ -13,35 +13,36 @@ from .values import Command, Node
 from .world import Agent, World, WorldEnded, WorldError
 
 Parameters = Mapping[str, Union[int, float, str]]
-#: What an agent is to do: nothing, a command without parameters, or one with parameters (docs/commands.md).
+#: An order for an agent: None, a command without parameters, or a command with parameters (docs/commands.md).
 Order = Union[None, str, Tuple[str, Parameters]]
 
-#: The rule that gives the command; who looks into the mind of the agent sees it.
+#: Name of the rule that gives the command. Inspectors show it.
 RULE = "soarbox*python*decides"
 
 
 class Environment:
     """A scenario in which Python decides for one agent, with the functions and attributes of a Gymnasium environment.
 
-    `scenario` is what World takes, and `agent` the name of an agent that has a Soar mind; its rules are removed. Without a
-    name, it is the only such agent.
+    `scenario` is the same as for World. `agent` is the name of an agent with a Soar mind; its rules are removed. It may be
+    left out if there is only one such agent.
 
-    `actions` are the orders to select from: `None` (nothing), a command's name, or its name and its parameters:
-    `["stop", ("move-to", {"waypoint": "north"})]`; actions are then their numbers. Or give a pair: a space, and a function
-    that makes an order of an action.
+    `actions` is a list of orders: `None` (do nothing), the name of a command, or its name and its parameters:
+    `["stop", ("move-to", {"waypoint": "north"})]`. An action is then an index into the list. Instead, you can pass a pair: a
+    space, and a function that converts an action to an order.
 
-    `observe` are percepts by their paths: `["self.health", "self.position.x"]`; an observation is then their numbers. Of
-    several values, the newest counts; `yes` is 1, `no` is 0, and what is not perceived is 0. Or give a pair: a space, and a
-    function of the agent that makes an observation.
+    `observe` is a list of paths of percepts: `["self.health", "self.position.x"]`. An observation has their numbers. If there
+    are several values, the newest counts. `yes` is 1, `no` is 0, and a missing percept is 0. Instead, you can pass a pair: a
+    space, and a function that converts the agent to an observation.
 
-    `reward` is a function of the agent, called after each step; without it, rewards are 0. `ended`, the same, says whether the
-    episode is over; it is in any case when the agent is dead or the scenario has ended.
+    `reward` is a function of the agent that is called after each step; without it, rewards are 0. `ended` is a function of
+    the agent that returns whether the episode is over. An episode also ends when the agent is dead or the scenario has ended.
 
-    A step takes `ticks` ticks of the world, 30 to a simulated second in most scenarios. After `most_steps` steps an episode is
-    cut off. `seed` is that of the first episode; each further one takes the next, unless reset() names one.
+    A step takes `ticks` ticks of the world, 30 to a simulated second in most scenarios. An episode is truncated after
+    `most_steps` steps. `seed` is the seed of the first episode; each following episode uses the next seed, unless reset()
+    sets one.
 
-    An order that is repeated while its command is under way goes on; otherwise it is given again. The same scenario, seeds,
-    actions and build give the same observations.
+    Repeating an order does not restart its command while that is under way; afterwards the command is given again. The same
+    scenario, seeds, actions and build give the same observations.
     """
 
     metadata: Dict[str, Any] = {"render_modes": ["ansi"]}
@@ -69,7 +70,7 @@ class Environment:
 
     @property
     def world(self) -> World:
-        """The world of this episode. Look at it as you like, but let step() let it go on."""
+        """The world of this episode. You may inspect it, but only step() may run it."""
         if self._world is None:
             raise WorldEnded("this environment is closed")
         return self._world
@@ -84,7 +85,7 @@ class Environment:
         return self
 
     def reset(self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Dict[str, Any]]:
-        """Begins an episode; returns the first observation, and what else is known (see step)."""
+        """Begins an episode. Returns the first observation and the info (see step)."""
         if seed is not None:
             self._next_seed = seed
         if seed is not None or not self._is_fresh:
@@ -94,11 +95,11 @@ class Environment:
         return self._observation, self._info()
 
     def step(self, action: Any) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
-        """Gives the agent the order of this action, and lets the world go on.
+        """Gives the agent the order of this action, and runs the world for one step.
 
-        Returns the observation, the reward, whether the episode has ended, whether it was cut off, and what else is known:
-        `tick`, `time` (simulated seconds) and `command`, how the order fares ("under way", "complete" or what went wrong;
-        empty without an order).
+        Returns the observation, the reward, whether the episode has ended, whether it was truncated, and the info: `tick`,
+        `time` (simulated seconds) and `command`, the status of the order ("under way", "complete" or the error; empty without
+        an order).
         """
         world = self.world
         if self._is_fresh:
@@ -124,7 +125,7 @@ class Environment:
         return self._observation, reward, ended, self._is_over and not ended, info
 
     def render(self) -> Optional[str]:
-        """With the render mode "ansi", why the agent does what it does, as text."""
+        """With the render mode "ansi", returns why the agent does what it does, as text."""
         return str(self.agent.why()) if self.render_mode == "ansi" else None
 
     def close(self) -> None:
@@ -145,7 +146,7 @@ class Environment:
     # The agent -------------------------------------------------------------------------------------------------------
 
     def _begin(self) -> None:
-        """A new world, at tick 0, whose agent has no rules."""
+        """Creates a new world at tick 0 and removes the agent's rules."""
         self.close()
         self._world = world = World(self._scenario, self._next_seed)
         self._next_seed = world.seed + 1
@@ -162,7 +163,7 @@ class Environment:
                 self._name = minds[0]
             if not world[self._name].has_mind:
                 raise WorldError(f"{self._name} has no Soar mind: a script decides for it")
-            # Without a rule that proposes anything, it waits. It has to perceive before it can be asked what.
+            # Without a rule that proposes an operator, the agent waits. After one tick it has percepts.
             self._say("excise --all", "soar wait-snc on")
             world.step()
         except BaseException:
@@ -173,7 +174,7 @@ class Environment:
         self.world._ask(*[{"request": "console", "agent": self._name, "line": line} for line in lines])
 
     def _give(self, order: Order) -> None:
-        """Replaces the rule, so that its command goes and another one comes."""
+        """Replaces the rule, so that its command is removed and another one is given."""
         if order == self._order and (order is None or self._status() == "under way"):
             return
         rule = None if order is None else rule_of(order)
@@ -186,7 +187,7 @@ class Environment:
             self._say(*lines, *([rule] if rule is not None else []))
 
     def _vet(self, rule: str) -> None:
-        """Gives a rule for the first time; warns of what the check says of it."""
+        """Adds a rule for the first time, and emits warnings for the problems that the check reports."""
         self._vetted.add(rule)
         with self.world._looking_at("console", self._name or ""):
             before = len(self.world._contents("console")["lines"])
@@ -207,7 +208,7 @@ class Environment:
 
 
 def rule_of(order: Order) -> str:
-    """The rule that gives an order, as text. Raises ValueError if it is none."""
+    """Returns the text of the rule that gives an order. Raises ValueError if the order is invalid."""
     name, parameters = (order, {}) if isinstance(order, str) else _pair(order)
     attributes = "".join(f" ^{_word(attribute)} {_constant(value)}" for attribute, value in parameters.items())
     below = f" (<c>{attributes})" if attributes else ""

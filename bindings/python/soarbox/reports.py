@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs that show themselves: the report page (docs/report.md), as a file and in a notebook."""
+"""The report page of a run (docs/report.md), as a file and in a notebook."""
 from __future__ import annotations
 
 import html
@@ -19,7 +19,7 @@ def report(recording_file: PathLike, file: PathLike) -> None:
 
 
 def report_of_live_run(recording_file: PathLike, file: PathLike) -> None:
-    """The same while the run goes on: what it has recorded may still be on its way into the file."""
+    """The same during the run. Waits up to 10 s, because the first ticks may not be in the file yet."""
     for patience in range(100, -1, -1):
         try:
             return report(recording_file, file)
@@ -30,7 +30,7 @@ def report_of_live_run(recording_file: PathLike, file: PathLike) -> None:
 
 
 def page_in_notebook(recording_file: PathLike, is_live: bool = False) -> str:
-    """The report page as a notebook shows it: in a frame of its own, whose scripts see nothing of the notebook."""
+    """The report page as HTML for a notebook: a frame with scripts that cannot access the notebook."""
     with tempfile.TemporaryDirectory(prefix="soarbox-") as folder:
         page = pathlib.Path(folder) / "report.html"
         (report_of_live_run if is_live else report)(recording_file, page)
@@ -40,13 +40,13 @@ def page_in_notebook(recording_file: PathLike, is_live: bool = False) -> str:
 
 
 class Run:
-    """A recorded run. In a notebook it shows itself as its report page."""
+    """A recorded run. A notebook shows it as its report page."""
 
     def __init__(self, file: PathLike):
         self.file = os.fspath(file)  #: The recording.
 
     def table(self, start: Optional[float] = None, end: Optional[float] = None) -> Table:
-        """As soarbox.recording of its file."""
+        """Returns soarbox.recording of its file."""
         return recording(self.file, start, end)
 
     def report(self, file: PathLike) -> None:
@@ -62,7 +62,7 @@ class Run:
 
 def record(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int] = None, *,
            level: str = "decisions") -> Run:
-    """Runs a scenario for so many simulated seconds and records it into a file.
+    """Runs a scenario for this many simulated seconds and records it into a file.
 
     `level` is "world", "decisions" or "all" (docs/recording.md). Raises CommandError if it cannot be run.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Rules, and what is wrong with them."""
+"""Checks of rules, and the problems that they find."""
 from __future__ import annotations
 
 import dataclasses
@@ -17,15 +17,15 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 @dataclasses.dataclass(frozen=True)
 class Diagnostic:
-    """One thing that is wrong, or may be, with rules or a scenario."""
+    """An error or a warning about rules or a scenario."""
 
     severity: str  #: "error" or "warning".
-    message: str  #: What is wrong.
-    file: str = ""  #: Where; empty if it concerns no file.
+    message: str  #: Description of the problem.
+    file: str = ""  #: The file; empty if it concerns no file.
     line: int = 0  #: Counted from 1; 0: no line.
     column: int = 0  #: Counted from 1; 0: no column.
-    hint: str = ""  #: What to do about it; may be empty.
-    excerpt: str = ""  #: The line as it is in the file.
+    hint: str = ""  #: A suggestion; may be empty.
+    excerpt: str = ""  #: The text of the line in the file.
 
     def __str__(self) -> str:
         where = ":".join([self.file] + [str(number) for number in (self.line, self.column) if number])
@@ -34,7 +34,7 @@ class Diagnostic:
 
 
 class RuleError(ValueError):
-    """Rules have errors: `diagnostics` has all of them; `file`, `line` and `hint` are those of the first."""
+    """Rules have errors. `diagnostics` has all of them; `file`, `line` and `hint` are those of the first error."""
 
     def __init__(self, diagnostics: Sequence[Diagnostic]):
         super().__init__("\n".join(str(each) for each in diagnostics))
@@ -45,9 +45,9 @@ class RuleError(ValueError):
 
 
 def check(*paths: PathLike) -> List[Diagnostic]:
-    """Checks rules, scripts, scenario files or folders without running them, and returns what it found.
+    """Checks rules, scripts, scenario files or folders without running them. Returns the warnings.
 
-    Raises RuleError if there are errors; warnings are returned.
+    Raises RuleError if there are errors.
     """
     names = [os.fspath(path) for path in paths]
     if not names:
@@ -56,7 +56,7 @@ def check(*paths: PathLike) -> List[Diagnostic]:
 
 
 def check_text(text: str, name: str = "rules.soar") -> List[Diagnostic]:
-    """As check, for the text of rules. `name` is the file that diagnostics name."""
+    """Same as check, for the text of rules. Diagnostics use `name` as the name of the file."""
     with tempfile.TemporaryDirectory(prefix="soarbox-") as folder:
         file = pathlib.Path(folder) / "rules.soar"
         file.write_text(text, encoding="utf-8")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What actions and observations may be, shaped as Gymnasium's spaces are. Nothing of Gymnasium is needed."""
+"""Spaces of actions and observations, with the interface of Gymnasium's spaces. They do not need Gymnasium."""
 from __future__ import annotations
 
 import math
@@ -11,7 +11,7 @@ Number = Union[int, float]
 
 
 def array(values: Sequence[float]) -> Any:
-    """Numbers as a numpy array of the type float32; as a tuple of floats where there is no numpy."""
+    """Numbers as a numpy array of the type float32, or as a tuple of floats if there is no numpy."""
     try:
         import numpy
     except ImportError:
@@ -20,7 +20,7 @@ def array(values: Sequence[float]) -> Any:
 
 
 class Space:
-    """What all spaces have. `sample` draws from a stream of its own, which `seed` begins again."""
+    """Base of all spaces. `sample` draws from a separate random stream; `seed` restarts it."""
 
     shape: Tuple[int, ...] = ()
     dtype: Any = None
@@ -29,7 +29,7 @@ class Space:
         self._random = random.Random(seed)
 
     def seed(self, seed: Optional[int] = None) -> List[Optional[int]]:
-        """Begins the stream of samples again; without a number, anywhere."""
+        """Restarts the stream of samples with this seed; without a seed, at a random place."""
         self._random = random.Random(seed)
         return [seed]
 
@@ -37,7 +37,7 @@ class Space:
         raise NotImplementedError
 
     def contains(self, x: Any) -> bool:
-        """Whether this is one of the values."""
+        """Whether the space contains this value."""
         raise NotImplementedError
 
     def __contains__(self, x: Any) -> bool:
@@ -45,7 +45,7 @@ class Space:
 
 
 class Discrete(Space):
-    """The whole numbers from `start` on, `n` of them."""
+    """The `n` whole numbers from `start` on."""
 
     dtype = int
 
@@ -77,9 +77,9 @@ class Discrete(Space):
 
 
 class Box(Space):
-    """Numbers in a row, each between its bounds. `low` and `high` are one number for all, or one for each.
+    """A vector of numbers, each between its bounds. `low` and `high` are one number for all elements, or one for each.
 
-    Both are numpy arrays where numpy is there, and tuples where it is not.
+    Both become numpy arrays, or tuples if there is no numpy.
     """
 
     dtype: Any = "float32"
@@ -108,7 +108,7 @@ class Box(Space):
         return [float(number) for number in bound]
 
     def sample(self) -> Any:
-        """Even between two bounds; where one is infinite, mostly near the other one; where both are, near 0."""
+        """Uniform between two finite bounds; exponential if one is infinite; normal around 0 if both are."""
         return array([self._draw(lowest, highest) for lowest, highest in zip(self._low, self._high)])
 
     def _draw(self, low: float, high: float) -> float:
@@ -125,7 +125,7 @@ class Box(Space):
             numbers = [float(number) for number in x]
         except (TypeError, ValueError):
             return False
-        # The bounds are compared as they are published: numpy rounds them to float32, as it rounds samples.
+        # Compares with the rounded bounds, because numpy rounds samples to float32, too.
         return len(numbers) == self.shape[0] and all(
             lowest <= number <= highest for lowest, number, highest in zip(self.low, numbers, self.high))
 

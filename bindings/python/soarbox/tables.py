@@ -18,14 +18,14 @@ Cell = Union[int, float, str, None]
 
 
 class Table(List[Dict[str, Cell]]):
-    """Rows by column. Numbers are int or float; a cell that is empty is None."""
+    """A list of rows; each row maps columns to cells. Numbers are int or float; an empty cell is None."""
 
     def column(self, name: str) -> List[Cell]:
         """All cells of a column."""
         return [row[name] for row in self]
 
     def frame(self) -> Any:
-        """The table as a pandas.DataFrame. Raises ImportError where there is no pandas."""
+        """The table as a pandas.DataFrame. Raises ImportError if there is no pandas."""
         try:
             import pandas
         except ImportError:
@@ -34,7 +34,7 @@ class Table(List[Dict[str, Cell]]):
 
 
 def record_into(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int], level: str) -> None:
-    """What soarbox.record does."""
+    """Runs and records a scenario, for soarbox.record."""
     arguments = ["run", os.fspath(scenario), "--headless", "--seconds", str(seconds), "--record", os.fspath(file),
                  "--record-level", level]
     if seed is not None:
@@ -55,10 +55,10 @@ def recording(file: PathLike, start: Optional[float] = None, end: Optional[float
 
 
 def sweep(spec: PathLike, folder: Optional[PathLike] = None, jobs: int = 0) -> Table:
-    """Makes the runs of a sweep that are missing (docs/sweeps.md), and returns its table: a row for each run.
+    """Makes the missing runs of a sweep (docs/sweeps.md), and returns its table: a row for each run.
 
-    `folder` is where rows and tables go: by default beside the spec, named after it. `jobs` are runs at a time; 0: one per
-    processor. Raises CommandError if the sweep cannot be made.
+    Rows and tables go into `folder`; by default this is a folder next to the spec, with its name. `jobs` is the number of
+    runs at the same time; 0 means one per processor. Raises CommandError if the sweep fails.
     """
     spec = pathlib.Path(os.fspath(spec))
     results = pathlib.Path(os.fspath(folder)) if folder is not None else spec.with_suffix(".sweep")
@@ -67,7 +67,7 @@ def sweep(spec: PathLike, folder: Optional[PathLike] = None, jobs: int = 0) -> T
 
 
 def run_command(arguments: List[str]) -> None:
-    """Runs `soarbox` with these arguments; what it says is the text of the CommandError if it fails."""
+    """Runs `soarbox` with these arguments. If it fails, raises CommandError with its error output."""
     done = subprocess.run([find_command(), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     if done.returncode != 0:

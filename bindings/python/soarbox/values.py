@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What is seen of a mind, as values."""
+"""Values that describe a mind: objects, commands and reasons."""
 from __future__ import annotations
 
 import dataclasses
@@ -9,7 +9,7 @@ Value = Union[int, float, str, "Node"]
 
 
 def value_of(text: str) -> Union[int, float, str]:
-    """A constant of Soar as Python has it: an int or a float if it reads as one, else the text."""
+    """Converts a constant of Soar to Python: an int or a float if the text is a number, otherwise the text."""
     for kind in (int, float):
         try:
             return kind(text)
@@ -19,17 +19,17 @@ def value_of(text: str) -> Union[int, float, str]:
 
 
 class Node(Mapping[str, Value]):
-    """An object of working memory: its attributes and their values, as they were when you asked.
+    """An object of working memory with its attributes and values at the time of the query.
 
-    `node["range"]` is the newest value of ^range, `node.all("agent")` the list of all of ^agent, the oldest first. Values are
-    numbers, texts or other nodes.
+    `node["range"]` is the newest value of ^range. `node.all("agent")` is the list of all values of ^agent, the oldest first.
+    Values are numbers, texts or other nodes.
     """
 
     def __init__(self, elements: List[Dict[str, Any]], name: str = ""):
-        self.name = name  #: The identifier, "I2"; empty for the parameters of a command that has none.
+        self.name = name  #: The identifier, "I2"; empty for the parameters of a command without parameters.
         self._values: Dict[str, List[Value]] = {}
         for element in sorted(elements, key=lambda element: element.get("timetag", 0)):
-            # Who looks at changes is shown what went, too.
+            # The contents also list elements that were removed in the last tick.
             if element.get("change") == "removed":
                 continue
             value: Value
@@ -69,12 +69,12 @@ class Command:
 
     name: str  #: "move-to".
     parameters: Node
-    status: str  #: "under way", "complete", or what went wrong.
+    status: str  #: "under way", "complete", or the error.
 
 
 @dataclasses.dataclass(frozen=True)
 class Reason:
-    """Why something is so: a sentence, and the reasons below it."""
+    """A reason: a sentence, and the reasons below it."""
 
     text: str
     kind: str  #: "agent", "command", "rule", "percept" or "reason".
@@ -90,7 +90,7 @@ class Reason:
         return lines
 
     def find(self, text: str) -> List["Reason"]:
-        """This reason and those below that have a text in their sentence."""
+        """Returns this reason and those below it with this text in their sentence."""
         found = [self] if text in self.text else []
         for reason in self.below:
             found += reason.find(text)

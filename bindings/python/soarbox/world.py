@@ -18,7 +18,7 @@ _PANELS = ["agents", "links", "why", "memory"]
 
 
 class WorldError(RuntimeError):
-    """The world cannot be made, or refused what it was asked. The text says why, and what to do."""
+    """The world cannot be created, or refused a request. The text has the reason and a hint."""
 
 
 class WorldEnded(WorldError):
@@ -26,11 +26,11 @@ class WorldEnded(WorldError):
 
 
 class World:
-    """A scenario that runs in a process of its own, tick by tick.
+    """A scenario that runs in a separate process, tick by tick.
 
-    `scenario` is what `soarbox run` takes: a name (`soarbox list` prints them), a folder, a scenario file, or a file of rules
-    for one agent in a field. Or give `rules`, the text of rules for one agent in a field. `seed` determines everything that is
-    random; without it, the scenario's counts. The world begins at tick 0 and stands still until you call step().
+    `scenario` is the same as for `soarbox run`: a name (`soarbox list` prints them), a folder, a scenario file, or a file of
+    rules for one agent in a field. Instead, you can pass `rules`, the text of rules for one agent in a field. All random
+    numbers come from `seed`; without it, from the scenario's seed. The world begins at tick 0 and waits until you call step().
 
     Raises WorldError if there is no such scenario, and RuleError if `rules` have errors.
     """
@@ -51,7 +51,7 @@ class World:
             run = str(file)
         else:
             run = os.fspath(scenario)  # type: ignore[arg-type]
-            # A path of ours; the engine looks for names elsewhere, too.
+            # An existing path is made absolute; the engine looks for other names in more places.
             if os.path.exists(run):
                 run = os.path.abspath(run)
         self._engine = Engine(run, seed)
@@ -60,9 +60,9 @@ class World:
         except WorldEnded as ended:
             self.close()
             raise WorldError(str(ended)) from None
-        self.seed: int = self._engine.hello["seed"]  #: What determines everything that is random.
+        self.seed: int = self._engine.hello["seed"]  #: The seed of all random numbers.
         self.step_s: float = self._engine.hello["step_s"]  #: Simulated seconds of a tick.
-        self.turn_ticks: int = self._engine.hello.get("turn_ticks", 1)  #: Of a game: so many ticks are a turn; else 1.
+        self.turn_ticks: int = self._engine.hello.get("turn_ticks", 1)  #: Ticks of a turn in a game; otherwise 1.
         self._selected = ""
 
     # Time ------------------------------------------------------------------------------------------------------------
@@ -78,12 +78,12 @@ class World:
         return self.tick * self.step_s
 
     def step(self, ticks: int = 1) -> None:
-        """Lets the world go on for so many ticks. Raises WorldEnded if it ends before."""
+        """Runs the world for this many ticks. Raises WorldEnded if it ends earlier."""
         if not isinstance(ticks, int) or isinstance(ticks, bool) or ticks < 0:
             raise TypeError(f"ticks are a whole number from 0, not {ticks!r}")
         goal = self.tick + ticks
         while self.tick < goal:
-            # Few enough that the engine does not put some off for being slow.
+            # The engine delays some of the requests if there are too many at once.
             count = min(goal - self.tick, 50)
             before = self.tick
             self._ask(*[{"request": "flow", "what": "step-tick"}] * count)
@@ -92,13 +92,13 @@ class World:
                 raise WorldError("the world does not go on")
 
     def step_turns(self, turns: int = 1) -> None:
-        """Lets a game go on to the end of this turn, or of so many. Where there are no turns, a turn is a tick."""
+        """Runs a game to the end of this turn, or for this many turns. Without turns, a turn is a tick."""
         if not isinstance(turns, int) or isinstance(turns, bool) or turns < 0:
             raise TypeError(f"turns are a whole number from 0, not {turns!r}")
         self.step(max(0, turns * self.turn_ticks - self.tick % self.turn_ticks))
 
     def run(self, seconds: float) -> None:
-        """Lets the world go on for so many simulated seconds, rounded to ticks."""
+        """Runs the world for this many simulated seconds, rounded to ticks."""
         if not seconds >= 0:
             raise ValueError(f"seconds are a number from 0, not {seconds!r}")
         self.step(round(seconds / self.step_s))
@@ -122,10 +122,10 @@ class World:
         return len(self.agents)
 
     def why(self, agent: str, about: str = "agent", what: str = "") -> Reason:
-        """Why an agent does what it does, or does not: a tree of reasons; print it.
+        """Returns why an agent does what it does, or does not do something, as a tree of reasons, which you can print.
 
-        `about` is "agent", or "operator", "command" or "not" with `what`, the name of the operator or command; "not": why an
-        operator, command or rule of that name did not come.
+        `about` is "agent", "operator", "command" or "not". For the last three, `what` is the name of the operator or command.
+        With "not", the answer says why there was no operator, command or rule of that name.
         """
         self._select(agent)
         self._ask({"request": "ask", "about": about, "what": what})
@@ -138,11 +138,11 @@ class World:
         """Writes the report page of the run so far, up to the last whole simulated second (docs/report.md)."""
         recorded = self._recording()
         if recorded is None:
-            raise WorldError("nothing is recorded yet: let the world go on for a simulated second")
+            raise WorldError("nothing is recorded yet: run the world for a simulated second")
         reports.report_of_live_run(recorded, file)
 
     def _repr_html_(self) -> Optional[str]:
-        """In a notebook, a world that has gone on for a second shows itself as its report page."""
+        """A notebook shows a world that has run for at least a second as its report page."""
         recorded = self._recording() if self._engine is not None else None
         return reports.page_in_notebook(recorded, is_live=True) if recorded is not None else None
 
@@ -191,20 +191,20 @@ class World:
 
     @contextlib.contextmanager
     def _looking_at(self, panel: str, agent: str) -> Iterator[None]:
-        """Meanwhile one more panel is looked at, about this agent."""
+        """Within this context, the contents of one more panel are sent, for this agent."""
         self._select(agent)
         self._ask({"request": "look", "panels": _PANELS + [panel]})
         yield
         self._ask({"request": "look", "panels": _PANELS})
 
     def _select(self, agent: str) -> None:
-        self[agent]  # Says which agents there are.
+        self[agent]  # Raises KeyError, with the names of the agents, if there is no such agent.
         if self._contents("moment")["agent"] != agent:
             self._ask({"request": "select", "agent": agent})
 
 
 class Agent:
-    """An agent of a world. It has no state of its own: each question is answered from the world as it is now."""
+    """An agent of a world. It stores no state: each property is read from the current world."""
 
     def __init__(self, world: World, name: str):
         self._world = world
@@ -228,27 +228,27 @@ class Agent:
 
     @property
     def health(self) -> float:
-        """From 100, unhurt, down to 0."""
+        """Health, from 100 (unhurt) to 0."""
         return self._row["health"]
 
     @property
     def has_mind(self) -> bool:
-        """Whether Soar rules decide for it, and not a script alone."""
+        """Whether it has a Soar mind."""
         return self._row["mind"]
 
     @property
     def decisions(self) -> int:
-        """How many decisions it made so far."""
+        """The number of its decisions so far."""
         return self._row["decisions"]
 
     @property
     def operator(self) -> str:
-        """The operator that it selected last: "go (O3)"; empty: none yet."""
+        """The operator that it selected last, such as "go (O3)"; empty if there is none yet."""
         return self._row["operator"] or self._row["last_operator"]
 
     @property
     def percepts(self) -> Node:
-        """What it perceives: its input link (docs/percepts.md has the units)."""
+        """Its percepts: the input link (docs/percepts.md has the units)."""
         io = self._io()
         return Node(io["input"]["elements"], io["input"]["id"])
 
@@ -268,7 +268,7 @@ class Agent:
                 for each in io["commands"]]
 
     def why(self, about: str = "agent", what: str = "") -> Reason:
-        """As World.why for this agent."""
+        """Same as World.why for this agent."""
         return self._world.why(self.name, about, what)
 
     def _io(self) -> Dict[str, Any]:

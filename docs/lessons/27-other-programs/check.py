@@ -21,7 +21,7 @@ def values_of(agent, attribute):
 
 
 def points(kernel, temperatures):
-    """What is asked for: a sentence, whether it holds, and a hint."""
+    """A requirement: a sentence, whether it is met, and a hint."""
     agent = kernel.GetAgent("heater")
     felt, seen, orders = values_of(agent, "temperature"), values_of(agent, "heating"), values_of(agent, "heat")
     yield ("the mind perceives one temperature", len(felt) == 1,

@@ -40,7 +40,7 @@ sp {heater*apply*forget
 
 
 def run(kernel, minutes):
-    """Runs the room for so many minutes, and returns the temperature of each."""
+    """Runs the room for this many minutes, and returns the temperature of each."""
     agent = kernel.CreateAgent("heater")
     agent.ExecuteCommandLine(HEATER)
     temperature, heating, temperatures = 17.0, False, []
@@ -51,8 +51,8 @@ def run(kernel, minutes):
         temperature += 0.4 if heating else -0.2
         temperatures.append(temperature)
 
-        # 2. What has changed: update the two elements, so that there is one of each. Then let the mind decide until it gives a command.
+        # 2. Update the two elements, so that there is one of each. Then let the mind decide until it gives a command.
 
-        # 3. Each command: ^heat with ^to on or off. Do what it says, and answer it.
+        # 3. Each command is ^heat with ^to on or off. Carry it out, and answer it.
 
     return temperatures

@@ -40,7 +40,7 @@ sp {heater*apply*forget
 
 
 def run(kernel, minutes):
-    """Runs the room for so many minutes, and returns the temperature of each."""
+    """Runs the room for this many minutes, and returns the temperature of each."""
     agent = kernel.CreateAgent("heater")
     agent.ExecuteCommandLine(HEATER)
     temperature, heating, temperatures = 17.0, False, []
