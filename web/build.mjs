@@ -22,7 +22,7 @@ const { metafile } = await build({
   logLevel: "warning",
   metafile: true,
 });
-// What draws the world is fetched beside the page, not after it: each script names those that it needs only when it is there.
+// The modules that draw the world are fetched at the same time as the page, because each script names its imports only after it is loaded.
 const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
   const [file, made] = Object.entries(metafile.outputs).find(([path]) => new RegExp(`/${name}(-[A-Z0-9]+)?\\.js$`).test(path));
   return [file, ...made.imports.filter((one) => one.kind === "import-statement").map((one) => one.path)];

@@ -35,7 +35,7 @@ for (const [kind, name] of wanted) {
       const { page, troubles, close } = await openPage(`/p/${place}/#${kind}=${name}`, { size: [size, HEIGHTS[size] ?? Math.round(size * 0.62)], scheme });
       const file = `${name}_${size}_${scheme}.png`;
       await page.waitForSelector(".run-page:not([hidden])");
-      // Somebody's name, or a world in which nobody is.
+      // The name of an agent, or a world without agents.
       await page.waitForFunction(() => document.querySelector(".labels .name, .panel.agents") !== null);
       await page.waitForTimeout(SETTLES_MS);
       await page.screenshot({ path: `${folder}/${file}`, timeout: PATIENCE_MS });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The notices that a bundle must carry: Soarbox's own licence, and that of each package whose code is in it.
+// The notices of a bundle: Soarbox's own licence, and that of each package with code in it.
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 
 /** Folders of the packages from which a bundle took code, by esbuild's metafile. */

@@ -14,13 +14,13 @@ const WIDTH = 720, HEIGHT = 405, TICKS_PER_S = 30;
 /** What the window has over and under its picture of the world, in pixels. */
 const MENU = 59, FOOT = 31;
 const SHOWN = 480;
-/** `from`: where the camera is; `down`: by how many degrees it looks down, along -z. */
+/** `from`: position of the camera; `down`: its downward angle in degrees, along -z. */
 const MOMENTS = [
   { world: "soar_skirmish", at: 8, from: [0, 4, 24], down: 12 },
   { world: "soar_hide", at: 4, from: [0, 7, 17], down: 20 },
 ];
 
-/** A copy of a world whose camera stands still at this place. */
+/** A copy of a world with a fixed camera at this position. */
 function copyOf({ world, from, down }) {
   const folder = mkdtempSync(join(tmpdir(), "soarbox-"));
   cpSync(join(ROOT, "scenarios", world), folder, { recursive: true });

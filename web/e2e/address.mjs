@@ -30,7 +30,7 @@ test("Back, Forward and reload lead to the lesson, the world, and where one begi
   await until(async () => (await title(page)) === "eaters", "Forward leads to the world");
   await page.reload();
   await until(async () => (await title(page)) === "eaters", "a reload stays there");
-  // A bookmark of somebody who is somewhere else now.
+  // A bookmark, opened while the page shows something else.
   await page.goto(`${ADDRESS}/#lesson=03-choices`);
   await until(async () => (await title(page)).startsWith("Preferences") && (await page.locator(".panel.mission .task").count()) === 1, "a bookmark leads to its lesson");
   await page.goto(`${ADDRESS}/#lesson=99-nothing`);
@@ -69,7 +69,7 @@ test("a link gives away what is shown, or a copy of the rules, and never the pla
   await until(async () => /This I give away/.test(await other.page.locator(".cm-content").innerText()), "the other one has a copy of the text");
   assert.notEqual(/\/p\/(\w+)\//.exec(other.page.url())[1], place);
   await until(() => !/text=/.test(hash(other.page)), "the text is taken out of the address");
-  // A draft: the file is as it was until it is applied.
+  // A draft: the file does not change until the draft is applied.
   await other.page.locator(".panel.edit button", { hasText: "Revert" }).click();
   await until(async () => /porter\*/.test(await other.page.locator(".cm-content").innerText()), "the own text comes back");
   await other.close();

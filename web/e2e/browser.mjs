@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the end-to-end tests share: a browser, the page of a running server, and what a learner does there.
+// Shared by the end-to-end tests: a browser, the page of a running server, and the actions of a learner.
 //   SOARBOX_PAGE      the server's address, http://127.0.0.1:8080 if it is not said
 //   SOARBOX_BROWSER   the browser, /usr/bin/chromium if it is not said
-//   SOARBOX_PATIENCE_S  how long a fact may take, 150 s if it is not said
+//   SOARBOX_PATIENCE_S  how long a condition may take (default: 150 s)
 //   SOARBOX_PICTURES  a folder for pictures of what the tests saw
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -13,7 +13,7 @@ const PICTURES = process.env.SOARBOX_PICTURES ?? "";
 export const PATIENCE_MS = 1000 * Number(process.env.SOARBOX_PATIENCE_S ?? 150);
 
 const browsers = new Map();
-/** Without `draws` it has no WebGL: what is tried are words, and nobody waits for a processor that draws. */
+/** Without `draws` it has no WebGL, so that tests of text need not wait for a processor that draws. */
 export async function openBrowser({ draws = true } = {}) {
   if (!browsers.has(draws)) {
     browsers.set(draws, chromium.launch({
@@ -29,7 +29,7 @@ export async function closeBrowser() {
   browsers.clear();
 }
 
-/** A page of its own, with what went wrong in it. `size`: width and height in pixels; `passed`: complaints that are expected. */
+/** A new page, with the errors in it. `size`: width and height in pixels; `passed`: expected errors. */
 export async function openPage(path = "/", { size = [1280, 800], scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
   const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, hasTouch: touch });
   const page = await context.newPage();

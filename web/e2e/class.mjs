@@ -53,7 +53,7 @@ test("the table fits 1280 px, a course unfolds into lessons with names, and a le
   await picture(teacher.page, "class_hand");
   await teacher.page.locator("tr.hand .raised button").click();
   await learner.page.locator("button", { hasText: "Raise hand" }).waitFor();
-  // Whoever watches knows whose place it is, sees what is typed, and writes about a line.
+  // A watcher sees the learner's name and the typed text, and can write about a line.
   await teacher.page.locator("tr", { hasText: "Ada" }).locator("a", { hasText: "Watch" }).click();
   await teacher.page.waitForSelector(".cm-content .tok-keyword");
   assert.match(await teacher.page.locator(".head").innerText(), /You watch Ada's place/);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a picture costs where the processor draws, counted in draw calls, triangles and pixels: times say more about the machine than about the page.
+// The cost of a picture that the processor draws, in draw calls, triangles and pixels, because times depend on the machine.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -43,7 +43,7 @@ test("two hundred soldiers are drawn with few calls, triangles and pixels", { sk
   });
   await page.goto(server.address);
   await page.waitForSelector(".labels .name");
-  // Soldiers, ground, hills and boxes have come when a picture has most of what there is.
+  // Waits until soldiers, ground, hills and boxes are in the picture.
   await until(() => page.evaluate(() => window.drawn.of.at(-1)?.triangles > 30_000), "the soldiers are drawn");
   await page.locator(".stage canvas").focus();
   await page.keyboard.press("Space");

@@ -34,7 +34,7 @@ test("worlds begin when they are clicked, each in a place of its own, and take k
   await worlds.nth(1).locator("button").click();
   const second = page.frameLocator("soarbox-world >> nth=1 >> iframe");
   await second.locator(".cm-content .tok-keyword").first().waitFor();
-  // The first goes on beside it.
+  // The first world continues at the same time.
   const clock = () => first.locator(".foot").innerText();
   const before = await clock();
   await until(async () => (await clock()) !== before, "both run at the same time");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A run that shares a battlefield with another simulation: who is foreign is marked, and a panel tells what passes.
+// A run that shares a battlefield with another simulation: foreign entities are marked, and a panel shows the traffic.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { createSocket } from "node:dgram";

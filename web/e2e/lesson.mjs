@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A learner's way: a wrong answer and what is said about it, hints, an error with its remedy, the solution, the grade, what comes next.
+// A lesson from beginning to end: a wrong answer and its grade, hints, an error with its fix, the solution, the grade, the next lesson.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
@@ -55,7 +55,7 @@ test("lesson 1, from the first click to the next lesson", async () => {
   assert.doesNotMatch(await page.locator(".panel.mission .task").innerText(), /Alt\+/);
   assert.match(await page.locator(".cm-content").innerText(), /porter\*greet/);
 
-  // An error: at its place, with its remedy, and the world goes on with what it had.
+  // An error is shown at its place, with a fix, and the world continues with the previous rules.
   await typeRules(page, file("porter.soar").replace("^io.input-link.agent <a>)", "^io.input-link.agent <a>"));
   await page.waitForSelector(".panel.edit .problem.error");
   await page.waitForSelector(".cm-lintRange-error");

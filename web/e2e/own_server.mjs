@@ -20,7 +20,7 @@ export function freePort() {
   });
 }
 
-/** `told`: what it printed when it began. `kill()`: at once, without a word. */
+/** `told`: the output of its start. `kill()` ends it at once. */
 export async function startServer(args, { port, state = mkdtempSync(join(tmpdir(), "soarbox-")) } = {}) {
   const at = port ?? (await freePort());
   const process_ = spawn(COMMAND, ["serve", "--listen", `127.0.0.1:${at}`, "--state", state, "--page", PAGE, ...args], { stdio: ["ignore", "pipe", "pipe"] });

@@ -21,7 +21,7 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
   assert.equal(zip.subarray(0, 2).toString(), "PK");
   assert.ok(zip.includes("porter.soar"));
 
-  // Into another place, by somebody else.
+  // Another person opens it in another place.
   const other = await openPage("/", { draws: false, passed: /400/ });
   await other.page.waitForSelector(".start h1");
   const folder = mkdtempSync(join(tmpdir(), "soarbox-"));

@@ -12,7 +12,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 const test = (name, run) => tested(name, { skip: FOLDER === undefined && "SOARBOX_REPORTS names no folder" }, run);
 after(closeBrowser);
 
-/** Opens a report, hands it over, and then asks that nothing went wrong in it: no error, nothing fetched, no text that became a script. */
+/** Opens a report, passes it to the test, and then checks that there was no error, no request, and no text that became a script. */
 async function look(name, run, { size = [1280, 900], scheme = "light", draws = false, ...more } = {}) {
   const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, ...more }), page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
@@ -32,7 +32,7 @@ const heads = (page) => page.locator("main .part > h2").evaluateAll((all) => all
 const dots = (page) => page.locator("#ways g.dot").evaluateAll((all) => all.map((one) => one.getAttribute("transform")).join());
 const shown = async (page) => Number.parseFloat(await page.locator(".bar output").textContent());
 
-/** Waits until a part says this. The browser tells that a fold was opened in a task of its own, and only then is its content made. */
+/** Waits until a part has this text. The browser reports an opened fold in a separate task, and its content is created only then. */
 const says = (page, part, text, what) => until(async () => (await page.locator(part).innerText()).includes(text), what);
 
 /** Bars that axe finds, as "rule: element". */
@@ -53,7 +53,7 @@ test("a report shows its run in 3D at every moment, and all below follows", () =
   await page.getByRole("tab", { name: "Messages" }).click();
   await page.locator(".scene").getByText("advance").first().waitFor();
   await picture(page, "report_run");
-  // docs/images/report.png, with 256 colours: the run, and what stands right below it.
+  // docs/images/report.png, with 256 colours: the run, and the part directly below it.
   await page.setViewportSize({ width: 1280, height: 700 });
   for (const name of ["Timeline", "Why"]) await page.getByRole("tab", { name }).click();
   await until(async () => (await page.locator(".scene").boundingBox()).height < 640, "it is as high as the window");

@@ -29,7 +29,7 @@ test("a reload right after the last letter, and typing without a server, lose no
   await addLine(page, "# typed without a server");
   const second = await startServer([], { port: first.port, state: first.state });
   await page.reload();
-  // Whichever the page shows of a place whose run has gone.
+  // Either of the two texts that the page shows if the run of a place has ended.
   await page.locator(".start h1:visible, .over-run button.primary:visible, .panel.mission h2:visible").first().waitFor();
   if ((await page.locator(".over-run button.primary:visible").count()) > 0) await page.locator(".over-run button.primary").click();
   else if ((await page.locator(".start h1:visible").count()) > 0) await openLesson(page, 1);

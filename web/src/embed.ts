@@ -4,7 +4,7 @@
 
 const PANELS = ["agents", "mind", "why", "memory", "rules", "links", "timeline", "trace", "messages", "output", "edit", "mission", "console", "watch", "plots"];
 
-/** The address of the frame; null: `src` names no lesson or world. `server`: where the script comes from, for a `src` that begins with #. */
+/** The address of the frame; null: `src` names no lesson or world. `server`: origin of the script, for a `src` that begins with #. */
 export function frameAddress(src: string, panels: string, server: string): string | null {
   let url: URL;
   try {

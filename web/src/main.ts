@@ -24,7 +24,7 @@ async function findPlace(api: Api): Promise<PlaceInfo> {
   return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(made.place)}`);
 }
 
-/** The place of a world in a page of another site: each world of that page has one of its own, because a place has one run. */
+/** The place of an embedded world. Each world of the embedding page has its own place, because a place has one run. */
 async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
   const key = `${PLACE_KEY}.embedded.${what}`, kept = localStorage.getItem(key);
   if (kept !== null) {

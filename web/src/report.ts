@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The page of `soarbox report`: what it tells of runs or of a sweep. What shows a run in 3D comes before it, if there is one (report_scene.ts).
+// The page of `soarbox report`, for runs or a sweep. If there is a run in 3D, report_scene.ts is loaded before it.
 import { keepInPage } from "./report/storage";
 import { applyTheme, themeNow } from "./app/theme";
 import type { Report } from "./report/data";

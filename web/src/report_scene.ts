@@ -16,7 +16,7 @@ if (recorded !== null) {
   element.setAttribute("aria-label", "The run in 3D");
   element.append(page.element);
   globalThis.soarboxScene = { element, time: new SceneTime(run, recorded) };
-  // Its keys work where it is in sight, unless one is busy with what is below.
+  // Its keys work while the scene is visible, unless the focus is in the sections below.
   document.addEventListener("keydown", (event) => {
     const target = event.target as Element | null, isFree = target === document.body && element.getBoundingClientRect().bottom > innerHeight / 2;
     if (!event.defaultPrevented && (isFree || element.contains(target)) && page.key(event)) event.preventDefault();

@@ -8,7 +8,7 @@ export interface Address {
   seconds: number | null;
   /** The file in the editor, by its name; empty: the first. */
   file: string;
-  /** A text for that file which somebody gives away, packed; empty: none. */
+  /** A shared text for that file, packed; empty: none. */
   text: string;
 }
 

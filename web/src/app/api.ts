@@ -98,12 +98,12 @@ export class Api {
     try {
       told = (await response.json()) as typeof told;
     } catch {
-      // What stands in the way may answer with something else than JSON.
+      // A proxy may answer with something else than JSON.
     }
     throw new Refused(told.error ?? `The server answered with ${response.status}.`, told.hint ?? "", response.status);
   }
 
-  /** Saves what a path has as a file of the user's. */
+  /** Downloads the contents of a path as a file. */
   async download(path: string, name: string): Promise<void> {
     const blob = await (await this.fetch(path)).blob(), url = URL.createObjectURL(blob), link = document.createElement("a");
     link.href = url;

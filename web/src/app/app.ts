@@ -36,7 +36,7 @@ export interface Guest {
   panels?: readonly string[];
 }
 
-/** The page of a place: where one begins, and the run that is open. */
+/** The page of a place: the start page, and the open run. */
 export class App {
   private readonly head = document.createElement("header");
   private readonly body = document.createElement("div");
@@ -63,7 +63,7 @@ export class App {
   private maps: WorldMaps = {};
   private arena: ArenaInfo | null = null;
   private readonly desk: LearnerDesk | null;
-  /** What a teacher who watches writes to the learner. */
+  /** A teacher's message to the watched learner, while it is written. */
   private message = "";
 
   constructor(root: HTMLElement, private readonly api: Api, private info: PlaceInfo, private readonly guest: Guest = {}) {
@@ -117,7 +117,7 @@ export class App {
     }, FETCHED_AFTER_MS);
   }
 
-  /** Whether it is somebody else's run, which this page cannot change. */
+  /** Whether this page only watches a run and cannot change it. */
   private get watches(): boolean {
     return this.guest.key !== undefined || this.guest.link !== undefined;
   }
@@ -188,7 +188,7 @@ export class App {
     this.open(opens.includes(":") ? opens : `scenario:${opens}`);
   }
 
-  /** The address follows what is shown: the moment, and the file. */
+  /** Updates the address with the moment and the file that are shown. */
   private noteWhere(): void {
     const { moment, edit } = this.run.contents, { hello } = this.run;
     if (hello === null || hello.what !== this.navigator.address.what) return;
@@ -257,7 +257,7 @@ export class App {
     }, (error: unknown) => this.fail(error));
   }
 
-  /** Sends what the teacher wrote to the learner whose run is watched; about the line of the caret, if that is wanted. */
+  /** Sends the teacher's message to the watched learner; if wanted, about the line of the caret. */
   private sendMessage(isAboutLine: boolean): void {
     const where = isAboutLine ? (this.runPage?.editorPlace ?? null) : null;
     void this.api.json<unknown>(`/api/class/${encodeURIComponent(this.guest.key ?? "")}/message`, { method: "POST", body: JSON.stringify({ to: this.info.place, text: this.message, ...(where ?? {}) }) }).then(() => {
@@ -267,7 +267,7 @@ export class App {
     }, (error: unknown) => this.fail(error));
   }
 
-  /** Whose run is watched, and what one can do about it. */
+  /** The bar of a watched run: the learner's name, and buttons. */
   private watchBar(): Child {
     const { learner } = this.info, who = learner === "" ? "somebody's run" : `${learner}'s place`, unsaved = this.run.contents.edit?.edit.is_unsaved === true;
     const pill = h("span.pill", { key: "watch" }, `You watch ${who}; you cannot change anything`), typed = unsaved && h("span.pill", { key: "typed" }, "The text is not applied yet");
@@ -405,7 +405,7 @@ export class App {
     this.draw();
   }
 
-  /** What can be given to somebody else: what is shown, for a place of their own; a copy of the rules; the whole place. */
+  /** Creates the links to share: the current view, for another place; a copy of the rules; the entire place. */
   private async makeLinks(): Promise<void> {
     const { address } = this.navigator, { hello } = this.run, title = this.titleOfRun(), edit = this.run.contents.edit?.edit, links: Link[] = [], isShown = !this.isHome && hello !== null && hello.what === address.what;
     if (isShown && !hello.what.startsWith("recording:")) {

@@ -9,7 +9,7 @@ function dialog(title: string, close: () => void, ...body: Child[]): View {
       h("div.row", null, h("h2", null, title), button("Close", close)), body));
 }
 
-/** Tab goes round inside; when it is closed, the focus is where it was. */
+/** Tab stays inside the dialog. When it is closed, the focus returns to its previous element. */
 function keepFocus(element: HTMLElement): void {
   const before = document.activeElement as HTMLElement | null;
   element.focus();
@@ -45,7 +45,7 @@ export function qrView(text: string): View | null {
 /** `make`: there is no such link yet; `withdraw`: it can be taken back. */
 export interface Link { title: string; about: string; address: string; isPlace?: boolean; make?: () => void; withdraw?: () => void }
 
-/** Links for others, what they lead to, and what whoever has them can do. */
+/** Links to share, where they lead, and what each of them allows. */
 export function linkDialog(links: readonly Link[], isSecret: boolean, told: string, copy: (address: string) => void, close: () => void): View {
   const place = links.find((one) => one.isPlace === true);
   return dialog("Links to share", close,

@@ -5,7 +5,7 @@ import type { Panel } from "../panels/panel";
 
 const ROWS = "tr, li, .reason, details", PRESSED = "button, summary, a[href]";
 
-/** Arrow keys in lists, tables and trees: up and down go from row to row, left and right fold what is folded by a press. */
+/** Arrow keys in lists, tables and trees: up and down move between rows, left and right fold and unfold a row. */
 function listKey(event: KeyboardEvent, body: HTMLElement): void {
   const now = event.target as HTMLElement;
   if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || !now.matches(PRESSED) || now.closest(ROWS) === null || now.closest(".editor") !== null) return;
@@ -90,7 +90,7 @@ export class Dock {
     this.changed();
   }
 
-  /** These contents changed: panels that show them are drawn anew, soon. */
+  /** Schedules a redraw of the panels that show these contents. */
   note(names: readonly ContentName[]): void {
     for (const panel of this.panels) if (panel.uses.some((one) => names.includes(one))) this.stale.add(panel.word);
     this.later();
@@ -120,7 +120,7 @@ export class Dock {
       return;
     }
     this.stale.delete(this.front);
-    // A panel begins with its name, for those who hear the page; the task has a heading of its own.
+    // A panel begins with its name, for screen readers; the task has its own heading.
     patch(body, [panel.word !== "mission" && h("h2.hidden", { key: "heading" }, panel.title), panel.view(this.contents())]);
   }
 
@@ -144,7 +144,7 @@ export class Dock {
     document.getElementById(`tab-${this.panels[next]!.word}`)?.focus();
   }
 
-  /** With a finger across: the panel beside it. */
+  /** A horizontal swipe shows the next panel. */
   private swipe(): void {
     let from: { x: number; y: number } | null = null;
     this.element.addEventListener("touchstart", (event) => {

@@ -20,10 +20,10 @@ export function flowControls(run: Run): Child {
     h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
 }
 
-/** How long the slider stays where it was put while no answer comes, in milliseconds. */
+/** How long the slider keeps its new position without an answer, in milliseconds. */
 const PATIENCE_MS = 5_000;
 
-/** Where the slider was put, until the run shows that tick: each further key goes on from there, however late the answers are. */
+/** Position of the slider until the run shows that tick. Each further key continues from there, however late the answers are. */
 export class WantedTick {
   private asked: number | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h, type View } from "../dom/view";
 
-/** Small pictures on buttons; each button has a name beside it. */
+/** Small pictures on buttons; each button also has a name. */
 const PATHS = {
   play: "M5 3.5v13l11-6.5z", pause: "M5 3.5h3.6v13H5zM11.4 3.5H15v13h-3.6z", tick: "M4 4v12l8-6zM13 4h3v12h-3z",
   restart: "M10 4a6 6 0 1 0 5.6 8.2l-1.9-.7A4 4 0 1 1 10 6v2.8L14.5 5 10 1.2z", home: "M10 3 2.5 9.4h2V17h4.2v-4.6h2.6V17h4.2V9.4h2z",

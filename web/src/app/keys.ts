@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** Keys of the page. Letters work where nothing is being typed. */
+/** Keys of the page. Letters work outside of text fields. */
 export interface Key { keys: string; does: string; group: "Run" | "Picture" | "Panels" | "Rules" | "Page" }
 
 export const KEYS: readonly Key[] = [
@@ -34,7 +34,7 @@ export const KEYS: readonly Key[] = [
   { keys: "Escape", does: "Close what is open", group: "Page" },
 ];
 
-/** Whether a key that was pressed belongs to what is being typed. */
+/** Whether a pressed key belongs to a text field. */
 export function isTyping(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   return target.isContentEditable || ["INPUT", "TEXTAREA", "SELECT"].includes(target.tagName);

@@ -33,12 +33,12 @@ export class Navigator {
     if (!this.isOff) history.pushState({ isHome: what === "" }, "", this.link);
   }
 
-  /** Whether somebody went to lessons and worlds here; without an address that says anything else, the run that there is comes first. */
+  /** Whether the user went to lessons and worlds here. Otherwise, if the address names nothing else, the existing run is shown first. */
   get isHome(): boolean {
     return (history.state as { isHome?: boolean } | null)?.isHome === true;
   }
 
-  /** The page shows something that nobody chose here: there is nothing to go back to. */
+  /** The page shows something that the user did not choose, so there is nothing to go back to. */
   stay(what: string): void {
     if (what === this.now.what) return;
     this.now = { ...NOWHERE, what };

@@ -12,7 +12,7 @@ const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
   { mode: "orbit", title: "Orbit", key: "O" }, { mode: "follow", title: "Follow the selected agent", key: "F" }, { mode: "map", title: "Map, from above", key: "M" },
 ];
 const RESIZED_AFTER_MS = 400;
-/** Contents that tell what something looks like begin so. */
+/** Prefix of the names of contents with shapes. */
 const SHAPES = "shapes:";
 const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full";
 
@@ -108,7 +108,7 @@ export class Stage {
     this.draw();
   }
 
-  /** A live run of one's own: it takes what one does. */
+  /** Whether this is the user's own live run, which accepts input. */
   private get mayAsk(): boolean {
     return this.run.hello?.may_edit === true && !this.run.hello.is_recording;
   }
@@ -117,7 +117,7 @@ export class Stage {
     if (this.mayAsk) this.run.wantOverlays([...(this.view?.on ?? [])].filter((one) => COSTLY.has(one)).sort());
   }
 
-  /** Scripts that put boxes of text on the screen are told how large it is. */
+  /** Sends the size of the picture to scripts that show boxes of text. */
   private tellSize(): void {
     const { clientWidth: width, clientHeight: height } = this.element, told = `${width}x${height}`;
     if (told === this.toldSize || width === 0 || !this.mayAsk) return;
@@ -171,7 +171,7 @@ export class Stage {
     let what = this.run.hello?.what ?? "";
     this.run.on("hello", (hello) => {
       this.toldSize = "";
-      // The same world from its beginning: who moved the camera wants it there.
+      // The same world begins again: a camera that the user moved stays there.
       view.forget(hello.what === what);
       what = hello.what;
       tellBoard();

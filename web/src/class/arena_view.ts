@@ -2,7 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { ArenaInfo, GameInfo, Tournament } from "../app/api";
 
-/** What can be done where the arena is shown; what is left out cannot. */
+/** Actions in the arena; a missing one is not available. */
 export interface ArenaEvents {
   /** Shows the recording of a match. */
   replay?(match: string): void;
@@ -26,7 +26,7 @@ function matchView(match: Tournament["matches"][number], isPlaying: boolean, eve
     replay !== null && events.replay !== undefined && button("Replay", () => events.replay?.(replay), { attributes: { "aria-label": `Replay of ${one} against ${two}, seed ${match.seed}` } }, "button.small"));
 }
 
-/** How the last tournament went, or goes. */
+/** The state or the result of the last tournament. */
 export function tournamentView(game: GameInfo, events: ArenaEvents): Child {
   const { tournament } = game;
   if (tournament === null) return h("p.quiet", null, "No tournament has been played yet.");
@@ -39,7 +39,7 @@ export function tournamentView(game: GameInfo, events: ArenaEvents): Child {
   ];
 }
 
-/** The arena as the teacher sees it: who has handed in, the tournament, and its button. */
+/** The teacher's view of the arena: the entries, the tournament, and its button. */
 export function arenaView(info: ArenaInfo, chosenSeeds: number, setSeeds: (seeds: number) => void, events: ArenaEvents): View {
   return h("section.arena", { attributes: { "aria-label": "Arena" } }, h("h2", null, "Arena"), info.games.map((game) => h("section.game", { key: game.name }, h("h3", null, game.title),
     h("p", null, game.entries.length === 0 ? "Nobody has handed in rules yet. Learners do it on their first page." : `Handed in: ${game.entries.map((one) => one.learner).join(", ")}.`),

@@ -7,7 +7,7 @@ import { arenaView } from "./arena_view";
 
 const EVERY_MS = 5000;
 
-/** How a learner stands in a lesson, in a few words. */
+/** A learner's progress in a lesson, in a few words. */
 export function standing(learner: Learner, lesson: string): { text: string; says: string; kind: "done" | "begun" | "none" } {
   const done = learner.done[lesson];
   if (done === undefined) return { text: "", says: "not begun", kind: "none" };
@@ -50,7 +50,7 @@ export class ClassTable {
   private trouble = "";
   private told = "";
   private readonly open = new Set<string>();
-  /** Whose message is being written: a place, "all", or nobody. */
+  /** Receiver of the message that is being written: a place, "all", or none. */
   private writesTo = "";
   private message = "";
   private seeds = 3;
@@ -83,7 +83,7 @@ export class ClassTable {
     this.draw();
   }
 
-  /** Posts, says what came of it, and shows how it is now. */
+  /** Posts a request, shows its result, and updates the table. */
   private post(path: string, body: unknown, said: string): void {
     void this.api.json<unknown>(this.path + path, { method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" } }).then(async () => {
       [this.info, this.arena] = await Promise.all([this.api.json<ClassInfo>(this.path), this.api.json<ArenaInfo>(`${this.path}/arena`)]);

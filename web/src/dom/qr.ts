@@ -20,7 +20,7 @@ for (let i = 0, value = 1; i < 255; ++i) {
 export const product = (a: number, b: number): number => (a === 0 || b === 0 ? 0 : POWERS[(LOGS[a]! + LOGS[b]!) % 255]!);
 export const power = (exponent: number): number => POWERS[exponent % 255]!;
 
-/** Reed-Solomon: what is left of the data, followed by zeros, divided by (x - 1)(x - a)(x - a^2)... */
+/** Reed-Solomon: the remainder of the data, followed by zeros, divided by (x - 1)(x - a)(x - a^2)... */
 function checkWords(data: readonly number[], count: number): number[] {
   let divisor = [1];
   for (let i = 0; i < count; ++i) {

@@ -22,7 +22,7 @@ export interface Props {
   patched?: (element: HTMLElement) => void;
   /** A custom property or another style, by name; set by script. */
   style?: Readonly<Record<string, string>>;
-  /** Children of this element are made by somebody else. */
+  /** The children of this element are created elsewhere. */
   foreign?: boolean;
   attributes?: Readonly<Record<string, string | number | boolean | undefined>>;
 }
@@ -44,7 +44,7 @@ export function button(label: Child, press: () => void, more: Props = {}, what =
 type Flat = View | string;
 
 const TURNS = /[\u202a-\u202e\u2066-\u2069]/g;
-/** Marks that turn the direction of text would turn what stands behind a name, too: they are shown as what they are, marks. */
+/** Marks that change the direction of text would also affect the text after a name. They are shown as visible marks. */
 function withoutTurns(text: string): string {
   return text.replace(TURNS, "\ufffd");
 }
@@ -122,7 +122,7 @@ function fits(node: Node, flat: Flat): boolean {
 let depth = 0;
 const pending: (() => void)[] = [];
 
-/** Makes the children of an element what a view says, and leaves alone what is the same: focus, caret and scrolling stay. */
+/** Updates the children of an element to match a view. Unchanged nodes are kept, so focus, caret and scrolling stay. */
 export function patch(parent: Element, children: readonly Child[]): void {
   depth += 1;
   try {
@@ -130,7 +130,7 @@ export function patch(parent: Element, children: readonly Child[]): void {
   } finally {
     depth -= 1;
   }
-  // Whoever waits to be in the page is told when all of it is there.
+  // Calls `mounted` only after all nodes are in the page.
   if (depth === 0) for (const call of pending.splice(0)) call();
 }
 

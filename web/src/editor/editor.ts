@@ -57,7 +57,7 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  /** Shows a text that comes from elsewhere: the caret stays where it was, if it can. */
+  /** Shows a text from elsewhere. The caret keeps its position if possible. */
   show(text: string, isRules: boolean): void {
     this.stopTimer();
     this.fromElsewhere = true;
@@ -87,7 +87,7 @@ export class Editor {
       return {
         ...place, severity: problem.severity === "error" ? "error" : problem.severity === "warning" ? "warning" : "info", message: hint === "" ? problem.message : `${problem.message}\n${hint}`,
         actions: remedy === null ? [] : [{ name: `Change to ${remedy.insert}`, apply: (view: EditorView, from: number, to: number) => {
-          // The text may have moved since: the remedy is found again where the mark is now.
+          // The text may have changed: the fix is looked up at the mark's current position.
           const moved = remedyOf({ ...problem, place: { from, to } }, view.state.doc.toString());
           const change = moved ?? { from, to, insert: remedy.insert };
           view.dispatch({ changes: change, userEvent: "input.fix" });
@@ -112,7 +112,7 @@ export class Editor {
     this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
   }
 
-  /** Sends what was typed last, now. */
+  /** Sends the last typed text immediately. */
   flush(): void {
     if (this.timer === null) return;
     this.stopTimer();
@@ -140,7 +140,7 @@ export class Editor {
     return { line: line.number - 1, character: head - line.from };
   }
 
-  /** Changes the text as if somebody had typed it; one step for Undo. */
+  /** Changes the text as if it had been typed; one step for Undo. */
   change(changes: readonly { from: number; to: number; insert: string }[]): void {
     if (changes.length > 0) this.view.dispatch({ changes: [...changes], userEvent: "input.change" });
   }

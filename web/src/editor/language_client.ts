@@ -14,14 +14,14 @@ interface LspItem { label: string; kind?: number; detail?: string; documentation
 
 const TYPES: Readonly<Record<number, string>> = { 3: "function", 5: "property", 6: "variable", 12: "constant", 14: "keyword", 21: "constant", 22: "class" };
 
-/** The result of an answer; throws what was refused, in the server's words. */
+/** The result of an answer. Throws an error with the server's text if the request was refused. */
 function resultOf<T>(answer: Answer | null): T {
   if (answer === null) throw new Error(NO_HELP);
   if (answer.error !== undefined) throw new Error((answer.error as { message?: string }).message ?? "This was refused.");
   return answer.result as T;
 }
 
-/** Talks the language server's protocol through the run: what is wrong with the text, and what may stand where the caret is. */
+/** Client of the language server, over the run's connection: problems in the text, and completions at the caret. */
 export class LanguageClient {
   /** Of the file that is looked at; null: nothing was said about it yet. */
   diagnostics: readonly LspDiagnostic[] | null = null;
@@ -53,7 +53,7 @@ export class LanguageClient {
     void this.tell(text);
   }
 
-  /** The text as it is now. */
+  /** The current text. */
   async tell(text: string): Promise<boolean> {
     if (this.uri === "" || !(await this.start())) return false;
     this.version += 1;
@@ -148,7 +148,7 @@ export class LanguageClient {
   }
 }
 
-/** Where the word begins that is being typed: behind ^ and dots, or at a sign that may stand in a name. */
+/** Start of the word that is being typed: after ^ and dots, or at the first character of a name. */
 export function wordBefore(line: string): number {
   return line.length - (/[\w*<>-]*$/.exec(line)?.[0].length ?? 0);
 }

@@ -2,7 +2,7 @@
 import type { Problem } from "../run/contents";
 
 export interface Place { from: number; to: number }
-/** A problem whose place in the text is known to the character. */
+/** A problem with its exact range in the text. */
 export type PlacedProblem = Problem & { place?: Place };
 
 /** As the language server's protocol has it: lines from 0, UTF-16 units. */
@@ -26,12 +26,12 @@ export function problemOf(told: LspDiagnostic, text: string): PlacedProblem {
   };
 }
 
-/** Both lists as one: what two tell of the same line in the same words is told once. */
+/** Merges both lists. Problems with the same line and text appear once. */
 export function merged(first: readonly PlacedProblem[], second: readonly Problem[]): PlacedProblem[] {
   return [...first, ...second.filter((one) => !first.some((other) => other.line === one.line && (other.message === one.message || other.severity === "error")))];
 }
 
-/** What a hint says was meant: "did you mean ^range?" is "range". Empty: it names nothing that could stand there. */
+/** The suggested word of a hint: "range" for "did you mean ^range?". Empty: the hint has no such word. */
 export function meantBy(hint: string): string {
   const begin = "did you mean ", at = hint.indexOf(begin);
   if (at < 0) return "";
@@ -48,7 +48,7 @@ function underlined(excerpt: string | undefined): number {
   return /\^~*\s*$/.exec(excerpt ?? "")?.[0].trim().length ?? 0;
 }
 
-/** Where in the text a problem is. Lines and columns (of bytes, from 1) may be from an older text: what is not there is cut. */
+/** Range of a problem in the text. Lines and columns (of bytes, from 1) may be from an older text and are clamped. */
 export function placeOf(problem: PlacedProblem, text: string): Place {
   if (problem.place !== undefined && problem.place.to <= text.length) return problem.place;
   const lines = text.split("\n"), index = Math.min(Math.max((problem.line ?? 1) - 1, 0), lines.length - 1), line = lines[index] ?? "";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What colours Soar text: kinds of what stands there, piece by piece. No grammar: half-typed rules are coloured too. */
+/** Kinds of tokens, for colouring Soar text. There is no grammar, so incomplete rules are coloured, too. */
 export interface SoarState { inRule: boolean; depth: number; expectsName: boolean; quote: string; atHead: boolean }
 
 export const startState = (): SoarState => ({ inRule: false, depth: 0, expectsName: false, quote: "", atHead: false });
@@ -27,7 +27,7 @@ function inQuotes(line: Line, state: SoarState): string {
   return "string";
 }
 
-/** Reads one piece and says what it is; null: nothing to colour. */
+/** Reads one token and returns its kind; null: nothing to colour. */
 export function soarToken(line: Line, state: SoarState): string | null {
   if (state.quote !== "") return inQuotes(line, state);
   const isStart = line.sol();
@@ -121,7 +121,7 @@ export class TextLine implements Line {
   }
 }
 
-/** A text as pieces with what each is, for colouring where there is no editor. Together they are the text. */
+/** Splits a text into pieces with their kinds, for colouring outside of an editor. Joined, the pieces are the text. */
 export function soarPieces(text: string): { kind: string | null; text: string }[] {
   const state = startState(), pieces: { kind: string | null; text: string }[] = [];
   text.split("\n").forEach((one, i) => {

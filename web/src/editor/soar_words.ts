@@ -28,7 +28,7 @@ const WORDS: Readonly<Record<string, string>> = {
   "<=>": "**<=>** means: of the same type.",
 };
 
-/** The beginner's words at a place of a line, with where they stand; null: none. */
+/** The explained words at a position of a line, with their range; null: none. */
 export function wordAt(line: string, column: number): { from: number; to: number; about: string } | null {
   const comment = line.search(/(^|\s)#/);
   if (comment >= 0 && column > comment) return null;

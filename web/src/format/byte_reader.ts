@@ -42,7 +42,7 @@ export class ByteReader {
     return n % 2 === 0 ? n / 2 : -(n + 1) / 2;
   }
 
-  /** How many things follow that take at least so many bytes each. */
+  /** Reads the number of following entries, each of which has at least this many bytes. */
   count(leastBytes = 1): number {
     const count = this.number();
     if (count * leastBytes > this.bytes.length - this.at) throw new BadBytes("a count is too large");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What there is to see at one moment, as the scene stream tells it. Metres, radians and seconds unless a name says otherwise. */
+/** The visible scene at one moment, as in the scene stream. Metres, radians and seconds unless a name says otherwise. */
 
 export type Vec3 = readonly [number, number, number];
 /** Red, green, blue, alpha: 0 to 1. */

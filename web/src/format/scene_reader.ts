@@ -18,7 +18,7 @@ export function isFull(block: Uint8Array): boolean {
   return ((block[2] ?? 0) & FULL) !== 0;
 }
 
-/** The payload of a block, as it was before it was compressed. */
+/** The decompressed payload of a block. */
 export async function unpack(block: Uint8Array): Promise<Uint8Array> {
   if (block[0] !== MARK || block.length < HEAD_BYTES) throw new BadBytes("this is no block of a scene");
   if (block[1] !== VERSION) throw new BadBytes("this page and the engine are of different versions: load the page again");
@@ -62,7 +62,7 @@ function list<T>(input: ByteReader, leastBytes: number, one: () => T): T[] {
   return made;
 }
 
-/** Turns blocks into moments. A moment that was given stays as it is. */
+/** Converts blocks to moments. A returned moment is never changed. */
 export class SceneReader {
   private texts: string[] = [""];
   private things = new Map<number, RawThing>();
@@ -154,7 +154,7 @@ export class SceneReader {
     return { moves: input.number(), place: whole(input, PER_METRE), turn: quaternion(add(input, [0, 0, 0]), PER_RADIAN), fovDeg: input.float() };
   }
 
-  /** Takes away what is gone, then reads the entries that changed. */
+  /** Removes the deleted entries, then reads the changed ones. */
   private entries(input: ByteReader, gone: (id: number) => void, changed: (id: number) => void): void {
     let id = 0;
     for (let left = input.count(); left > 0; --left) gone((id += input.number()));

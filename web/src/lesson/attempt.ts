@@ -12,7 +12,7 @@ const TRIED = "soarbox.tried.", RESTARTS = "soarbox.restarts", NO = "no";
 /** What the learner has done with the rules of this run: what checks say depends on it. */
 export class Attempt {
   private what = "";
-  /** The tick at which rules changed while the run went on; null: it has had the same rules from the beginning. */
+  /** Tick at which the rules of the running world changed; null: they have not changed since its beginning. */
   changedAt: number | null = null;
   /** The ticks at which files were changed without errors. */
   private readonly mended = new Map<string, number>();
@@ -41,7 +41,7 @@ export class Attempt {
     if (this.isLesson && !this.isTried) this.shelf.setItem(TRIED + this.what, "yes");
   }
 
-  /** Rules were changed at this tick of the run, without errors; `file`: what was mended by that. */
+  /** Rules were changed at this tick of the run, without errors; `file`: the changed file. */
   applied(tick: number, file = ""): void {
     this.note();
     this.changedAt = tick;

@@ -45,7 +45,7 @@ function titleOfCourse(course: string): string {
   return course === "" ? "Lessons" : `Lessons: ${course}`;
 }
 
-/** Where one begins: lessons with what is done, worlds, recordings, and one's files. */
+/** The start page: lessons with progress, worlds, recordings, and the user's files. */
 export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, maps: WorldMaps, arena: Child, events: StartEvents, setFilter: (text: string) => void): Child {
   const things = nextThings(info, running, last), next = things.find((one) => one.what.startsWith("lesson:"))?.what.slice("lesson:".length) ?? nextLesson(info);
   const worlds = info.scenarios.filter((one) => `${one.name} ${one.about}`.toLowerCase().includes(filter.toLowerCase()));

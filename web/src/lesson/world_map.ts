@@ -6,7 +6,7 @@ export interface WorldMap { things: readonly (readonly number[])[]; agents: read
 export type WorldMaps = Readonly<Record<string, WorldMap>>;
 
 const WIDTH = 200, LARGEST_DOT = 9, SMALLEST_DOT = 4;
-/** Colours of the first agents; who is alone has the first. */
+/** Colours of the first agents; a single agent has the first one. */
 const COLORS = ["#d9481c", "#1f6fc4", "#7a3fb0", "#0f8a6c", "#b8860b", "#c2347f"] as const;
 
 /** The picture on a card; null if the world has no map. */

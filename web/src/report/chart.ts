@@ -2,7 +2,7 @@
 import { h, patch, type Child, type View } from "../dom/view";
 import type { Time } from "./time";
 
-/** What the pictures of reports have in common: scales, ticks, colours, and a place that is drawn as wide as it is. */
+/** Shared by the charts of reports: scales, ticks, colours, and an area that is drawn at its full width. */
 
 const COLOR_COUNT = 8;
 const DASHES = ["", "6 3", "2 3", "8 3 2 3"] as const;
@@ -11,7 +11,7 @@ const NAMED: ReadonlyMap<string, number> = new Map([["blue", 0], ["red", 1], ["g
 
 export interface Paint { color: string; dash: string }
 
-/** Of the style: light ones where it is dark. */
+/** Colours of the style: light ones in dark mode. */
 export function color(index: number): string {
   return `var(--c${index % COLOR_COUNT})`;
 }
@@ -20,7 +20,7 @@ export function dash(index: number): string {
   return DASHES[Math.floor(index / COLOR_COUNT) % DASHES.length]!;
 }
 
-/** Agents of a team share its colour, the one that it is called after if there is one; dashes tell them apart. Without teams each agent has a colour of its own. */
+/** Agents of a team share its colour, taken from its name if possible, and differ in their dashes. Without teams each agent has its own colour. */
 export function paints(agents: readonly { team: string }[]): Paint[] {
   const teams = [...new Set(agents.map((agent) => agent.team))];
   if (teams.length < 2 || teams.length > COLOR_COUNT) return agents.map((_, i) => ({ color: color(i), dash: dash(i) }));
@@ -38,7 +38,7 @@ export function scale(low: number, high: number, from: number, to: number): (val
   return (value) => from + ((to - from) * (value - low)) / span;
 }
 
-/** Round numbers within a range, about so many. */
+/** About this many round numbers within a range. */
 export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low || 1) / count, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw * 0.999) ?? raw, list: number[] = [];
   for (let at = Math.ceil(low / step - 1e-9); at * step <= high + step * 1e-9; at += 1) list.push(Number((at * step).toFixed(9)));
@@ -50,7 +50,7 @@ export function tickCount(width: number, most: number): number {
   return Math.max(3, Math.min(most, Math.round(width / 110)));
 }
 
-/** A number on an axis, with the digits that tell it from its neighbours. */
+/** A number on an axis, with enough digits to differ from its neighbours. */
 export function labelOf(value: number, list: readonly number[]): string {
   const step = list.length > 1 ? Math.abs(list[1]! - list[0]!) : 1;
   return String(Number(value.toFixed(Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(step)))))));
@@ -88,7 +88,7 @@ export function axis(low: number, high: number, count: number, x: (value: number
 export interface Drawing {
   height: number;
   children: Child;
-  /** What stands at a moment, over the rest. */
+  /** Marks at the current moment, drawn over the rest. */
   at?: (seconds: number) => Child;
   /** A click at a place of the picture. */
   click?: (x: number, y: number) => void;
@@ -107,7 +107,7 @@ export interface ChartProps {
 
 const LEAST_PX = 240;
 
-/** A picture that is drawn anew when its place gets wider or narrower, so that what is written in it stays as large as other text. */
+/** A chart that is redrawn when its width changes, so that its text keeps its size. */
 export function chart({ label, caption, id, least = LEAST_PX, most = 4000, time }: ChartProps, draw: (width: number) => Drawing): View {
   return h("figure", null, h("figcaption", null, caption), h("div.chart", {
     foreign: true,

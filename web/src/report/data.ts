@@ -91,7 +91,7 @@ function summed(differences: readonly number[] | undefined, of: number): number[
   return (differences ?? []).map((difference) => (sum += difference) / of);
 }
 
-/** Metres, points and metres per second; null for who has no body. */
+/** Metres, points and metres per second; null for agents without a body. */
 export function wayOf(agent: AgentReport): Way | null {
   if (agent.x === undefined || agent.x.length === 0) return null;
   return { from: agent.from ?? 0, x: summed(agent.x, 100), z: summed(agent.z, 100), health: summed(agent.hp, 1), speed: summed(agent.v, 10) };

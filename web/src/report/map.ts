@@ -12,7 +12,7 @@ const SIDES: readonly NamePlace[] = [[9, 4, "start"], [-9, 4, "end"], [9, 17, "s
   .map(([dx, dy, anchor]) => ({ dx, dy, anchor }) as NamePlace);
 const LETTER_PX = 7.2, DOT_PX = 7;
 
-/** Where names go beside dots in a square picture: where each is in it and covers no other name and no dot, if there is such a place; else at least in it. */
+/** Positions of names next to dots in a square picture. If possible, a name covers no other name and no dot; it is always inside the picture. */
 export function placeNames(dots: readonly Dot[], side: number): NamePlace[] {
   type Box = readonly [number, number, number, number];
   const boxes: Box[] = dots.map(({ x, y }) => [x - DOT_PX, y - DOT_PX, x + DOT_PX, y + DOT_PX]);
@@ -50,7 +50,7 @@ export function extentOf(ways: readonly (Way | null)[], places: readonly PlaceRe
 
 const WIDEST_PX = 860;
 
-/** Everybody's way, seen from above, and where everybody is now. */
+/** The paths of all agents, seen from above, and their current positions. */
 export function mapFigure(run: RunReport, ways: readonly (Way | null)[], time: Time): View {
   const extent = extentOf(ways, [...run.waypoints, ...run.regions]);
   if (extent === null) return h("p.quiet", null, "Nobody has a body here.");

@@ -11,7 +11,7 @@ import { OwnTime, type Time } from "./time";
 /** A recorded run in 3D: its picture and panels, and the time that they show. */
 export interface Scene { element: HTMLElement; time: Time }
 
-/** The page of `soarbox report`: a head, the run in 3D if there is one, and what there is to read below. */
+/** The page of `soarbox report`: a head, the run in 3D if there is one, and the text below. */
 export class ReportPage {
   private readonly head = document.createElement("header");
   private readonly main = document.createElement("main");
@@ -83,7 +83,7 @@ export class ReportPage {
     draw();
   }
 
-  /** On paper nobody can open them. */
+  /** Opens all reasons before printing, because they cannot be opened on paper. */
   private openReasons(): void {
     for (const details of this.main.querySelectorAll<HTMLDetailsElement>("details.why")) details.open = true;
   }

@@ -12,7 +12,7 @@ function markColor(kind: string): string {
   return kind === "problem" || kind === "gap" || kind === "impasse" ? "var(--bad)" : kind === "message" ? "var(--mark)" : "var(--ink)";
 }
 
-/** What is drawn as a triangle: not what comes by the thousand; of equal triangles one over the other one is enough. */
+/** Events drawn as triangles: no frequent ones, and only one of several equal triangles at the same position. */
 export function marksOf(events: readonly EventReport[], places: ReadonlyMap<string, number>, x: (seconds: number) => number): EventReport[] {
   const drawn = new Set<string>();
   return events.filter((event) => {
@@ -77,7 +77,7 @@ export function plotFigure(run: RunReport, ways: readonly (Way | null)[], what: 
   });
 }
 
-/** Whose colour and dashes are whose. */
+/** Legend of colours and dashes. */
 export function legend(run: RunReport): View {
   const paint = paints(run.agents);
   return h("ul.legend", { attributes: { "aria-label": "Colours of agents" } }, run.agents.map((agent, i) => h("li", null,

@@ -73,7 +73,7 @@ function about(run: RunReport): Child {
   return section("about", "About", lines.map((words) => h(`p.quiet${words.includes(" NOT ") ? ".warn" : ""}`, null, words)), manifestOf(run));
 }
 
-/** All that a page tells of a run, below its picture in 3D if it has one. */
+/** The sections about a run, below its 3D view if it has one. */
 export function runSections(run: RunReport, time: Time, hasScene: boolean): Child {
   const ways = run.agents.map(wayOf), lists = [checks(run, time), moments(run, time)].filter((one) => one !== false);
   return [

@@ -23,7 +23,7 @@ class PageStorage {
   }
 }
 
-/** In a frame that may keep nothing, as in a notebook, what one chose lasts as long as the page. */
+/** In a frame without storage, as in a notebook, settings last as long as the page. */
 export function keepInPage(): void {
   for (const name of ["localStorage", "sessionStorage"] as const) {
     try {

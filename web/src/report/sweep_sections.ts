@@ -8,7 +8,7 @@ import { table, type TableCell } from "./table";
 const LETTER_PX = 7, MOST_METRICS = 24, MOST_DOTS = 200;
 
 const percent = (share: number): string => `${Math.round(100 * share)} %`;
-/** How wide names may be beside a picture, and how many letters fit there. */
+/** Maximum width of names next to a picture, and the number of letters that fit. */
 function namesOf(names: readonly string[], width: number): { left: number; fits: number } {
   const left = Math.min(Math.max(70, width * 0.3), 16 + LETTER_PX * Math.max(...names.map((name) => name.length), 4));
   return { left, fits: Math.max(4, Math.floor((left - 10) / LETTER_PX)) };
@@ -35,7 +35,7 @@ function distribution(metric: Metric, names: readonly string[]): View {
   });
 }
 
-/** The agents of a tournament: what they have reached, and how sure their ratings are. */
+/** The agents of a tournament: their results, and the confidence intervals of their ratings. */
 function standings(agents: readonly Standing[]): View {
   const low = Math.min(...agents.map((one) => one.low)), high = Math.max(...agents.map((one) => one.high)), ROW = 26;
   const rows = agents.map((one) => [one.agent, one.rating, `${one.low} to ${one.high}`, one.games, one.won, one.drawn, one.lost, one.place, one.points]);
@@ -52,7 +52,7 @@ function standings(agents: readonly Standing[]): View {
     }));
 }
 
-/** All that a page tells of a sweep. */
+/** The sections about a sweep. */
 export function sweepSections(sweep: SweepReport): Child {
   const names = sweep.variants.map((one) => one.name);
   const variants = sweep.variants.map((one) => [one.name, one.runs, one.broken, one.runs - one.judged, one.passed, one.judged > 0 ? percent(one.passed / one.judged) : "", `${percent(one.low)} to ${percent(one.high)}`]);

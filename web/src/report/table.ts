@@ -3,7 +3,7 @@ import { button, h, patch, textOf, type Child, type View } from "../dom/view";
 import { filterField, passes, table as plainTable } from "../panels/parts";
 import { digits } from "./chart";
 
-/** Text, a number, or a view whose text counts. */
+/** Text, a number, or a view that is sorted by its text. */
 export type TableCell = string | number | View;
 
 const MOST_ROWS = 2000, FILTERED_FROM = 20;
@@ -22,7 +22,7 @@ export function arranged(rows: readonly (readonly TableCell[])[], by: number, is
   return sorted.map(({ row }) => row);
 }
 
-/** Columns of nothing but numbers, apart from what is left empty. */
+/** Columns with only numbers and empty cells. */
 export function numberColumns(columns: number, rows: readonly (readonly TableCell[])[]): boolean[] {
   return Array.from({ length: columns }, (_, c) => rows.some((row) => typeof row[c] === "number") && rows.every((row) => typeof row[c] === "number" || row[c] === ""));
 }

@@ -14,7 +14,7 @@ export interface Time {
 
 const STEP_S = 0.1;
 
-/** Time of its own, for runs without a picture in 3D. */
+/** A separate time, for runs without a 3D view. */
 export class OwnTime implements Time {
   now = 0;
   private timer: ReturnType<typeof setInterval> | null = null;

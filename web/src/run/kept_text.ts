@@ -20,7 +20,7 @@ const PREFIX = "soarbox.typed.";
 export class KeptText {
   constructor(private readonly place: string, private readonly store: Store | null) {}
 
-  /** Stores what was typed into a file whose text at the server is `base`. */
+  /** Stores the text typed into a file; `base` is its text at the server. */
   keep(file: string, text: string, base: string): void {
     const known = this.read(file);
     try {

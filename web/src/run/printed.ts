@@ -3,9 +3,9 @@ import type { Mark, Timeline } from "./contents";
 
 export interface PrintedLine { tick: number; agent: string; text: string; isPrinted: boolean }
 
-/** What happens to agents begins with one of these words; what is left of a timeline's events was printed by rules and scripts. */
+/** Events about agents begin with one of these words; all other events of a timeline were printed by rules and scripts. */
 const NEWS = /^(?:shoots|dies|takes|drops|gives|leaves|says)\b/;
-/** An agent that comes into the world, and one whose mind is idle. */
+/** An agent that joins the world, and an agent with an idle mind. */
 const ABOUT_RUN = /^(?:soar|lua)\b[^,]*,\s*\S+\.(?:soar|lua)$|^it has done nothing for /;
 
 const MOST_LINES = 500;
@@ -16,7 +16,7 @@ function lineOf(agent: string, mark: Mark): PrintedLine | null {
   return { tick: mark.tick, agent, text: mark.text, isPrinted: mark.kind === "event" && !NEWS.test(mark.text) };
 }
 
-/** What agents printed and what happened to them, gathered from the timeline, which tells only the newest part. */
+/** Printed texts and events of agents, collected from the timeline, which has only the newest part. */
 export class Printed {
   lines: readonly PrintedLine[] = [];
   private latest = -1;
@@ -26,7 +26,7 @@ export class Printed {
     this.latest = -1;
   }
 
-  /** Adds what is new, and drops what a run that went on from an earlier moment has not done. Returns what was printed since the last call. */
+  /** Adds new entries, and removes those of a future that was left by going back. Returns the texts printed since the last call. */
   note(timeline: Timeline | undefined, lastTick: number): PrintedLine[] {
     const told = (timeline?.timeline ?? []).flatMap((track) => track.marks.map((mark) => lineOf(track.agent, mark))).filter((one) => one !== null);
     const known = new Set(this.lines.map((one) => `${one.tick}/${one.agent}/${one.text}`)), fresh = told.filter((one) => !known.has(`${one.tick}/${one.agent}/${one.text}`) && one.tick <= lastTick);

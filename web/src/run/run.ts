@@ -9,7 +9,7 @@ import type { Connection, Flow, Hello, Request, RunMessage, RunSource } from "./
 
 export interface Remark { text: string; hint: string; isError: boolean }
 
-/** What is told to whoever shows a run. Each may be left out. */
+/** Callbacks for views of a run. Each may be left out. */
 export interface RunEvents {
   hello: Hello;
   flow: Flow;
@@ -25,13 +25,13 @@ export interface RunEvents {
   /** The learner's hand or the teacher's messages have changed. */
   class: ClassNews;
 }
-/** What a learner of a class is told: whether the own hand is up, and messages that are not read. */
+/** The class data of a learner: whether their hand is up, and unread messages. */
 export interface ClassNews { is_hand_up: boolean; notes: readonly TeacherNote[] }
 export type RunState = "joining" | "running" | "busy" | "ended" | "none";
 
 type Handlers = { [K in keyof RunEvents]: Set<(event: RunEvents[K]) => void> };
 
-/** The run that is shown: what is known of it now, and how to ask it for more. */
+/** The run that is shown: its current contents, and requests to it. */
 export class Run {
   hello: Hello | null = null;
   flow: Flow = { paused: false, speed: 1, tick: 0, time_s: 0 };
@@ -60,7 +60,7 @@ export class Run {
   private overlays: string[] = [];
   private opened: string | null = null;
 
-  /** `place` tells what was typed in one place from what was typed in others. */
+  /** `place` distinguishes texts typed in different places. */
   constructor(private readonly source: RunSource, place = "") {
     this.kept = new KeptText(place, place === "" ? null : browserStore());
   }
@@ -101,7 +101,7 @@ export class Run {
     this.tell("remark", { text, hint, isError });
   }
 
-  /** Sends a request; says so if nobody is there to take it. */
+  /** Sends a request; shows a message if there is no connection. */
   ask(request: string, fields: Readonly<Record<string, unknown>> = {}): boolean {
     if (this.isWatching) {
       this.tell("remark", { text: "You watch this run: only the learner whose run it is can do this.", hint: "", isError: false });
@@ -169,7 +169,7 @@ export class Run {
         this.tell("remark", { text: message.text, hint: "", isError: false });
         break;
       case "error":
-        // What was to be opened is refused: the run that there was goes on.
+        // The request to open something was refused: the current run continues.
         if (this.opened !== null) {
           this.opened = null;
           this.setState(this.hello === null ? "none" : "running");

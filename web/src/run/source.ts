@@ -2,7 +2,7 @@
 import type { TeacherNote } from "../app/api";
 import type { Contents } from "./contents";
 
-/** What a run says to whoever shows it. */
+/** Events of a run, for its views. */
 export type RunMessage =
   | ({ message: "hello" } & Hello)
   | ({ message: "flow" } & Flow)
@@ -27,13 +27,13 @@ export interface Hello {
   agents: readonly string[];
   minds: readonly string[];
   step_s: number;
-  /** Of a game: so many ticks are a turn. */
+  /** Ticks of a turn, in a game. */
   turn_ticks?: number;
   may_edit: boolean;
   is_recording: boolean;
   /** It can be looked at, moment after moment, and nothing else. */
   only_shows?: boolean;
-  /** It takes part in an exercise of other simulations. */
+  /** The run takes part in an exercise with other simulations. */
   has_exercise?: boolean;
 }
 export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number }

@@ -7,15 +7,15 @@ import { BONE_NUMBERS, moveSkin, poseBones, type Moved } from "./skinning";
 import { withoutSmall, type BodyLook, type Level, type ShapeLibrary, type ShapeMesh } from "./shape_library";
 import type { Between } from "../run/playout";
 
-/** How near bodies are drawn in full and coarsely, how many at most, and how near rifles are drawn; the same where the processor draws. */
+/** Distances for full and coarse bodies, their maximum numbers, and the distance for rifles; with a card, and if the processor draws. */
 const DETAIL = { fineUntil: 14, mostFine: 24, coarseUntil: 45, mostCoarse: 200, rifleUntil: 150 }, SLOW_DETAIL = { fineUntil: 0, mostFine: 0, coarseUntil: 14, mostCoarse: 6, rifleUntil: 24 };
-/** Where the processor draws, bodies far away lack what is smaller than this: caps of limbs, seams. */
+/** If the processor draws, distant bodies lack parts smaller than this: caps of limbs, seams. */
 const SEEN_FROM_AFAR_M = 0.12;
 /** Around a body, with its arms out and its rifle up. */
 const REACH_M = 1.6;
 
 interface Wanted { now: Drawable; old: Drawable | undefined }
-/** All bodies of one look, detail and team: one mesh, whose corners are moved by the processor. */
+/** All bodies of one look, detail and team: one mesh. The processor moves its vertices. */
 interface Batch { mesh: Mesh<BufferGeometry>; room: number; wanted: Wanted[]; look: BodyLook; level: Level; shape: ShapeMesh; moved: Moved }
 
 /** Bodies with bones: soldiers and their rifles. */
@@ -90,7 +90,7 @@ export class Bodies {
     return batch;
   }
 
-  /** Makes room for more bodies: what stays the same of each corner stands there once for each of them. */
+  /** Makes room for more bodies. The constant data of each vertex is stored once per body. */
   private grow(key: string, batch: Batch, least: number): void {
     const { shape } = batch, one = geometryOf(shape, { ...CLOTH_LOOK, trim: teamColor(key.slice(key.lastIndexOf("|") + 1)) });
     const room = Math.max(least, 2 * batch.room, 4), { count, indices } = shape, all = new Uint32Array(room * indices.length), geometry = new BufferGeometry();

@@ -10,7 +10,7 @@ import { length, minus } from "./vectors";
 const PICTURE_S = 1 / 30, LENS: Lens = { slope: Math.tan(Math.PI / 8), aspect: 1.25, free: ALL_FREE };
 const body = (place: Vec3, velocity: Vec3 = [0, 0, 0]): FramedBody => ({ place, velocity, radius: 0.35, height: 1.75 });
 const shown = (bodies: readonly FramedBody[], more: Partial<Shown> = {}): Shown => ({ bodies, places: [], scenery: [], isBoard: false, hasWalls: false, ...more });
-/** As YardWorld.lua sets it: behind a fence, looking away from everybody. */
+/** As set by YardWorld.lua: behind a fence, looking away from all agents. */
 const far: Camera = { moves: 1, place: [0, 36, 58], turn: [0, 0, 0, 1], fovDeg: 45 };
 
 function rigWith(bodies: readonly FramedBody[], order: Camera | null = far): CameraRig {

@@ -9,7 +9,7 @@ const INSIDE = 0.93, SOON_S = 0.8;
 const ROOM_S = 1.6;
 /** The picture is too wide if the camera could be nearer by this factor; after WIDE_FOR_S seconds it moves there. */
 const TOO_WIDE = 0.6, WIDE_FOR_S = 2.5;
-/** How long ground where agents were is remembered, and in which steps. */
+/** How long the recent positions of agents are remembered, and in which steps. */
 const RECENT_S = 3, RECENT_STEP_S = 0.25;
 
 const later = (body: FramedBody, seconds: number): Vec3 => plus(body.place, times([body.velocity[0], 0, body.velocity[2]], seconds));
@@ -25,7 +25,7 @@ export class CameraKeeper {
     this.wideS = 0;
   }
 
-  /** `goal`: where the camera is or is on its way to. Returns the new goal; null: the present one is good. */
+  /** `goal`: current or target pose of the camera. Returns the new goal; null: the current one is good. */
   follow(agents: readonly FramedBody[], places: readonly Vec3[], goal: View, lens: Lens, seconds: number, scenery: readonly FramedBody[] = [], isFixedTilt = false): View | null {
     if (agents.length === 0) return null;
     const tilt = isFixedTilt ? goal.tilt : comfortable(goal.tilt), kept = withinReach(agents, goal.heading, tilt, lens);
@@ -50,7 +50,7 @@ interface Span { low: Vec3; high: Vec3; ageS: number }
 const lowest = (a: Vec3, b: Vec3): Vec3 => [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.min(a[2], b[2])];
 const highest = (a: Vec3, b: Vec3): Vec3 => [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.max(a[2], b[2])];
 
-/** Where agents were in the last seconds of the user's clock. In a world that runs fast, this predicts better than their velocity where they will be. */
+/** Positions of agents in the last seconds of real time. In a world that runs fast, they predict future positions better than velocities. */
 export class RecentGround {
   private spans: Span[] = [];
 

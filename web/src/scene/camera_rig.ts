@@ -33,7 +33,7 @@ export class CameraRig {
   private readonly keeper = new CameraKeeper();
   /** The shape of the picture for which everybody was framed. */
   private framedAspect = 0;
-  /** Speed of what is shown while it keeps: of the target in m/s, and of the distance's logarithm. */
+  /** Speed of the camera while it keeps agents in view: of the target in m/s, and of the distance's logarithm. */
   private drift: [number, number, number, number] = [0, 0, 0, 0];
 
   setSize(width: number, height: number): void {
@@ -68,7 +68,7 @@ export class CameraRig {
     this.wanted.tilt = clamp(this.wanted.tilt + dy * TURN_PER_PX, LOWEST_RAD, HIGHEST_RAD);
   }
 
-  /** Moves what is looked at along the ground, by pixels. */
+  /** Moves the target along the ground, by pixels. */
   pan(dx: number, dy: number): void {
     this.take();
     if (this.mode === "follow") this.mode = "orbit";
@@ -83,7 +83,7 @@ export class CameraRig {
     this.wanted.away = clamp(this.wanted.away * factor, NEAREST_M, FARTHEST_M);
   }
 
-  /** The user moves the camera: from now on it stays where it is put. */
+  /** The user moves the camera: from now on it keeps its pose. */
   private take(): void {
     this.byHand = true;
     if (this.isKeeping) this.wanted = copy(this.shown);
@@ -113,7 +113,7 @@ export class CameraRig {
     this.wanted = this.viewOf(what, this.wanted.heading);
   }
 
-  /** The first picture of a world: as its script wants it if that shows everybody well; else from where they are seen best. */
+  /** The first picture of a world: the script's camera if it shows all agents well; otherwise the best view of them. */
   begin(order: Camera | null, what: Shown): void {
     if (order !== null) this.moveTo(order);
     this.byHand = false;
@@ -125,7 +125,7 @@ export class CameraRig {
     this.arrive();
   }
 
-  /** Takes over where scripts want the camera, when they move it again. */
+  /** Follows the scripts' camera when they move it again. */
   obey(order: Camera): void {
     if (order.moves === this.moves || this.byHand || this.mode !== "orbit") {
       this.moves = order.moves;
@@ -170,7 +170,7 @@ export class CameraRig {
     return best;
   }
 
-  /** Before each update: what is to stay in the picture. */
+  /** Sets, before each update, what must stay in the picture. */
   keep(what: Shown, seconds: number): void {
     if (!this.keeps || what.bodies.length === 0) return;
     const { aspect } = this.camera;
@@ -185,7 +185,7 @@ export class CameraRig {
     if (this.mode === "map") this.wanted.away = Math.max(goal.away, MAP_AWAY_M);
   }
 
-  /** Ends the way to where the camera is wanted. */
+  /** Ends the movement to the wanted pose at once. */
   private arrive(): void {
     this.shown = copy(this.wanted);
     this.drift = [0, 0, 0, 0];

@@ -21,7 +21,7 @@ const LEAST_AWAY_M = 6.5;
 /** The camera goes back up to here for places, in m; for scenery; and for agents, those in the middle first. */
 const PLACES_WITHIN_M = 46, SCENERY_WITHIN_M = 58, FURTHEST_M = 260;
 const PLACE_RADIUS_M = 0.6, PLACE_HEIGHT_M = 0.6;
-/** Scenery is at most this far beside what is in the picture, and at most this long, in m; a world with more pieces has none. */
+/** Maximum distance of scenery from the agents, its maximum length, in m, and its maximum number; a world with more has none. */
 const BESIDE_M = 6, LONGEST_PIECE_M = 16, MOST_PIECES = 100;
 
 interface Axes { right: Vec3; up: Vec3; ahead: Vec3 }
@@ -47,7 +47,7 @@ const ends = ({ place, height }: FramedBody): readonly [Vec3, Vec3] => [[place[0
 export function framingView(bodies: readonly FramedBody[], heading: number, tilt: number, lens: Lens): View {
   const { right, up, ahead } = axesOf(heading, tilt), { free } = lens, wide = MARGIN_X * lens.slope * Math.max(lens.aspect, 0.2), high = MARGIN_Y * lens.slope;
   const slopeRight = wide * free.right, slopeLeft = wide * free.left, slopeTop = high * free.top, slopeBottom = high * free.bottom;
-  // Each point keeps the camera behind two planes per direction; the outermost ones settle its place.
+  // Each point keeps the camera behind two planes per direction; the outermost planes determine its position.
   let toRight = -1e9, toLeft = -1e9, toTop = -1e9, toBottom = -1e9, nearest = 1e9;
   for (const body of bodies) {
     const reach = 2 * body.radius;
@@ -61,7 +61,7 @@ export function framingView(bodies: readonly FramedBody[], heading: number, tilt
     }
   }
   const depth = Math.min(-(toRight + toLeft) / (slopeRight + slopeLeft), -(toTop + toBottom) / (slopeTop + slopeBottom), nearest - LEAST_AWAY_M);
-  // Where there is room to spare, the bodies are in the middle of what is free.
+  // If there is room to spare, the bodies are in the middle of the free area.
   const x = (toRight + slopeRight * depth - toLeft - slopeLeft * depth) / 2, y = (toTop + slopeTop * depth - toBottom - slopeBottom * depth) / 2;
   const eye = plus(plus(times(right, x), times(up, y)), times(ahead, depth)), away = Math.max(dot(minus(middleOf(bodies), eye), ahead), 1);
   const [tx, ty, tz] = plus(eye, times(ahead, away));
@@ -96,7 +96,7 @@ export function withPlaces(agents: readonly FramedBody[], places: readonly Vec3[
   return awayOf(whole) > SCENERY_WITHIN_M ? all : whole;
 }
 
-/** Without those who are so far out that the others would be specks: the nearest to the middle of all stay. */
+/** Removes agents that are so far away that the others would be specks: those nearest to the middle stay. */
 export function withinReach(bodies: readonly FramedBody[], heading: number, tilt: number, lens: Lens): readonly FramedBody[] {
   const reaches = (some: readonly FramedBody[]): boolean => length(minus(eyeOf(framingView(some, heading, tilt, lens)), middleOf(some))) <= FURTHEST_M;
   if (reaches(bodies)) return bodies;
@@ -111,7 +111,7 @@ export function withinReach(bodies: readonly FramedBody[], heading: number, tilt
   return sorted.slice(0, fits);
 }
 
-/** The ground of a box, or of a figure that stands around; nothing of what belongs to an agent or to the landscape. */
+/** The footprint of a box or of a standing figure; nothing for parts of an agent or of the landscape. */
 function cornersOf(one: Drawable): FramedBody[] {
   if (one.ofAgent || !one.visible || !one.place.every(Number.isFinite)) return [];
   if (one.bones.length > 0) return [{ place: plus(one.place, [0, 0.9, 0]), velocity: NO_MOVE, radius: 0.5, height: 1.8 }];
@@ -121,7 +121,7 @@ function cornersOf(one: Drawable): FramedBody[] {
   return [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((z): FramedBody => ({ place: plus(one.place, rotate(one.turn, [x * size[0], 0, z * size[2]])), velocity: NO_MOVE, radius: 0.1, height: size[1] })));
 }
 
-/** Walls, crates and figures between the agents and beside them, as the corners of their ground. A wide landscape has none. */
+/** Footprints of walls, crates and figures between and near the agents, as corners. None in a wide landscape. */
 export function sceneryAround(scene: Scene, places: readonly Vec3[]): FramedBody[] {
   let lowX = Infinity, lowZ = Infinity, highX = -Infinity, highZ = -Infinity;
   const reach = ([x, , z]: Vec3): void => {
@@ -177,7 +177,7 @@ export function hasWalls(scene: Scene): boolean {
 /** Half of the picture at most is given to what lies over it. */
 const MOST_INSET = 0.45;
 
-/** What of a picture is left free by boxes that lie over it, each of which takes a strip along the edge where that costs least. */
+/** The free rectangle of a picture under boxes. Each box takes a strip along the edge where this costs least. */
 export function freeOf(boxes: readonly { left: number; top: number; width: number; height: number }[], width: number, height: number): Free {
   const inset = { left: 0, right: 0, top: 0, bottom: 0 };
   for (const box of boxes) {

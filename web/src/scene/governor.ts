@@ -7,14 +7,14 @@ export interface Quality {
   readonly shadowSide: number;
   /** Shadows follow with every picture, or with every third. */
   readonly shadowsEvery: number;
-  /** Cheaper light, coarser bodies, fewer pictures: where the processor draws. */
+  /** Cheaper light, coarser bodies, fewer pictures: if the processor draws. */
   readonly isSlow: boolean;
-  /** Pictures that take longer, in seconds, are too slow; those that take less leave room for more. */
+  /** In seconds: pictures that take longer than `tooSlow` are too slow; if they take less than `hasRoom`, more detail is possible. */
   readonly tooSlow: number;
   readonly hasRoom: number;
 }
 
-/** Between two pictures where the processor draws: it has other things to do as well. */
+/** Pause between two pictures if the processor draws, because it also has other work. */
 export const SLOW_EVERY_MS = 60;
 const card = { isSlow: false, shadowSide: 2048, shadowsEvery: 1, tooSlow: 0.055, hasRoom: 0.025 };
 const processor = { isSlow: true, shadowSide: 1024, shadowsEvery: 3, tooSlow: 0.076, hasRoom: 0.07 };
@@ -29,21 +29,21 @@ const FRAMES_TO_JUDGE = 20, FEW_FRAMES = 4, VERY_SLOW = 2;
 /** So many good pictures in a row before more is tried; twice as many after each try that failed. */
 const FIRST_PATIENCE = 100, MOST_PATIENCE = 3200, SOON = 3 * FRAMES_TO_JUDGE;
 
-/** Chooses how well to draw by how long pictures take: less where they are slow, and more again where there is room. */
+/** Chooses the detail by the time of pictures: less if they are slow, and more again if there is time. */
 export class Governor {
   private times: number[] = [];
   private good = 0;
   private patience = FIRST_PATIENCE;
   private sinceRaised = Infinity;
 
-  /** `isFixed`: it stays as it begins, however long pictures take. */
+  /** `isFixed`: the detail never changes. */
   constructor(private step = 0, private readonly isFixed = false) {}
 
   get quality(): Quality {
     return QUALITIES[this.step]!;
   }
 
-  /** A picture came so many seconds after the one before it. True: from now on they are drawn otherwise. */
+  /** Reports the seconds between two pictures. Returns true if the detail has changed. */
   note(seconds: number): boolean {
     if (this.isFixed) return false;
     this.times.push(seconds);
@@ -67,7 +67,7 @@ export class Governor {
     return true;
   }
 
-  /** Never from what is right for a processor to what is right for a card: all materials would be made anew. */
+  /** Never changes between the levels for a processor and for a card, because all materials would have to be created again. */
   private raise(): boolean {
     const better = QUALITIES[this.step - 1];
     if (better === undefined || better.isSlow !== this.quality.isSlow) return false;

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { paintImagined } from "./imagined";
 import type { LineBatch } from "./line_batch";
 
-/** Counts what is drawn. */
+/** Counts the drawn lines and bodies. */
 function paper(): { out: LineBatch; lines: unknown[][]; fills: unknown[][] } {
   const lines: unknown[][] = [], fills: unknown[][] = [];
   return { lines, fills, out: { line: (...all: unknown[]) => lines.push(all), fill: (...all: unknown[]) => fills.push(all) } as unknown as LineBatch };

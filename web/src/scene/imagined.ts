@@ -8,7 +8,7 @@ import type { BelievedBody } from "./overlays";
 const WIRE: Readonly<Record<ImaginedShape["kind"], Ink>> = { "made-up": [0.86, 0.66, 1, 0.95], sensed: [0.45, 0.85, 1, 0.8], remembered: [0.78, 0.8, 0.86, 0.7] };
 const SKIN: Readonly<Record<ImaginedShape["kind"], number>> = { "made-up": 0.22, sensed: 0.08, remembered: 0.05 };
 const ANSWER: Rgb = [1, 0.88, 0.3], CROSSED: Rgb = [1, 0.32, 0.2], NOBODY: Rgb = [0.75, 0.85, 1];
-/** More names would hide what they name. */
+/** Maximum number of names: more would hide the nodes. */
 const MOST_NAMES = 40;
 const END_M = 0.12;
 
@@ -24,7 +24,7 @@ function middleOf(shape: ImaginedShape): { place: Vec3; height: number } {
   return { place: [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2, (low[2]! + high[2]!) / 2], height: high[1]! - low[1]! };
 }
 
-/** Draws what an agent imagines or remembers, and where it would be in another future; gives back bodies and names. */
+/** Draws imagined and remembered objects, and the agent's position in another future. Returns bodies and names. */
 export function paintImagined(out: LineBatch, { ghosts, shapes, answer }: Ghosts): BelievedBody[] {
   const shown: BelievedBody[] = ghosts.map((one) => ({
     name: one.name, place: one.position, color: one.agent_id === 0 ? NOBODY : agentColor({ kind: one.kind, team: one.team }), opacity: 0.8, radius: one.radius_m, height: one.height_m,

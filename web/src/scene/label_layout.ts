@@ -18,14 +18,14 @@ export class LabelLayout {
     this.taken.push(box);
   }
 
-  /** A place above (x, y), else beside, further up or below; null if there is none nearby. */
+  /** A free position above (x, y), otherwise to its side, further up or below; null if there is none nearby. */
   place(x: number, y: number, width: number, height: number): Box | null {
     const { gap } = this, above = y - height - gap;
     const row = height + 2 * gap, beside = width / 2 + 4 * gap;
     const tries: readonly (readonly [number, number])[] = [
       [x - width / 2, above], [x - width / 2 + beside, above + row / 2], [x - width / 2 - beside, above + row / 2], [x - width / 2, above - row], [x - width / 2 + 2 * beside, above - row / 2],
       [x - width / 2 - 2 * beside, above - row / 2], [x - width / 2, above - 2 * row], [x - width / 2 + 1.2 * beside, above - 1.5 * row], [x - width / 2 - 1.2 * beside, above - 1.5 * row],
-      // Under the body, where something covers all that is over it.
+      // Below the body, if everything above it is covered.
       [x - width / 2, y + BODY_PX], [x - width / 2 + beside, y + BODY_PX], [x - width / 2 - beside, y + BODY_PX],
     ];
     for (const [left, top] of tries) {

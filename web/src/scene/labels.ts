@@ -8,7 +8,7 @@ import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 import { DOING_FONT, NAME_FONT, SPEECH_FONT, textWidth } from "./text_width";
 
 const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
-/** Who looks from far away sees the names of what is so much further away than what is looked at. */
+/** Names are shown up to this multiple of the distance to the camera's target. */
 const FURTHER = 2, MOST_COVERED = 0.5;
 /** More agents than these have a name alone, but for the one that is selected. */
 const MOST_WHOLE = 24;
@@ -16,7 +16,7 @@ const MOST_WHOLE = 24;
 const COMPACT_EDGES_PX = 12, COMPACT_PX = 20;
 /** Border and padding of a name, as scene.css has them. */
 const NAME_EDGES_PX = 20;
-/** Longer speech goes on in the next line. */
+/** Longer speech is wrapped. */
 const SPEECH_PX = 210;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
@@ -51,7 +51,7 @@ export interface LabelScene {
   camera: PerspectiveCamera;
   /** What lies over the picture: no label is put under it. */
   covered: readonly Box[];
-  /** From the camera to what is looked at, in m. */
+  /** Distance from the camera to its target, in m. */
   away: number;
   /** What agents printed, as they say it. */
   printed: readonly Speech[];
@@ -77,7 +77,7 @@ export class Labels {
     return this.dots;
   }
 
-  /** Null: it is behind the camera or out of the picture. */
+  /** Null: behind the camera or outside of the picture. */
   private project(place: Vec3, { camera, width, height }: LabelScene): Point | null {
     this.at.set(...place);
     const away = this.at.distanceTo(camera.position);
@@ -106,7 +106,7 @@ export class Labels {
       let names = 0;
       for (const { one, point } of heads) {
         const isSelected = one.id === selected, doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, nameWide = textWidth(name, NAME_FONT);
-        // In a crowd a name alone is more than nothing: who is who comes before what each does.
+        // In a crowd, labels show names only: they are more important than operators.
         const isCrowd = heads.length > MOST_WHOLE && !isSelected;
         const whole = names < MOST_NAMES && !isCrowd ? layout.place(point.x, point.y, Math.max(nameWide, textWidth(doing, DOING_FONT), 44) + NAME_EDGES_PX, doing === "" ? 29 : 44) : null;
         const box = whole ?? (names < MOST_NAMES ? layout.place(point.x, point.y, nameWide + COMPACT_EDGES_PX, COMPACT_PX) : null);

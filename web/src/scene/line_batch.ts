@@ -38,7 +38,7 @@ void main() {
 export type Ink = readonly [number, number, number, number];
 export const ink = (color: Rgb, alpha = 1): Ink => [color[0], color[1], color[2], Math.min(Math.max(alpha, 0), 1)];
 
-/** Lines some pixels wide and filled triangles, collected anew for each picture. */
+/** Lines some pixels wide and filled triangles, collected again for each picture. */
 export class LineBatch {
   readonly lines: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   readonly fills: Mesh<BufferGeometry, MeshBasicMaterial>;

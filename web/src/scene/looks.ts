@@ -57,7 +57,7 @@ const LOOKS: Readonly<Record<string, Look>> = {
   "Soarbox/Hills": look([0.4, 0.47, 0.24], [0.33, 0.28, 0.22], 0.02), "Soarbox/Missing": look([1, 1, 1], DARK, 0.1, { glow: 0.35, paint: "missing" }),
 };
 
-/** The look of a material's name; squares that nobody overlooks for a name that is unknown. */
+/** The look of a material's name; conspicuous squares for an unknown name. */
 export function lookOf(material: string): Look {
   return Object.hasOwn(LOOKS, material) ? LOOKS[material]! : LOOKS["Soarbox/Missing"]!;
 }
@@ -65,7 +65,7 @@ export function lookOf(material: string): Look {
 const OTHERS: readonly Rgb[] = [[0.5, 0.3, 0.72], [0.09, 0.6, 0.62], [0.83, 0.31, 0.55], [0.62, 0.6, 0.16], [0.55, 0.37, 0.24], [0.44, 0.5, 0.58]];
 const utf8 = new TextEncoder();
 
-/** The colour that tells kinds of agents apart; kinds that are unknown get one by their name. */
+/** The colour of a kind of agent; an unknown kind gets one computed from its name. */
 export function kindColor(kind: string): Rgb {
   if (kind.includes("seek")) return [0.86, 0.22, 0.17];
   if (kind.includes("follow")) return [0.13, 0.47, 0.8];

@@ -4,7 +4,7 @@ import { lookOf, type Look, type Rgb } from "./looks";
 import type { ShapeMesh } from "./shape_library";
 import { grainTexture, paintTexture, plainTexture, sampleCoarsely } from "./paint";
 
-/** Worlds whose ground is a square plain of this size have hills, woods and a fence around it. */
+/** Worlds with a square plain of this size have hills, woods and a fence around it. */
 export const PLAIN_SIDE_M = 200;
 
 export function linear(color: Rgb): Rgb {
@@ -12,7 +12,7 @@ export function linear(color: Rgb): Rgb {
   return [made.r, made.g, made.b];
 }
 
-/** A mesh's geometry in the colours of a look: its own, and the second one where it is painted so. */
+/** A mesh's geometry in the two colours of a look: vertices with a tint get the second colour. */
 export function geometryOf(mesh: ShapeMesh, look: Look, shared?: BufferGeometry): BufferGeometry {
   const geometry = new BufferGeometry();
   const count = mesh.count, colors = new Float32Array(count * 3), gloss = new Float32Array(count);

@@ -11,7 +11,7 @@ export function latticeValue(x: number, y: number, z: number, seed: number): num
   return ((h >>> 0) >>> 8) / 16777216;
 }
 
-/** The values of noise that repeats, as it is asked for again and again. */
+/** Cached values of repeating noise. */
 const LARGEST_TABLE = 128;
 const tables = new Map<number, Float32Array>();
 function tableOf(seed: number, period: number): Float32Array {

@@ -11,7 +11,7 @@ export const OVERLAYS = [
   { word: "forces", title: "Forces" }, { word: "navigation", title: "Navigation mesh" }, { word: "influence", title: "Influence map" }, { word: "physics", title: "Physics shapes" },
 ] as const;
 export type OverlayWord = (typeof OVERLAYS)[number]["word"];
-/** What costs the run something to tell: it is asked for while it is on, and no recording holds it. */
+/** Overlays that cost the run time: they are requested while they are on, and recordings do not have them. */
 export const COSTLY: ReadonlySet<OverlayWord> = new Set(["forces", "navigation", "influence", "physics"]);
 
 const TRAIL_STEP_M = 0.3, MOST_TRAIL_POINTS = 160, JUMP_M = 3;
@@ -20,7 +20,7 @@ const SIGHT: Rgb = [1, 0.93, 0.55], HEARING: Rgb = [0.55, 0.85, 1], TRACER: Rgb 
 const VELOCITY: Rgb = [0.35, 0.9, 1], FORCE: Rgb = [1, 0.45, 0.85];
 const UNKNOWN: Rgb = [0.6, 0.62, 0.66];
 
-/** An agent as it is drawn now: between two moments. */
+/** An agent as it is drawn now, interpolated between two moments. */
 export interface Placed { id: number; agent: Agent; place: Vec3; forward: Vec3 }
 
 export const feetOf = (placed: Placed): Vec3 => [placed.place[0], placed.place[1] - placed.agent.height / 2, placed.place[2]];
@@ -107,7 +107,7 @@ export class Trails {
     return this.courses.get(id) ?? [];
   }
 
-  /** In m/s, between the last two moments that were told. */
+  /** Velocity in m/s, from the last two received moments. */
   velocityOf(id: number): Vec3 {
     return this.moves.get(id)?.velocity ?? [0, 0, 0];
   }
@@ -163,7 +163,7 @@ function paintGoals(pen: Pen, placed: Placed, mind: Mind, others: ReadonlyMap<nu
   pen.line(plus(goal, [0.5, 1.4, 0]), lifted(goal, 1.2), ink(color));
 }
 
-/** The others as one agent believes them to be, with a thread to where they are. */
+/** The believed positions of other agents, with a thread to their real positions. */
 export interface BelievedBody { name: string; place: Vec3; color: Rgb; opacity: number; radius: number; height: number }
 
 function paintBelief(pen: Pen, self: Placed, mind: Mind, others: ReadonlyMap<number, Placed>): BelievedBody[] {
@@ -223,7 +223,7 @@ export interface OverlayScene {
   trails: Trails;
 }
 
-/** Draws what is on, and what scripts draw; gives back the bodies that are believed to be somewhere. */
+/** Draws the active overlays and the lines of scripts. Returns the bodies at believed positions. */
 export function paintOverlays(out: LineBatch, { scene, time, placed, selected, on: shown, trails }: OverlayScene): BelievedBody[] {
   const pen = new Pen(out);
   let ghosts: BelievedBody[] = [];

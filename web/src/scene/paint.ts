@@ -146,7 +146,7 @@ export function grainTexture(): DataTexture {
   return once("grain", () => painted(256, grey(0.5), (u, v) => [fractal2(u * 8, v * 8, 5, 11, 8), fractal2(u * 8, v * 8, 5, 23, 8), fractal2(u * 8, v * 8, 5, 37, 8)], true));
 }
 
-/** The plain of a world as one picture, where the processor draws: grass, soil, tracks and the lines every ten metres. */
+/** The plain of a world as one picture, if the processor draws: grass, soil, tracks, and lines every ten metres. */
 export function plainTexture(base: Rgb, grass: Rgb | null, sideM: number): DataTexture {
   return once(`plain${base.join()}${grass?.join() ?? ""}${sideM}`, () => {
     const size = 1024, grain = grainTexture();

@@ -15,7 +15,7 @@ export function whenPainted(call: () => void): void {
   painted = call;
 }
 
-/** Paints for a moment, then lets others do their work. */
+/** Paints for a short time, then yields to other tasks. */
 function work(): void {
   for (const end = performance.now() + SLICE_MS; performance.now() < end;) {
     if (waiting.length === 0) {
@@ -55,7 +55,7 @@ export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, 
   return texture;
 }
 
-/** Of another size: the card makes room anew. */
+/** The size changed: the texture is allocated again. */
 function replace(texture: DataTexture, gone: () => void, data: Uint8Array<ArrayBuffer>, width: number, height: number): void {
   texture.removeEventListener("dispose", gone);
   (texture as Texture).dispose();

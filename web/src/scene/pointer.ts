@@ -13,7 +13,7 @@ export function listenToPointer(canvas: HTMLElement, view: SceneView, select: (n
     try {
       canvas.setPointerCapture(event.pointerId);
     } catch {
-      // A finger that has gone by now cannot be held; what it did counts all the same.
+      // A finger that was already lifted cannot be captured; its movements still count.
     }
     if (pointers.size === 0) travelled = 0;
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });

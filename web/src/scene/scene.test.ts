@@ -11,7 +11,7 @@ const box = (more: Partial<Drawable> = {}): Drawable => ({
   owner: 1, ofAgent: false, visible: true, skeletonShown: false, shape: Shape.Box, mesh: "", material: "", size: [1, 2, 3], repeats: [1, 1, 1], scale: [1, 1, 1], place: [0, 0, 0], turn: [0, 0, 0, 1], bones: [], ...more,
 });
 
-/** A triangle as the run tells it; with a skin, the corners hang on bones 0, 1 and 2. */
+/** A triangle as sent by the run; with a skin, its vertices belong to bones 0, 1 and 2. */
 function triangle(hasSkin: boolean, indices: readonly number[] = [0, 1, 2]): ArrayBuffer {
   const bytes: number[] = [], little = (value: number, count: number): void => {
     for (let i = 0; i < count; ++i) bytes.push((value >> (8 * i)) & 255);

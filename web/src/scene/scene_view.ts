@@ -32,10 +32,10 @@ const MOST_POINT_LIGHTS = 4;
 const MOST_PRINTED = 16;
 /** A body that goes further between two moments was put there. */
 const JUMP_M = 3;
-/** In a world that runs faster than this, velocities say little about where agents will be: where they were counts. */
+/** In a world that runs faster than this, past positions predict future ones better than velocities. */
 const FAST_PACE = 4;
 const NOBODY_MOVES: Vec3 = [0, 0, 0];
-/** How often it is looked at what stands around the agents, in seconds of the world. */
+/** Interval between searches for scenery around the agents, in simulated seconds. */
 const SCENERY_EVERY_S = 1;
 const BACKDROP = ["backdrop/hills", "backdrop/trees", "backdrop/fence"] as const;
 
@@ -85,13 +85,13 @@ export class SceneView {
   private isFramed = false;
   private readonly recentGround = new RecentGround();
   private around: { scene: number; time: number; scenery: readonly FramedBody[]; board: readonly FramedBody[]; hasWalls: boolean } | null = null;
-  /** Of the last second; for those who measure. */
+  /** Values of the last second, for measurements. */
   framesPerSecond = 0;
   private frames = 0;
   private pictures = 0;
   private framesSince = 0;
 
-  /** `isFull`: all is drawn in full detail, however long that takes. */
+  /** `isFull`: everything is drawn in full detail, however long it takes. */
   constructor(private readonly place: HTMLElement, private readonly canvas: HTMLCanvasElement, labelLayer: HTMLElement, scriptLayer: HTMLElement, private readonly events: SceneEvents, private isFull: boolean) {
     const context = contextOf(canvas);
     this.isProcessor = isDrawnByProcessor(context);
@@ -251,7 +251,7 @@ export class SceneView {
     this.showBackdrop(after);
   }
 
-  /** At the beginning the camera shows everybody, or what a script wants; then it keeps them in the picture, until the user moves it. */
+  /** At first the camera shows all agents, or the script's view. Then it keeps them in the picture until the user moves it. */
   private keepInView({ before, after }: Between, seconds: number): void {
     if (!this.isFramed) {
       if (after.agents.size === 0) return;
@@ -264,7 +264,7 @@ export class SceneView {
     if (this.rig.keeps) this.rig.keep(this.toShow(before, after, seconds), seconds);
   }
 
-  /** The living agents with where they go, and what is around them; nobody lives: all. */
+  /** The living agents with their destinations and surroundings; if none is alive, all agents. */
   private toShow(before: Scene, after: Scene, seconds: number): Shown {
     const isFast = this.playout.pace > FAST_PACE, pace = this.isPaused || isFast ? 0 : this.playout.pace, bodies: FramedBody[] = [], all: FramedBody[] = [], span = after.time - before.time;
     for (const [id, agent] of after.agents) {
@@ -288,7 +288,7 @@ export class SceneView {
     return { bodies: board.length > 0 ? board : shown, places, scenery, isBoard: board.length > 0, hasWalls: this.around.hasWalls };
   }
 
-  /** Boxes of text that scripts put on the screen: everybody is kept in what they leave free. */
+  /** Boxes of text that scripts show: agents are kept in the free area. */
   private drawBoxes(scene: Scene): readonly Box[] {
     const { clientWidth: width, clientHeight: height } = this.canvas, boxes = this.scriptUi.draw(scene.components, scene.surroundings?.palette ?? [], this.rig.camera, width, height);
     this.rig.free = freeOf(boxes, width, height);
@@ -481,7 +481,7 @@ export class SceneView {
   }
 }
 
-/** With smooth edges only where a graphics card draws: a browser gives none that asks for that where it knows that the processor would. */
+/** Antialiasing only with a graphics card. A context that fails on software rendering tells whether there is one. */
 function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const wanted: WebGLContextAttributes = { alpha: false, depth: true, stencil: false, powerPreference: "high-performance" };
   const context = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true }) ?? canvas.getContext("webgl2", { ...wanted, antialias: false });

@@ -8,7 +8,7 @@ import { cssColor } from "./looks";
 const FONT_OF: Readonly<Record<string, Font>> = { "9": Font.Small, "91": Font.SmallMono, "14": Font.Medium, "141": Font.MediumMono, "24": Font.Large, "241": Font.LargeMono };
 const CLASS_OF: readonly string[] = ["small", "small.mono", "medium", "medium.mono", "large", "large.mono"];
 const METRES_PER_PX = 0.005;
-/** A box takes at most this share of the picture's width, unless its text would become too small to read. */
+/** Maximum width of a box, as a part of the picture's width, unless its text would become too small to read. */
 const LEAST_FITTING = 0.6, READABLE = 0.75, MOST_SHARE = 0.5, EDGE_PX = 6;
 
 export interface TextRun { text: string; color: number; font: Font; mono: boolean }
@@ -99,7 +99,7 @@ export class ScriptUi {
         scale = ((METRES_PER_PX * height) / (2 * Math.tan((camera.fov * Math.PI) / 360) * -away)).toFixed(3);
       }
       if (world === null) {
-        // What is made for a whole screen is drawn smaller where it has no room.
+        // Boxes made for an entire screen are scaled down if there is no room.
         const wide = Math.max(one.width, 1), fitting = Math.min(1, Math.max(LEAST_FITTING, Math.min((width - x - EDGE_PX) / wide, Math.max(READABLE, (MOST_SHARE * width) / wide))));
         if (fitting < 1) scale = fitting.toFixed(3);
         covered.push({ left: x, top: y, width: one.width * fitting, height: one.height * fitting });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
 
-/** Triangles as the run tells them (docs/dev/stream.md): the window's own. Counter-clockwise seen from outside. */
+/** Triangles as sent by the run (docs/dev/stream.md): the window's own. Counter-clockwise seen from outside. */
 export interface ShapeMesh {
   readonly count: number;
   readonly positions: Float32Array<ArrayBuffer>;
@@ -10,7 +10,7 @@ export interface ShapeMesh {
   /** Of each vertex: 1 the material's colour, 0 its second one; what multiplies the colour; gloss. */
   readonly paint: Float32Array<ArrayBuffer>;
   readonly indices: Uint32Array<ArrayBuffer>;
-  /** Used where the drawable names none. */
+  /** Used if the drawable has none. */
   readonly material: string;
   /** Which four bones move each vertex, and how much; null: none do. */
   readonly skin: { readonly bones: Uint16Array<ArrayBuffer>; readonly shares: Float32Array<ArrayBuffer> } | null;
@@ -21,14 +21,14 @@ export type BodyLook = "body/soldier" | "body/dark" | "body/rifle";
 
 /** The contents "shapes:KEY". */
 export interface ShapeContent {
-  /** A mesh with a skeleton: the key of what it looks like. */
+  /** For a mesh with a skeleton: the key of its body. */
   body?: BodyLook;
   material?: string;
   /** In base 64, deflated. */
   fine?: string;
   /** With fewer faces; missing: the same. */
   coarse?: string;
-  /** Of a body: what is a few pixels high. */
+  /** For a body: the triangles for a height of a few pixels. */
   tiny?: string;
   is_figure?: boolean;
   bones?: readonly { parent: number; bind: readonly number[]; in_model: readonly number[] }[];
@@ -98,7 +98,7 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   return { count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
 }
 
-/** The triangles that a test of their longest and shortest edge, in m, lets through. */
+/** The triangles that pass a test of their longest and shortest edge, in m. */
 function trianglesOf(indices: Uint32Array<ArrayBuffer>, positions: Float32Array, test: (longest: number, shortest: number) => boolean): Uint32Array<ArrayBuffer> {
   const edge = (a: number, b: number): number => Math.hypot(positions[3 * a]! - positions[3 * b]!, positions[3 * a + 1]! - positions[3 * b + 1]!, positions[3 * a + 2]! - positions[3 * b + 2]!);
   let kept = 0;
@@ -144,7 +144,7 @@ export function looksLikeABody(d: Drawable, agent: Agent | undefined): boolean {
   return d.ofAgent && agent !== undefined && d.shape === Shape.Capsule && d.size[1] > Math.fround(0.6) * agent.height;
 }
 
-/** The shapes that the run has told so far. */
+/** The shapes that the run has sent so far. */
 export class ShapeLibrary {
   private readonly known = new Map<string, Known>();
 
@@ -170,7 +170,7 @@ export class ShapeLibrary {
     this.known.clear();
   }
 
-  /** Null: it was not told yet. */
+  /** Null: not received yet. */
   mesh(key: string, level: Level): ShapeMesh | null {
     return this.known.get(key)?.levels[level] ?? null;
   }

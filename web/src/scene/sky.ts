@@ -51,7 +51,7 @@ function paintRow(style: SkyStyle, row: number, rows: number, columns: number, i
   }
 }
 
-/** Clear at first; clouds and stars take their time. */
+/** Clear at first; clouds and stars are painted later. */
 function picture(style: SkyStyle): DataTexture {
   const clear = new Uint8Array(4 * FEW_ROWS), air: SkyStyle = { ...style, cover: 0, stars: 0 };
   for (let row = 0; row < FEW_ROWS; ++row) paintRow(air, row, FEW_ROWS, 1, clear.subarray(4 * row, 4 * row + 4));
@@ -71,7 +71,7 @@ export class Sky {
 
   constructor() {
     this.mesh = new Mesh(new SphereGeometry(1, 32, 16), new MeshBasicMaterial({ side: BackSide, fog: false, depthWrite: false, toneMapped: false }));
-    // After all that is solid, so that only what is seen of it is drawn.
+    // Drawn after all solid objects, so that hidden pixels cost nothing.
     this.mesh.renderOrder = 2;
     this.mesh.frustumCulled = false;
     this.mesh.scale.setScalar(900);

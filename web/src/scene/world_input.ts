@@ -4,7 +4,7 @@ import { isTyping } from "../app/keys";
 /** What scripts of a world hear of: an `input` request without its name (docs/serve.md). */
 export type WorldEvent = { readonly kind: "key" | "button" | "pointer" | "wheel" } & Readonly<Record<string, string | number | boolean>>;
 
-/** So often at most scripts hear where the pointer is. */
+/** Minimum interval between two pointer events for scripts. */
 const POINTER_EVERY_MS = 80;
 const NOTCH_PX = 100;
 
@@ -59,12 +59,12 @@ export class WorldInput {
     if (event.repeat || (pressed ? !this.isMeant(event) : !this.held.has(name))) return;
     if (pressed) this.held.add(name);
     else this.held.delete(name);
-    // A browser has meanings of its own for these; whoever looks at the picture means the world.
+    // The browser also uses these keys; while the picture has the focus, they go to the world.
     if (pressed && /^F\d$/.test(event.code) && event.target === this.canvas && !event.ctrlKey && !event.altKey) event.preventDefault();
     this.tell({ kind: "key", name, pressed });
   }
 
-  /** Keys that are let go of elsewhere would stay pressed. */
+  /** Releases all keys, because a key that is released elsewhere would stay pressed. */
   private release(): void {
     for (const name of this.held) this.tell({ kind: "key", name, pressed: false });
     this.held.clear();
