@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Given: the harbour. It is bright for 10 s, then dark for 10 s, and so on. What the mind perceives of it, and how its commands
+-- Given: the harbour. It is bright for 10 s, then dark for 10 s, and so on. Its percepts, and the way in which its commands
 -- get here, is in lighthouse.lua.
 require "SoarWorld";
 
@@ -49,7 +49,7 @@ function Sandbox_Initialize(sandbox)
     Core.SetVisible(beam, false);
 end
 
--- A point for each second in which the lamp is as it should be: lit at night, out by day.
+-- A point for each second in which the lamp is right: lit at night, out by day.
 function Sandbox_Update(sandbox, milliseconds)
     UpdateWorld(sandbox, milliseconds);
     ticks = ticks + 1;
