@@ -16,7 +16,7 @@ _soarbox() {
       *) COMPREPLY+=("${line%%$'\t'*}") ;;
     esac
   done < <("$program" complete "${words[@]:1:cword}" 2>/dev/null)
-  # Of a word with = or : in it, bash replaces only what stands behind the last of them.
+  # If a word contains = or :, bash replaces only the part after the last of them.
   cut=${cur%"${cur##*[=:]}"}
   [ -z "$cut" ] || COMPREPLY=("${COMPREPLY[@]#"$cut"}")
   cur=${cur#"$behind"}

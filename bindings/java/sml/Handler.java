@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 package sml;
 
-/** What the library calls when something happens. An exception goes no further: it is printed, and the run goes on. */
+/** A handler that the library calls. Exceptions are printed and not passed on; the run continues. */
 final class Handler {
   /** What the library says. */
   static final class Told {
@@ -38,7 +38,7 @@ final class Handler {
       return Handles.element(other);
     }
 
-    /** Lives until the handler returns: traces are large, and come often. */
+    /** Valid until the handler returns, because traces are large and frequent. */
     ClientXML xml() {
       xml = new ClientXML(other, true);
       return xml;
@@ -56,13 +56,13 @@ final class Handler {
 
   private final String what;
   private final Task task;
-  /** For whom it is called: the same each time. */
+  /** The kernel or agent that it is called for: always the same. */
   private Agent agent;
   private Kernel kernel;
 
   /**
-   * @param what What it handles, for messages.
-   * @param handler What the program registers: not null.
+   * @param what The name of the event, for messages.
+   * @param handler The program's handler; not null.
    */
   Handler(String what, Object handler, Task task) {
     if (handler == null) throw new NullPointerException("the handler of " + what + " is null");
@@ -99,7 +99,7 @@ final class Handler {
     }
   }
 
-  /** Called by the library instead of run where handlers have called handlers too often. */
+  /** Called by the library instead of run if handlers are nested too deeply. */
   static void tooDeep(Handler handler, int depth) {
     handler.report(new IllegalStateException(
         "not called: " + depth + " handlers have called the library, and so each other, already"));

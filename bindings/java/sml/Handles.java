@@ -3,23 +3,23 @@ package sml;
 
 import java.lang.ref.Cleaner;
 
-/** The numbers by which the library knows what objects of this package stand for. */
+/** The numbers that identify the library's objects. Objects of this package contain them instead of pointers. */
 final class Handles {
   private static final Cleaner CLEANER = Cleaner.create();
 
   private Handles() {}
 
-  /** Lets the number go when nobody can reach the object any more. */
+  /** Releases the number when the object is no longer reachable. */
   static void watch(Object object, long handle) {
     CLEANER.register(object, new Releaser(handle));
   }
 
-  /** Lets the number go; it may have been let go already. */
+  /** Releases the number. May be called more than once. */
   static void release(long handle) {
     smlJNI.release(handle);
   }
 
-  /** An element of the class that its number says; null for 0. */
+  /** Returns an element of the class that its number specifies; null for 0. */
   static WMElement element(long handle) {
     if (handle == 0) return null;
     switch ((int) (handle & 7)) {

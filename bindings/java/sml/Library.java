@@ -5,15 +5,15 @@ import java.io.File;
 import java.net.URISyntaxException;
 import java.security.CodeSource;
 
-/** Finds the library, and leaves it in order when the program ends. */
+/** Loads the library, and shuts it down when the program ends. */
 final class Library {
   private static final String NAME = "Java_sml_ClientInterface";
-  /** How long kernels may take to shut down when the program ends, in milliseconds. */
+  /** Maximum time for the shutdown of kernels at the end of the program, in milliseconds. */
   private static final long PATIENCE = 2000;
 
   private Library() {}
 
-  /** Loads the library: from java.library.path, beside sml.jar, or a folder above it. */
+  /** Loads the library: from java.library.path, the folder of sml.jar, or a folder above it. */
   static void load() {
     find();
     Runtime.getRuntime().addShutdownHook(new Thread(Library::end, "sml: shutdown"));
@@ -49,7 +49,7 @@ final class Library {
     }
   }
 
-  /** A handler may be what ends the program, so that its kernel never shuts down: that one is left behind. */
+  /** If a handler ends the program, its kernel cannot shut down and is abandoned. */
   private static void end() {
     Thread ending = new Thread(smlJNI::endKernels, "sml: kernels shut down");
     ending.setDaemon(true);
