@@ -39,7 +39,7 @@ class Engine:
             arguments += ["--seed", str(seed)]
         # The engine reads its requests from descriptor 3. Its recordings are removed together with the world.
         environment = dict(os.environ, XDG_STATE_HOME=self._folder)
-        self._process = subprocess.Popen(["sh", "-c", 'exec "$@" 3<&0 </dev/null', "sh", *arguments], stdin=theirs,
+        self._process = subprocess.Popen(["sh", "-c", 'exec "$@" 3<&0 </dev/null', "sh", *arguments], stdin=theirs.fileno(),
                                          stdout=subprocess.DEVNULL, stderr=self._errors, env=environment)
         theirs.close()
         # The engine reads this request before its first tick, so no tick is missed.
@@ -64,7 +64,7 @@ class Engine:
         """
         mark = f"mark-{next(self._marks)}"
         self.ask({"request": "flow", "what": "mark", "id": mark}, {"request": "live"})
-        refused = []
+        refused: List[str] = []
         seen = False
         while True:
             kind, content = self._frame()

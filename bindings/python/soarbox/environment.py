@@ -66,6 +66,8 @@ class Environment:
         self._scenario, self._name, self._ticks, self._most_steps = scenario, agent, ticks, most_steps
         self._next_seed = seed
         self._world: Optional[World] = None
+        self._is_fresh = False
+        self._is_over = False
         self._begin()
 
     @property
@@ -151,7 +153,8 @@ class Environment:
         self._world = world = World(self._scenario, self._next_seed)
         self._next_seed = world.seed + 1
         self._steps = 0
-        self._is_fresh, self._is_over = True, False
+        self._is_fresh = True
+        self._is_over = False
         self._order: Order = None
         self._known: Dict[str, Any] = {}
         self._vetted: Set[str] = set()
@@ -249,8 +252,8 @@ def _constant(value: Any) -> str:
 
 def _actions(actions: Any) -> Tuple[Space, Callable[[Any], Order]]:
     if isinstance(actions, tuple) and len(actions) == 2 and hasattr(actions[0], "sample") and callable(actions[1]):
-        return actions
-    orders = list(actions)
+        return actions[0], actions[1]
+    orders: List[Order] = list(actions)
     if not orders:
         raise ValueError("there must be an action")
     for order in orders:
@@ -261,7 +264,7 @@ def _actions(actions: Any) -> Tuple[Space, Callable[[Any], Order]]:
 
 def _observations(observe: Any) -> Tuple[Space, Callable[[Agent], Any]]:
     if isinstance(observe, tuple) and len(observe) == 2 and hasattr(observe[0], "sample") and callable(observe[1]):
-        return observe
+        return observe[0], observe[1]
     paths = [observe] if isinstance(observe, str) else list(observe)
     if not paths or not all(isinstance(path, str) and path for path in paths):
         raise ValueError("observe names percepts by their paths: [\"self.health\"]")

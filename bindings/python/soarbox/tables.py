@@ -27,10 +27,14 @@ class Table(List[Dict[str, Cell]]):
     def frame(self) -> Any:
         """The table as a pandas.DataFrame. Raises ImportError if there is no pandas."""
         try:
-            import pandas
+            import pandas  # type: ignore
         except ImportError:
             raise ImportError("frame() needs pandas: install python3-pandas; the table itself needs nothing") from None
         return pandas.DataFrame(list(self))
+
+    def columns(self) -> Dict[str, List[Cell]]:
+        """All columns by name: what `polars.DataFrame` and `pyarrow.table` are made from."""
+        return {name: self.column(name) for name in self[0]} if self else {}
 
 
 def record_into(scenario: PathLike, file: PathLike, seconds: float, seed: Optional[int], level: str) -> None:
@@ -52,6 +56,21 @@ def recording(file: PathLike, start: Optional[float] = None, end: Optional[float
                 arguments += [option, str(value)]
         run_command(arguments)
         return _read(table)
+
+
+def tables(file: PathLike, start: Optional[float] = None, end: Optional[float] = None) -> Dict[str, Table]:
+    """A recording as tidy tables by name, from `start` to `end`, in simulated seconds.
+
+    "agents": a row for each agent and tick. "events": what happened, and what minds decided. "percepts": what agents perceived,
+    a row for each change. docs/recording.md describes the columns.
+    """
+    with tempfile.TemporaryDirectory(prefix="soarbox-") as folder:
+        arguments = ["export", os.fspath(file), "--tidy", "-o", folder]
+        for option, value in (("--from", start), ("--to", end)):
+            if value is not None:
+                arguments += [option, str(value)]
+        run_command(arguments)
+        return {each.stem: _read(each) for each in sorted(pathlib.Path(folder).glob("*.csv"))}
 
 
 def sweep(spec: PathLike, folder: Optional[PathLike] = None, jobs: int = 0) -> Table:

@@ -10,12 +10,14 @@ Value = Union[int, float, str, "Node"]
 
 def value_of(text: str) -> Union[int, float, str]:
     """Converts a constant of Soar to Python: an int or a float if the text is a number, otherwise the text."""
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 class Node(Mapping[str, Value]):

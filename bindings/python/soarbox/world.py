@@ -214,37 +214,37 @@ class Agent:
     def _row(self) -> Dict[str, Any]:
         for each in self._world._contents("agents")["agents"]:
             if each["name"] == self.name:
-                return each
+                return dict(each)
         raise KeyError(f"{self.name} is not in the world any more")
 
     @property
     def team(self) -> str:
         """The name of its team; may be empty."""
-        return self._row["team"]
+        return str(self._row["team"])
 
     @property
     def alive(self) -> bool:
-        return self._row["alive"]
+        return bool(self._row["alive"])
 
     @property
     def health(self) -> float:
         """Health, from 100 (unhurt) to 0."""
-        return self._row["health"]
+        return float(self._row["health"])
 
     @property
     def has_mind(self) -> bool:
         """Whether it has a Soar mind."""
-        return self._row["mind"]
+        return bool(self._row["mind"])
 
     @property
     def decisions(self) -> int:
         """The number of its decisions so far."""
-        return self._row["decisions"]
+        return int(self._row["decisions"])
 
     @property
     def operator(self) -> str:
         """The operator that it selected last, such as "go (O3)"; empty if there is none yet."""
-        return self._row["operator"] or self._row["last_operator"]
+        return str(self._row["operator"] or self._row["last_operator"] or "")
 
     @property
     def percepts(self) -> Node:
@@ -275,7 +275,7 @@ class Agent:
         if not self.has_mind:
             raise WorldError(f"{self.name} has no Soar mind: a script decides for it")
         self._world._select(self.name)
-        return self._world._contents("links")["io"]
+        return dict(self._world._contents("links")["io"])
 
     def __repr__(self) -> str:
         return f"<soarbox.Agent {self.name}>"
