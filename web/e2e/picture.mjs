@@ -109,6 +109,9 @@ test("what an agent prints is over its head, and in the panel Output from the fi
   await openLesson(page, 1);
   await show(page, "Output");
   await page.locator(".lines.output li", { hasText: "Somebody is there" }).last().waitFor();
+  // New lines come at the top: the first one keeps its place once the world stands still.
+  await page.locator("button[aria-label=Pause]").first().click();
+  await page.waitForSelector("button[aria-label=Run]");
   const first = page.locator(".lines.output li").last().locator(".time");
   const [minutes, seconds] = (await first.innerText()).split(":");
   assert.ok(60 * Number(minutes) + Number(seconds) < 2, "the first one is there, though the panel was opened later");
@@ -145,20 +148,27 @@ test("a word of a rule under the mouse is explained", async () => {
   await openLesson(page, 1);
   const word = page.locator(".cm-line", { hasText: "sp {porter" }).first().locator("span", { hasText: "porter" }).first();
   const tooltip = page.locator(".about-word");
-  const box = await word.boundingBox();
-  await page.mouse.move(box.x + box.width / 2 - 3, box.y + box.height / 2);
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await tooltip.waitFor();
+  await until(async () => {
+    const box = await word.boundingBox();
+    await page.mouse.move(box.x + box.width / 2 - 3, box.y + box.height / 2);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.waitForTimeout(800);
+    return (await tooltip.count()) > 0;
+  }, "the name of a rule is explained");
   assert.match(await tooltip.innerText(), /rule porter\*/);
   // A beginner's words, in plain words.
   for (const [text, told] of [["state", /first condition looks at a state/], ["-->", /between conditions and actions/], ["^superstate", /top state/]]) {
     // One explanation may lie over the next word.
     await page.mouse.move(640, 770);
     await until(async () => (await tooltip.count()) === 0, "the explanation goes with the mouse");
-    const at = await page.locator(".cm-line span", { hasText: text }).first().boundingBox();
-    await page.mouse.move(at.x + at.width / 2 - 3, at.y + at.height / 2);
-    await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
-    await until(async () => told.test(await tooltip.allInnerTexts().then((all) => all.join(" "))), `${text} is explained`);
+    await until(async () => {
+      // The text may have moved meanwhile.
+      const at = await page.locator(".cm-line span", { hasText: text }).first().boundingBox();
+      await page.mouse.move(at.x + at.width / 2 - 3, at.y + at.height / 2);
+      await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
+      await page.waitForTimeout(800);
+      return told.test(await tooltip.allInnerTexts().then((all) => all.join(" ")));
+    }, `${text} is explained`);
   }
   await picture(page, "hover");
   assert.deepEqual(troubles, []);
