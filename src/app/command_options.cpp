@@ -161,8 +161,9 @@ void AddInspect(CLI::App& program, InspectOptions& options) {
   inspect->add_option("--from", options.from_s, "Where views over ticks begin, in simulated seconds")
       ->capture_default_str()
       ->check(NumberIn(0.0, 36000.0));
-  inspect->add_option("--until", options.until,
-                      "Stop sooner: fire RULE, match RULE, element PATTERN, impasse KIND or command NAME");
+  inspect->add_option(
+      "--until", options.until,
+      "Stop sooner: fire RULE, operator NAME, number \"^ATTRIBUTE < NUMBER\", command NAME, ... (see docs/inspect.md)");
   inspect->add_option("--kernel", options.kernel,
                       "As for `soarbox run`; facts that only Soarbox's own kernel reports are missing");
   inspect->add_flag("--json", options.json, "Print it as JSON");

@@ -56,8 +56,10 @@ Result<void> SetUntil(const std::string& until, const std::string& agent, debugg
   const auto [kind, what] = SplitView(until);
   const std::optional<debugger::BreakKind> known = debugger::BreakKindNamed(kind);
   if (!known) {
-    return NewProblem("a run cannot be stopped at '" + until + "'",
-                      "say fire RULE, match RULE, element \"^ATTRIBUTE VALUE\", impasse KIND or command NAME");
+    return NewProblem(
+        "a run cannot be stopped at '" + until + "'",
+        "say fire RULE, match RULE, element \"^ATTRIBUTE VALUE\", removed \"^ATTRIBUTE VALUE\", number \"^ATTRIBUTE < "
+        "NUMBER\", operator NAME, impasse KIND, command NAME, failed NAME, death or time SECONDS");
   }
   const Result<int> set = breakpoints.Set(*known, agent, what);
   return set ? Result<void>() : set.error();
@@ -101,7 +103,7 @@ Result<void> RunScenario(const InspectOptions& options, const sim::DataFolders& 
   while (run.simulation->tick() < last) {
     run.simulation->Tick();
     take();
-    const std::vector<debugger::BreakHit> hits = breakpoints.Check(*run.simulation);
+    const std::vector<debugger::BreakHit> hits = breakpoints.Check(*run.simulation, run.last.events);
     for (const debugger::BreakHit& hit : hits) std::cerr << "tick " << hit.tick << ": " << hit.why << '\n';
     if (!hits.empty()) return {};
   }

@@ -2,63 +2,144 @@
 #include "debugger/breakpoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
+#include <utility>
 #include <variant>
 
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
+#include "diagnostics/number_from_chars.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/wildcard.h"
 #include "tell/mind_words.h"
+#include "world/world.h"
 
 namespace soarbox::debugger {
 namespace {
 
-constexpr std::string_view kKinds[] = {"fire", "match", "element", "impasse", "command"};
+constexpr std::string_view kRelations[] = {"<", "<=", ">", ">=", "=", "<>"};
+
+/// "ID ^attribute < 20" in its parts.
+struct NumberTest {
+  std::string id = "*", attribute, relation;
+  double limit = 0;
+};
+
+std::optional<double> NumberOf(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = NumberFromChars(text, number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+std::optional<NumberTest> ReadNumberTest(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  NumberTest test;
+  std::string word, limit, more;
+  if (!(words >> word)) return std::nullopt;
+  if (!word.starts_with('^')) {
+    test.id = word;
+    if (!(words >> word)) return std::nullopt;
+  }
+  if (!word.starts_with('^') || word.size() == 1 || !(words >> test.relation >> limit) || words >> more)
+    return std::nullopt;
+  const std::optional<double> number = NumberOf(limit);
+  if (!number || std::ranges::find(kRelations, test.relation) == std::end(kRelations)) return std::nullopt;
+  test.attribute = word.substr(1);
+  test.limit = *number;
+  return test;
+}
+
+bool Holds(const NumberTest& test, double number) {
+  if (test.relation == "<") return number < test.limit;
+  if (test.relation == "<=") return number <= test.limit;
+  if (test.relation == ">") return number > test.limit;
+  if (test.relation == ">=") return number >= test.limit;
+  return (number == test.limit) == (test.relation == "=");
+}
 
 /// A rule's name holds * itself: one that is meant literally is found first.
 bool IsRule(std::string_view name, std::string_view pattern) {
   return name == pattern || IsLikePattern(name, pattern);
 }
 
-std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& event) {
-  if (const auto* fired = std::get_if<mind::RuleFired>(&event); point.kind == BreakKind::kFire && fired != nullptr) {
-    if (!fired->retracts && IsRule(fired->rule, point.what)) return "rule " + std::string(fired->rule) + " fired";
-  }
-  if (const auto* element = std::get_if<mind::ElementChanged>(&event);
-      point.kind == BreakKind::kElement && element != nullptr && element->added) {
-    const explain::ElementFact fact = FactOf(*element);
-    if (IsLike(fact, point.what)) return Describe(fact) + " came";
-  }
-  if (const auto* made = std::get_if<mind::StateMade>(&event);
-      point.kind == BreakKind::kImpasse && made != nullptr && made->level > 1) {
-    const std::string impasse = tell::ImpasseText(made->reason, made->on_operator);
-    if (impasse.find(point.what) != std::string::npos) return "impasse: " + tell::DecisionLine(event);
-  }
-  if (const auto* said = std::get_if<mind::CommandSaid>(&event); point.kind == BreakKind::kCommand && said != nullptr) {
-    if (point.what.empty() || IsLikePattern(said->name, point.what)) return "command " + tell::CommandText(*said);
-  }
-  return std::nullopt;
+/// A kind with a name that may be left out, and hold *.
+bool IsNamed(const Breakpoint& point, std::string_view name) {
+  return point.what.empty() || IsLikePattern(name, point.what);
 }
 
-std::optional<std::string> CauseIn(const Breakpoint& point, const mind::EventLog& events) {
-  mind::Event event;
-  for (std::size_t at = 0; events.Next(at, event);)
-    if (std::optional<std::string> cause = CauseIn(point, event)) return cause;
+std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& event) {
+  using Cause = std::optional<std::string>;
+  switch (point.kind) {
+    case BreakKind::kFire: {
+      const auto* fired = std::get_if<mind::RuleFired>(&event);
+      if (fired == nullptr || fired->retracts || !IsRule(fired->rule, point.what)) return std::nullopt;
+      return "rule " + std::string(fired->rule) + " fired";
+    }
+    case BreakKind::kElement:
+    case BreakKind::kRemoved: {
+      const auto* element = std::get_if<mind::ElementChanged>(&event);
+      if (element == nullptr || element->added != (point.kind == BreakKind::kElement)) return std::nullopt;
+      const explain::ElementFact fact = FactOf(*element);
+      return IsLike(fact, point.what) ? Cause(Describe(fact) + (element->added ? " came" : " went")) : std::nullopt;
+    }
+    case BreakKind::kOperator: {
+      const auto* selected = std::get_if<mind::OperatorSelected>(&event);
+      if (selected == nullptr || !IsNamed(point, selected->name)) return std::nullopt;
+      return "operator " + std::string(selected->name) + " (" + std::string(selected->id) + ") was selected";
+    }
+    case BreakKind::kImpasse: {
+      const auto* made = std::get_if<mind::StateMade>(&event);
+      if (made == nullptr || made->level <= 1) return std::nullopt;
+      const std::string impasse = tell::ImpasseText(made->reason, made->on_operator);
+      if (impasse.find(point.what) == std::string::npos) return std::nullopt;
+      return "impasse: " + tell::DecisionLine(event);
+    }
+    case BreakKind::kCommand: {
+      const auto* said = std::get_if<mind::CommandSaid>(&event);
+      return said != nullptr && IsNamed(point, said->name) ? Cause("command " + tell::CommandText(*said))
+                                                           : std::nullopt;
+    }
+    case BreakKind::kFailed: {
+      const auto* ended = std::get_if<mind::CommandEnded>(&event);
+      if (ended == nullptr || ended->status != mind::CommandStatus::kError || !IsNamed(point, ended->name))
+        return std::nullopt;
+      return "command " + std::string(ended->name) + " failed" +
+             (ended->fault.empty() ? std::string() : ": " + std::string(ended->fault));
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Of what happened in the world, not in a mind.
+std::optional<std::string> CauseIn(const Breakpoint& point, const sim::RunEvent& event) {
+  if (point.kind == BreakKind::kDeath && event.kind == sim::EventKind::kNews && event.news == "dies") {
+    if (!point.agent.empty() && point.agent != event.agent) return std::nullopt;
+    return "it dies" + (event.text.empty() ? std::string() : ", " + event.text);
+  }
+  // A check that is news and still open says that it begins.
+  if (point.kind == BreakKind::kCheck && event.news == "check" && event.parameters != "open" &&
+      IsNamed(point, event.text))
+    return "check '" + event.text + "': " + event.parameters;
   return std::nullopt;
 }
 
 }  // namespace
 
-std::string_view NameOf(BreakKind kind) {
-  return kKinds[static_cast<std::size_t>(kind)];
-}
-
 std::optional<BreakKind> BreakKindNamed(std::string_view name) {
-  const auto at = std::ranges::find(kKinds, name);
-  if (at == std::end(kKinds)) return std::nullopt;
-  return static_cast<BreakKind>(at - std::begin(kKinds));
+  const auto at = std::ranges::find(kBreakKinds, name, &BreakKindWords::name);
+  if (at == std::end(kBreakKinds)) return std::nullopt;
+  return static_cast<BreakKind>(at - std::begin(kBreakKinds));
 }
 
 bool IsLike(const explain::ElementFact& element, std::string_view pattern) {
@@ -87,13 +168,18 @@ Result<int> Breakpoints::Set(BreakKind kind, std::string agent, std::string what
   const bool is_blank = what.find_first_not_of(" \t") == std::string::npos;
   if (is_blank && (kind == BreakKind::kFire || kind == BreakKind::kMatch))
     return NewProblem("a breakpoint on a rule needs the rule's name", "for example: fire propose*move");
-  if (kind == BreakKind::kElement && what.find('^') == std::string::npos)
+  if ((kind == BreakKind::kElement || kind == BreakKind::kRemoved) && what.find('^') == std::string::npos)
     return NewProblem("a breakpoint on an element needs an attribute", "for example: ^enemy *, or S1 ^operator O1 +");
+  if (kind == BreakKind::kNumber && !ReadNumberTest(what))
+    return NewProblem("a breakpoint on a number needs an attribute, a comparison and a number",
+                      "for example: ^health < 20, or I3 ^x >= 1.5");
+  if (const auto second = NumberOf(Trimmed(what)); kind == BreakKind::kTime && (!second || *second <= 0))
+    return NewProblem("a breakpoint on a time needs a second of the world's time", "for example: 12.5");
   Breakpoint& point = list_.emplace_back();
   point.number = ++last_number_;
   point.kind = kind;
   point.agent = std::move(agent);
-  point.what = is_blank ? std::string() : std::move(what);
+  point.what = is_blank ? std::string() : std::string(Trimmed(what));
   return point.number;
 }
 
@@ -118,26 +204,69 @@ void Breakpoints::Prepare(sim::Simulation& simulation) {
   }
 }
 
-std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation) {
+std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const std::string& agent,
+                                                    const mind::ElementChanged& element) {
+  const std::optional<NumberTest> test = ReadNumberTest(point.what);
+  if (!element.added || element.is_object || !IsLikePattern(element.attribute, test->attribute) ||
+      !IsLikePattern(element.id, test->id))
+    return std::nullopt;
+  const std::optional<double> number = NumberOf(element.value);
+  if (!number) return std::nullopt;
+  const std::string where = std::string(element.id) + " ^" + std::string(element.attribute);
+  bool& held = held_[{point.number, agent + ' ' + where}];
+  const bool holds = Holds(*test, *number);
+  if (std::exchange(held, holds) || !holds) return std::nullopt;
+  return where + " is " + std::string(element.value);
+}
+
+std::optional<std::string> Breakpoints::CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
+                                                    const sim::MindReport& report) {
+  if (point.kind == BreakKind::kMatch) {
+    const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(report.agent);
+    const std::optional<explain::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
+    const bool matches = match && !match->failing;
+    const bool did = std::exchange(held_[{point.number, report.agent}], matches);
+    return matches && !did ? std::optional("rule " + point.what + " matches") : std::nullopt;
+  }
+  std::optional<std::string> first;
+  mind::Event event;
+  for (std::size_t at = 0; report.events.Next(at, event);) {
+    const auto* element = std::get_if<mind::ElementChanged>(&event);
+    std::optional<std::string> cause;
+    if (point.kind != BreakKind::kNumber) {
+      cause = CauseIn(point, event);
+    } else if (element != nullptr) {
+      // All of a tick are looked at: the next tick is compared with the last of them.
+      cause = NumberCause(point, report.agent, *element);
+    }
+    if (cause && !first) first = std::move(cause);
+    if (first && point.kind != BreakKind::kNumber) break;
+  }
+  return first;
+}
+
+std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation, const sim::EventList& events) {
   std::vector<BreakHit> hits;
+  const auto hit = [&](Breakpoint& point, const std::string& agent, const std::string& cause) {
+    ++point.hits;
+    hits.push_back({point.number, agent, simulation.tick(),
+                    "breakpoint " + std::to_string(point.number) + ": " + (agent.empty() ? "" : agent + ": ") + cause});
+  };
+  const double step_s = simulation.world().settings().step_s, now_s = static_cast<double>(simulation.tick()) * step_s;
   for (Breakpoint& point : list_) {
     if (!point.enabled) continue;
+    if (point.kind == BreakKind::kTime) {
+      const double second = *NumberOf(point.what);
+      if (second <= now_s + step_s / 2 && second > now_s - step_s / 2) hit(point, "", "it is " + point.what + " s");
+      continue;
+    }
+    for (const sim::RunEvent& event : events)
+      if (const std::optional<std::string> cause = CauseIn(point, event)) hit(point, event.agent, *cause);
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
       const sim::MindReport report = simulation.Mind(i);
       if (!point.agent.empty() && point.agent != report.agent) continue;
-      std::optional<std::string> cause = CauseIn(point, report.events);
-      if (point.kind == BreakKind::kMatch) {
-        const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(report.agent);
-        const std::optional<explain::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
-        const bool matches = match && !match->failing;
-        bool& before = matched_[{point.number, report.agent}];
-        if (matches && !before) cause = "rule " + point.what + " matches";
-        before = matches;
-      }
-      if (!cause) continue;
-      ++point.hits;
-      hits.push_back({point.number, report.agent, simulation.tick(),
-                      "breakpoint " + std::to_string(point.number) + ": " + report.agent + ": " + *cause});
+      if (const std::optional<std::string> cause = CauseInMind(point, simulation, report))
+        hit(point, report.agent, *cause);
     }
   }
   return hits;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,13 +17,43 @@
 namespace soarbox::debugger {
 
 enum class BreakKind : std::uint8_t {
-  kFire,     ///< A rule of this name fires.
-  kMatch,    ///< A rule of this name has a whole match that it did not have the tick before.
-  kElement,  ///< An element like this comes: "S1 ^color red", "^color *", "* ^operator * +".
-  kImpasse,  ///< An impasse like this: "tie", "operator no-change"; empty: any.
-  kCommand,  ///< A command of this name is said; empty: any.
+  kFire,      ///< A rule of this name fires.
+  kMatch,     ///< A rule of this name has a whole match that it did not have the tick before.
+  kElement,   ///< An element like this comes: "S1 ^color red", "^color *", "* ^operator * +".
+  kRemoved,   ///< An element like this goes.
+  kNumber,    ///< A number comes to fulfil this: "^health < 20". It did not fulfil it before.
+  kOperator,  ///< An operator of this name is selected; empty: any.
+  kImpasse,   ///< An impasse like this: "tie", "operator no-change"; empty: any.
+  kCommand,   ///< A command of this name is said; empty: any.
+  kFailed,    ///< A command of this name ends with an error; empty: any.
+  kDeath,     ///< The agent dies. It says nothing else: what is meant is the agent.
+  kCheck,     ///< A check of the mission is decided, or another way than before; empty: any. Of no agent.
+  kTime,      ///< The world comes to this second: "12.5". Of no agent.
 };
-std::string_view NameOf(BreakKind kind);
+/// How users and programs name a kind.
+struct BreakKindWords {
+  std::string_view name;   ///< "fire".
+  std::string_view title;  ///< After "Stop the world when": "a rule fires".
+  std::string_view hint;   ///< What to write beside it.
+};
+/// In the order of BreakKind.
+inline constexpr BreakKindWords kBreakKinds[] = {
+    {"fire", "a rule fires", "the rule's name; * for anything"},
+    {"match", "a rule matches", "the rule's name; * for anything"},
+    {"element", "an element appears", "* ^attribute value"},
+    {"removed", "an element is removed", "* ^attribute value"},
+    {"number", "a number passes a limit", "^health < 20"},
+    {"operator", "an operator is selected", "the operator's name; empty: any"},
+    {"impasse", "an impasse occurs", "tie, operator no-change; empty: any"},
+    {"command", "a command is given", "the command's name; empty: any"},
+    {"failed", "a command fails", "the command's name; empty: any"},
+    {"death", "an agent dies", "nothing more"},
+    {"check", "a check is decided", "the check's name; empty: any"},
+    {"time", "the world comes to a time", "seconds: 12.5"},
+};
+inline std::string_view NameOf(BreakKind kind) {
+  return kBreakKinds[static_cast<std::size_t>(kind)].name;
+}
 std::optional<BreakKind> BreakKindNamed(std::string_view name);
 
 struct Breakpoint {
@@ -45,7 +76,8 @@ struct BreakHit {
 /// without; whoever drives it pauses when there is a hit.
 class Breakpoints {
  public:
-  /// Fails for a name or an element that no mind can have.
+  /// Fails if no mind can have such a thing: no name of a rule, an element without attribute, no number to compare
+  /// with.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
   bool Clear(int number);
   void ClearAll() { list_.clear(); }
@@ -54,14 +86,21 @@ class Breakpoints {
 
   /// Has the minds tell as much as the breakpoints need. Before each tick; costs nothing if there are none.
   void Prepare(sim::Simulation& simulation);
-  /// After each tick: what was hit in it, in order; empty: continue.
-  std::vector<BreakHit> Check(const sim::Simulation& simulation);
+  /// After each tick, with what happened in it: what was hit, in order; empty: continue.
+  std::vector<BreakHit> Check(const sim::Simulation& simulation, const sim::EventList& events);
 
  private:
+  std::optional<std::string> CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
+                                         const sim::MindReport& report);
+  /// A number of an element that has come: why it is a hit.
+  std::optional<std::string> NumberCause(const Breakpoint& point, const std::string& agent,
+                                         const mind::ElementChanged& element);
+
   std::vector<Breakpoint> list_;
   int last_number_ = 0;
-  std::set<std::string> noted_;                          ///< Agents that were asked to tell all.
-  std::map<std::pair<int, std::string>, bool> matched_;  ///< By breakpoint and agent: it had a match the tick before.
+  std::set<std::string> noted_;                       ///< Agents that were asked to tell all.
+  std::map<std::pair<int, std::string>, bool> held_;  ///< By breakpoint, and agent or "agent ID ^attribute": the rule
+                                                      ///< had a match, the number fulfilled what is asked.
 };
 
 /// Whether an element is like "ID ^ATTRIBUTE VALUE [+]"; parts may be left out or hold *.

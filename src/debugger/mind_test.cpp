@@ -220,7 +220,7 @@ TEST_F(Debugger, BreakpointsAreHitAndSayWhy) {
   EXPECT_FALSE(points.Set(BreakKind::kElement, "", "vigour").ok());
   points.Prepare(*simulation_);
   Tick();
-  const std::vector<BreakHit> hits = points.Check(*simulation_);
+  const std::vector<BreakHit> hits = points.Check(*simulation_, record_.events);
   ASSERT_EQ(hits.size(), 4u);
   EXPECT_EQ(hits[0].why, "breakpoint 1: hero: rule hero*apply*walk fired");
   EXPECT_EQ(hits[1].why, "breakpoint 2: hero: S1 ^vigour 100 came");
@@ -231,7 +231,42 @@ TEST_F(Debugger, BreakpointsAreHitAndSayWhy) {
   EXPECT_FALSE(points.Clear(1));
   points.Prepare(*simulation_);
   Tick();
-  EXPECT_TRUE(points.Check(*simulation_).empty()) << "what was there a tick ago is no news";
+  EXPECT_TRUE(points.Check(*simulation_, record_.events).empty()) << "what was there a tick ago is no news";
+}
+
+TEST_F(Debugger, BreakpointsOnOperatorsNumbersAndWhatGoes) {
+  Start(R"(
+sp {hero*count (state <s> ^superstate nil ^io.input-link.time <t>) --> (<s> ^seconds <t>)}
+sp {hero*propose*wave (state <s> ^superstate nil ^seconds < 0.1) --> (<s> ^operator <o> + =) (<o> ^name wave)}
+sp {hero*propose*fly (state <s> ^superstate nil ^seconds >= 0.1) --> (<s> ^operator <o> + =) (<o> ^name fly)}
+sp {hero*apply*fly (state <s> ^operator.name fly ^io.output-link <out>) --> (<out> ^move-to <m>) (<m> ^target nobody)}
+)");
+  Breakpoints points;
+  const auto set = [&](BreakKind kind, const std::string& what) { return points.Set(kind, "", what).ok(); };
+  ASSERT_TRUE(set(BreakKind::kOperator, "fly"));
+  ASSERT_TRUE(set(BreakKind::kNumber, "S1 ^seconds >= 0.1"));
+  ASSERT_TRUE(set(BreakKind::kRemoved, "* ^name wave"));
+  ASSERT_TRUE(set(BreakKind::kFailed, ""));
+  ASSERT_TRUE(set(BreakKind::kTime, " 0.2 "));
+  for (const char* wrong : {"health < 20", "^health 20", "^health < much", "^health < 20 30", ""})
+    EXPECT_FALSE(set(BreakKind::kNumber, wrong)) << wrong;
+  EXPECT_FALSE(set(BreakKind::kTime, "soon"));
+  EXPECT_FALSE(set(BreakKind::kRemoved, "name"));
+  std::map<int, std::vector<std::string>> told;
+  for (int i = 0; i < 12; ++i) {
+    points.Prepare(*simulation_);
+    Tick();
+    for (const BreakHit& hit : points.Check(*simulation_, record_.events)) told[hit.number].push_back(hit.why);
+  }
+  ASSERT_FALSE(told[1].empty());
+  EXPECT_THAT(told[1][0], HasSubstr("hero: operator fly (O"));
+  ASSERT_EQ(told[2].size(), 1u) << "a number that stays beyond its limit is no news";
+  EXPECT_THAT(told[2][0], HasSubstr("hero: S1 ^seconds is 0.1"));
+  ASSERT_FALSE(told[3].empty());
+  EXPECT_THAT(told[3][0], HasSubstr("^name wave went"));
+  ASSERT_FALSE(told[4].empty());
+  EXPECT_THAT(told[4][0], HasSubstr("hero: command move-to failed"));
+  EXPECT_EQ(told[5], std::vector<std::string>{"breakpoint 5: it is 0.2 s"});
 }
 
 TEST_F(Debugger, ARunIsTheSameWhetherSomebodyLooksOrNot) {

@@ -310,7 +310,9 @@ Json DapServer::SetFunctionBreakpoints(const Json& arguments) {
       list.push_back(
           {{"verified", false},
            {"message",
-            "write operator NAME, element ^ATTRIBUTE VALUE, impasse KIND, command NAME, fire RULE or match RULE"}});
+            "write operator NAME, element ^ATTRIBUTE VALUE, impasse KIND or fire RULE; in a world also match RULE, "
+            "removed "
+            "^ATTRIBUTE VALUE, number ^ATTRIBUTE < NUMBER, command NAME, failed NAME, death or time SECONDS"}});
     }
   }
   UpdateStops();

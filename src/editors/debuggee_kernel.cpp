@@ -152,7 +152,8 @@ class KernelDebuggee final : public Debuggee {
 
 std::optional<StopWish> ReadStopWish(const std::string& text) {
   const std::size_t blank = std::min(text.find(' '), text.size());
-  StopWish wish{text.substr(0, blank), blank < text.size() ? text.substr(text.find_first_not_of(' ', blank)) : ""};
+  const std::size_t what = std::min(text.find_first_not_of(' ', blank), text.size());
+  StopWish wish{text.substr(0, blank), text.substr(what)};
   if (wish.kind == "operator") return wish.what.empty() ? std::nullopt : std::optional<StopWish>(wish);
   if (!debugger::BreakKindNamed(wish.kind)) return std::nullopt;
   return wish;

@@ -73,14 +73,11 @@ class WorldDebuggee final : public Debuggee {
 
   void SetStops(const std::vector<std::string>& rules, const std::vector<StopWish>& wishes) override {
     breakpoints_.ClearAll();
-    operators_.clear();
     for (const std::string& rule : rules) (void)breakpoints_.Set(debugger::BreakKind::kFire, "", rule);
     for (const StopWish& wish : wishes) {
-      if (wish.kind == "operator") {
-        operators_.push_back(wish.what);
-      } else if (const auto kind = debugger::BreakKindNamed(wish.kind)) {
-        if (const Result<int> set = breakpoints_.Set(*kind, "", wish.what); !set) news_.push_back(Format(set.error()));
-      }
+      const auto kind = debugger::BreakKindNamed(wish.kind);
+      if (!kind) continue;
+      if (const Result<int> set = breakpoints_.Set(*kind, "", wish.what); !set) news_.push_back(Format(set.error()));
     }
   }
 
@@ -101,13 +98,15 @@ class WorldDebuggee final : public Debuggee {
     TakeEvents();
   }
 
-  void TakeEvents() {
-    for (const sim::RunEvent& event : simulation_->TakeEvents())
+  sim::EventList TakeEvents() {
+    sim::EventList events = simulation_->TakeEvents();
+    for (const sim::RunEvent& event : events)
       if (!event.diagnostic.message.empty()) {
         news_.push_back(Format(event.diagnostic));
       } else if (event.kind == sim::EventKind::kLog) {
         news_.push_back((event.agent.empty() ? "" : event.agent + ": ") + event.text);
       }
+    return events;
   }
 
   std::uint64_t DecisionsOf(const std::string& agent) {
@@ -119,17 +118,8 @@ class WorldDebuggee final : public Debuggee {
     breakpoints_.Prepare(*simulation_);
     simulation_->Tick();
     for (const sim::Input& input : simulation_->LastInputs()) inputs_.push_back({simulation_->tick(), input});
-    TakeEvents();
     std::vector<std::string> why;
-    for (const debugger::BreakHit& hit : breakpoints_.Check(*simulation_)) why.push_back(hit.why);
-    if (operators_.empty()) return why;
-    for (std::size_t i = 0; i < simulation_->soar_agents(); ++i) {
-      const sim::MindReport report = simulation_->Mind(i);
-      report.events.ForEachOf<mind::OperatorSelected>([&](const mind::OperatorSelected& selected) {
-        for (const std::string& wanted : operators_)
-          if (selected.name == wanted) why.push_back(report.agent + ": operator " + wanted + " was selected");
-      });
-    }
+    for (const debugger::BreakHit& hit : breakpoints_.Check(*simulation_, TakeEvents())) why.push_back(hit.why);
     return why;
   }
 
@@ -147,10 +137,8 @@ class WorldDebuggee final : public Debuggee {
     }
     Watch();
     const debugger::Breakpoints kept = std::exchange(breakpoints_, {});
-    const std::vector<std::string> operators = std::exchange(operators_, {});
     while (simulation_->tick() < tick) Tick();
     breakpoints_ = kept;
-    operators_ = operators;
     news_.clear();
     return {};
   }
@@ -164,7 +152,6 @@ class WorldDebuggee final : public Debuggee {
   std::uint64_t last_tick_;
   std::vector<TickInput> inputs_;
   debugger::Breakpoints breakpoints_;
-  std::vector<std::string> operators_;
   std::vector<std::string> news_;
 };
 

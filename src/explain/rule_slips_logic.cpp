@@ -253,12 +253,49 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
   }
 }
 
-/// "<plac>" and "<place>": one letter is missing; digits and one-letter names are chosen, not mistyped.
-bool IsShortOf(const std::string& shorter, const std::string& longer) {
-  if (shorter.size() + 1 != longer.size() || shorter.size() < 4) return false;
-  const auto [a, b] = std::ranges::mismatch(shorter, longer);
-  return std::isalpha(static_cast<unsigned char>(*b)) != 0 && std::equal(a, shorter.end(), b + 1);
-}
+/// The variables of a rule, so that those that resemble one are found without looking at all of them.
+class SimilarVariables {
+ public:
+  explicit SimilarVariables(const std::map<std::string, int>& count) : count_(count) {
+    for (const auto& [variable, number] : count)
+      if (!IsMadeUpVariable(variable))
+        for (std::string& shorter : WithoutOneLetter(variable)) longer_[std::move(shorter)].push_back(variable);
+  }
+
+  /// "<plac>" and "<place>": one letter is missing in one of them. Digits and one-letter names are chosen, not
+  /// mistyped.
+  std::set<std::string> ByOneLetter(const std::string& variable) const {
+    std::set<std::string> found;
+    if (const auto longer = longer_.find(variable); longer != longer_.end() && variable.size() >= kLeastSize)
+      found.insert(longer->second.begin(), longer->second.end());
+    for (const std::string& shorter : WithoutOneLetter(variable))
+      if (shorter.size() >= kLeastSize && count_.contains(shorter) && !IsMadeUpVariable(shorter)) found.insert(shorter);
+    return found;
+  }
+
+  /// "<kind>" for "<k>": those that begin with all of its letters.
+  std::vector<std::string> ThatBeginWith(const std::string& variable) const {
+    const std::string begin = variable.substr(0, variable.size() - 1);
+    std::vector<std::string> found;
+    for (auto at = count_.lower_bound(begin); at != count_.end() && at->first.starts_with(begin); ++at)
+      if (at->first.size() > variable.size() && !IsMadeUpVariable(at->first)) found.push_back(at->first);
+    return found;
+  }
+
+ private:
+  static constexpr std::size_t kLeastSize = 4;  ///< With the brackets.
+
+  static std::vector<std::string> WithoutOneLetter(const std::string& variable) {
+    std::vector<std::string> all;
+    for (std::size_t i = 1; i + 1 < variable.size(); ++i)
+      if (std::isalpha(static_cast<unsigned char>(variable[i])) != 0)
+        all.push_back(variable.substr(0, i) + variable.substr(i + 1));
+    return all;
+  }
+
+  const std::map<std::string, int>& count_;
+  std::map<std::string, std::vector<std::string>> longer_;  ///< By what is left without one letter.
+};
 
 /// A variable that is there once and seems to be another one of the rule: "<plac>" beside <place>, or ^kind <k> beside
 /// ^kind <kind>.
@@ -280,23 +317,23 @@ void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
   }
   for (const RuleCall& call : rule.all_calls)
     for (const std::string& argument : call.arguments) add(argument);
-  for (const auto& counted : count) {
-    const std::string& variable = counted.first;
-    if (counted.second != 1 || IsMadeUpVariable(variable) || !attribute_of.contains(variable)) continue;
-    const std::string& attribute = attribute_of.at(variable);
-    const auto meant = std::ranges::find_if(count, [&](const auto& other) {
-      if (other.first == variable || IsMadeUpVariable(other.first)) return false;
-      if (IsShortOf(variable, other.first) || IsShortOf(other.first, variable)) return true;
-      // <k> for <kind>, both of them there once and values of the same attribute.
-      const std::string begin = variable.substr(0, variable.size() - 1);
-      return other.second == 1 && attribute_of.contains(other.first) && attribute_of.at(other.first) == attribute &&
-             other.first.size() > variable.size() && other.first.starts_with(begin);
-    });
-    if (meant == count.end()) continue;
+  const SimilarVariables similar(count);
+  for (const auto& [variable, number] : count) {
+    const auto at = attribute_of.find(variable);
+    if (number != 1 || at == attribute_of.end() || IsMadeUpVariable(variable)) continue;
+    const std::string& attribute = at->second;
+    std::set<std::string> meant = similar.ByOneLetter(variable);
+    // <k> for <kind>, both of them there once and values of the same attribute.
+    for (const std::string& other : similar.ThatBeginWith(variable)) {
+      const auto its = attribute_of.find(other);
+      if (count.at(other) == 1 && its != attribute_of.end() && its->second == attribute) meant.insert(other);
+    }
+    if (meant.empty()) continue;
+    const std::string& other = *meant.begin();
     slips.push_back({rule.name, variable, false,
-                     "rule " + rule.name + " uses " + variable + " once, as ^" + attribute + ", and " + meant->first +
+                     "rule " + rule.name + " uses " + variable + " once, as ^" + attribute + ", and " + other +
                          " beside it: two variables need not be the same value",
-                     "did you mean " + meant->first + "? The same variable twice is the same value"});
+                     "did you mean " + other + "? The same variable twice is the same value"});
   }
 }
 

@@ -125,7 +125,7 @@ void Desk::OnTick(const record::TickRecord& tick) {
   models_.plots.Sample(simulation);
   change_.Look(simulation, tick);
   if (breakpoints_.list().empty()) return;
-  if (std::vector<debugger::BreakHit> hits = breakpoints_.Check(simulation); !hits.empty()) {
+  if (std::vector<debugger::BreakHit> hits = breakpoints_.Check(simulation, tick.events); !hits.empty()) {
     hits_ = std::move(hits);
     hit_is_new_ = true;
     is_stale_ = true;

@@ -2,6 +2,7 @@
 #include "workbench/requests_json.h"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,11 @@ using Words = std::span<const std::string_view>;
 // The words of each choice, in the order of its enumerators.
 constexpr std::string_view kWhyAbout[] = {"agent", "operator", "command", "element", "not"};
 constexpr std::string_view kEditText[] = {"type", "check", "apply", "save", "revert"};
-constexpr std::string_view kBreakKinds[] = {"fire", "match", "element", "impasse", "command"};
+constexpr auto kBreakNames = [] {
+  std::array<std::string_view, std::size(debugger::kBreakKinds)> names{};
+  std::ranges::transform(debugger::kBreakKinds, names.begin(), &debugger::BreakKindWords::name);
+  return names;
+}();
 constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
 constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 
@@ -129,9 +134,13 @@ void Fields(auto& visit, OfferRequest& r) {
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
 void Fields(auto& visit, BreakRequest& r) {
-  visit("kind", r.kind, kBreakKinds, "what it waits for", kNeeded);
+  visit("kind", r.kind, kBreakNames, "what it waits for", kNeeded);
   visit("agent", r.agent, "whose mind; empty: any", kOptional);
-  visit("what", r.what, "a rule, `ID ^attribute value`, an impasse or a command; * stands for anything", kOptional);
+  visit("what", r.what,
+        "a rule, `ID ^attribute value`, `^attribute < number`, an operator, an impasse, a command, a check or a "
+        "second; * "
+        "stands for anything",
+        kOptional);
 }
 void Fields(auto& visit, ChangeBreakRequest& r) {
   visit("number", r.number, "the breakpoint's", kNeeded);

@@ -145,11 +145,13 @@ class Inspect(ScenarioCase):
                          [{"stage": "dominated", "rules": ["hero*prefer*walk"], "decisive": True}])
 
     def test_a_run_stops_at_a_breakpoint(self):
-        for until in ["fire hero*apply*walk", "match hero*prefer*walk", "element ^vigour *", "command move"]:
+        for until in ["fire hero*apply*walk", "match hero*prefer*walk", "element ^vigour *", "number ^vigour > 50", "operator walk", "command move"]:
             with self.subTest(until):
                 run = self.inspect("stack", "--until", until)
                 self.assertEqual(run.code, 0, run.err)
                 self.assertIn("breakpoint 1: hero: ", run.err)
+        self.assertIn("breakpoint 1: it is 0.05 s", self.inspect("stack", "--until", "time 0.05").err)
+        self.assertIn("for example: ^health < 20", self.inspect("stack", "--until", "number ^vigour").err)
         self.assertIn("did not come to 'fire hero*propose*flee' by tick 3",
                       self.inspect("stack", "--until", "fire hero*propose*flee").err)
 

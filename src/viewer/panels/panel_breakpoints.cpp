@@ -8,13 +8,14 @@ namespace {
 using debugger::BreakKind;
 using debugger::Breakpoint;
 
-constexpr BreakKind kKinds[] = {BreakKind::kFire, BreakKind::kMatch, BreakKind::kElement, BreakKind::kImpasse,
-                                BreakKind::kCommand};
-const char* const kTitles[] = {"a rule fires", "a rule matches", "an element appears", "an impasse occurs",
-                               "a command is given"};
-const char* const kHints[] = {"the rule's name; * for anything", "the rule's name; * for anything",
-                              "* ^attribute value", "tie, operator no-change; empty: any",
-                              "the command's name; empty: any"};
+const std::vector<const char*>& Titles() {
+  static const std::vector<const char*> titles = [] {
+    std::vector<const char*> all;
+    for (const debugger::BreakKindWords& kind : debugger::kBreakKinds) all.push_back(kind.title.data());
+    return all;
+  }();
+  return titles;
+}
 
 /// When the world is to stand still.
 class BreakpointsPanel final : public Panel {
@@ -32,17 +33,17 @@ class BreakpointsPanel final : public Panel {
     }
     ColoredText(theme::kText, "Stop the world when");
     ImGui::SetNextItemWidth(frame.Px(150));
-    ImGui::Combo("##kind", &kind_, kTitles, IM_ARRAYSIZE(kTitles));
+    ImGui::Combo("##kind", &kind_, Titles().data(), static_cast<int>(Titles().size()));
     const std::string only = contents.agent.empty() ? "in any agent" : "in " + contents.agent + " only";
     FlowLine(ButtonWidth(only.c_str()) + ImGui::GetFrameHeight());
     ImGui::BeginDisabled(contents.agent.empty());
     ImGui::Checkbox(only.c_str(), &only_selected_);
     ImGui::EndDisabled();
-    SearchField("##what", kHints[kind_], what_, ButtonWidth("Add") + ImGui::GetStyle().ItemSpacing.x);
+    SearchField("##what", debugger::kBreakKinds[kind_].hint.data(), what_, ButtonWidth("Add") + ImGui::GetStyle().ItemSpacing.x);
     const bool entered = WasEntered();
     ImGui::SameLine();
     if (ImGui::Button("Add") || entered) {
-      frame.Ask(workbench::BreakRequest{kKinds[kind_], only_selected_ ? contents.agent : std::string{}, what_});
+      frame.Ask(workbench::BreakRequest{static_cast<BreakKind>(kind_), only_selected_ ? contents.agent : std::string{}, what_});
       what_.clear();
     }
     ImGui::Separator();
@@ -73,7 +74,7 @@ class BreakpointsPanel final : public Panel {
       const std::string where = point.agent.empty() ? "any agent" : point.agent;
       WrappedText(
           point.enabled ? theme::kText : theme::kQuiet,
-          where + ": " + kTitles[static_cast<std::size_t>(point.kind)] + (point.what.empty() ? "" : ": ") + point.what);
+          where + ": " + std::string(debugger::kBreakKinds[static_cast<std::size_t>(point.kind)].title) + (point.what.empty() ? "" : ": ") + point.what);
       Cell(point.hits > 0 ? theme::kWarn : theme::kQuiet, std::to_string(point.hits));
       ImGui::TableNextColumn();
       if (ImGui::SmallButton("\xc3\x97")) frame.Ask(workbench::ChangeBreakRequest{point.number, What::kClear});

@@ -4,7 +4,10 @@ import type { MakePanel } from "./panel";
 import { clock, empty, lineField, rowForm } from "./parts";
 
 const KINDS: readonly (readonly [string, string, string])[] = [
-  ["fire", "a rule fires", "my*rule"], ["match", "a rule matches", "my*rule"], ["element", "an element comes", "S1 ^name *"], ["impasse", "an impasse occurs", "tie"], ["command", "a command is given", "move-to"],
+  ["fire", "a rule fires", "my*rule"], ["match", "a rule matches", "my*rule"], ["element", "an element appears", "S1 ^name *"],
+  ["removed", "an element is removed", "^danger *"], ["number", "a number passes a limit", "^health < 20"], ["operator", "an operator is selected", "move"],
+  ["impasse", "an impasse occurs", "tie"], ["command", "a command is given", "move-to"], ["failed", "a command fails", "move-to"],
+  ["death", "an agent dies", ""], ["check", "a check is decided", "the check's name"], ["time", "the world comes to a time", "12.5 (seconds)"],
 ];
 
 export const breakpointsPanel: MakePanel = (context) => {
