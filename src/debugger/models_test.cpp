@@ -14,7 +14,6 @@
 #include "debugger/run_trace.h"
 #include "debugger/syntax.h"
 #include "debugger/timeline.h"
-#include "record/legacy_minds.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -145,23 +144,35 @@ TEST(Memory, WhatCameAndWentWithinATickIsNoChange) {
 
 // Ticks ---------------------------------------------------------------------------------------------------------------
 
-record::TickRecord TickOf(std::uint64_t number, std::vector<std::string> decisions,
-                          std::vector<std::string> details = {}) {
+record::TickRecord TickOf(std::uint64_t number, const std::vector<mind::Event>& events) {
   record::TickRecord tick;
   tick.tick = number;
   tick.scene.time_s = static_cast<double>(number) / 30;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "a";
-  mind.events = record::ReadWords({{"self.health 100"}, std::move(decisions), std::move(details), {}, {}, {}});
+  mind.events.Add(mind::PerceptChanged{"self.", "health", 0, std::int64_t{100}});
+  for (const mind::Event& event : events) std::visit([&](const auto& one) { mind.events.Add(one); }, event);
   return tick;
+}
+
+mind::Event Selected(std::string_view id, std::string_view name = {}, int level = 1) {
+  return mind::OperatorSelected{level, id, name, {}};
+}
+
+mind::Event Top() {
+  return mind::StateMade{1, "S1", mind::StateReason::kTop, false, {}};
+}
+
+mind::Event Substate(int level, std::string_view id, mind::StateReason reason = mind::StateReason::kNoChange) {
+  return mind::StateMade{level, id, reason, true, {}};
 }
 
 TEST(Timeline, SpansGoFromSelectionToTheNext) {
   Timeline timeline;
-  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
-  timeline.Add(TickOf(2, {"==>S: S2 (operator no-change)"}));
-  timeline.Add(TickOf(3, {"   ==>S: S3 (operator tie)"}));
-  timeline.Add(TickOf(4, {"   <==S: S3", "O: O2 (rest)"}));
+  timeline.Add(TickOf(1, {Top(), Selected("O1", "walk")}));
+  timeline.Add(TickOf(2, {Substate(2, "S2")}));
+  timeline.Add(TickOf(3, {Substate(3, "S3", mind::StateReason::kTie)}));
+  timeline.Add(TickOf(4, {mind::StateGone{3, "S3"}, Selected("O2", "rest")}));
   timeline.Add(TickOf(5, {}));
   const TimelineTrack* track = timeline.Find("a");
   ASSERT_NE(track, nullptr);
@@ -172,9 +183,9 @@ TEST(Timeline, SpansGoFromSelectionToTheNext) {
 
 TEST(Timeline, AStateThatWaitsIsOneSpanAndEndsItsOperator) {
   Timeline timeline;
-  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
-  timeline.Add(TickOf(2, {"==>S: S1", "==>S: S1"}));
-  timeline.Add(TickOf(3, {"==>S: S1"}));
+  timeline.Add(TickOf(1, {Top(), Selected("O1", "walk")}));
+  timeline.Add(TickOf(2, {Top(), Top()}));
+  timeline.Add(TickOf(3, {Top()}));
   ASSERT_EQ(timeline.Find("a")->open.size(), 1u);
   EXPECT_EQ(timeline.Find("a")->open[0].first_tick, 1u);
   ASSERT_EQ(timeline.Find("a")->spans.size(), 1u);
@@ -184,9 +195,9 @@ TEST(Timeline, AStateThatWaitsIsOneSpanAndEndsItsOperator) {
 
 TEST(Timeline, GoingBackTakesBackWhatCameLater) {
   Timeline timeline;
-  timeline.Add(TickOf(1, {"==>S: S1", "O: O1 (walk)"}));
-  timeline.Add(TickOf(2, {"O: O2 (rest)"}));
-  timeline.Add(TickOf(3, {"O: O3 (flee)"}));
+  timeline.Add(TickOf(1, {Top(), Selected("O1", "walk")}));
+  timeline.Add(TickOf(2, {Selected("O2", "rest")}));
+  timeline.Add(TickOf(3, {Selected("O3", "flee")}));
   timeline.Add(TickOf(2, {}));
   EXPECT_EQ(timeline.last_tick(), 2u);
   EXPECT_EQ(timeline.At("a", 2).back().text, "walk");
@@ -196,7 +207,8 @@ TEST(Timeline, GoingBackTakesBackWhatCameLater) {
 
 TEST(Trace, DetailsStandBetweenTheirDecisionsAndLevelsFilter) {
   Trace trace;
-  trace.Add(TickOf(1, {"O: O1 (walk)", "   O: O2 (step)"}, {"0 fire propose", "1 fire apply", "1 + 7: S1 ^a b"}));
+  trace.Add(TickOf(1, {mind::RuleFired{"propose"}, Selected("O1", "walk"), mind::RuleFired{"apply"},
+                       mind::ElementChanged{true, 7, "S1", "a", "b"}, Selected("O2", "step", 2)}));
   std::string all;
   for (const TraceLine* line : trace.Find({TraceKind::kElement, "", ""})) all += line->text + "|";
   EXPECT_EQ(all, "self.health 100|fire propose|O: O1 (walk)|fire apply|+ 7: S1 ^a b|O: O2 (step)|");
@@ -223,10 +235,11 @@ TEST(FilePlaces, AreFoundInMessages) {
 TEST(Timeline, SpansWithinTicksAreThoseThatCanBeSeenThere) {
   Timeline timeline;
   for (std::uint64_t tick = 1; tick <= 40; ++tick) {
-    std::vector<std::string> decisions;
-    if (tick == 1) decisions.push_back("==>S: S1");
-    if (tick % 4 == 1) decisions.push_back("O: O" + std::to_string(tick));
-    if (tick % 4 == 2) decisions.push_back("   ==>S: S" + std::to_string(tick) + " (operator no-change)");
+    const std::string id = (tick % 4 == 1 ? "O" : "S") + std::to_string(tick);
+    std::vector<mind::Event> decisions;
+    if (tick == 1) decisions.push_back(Top());
+    if (tick % 4 == 1) decisions.push_back(Selected(id));
+    if (tick % 4 == 2) decisions.push_back(Substate(2, id));
     timeline.Add(TickOf(tick, decisions));
   }
   const TimelineTrack& track = *timeline.Find("a");
@@ -268,13 +281,14 @@ TEST(Trace, ASearchThatIsKeptFindsWhatOneFromTheBeginningDoes) {
     return std::ranges::equal(found, wanted);
   };
   for (std::uint64_t tick = 1; tick <= 30; ++tick) {
-    trace.Add(TickOf(tick, {"O: O" + std::to_string(tick % 3)}, {"0 fire a"}));
+    const std::string id = "O" + std::to_string(tick % 3);
+    trace.Add(TickOf(tick, {mind::RuleFired{"a"}, Selected(id)}));
     EXPECT_TRUE(is_same()) << tick;
   }
   filter.text = "O1";
   EXPECT_TRUE(is_same());
   EXPECT_FALSE(search.Find(trace, filter).empty());
-  trace.Add(TickOf(25, {"O: O1"}));  // Somebody went back.
+  trace.Add(TickOf(25, {Selected("O1")}));  // Somebody went back.
   EXPECT_TRUE(is_same());
   trace.Clear();
   EXPECT_TRUE(is_same());
@@ -301,7 +315,7 @@ TEST(Plots, KeepTheirBeginningHoweverLongTheyAre) {
 
 TEST(Trace, IsBounded) {
   Trace trace(3);
-  for (std::uint64_t tick = 1; tick <= 5; ++tick) trace.Add(TickOf(tick, {"O: O1"}));
+  for (std::uint64_t tick = 1; tick <= 5; ++tick) trace.Add(TickOf(tick, {Selected("O1")}));
   EXPECT_EQ(trace.lines().size(), 3u);
   EXPECT_EQ(trace.forgotten(), 7u);
   EXPECT_EQ(trace.lines().back().tick, 5u);

@@ -7,7 +7,6 @@
 #include "debugger/links.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
-#include "record/legacy_minds.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -99,12 +98,12 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   record::TickRecord tick;
   record::MindRecord& mind = tick.minds.emplace_back();
   mind.agent = "hero";
-  mind.events = record::ReadWords({{},
-                                   {"==>S: S1", "O: O1 (go)", "   ==>S: S2 (operator no-change)", "   O: O2 (look)"},
-                                   {},
-                                   {"move-to ^waypoint gate", "move-to: error no-way"},
-                                   {"", "the only one proposed", "", ""},
-                                   {"hero*say", ""}});
+  mind.events.Add(mind::StateMade{1, "S1", mind::StateReason::kTop, false, {}});
+  mind.events.Add(mind::OperatorSelected{1, "O1", "go", {}});
+  mind.events.Add(mind::StateMade{2, "S2", mind::StateReason::kNoChange, true, {}});
+  mind.events.Add(mind::OperatorSelected{2, "O2", "look", {}});
+  mind.events.Add(mind::CommandSaid{0, "move-to", "hero*say", {{0, false, "waypoint", std::string_view("gate")}}});
+  mind.events.Add(mind::CommandEnded{"move-to", mind::CommandStatus::kError, "no-way"});
   RecordedMinds minds;
   minds.Add(tick);
   const std::string text = ToText(LookAtStack(*minds.Inspect("hero")));
@@ -113,7 +112,6 @@ TEST(RecordedMinds, DecisionsBuildTheStackAndTakeItDown) {
   const std::string why = ToText(WhyRecorded(*minds.Find("hero"), "hero"));
   EXPECT_THAT(why, HasSubstr("command move-to ^waypoint gate: error no-way"));
   EXPECT_THAT(why, HasSubstr("rule hero*say"));
-  EXPECT_THAT(why, HasSubstr("as recorded: the only one proposed"));
 
   tick.tick = 1;
   mind.events.Clear();

@@ -50,7 +50,7 @@ const TickRecord* BlockCursor::At(std::uint64_t tick) {
   while (next_tick_ <= tick) {
     ByteReader in(std::string_view(payload_).substr(read_));
     in.SetBudget(budget_);
-    ReadTick(in, record_, frame_.version);
+    ReadTick(in, record_);
     budget_ = in.budget();
     if (in.failed() || record_.tick != next_tick_) {
       Unload();

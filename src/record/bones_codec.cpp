@@ -178,9 +178,8 @@ void PutBones(ByteWriter& out, const BodyBones& before, const BodyBones& now) {
   PutMovements(out, *rig, *pose);
 }
 
-void GetBones(ByteReader& in, BodyBones& bones, std::uint16_t version) {
-  constexpr std::uint16_t kLastWithGivenAlone = 7;
-  const Form form = version <= kLastWithGivenAlone ? Form::kGiven : in.Kind(Form::kMovements);
+void GetBones(ByteReader& in, BodyBones& bones) {
+  const Form form = in.Kind(Form::kMovements);
   if (form == Form::kGiven) {
     bones = GetGiven(in, GivenBefore(bones));
     return;

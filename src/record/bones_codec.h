@@ -12,8 +12,8 @@ namespace soarbox::record {
 /// the difference from the tick before.
 void PutBones(ByteWriter& out, const world::BodyBones& before, const world::BodyBones& now);
 
-/// Turns the bones of the tick before into those of the next; `version` is the format's.
-void GetBones(ByteReader& in, world::BodyBones& bones, std::uint16_t version);
+/// Turns the bones of the tick before into those of the next.
+void GetBones(ByteReader& in, world::BodyBones& bones);
 
 /// Bit for bit, so that -0 and NaN replay as they were.
 bool AreSameBones(const world::BodyBones& a, const world::BodyBones& b);

@@ -90,14 +90,10 @@ std::optional<Difference> DifferenceOf(const MindRecord& a, const MindRecord& b,
       {"commands", &tell::MindWords::commands},
       {"reasons", &tell::MindWords::reasons},
       {"commands' rules", &tell::MindWords::command_rules}};
-  // What decisions rested on is not in a recording that holds words.
-  const bool is_less = a.from_words || b.from_words;
   for (const auto& [element, part] : parts) {
-    if (is_less && part == &tell::MindWords::reasons) continue;
     if (a.agent != b.agent || old_words.*part != new_words.*part)
       return Difference{tick, agent, element, Text(old_words.*part), Text(new_words.*part)};
   }
-  if (is_less) return std::nullopt;
   // Numbers that are printed alike, or preferences that a sentence does not name.
   const bool in_percepts = Exact(was) != Exact(is);
   return Difference{tick, agent, in_percepts ? "percepts" : "preferences", in_percepts ? Exact(was) : "others",

@@ -16,9 +16,8 @@ namespace soarbox::record {
 // killed leaves a recording that ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
-inline constexpr std::uint16_t kVersion = 10;
-inline constexpr std::uint16_t kOldestVersion =
-    2;  ///< Still readable: its header says less, and what minds do is in words.
+/// The only one that this program reads. It rises when the format changes after a release.
+inline constexpr std::uint16_t kVersion = 11;
 
 enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< Header; the first block.

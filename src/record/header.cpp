@@ -74,7 +74,7 @@ std::string EncodeHeader(const Header& header) {
   return bytes;
 }
 
-Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
+Result<Header> DecodeHeader(std::string_view bytes) {
   Header header;
   ByteReader in(bytes);
   for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
@@ -90,29 +90,25 @@ Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version) {
   header.step_s = in.Double();
   const std::uint8_t level = in.Byte();
   header.own_kernel = in.Byte() != 0;
-  if (version >= 3) {
-    header.branched_from = in.Text();
-    header.branch_tick = in.Number();
-    constexpr std::size_t kMostFiles = 100'000;  // Far more than are ever kept.
-    const std::size_t files = in.Count(3);
-    if (files > kMostFiles) in.Fail();
-    header.files.resize(in.failed() ? 0 : files);
-    for (KeptFile& file : header.files) {
-      file.folder = static_cast<std::uint32_t>(std::min<std::uint64_t>(in.Number(), 0xffffffff));
-      file.name = in.Text();
-      file.content = in.Text();
-    }
+  header.branched_from = in.Text();
+  header.branch_tick = in.Number();
+  constexpr std::size_t kMostFiles = 100'000;  // Far more than are ever kept.
+  const std::size_t files = in.Count(3);
+  if (files > kMostFiles) in.Fail();
+  header.files.resize(in.failed() ? 0 : files);
+  for (KeptFile& file : header.files) {
+    file.folder = static_cast<std::uint32_t>(std::min<std::uint64_t>(in.Number(), 0xffffffff));
+    file.name = in.Text();
+    file.content = in.Text();
   }
-  if (version >= 4) header.memory_mb = in.Number();
-  if (version >= 7) {
-    constexpr std::size_t kMostReplaced = 10'000;  // As many as agents.
-    const std::size_t replaced = in.Count(2);
-    if (replaced > kMostReplaced) in.Fail();
-    header.replaced_rules.resize(in.failed() ? 0 : replaced);
-    for (auto& [name, file] : header.replaced_rules) {
-      name = in.Text();
-      file = in.Text();
-    }
+  header.memory_mb = in.Number();
+  constexpr std::size_t kMostReplaced = 10'000;  // As many as agents.
+  const std::size_t replaced = in.Count(2);
+  if (replaced > kMostReplaced) in.Fail();
+  header.replaced_rules.resize(in.failed() ? 0 : replaced);
+  for (auto& [name, file] : header.replaced_rules) {
+    name = in.Text();
+    file = in.Text();
   }
   const bool sensible = width > 0 && width <= 65535 && height > 0 && height <= 65535 && header.step_s > 0 &&
                         header.step_s <= 10 && level < kLevels.size();

@@ -33,7 +33,7 @@ struct Header {
   std::vector<KeptFile> files;    ///< The files it was made from, as they were then; empty if they were not kept.
   std::string branched_from;      ///< The recording of the run that this one branched from; empty: none.
   std::uint64_t branch_tick = 0;  ///< The last tick that both have.
-  /// Rules that replaced those of agents: agent's name, file. Since version 7.
+  /// Rules that replaced those of agents: agent's name, file.
   std::vector<std::pair<std::string, std::string>> replaced_rules;
   std::uint64_t memory_mb = sim::SimulationSettings{}.limits.memory_bytes >> 20;  ///< Memory that the world might use.
 };
@@ -44,8 +44,7 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
 
 /// The header's block, without its frame (format.h).
 std::string EncodeHeader(const Header& header);
-/// `version`: the format's, which says which fields a header has.
-Result<Header> DecodeHeader(std::string_view bytes, std::uint16_t version = kVersion);
+Result<Header> DecodeHeader(std::string_view bytes);
 
 /// Identifies this program: its version and the linker's hash of it. Two builds with one id behave alike.
 std::string BuildId();

@@ -65,11 +65,10 @@ Result<void> Reader::ReadFrames() {
       ending_ = "after " + std::to_string(at) + " bytes something follows that is no complete block";
       break;
     }
-    if (block.frame.version < kOldestVersion || block.frame.version > kVersion) {
+    if (block.frame.version != kVersion) {
       return ProblemIn(path_.string(),
                        "this recording has format " + std::to_string(block.frame.version) +
-                           ", and this program reads " + std::to_string(kOldestVersion) + " to " +
-                           std::to_string(kVersion),
+                           ", and this program reads format " + std::to_string(kVersion),
                        "use the version of Soarbox that made it");
     }
     block.payload_at = at + kFrameBytes;
@@ -83,7 +82,7 @@ Result<void> Reader::ReadFrames() {
         if (has_header) return Damaged(block.payload_at, "the recording has a second header");
         const Result<std::string> payload = ReadPayload(block);
         if (!payload) return payload.error();
-        Result<Header> header = DecodeHeader(*payload, block.frame.version);
+        Result<Header> header = DecodeHeader(*payload);
         if (!header) return Damaged(block.payload_at, header.error().message);
         header_ = std::move(*header);
         has_header = true;

@@ -29,7 +29,6 @@ void ObserveMinds(const sim::Simulation& simulation, Level level, std::vector<Mi
     MindRecord& mind = minds[count++];
     mind.agent = report.agent;
     mind.events = report.events;
-    mind.from_words = false;
   }
   minds.resize(count);
 }

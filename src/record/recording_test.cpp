@@ -207,135 +207,16 @@ TEST_F(RecordingTest, WhatIsNoRecordingIsRefusedByName) {
   EXPECT_FALSE(Writer::Create(folder() / "no" / "such" / "folder", SomeHeader()));
 }
 
-/// The header of SomeHeader as earlier versions of the format had it: the second without what a run was made from and
-/// branched from, neither with the memory that its world might take.
-std::string HeaderOfVersion(int version) {
-  Header header = SomeHeader();
-  header.files.clear();
-  header.branched_from.clear();
-  header.branch_tick = 0;
-  header.memory_mb = 0;
-  header.replaced_rules.clear();
-  std::string bytes = EncodeHeader(header);
-  bytes.resize(bytes.size() - (version == 2 ? 5 : 2));  // Each an empty text or a zero.
-  return bytes;
-}
-
-TEST_F(RecordingTest, TheVersionsBeforeAreStillReadAndOthersAreRefused) {
-  BlockFrame frame;
-  frame.kind = BlockKind::kHeader;
-  const auto put = [&](std::uint16_t version, const std::string& header) {
-    frame.version = version;
-    PutBytes(file(), std::string(kMagic) + EncodeBlock(frame, header));
-    return Reader::Open(file());
-  };
-  for (const std::uint16_t version : {2, 3}) {
-    const Result<std::unique_ptr<Reader>> older = put(version, HeaderOfVersion(version));
-    // It holds no ticks, and says so; but it is understood.
-    EXPECT_NE(older.error().message.find("no tick"), std::string::npos) << older.error().message;
-    const Result<Header> header = DecodeHeader(HeaderOfVersion(version), version);
-    ASSERT_TRUE(header);
-    EXPECT_EQ(header->seed, SomeHeader().seed);
-    EXPECT_EQ(header->memory_mb, Header().memory_mb);
-  }
-  for (const int version : {1, kVersion + 1, 65535}) {
-    const Result<std::unique_ptr<Reader>> refused =
-        put(static_cast<std::uint16_t>(version), EncodeHeader(SomeHeader()));
+TEST_F(RecordingTest, OtherFormatsAreRefusedByNumber) {
+  for (const int version : {1, kVersion - 1, kVersion + 1, 65535}) {
+    BlockFrame frame;
+    frame.kind = BlockKind::kHeader;
+    frame.version = static_cast<std::uint16_t>(version);
+    PutBytes(file(), std::string(kMagic) + EncodeBlock(frame, EncodeHeader(SomeHeader())));
+    const Result<std::unique_ptr<Reader>> refused = Reader::Open(file());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("format " + std::to_string(version)), std::string::npos);
   }
-  const Result<Header> header = DecodeHeader(HeaderOfVersion(2), 2);
-  ASSERT_TRUE(header);
-  EXPECT_TRUE(header->files.empty());
-}
-
-/// A recording that an older release made.
-fs::path Kept(const char* name) {
-  return fs::path(SOARBOX_SOURCE_DIR) / "tests" / "app" / "recordings" / name;
-}
-
-/// All ticks of a recording; those before the first that cannot be read.
-std::vector<TickRecord> TicksIn(const fs::path& file) {
-  std::vector<TickRecord> ticks;
-  const Result<std::unique_ptr<Reader>> opened = Reader::Open(file);
-  if (!opened) {
-    ADD_FAILURE() << Format(opened.error());
-    return ticks;
-  }
-  for (std::uint64_t tick = (*opened)->first_tick(); tick <= (*opened)->last_tick(); ++tick) {
-    const Result<const TickRecord*> record = (*opened)->At(tick);
-    if (!record) {
-      ADD_FAILURE() << Format(record.error());
-      break;
-    }
-    ticks.push_back(**record);
-  }
-  return ticks;
-}
-
-void ExpectTheSameWrittenAnew(const fs::path& file, const std::vector<TickRecord>& ticks) {
-  Write(file, ticks);
-  const Result<std::unique_ptr<Reader>> newer = Reader::Open(file);
-  ASSERT_TRUE(newer) << Format(newer.error());
-  for (const TickRecord& tick : ticks) EXPECT_EQ(Bytes(**(*newer)->At(tick.tick)), Bytes(tick));
-}
-
-/// Made by the release that wrote format 5: ten agents of the crowd, six ticks, each agent in a circle.
-TEST_F(RecordingTest, CirclesOfVersion5StandAmongTheLines) {
-  const std::vector<TickRecord> ticks = TicksIn(Kept("circles.soarrec"));
-  ASSERT_EQ(ticks.size(), 7u);
-  EXPECT_EQ(ticks.back().scene.agents.size(), 10u);
-  EXPECT_GE(ticks.back().scene.lines.size(), 10 * world::kLinesOfCircle);
-  EXPECT_TRUE(ticks.back().scene.circles.empty());
-
-  ExpectTheSameWrittenAnew(file(), ticks);
-}
-
-/// Made by the release that wrote format 7: eight soldiers, ten ticks.
-TEST_F(RecordingTest, BonesAndMindsOfVersion7StandWhole) {
-  const std::vector<TickRecord> ticks = TicksIn(Kept("whole.soarrec"));
-  std::size_t operators = 0;
-  for (const TickRecord& tick : ticks) {
-    for (const MindRecord& mind : tick.minds) {
-      mind.events.ForEachOf<mind::OperatorSelected>([&](const mind::OperatorSelected& selected) {
-        EXPECT_TRUE(mind::Unpack(selected.decision));
-        ++operators;
-      });
-    }
-  }
-  ASSERT_EQ(ticks.size(), 10u);
-  EXPECT_GE(operators, 8u);
-  std::size_t bodies = 0;
-  for (const world::DrawableSnapshot& drawable : ticks.back().scene.drawables) {
-    if (drawable.bones.empty()) continue;
-    ++bodies;
-    EXPECT_EQ(drawable.bones.pose(), nullptr);
-    EXPECT_GT(drawable.bones.size(), 0u);
-  }
-  EXPECT_GE(bodies, 8u);
-
-  ExpectTheSameWrittenAnew(file(), ticks);
-}
-
-/// Made by the release that wrote format 8: eight soldiers, their set-up and ten ticks.
-TEST_F(RecordingTest, PlacesOfVersion8StandInFull) {
-  const fs::path kept = Kept("unmoved.soarrec");
-  const std::vector<TickRecord> ticks = TicksIn(kept);
-  std::size_t minds = 0;
-  for (const TickRecord& tick : ticks) {
-    minds += tick.minds.size();
-    for (const world::AgentSnapshot& agent : tick.scene.agents) {
-      EXPECT_EQ(agent.position.y, 0.85f);
-      EXPECT_NEAR(Length(agent.forward), 1, 1e-5);
-    }
-  }
-  ASSERT_EQ(ticks.size(), 11u);
-  EXPECT_EQ(minds, 80u);
-  EXPECT_EQ(ticks.back().scene.agents.size(), 8u);
-  EXPECT_NE(ticks.back().scene.agents.front().position, ticks.front().scene.agents.front().position);
-
-  ExpectTheSameWrittenAnew(file(), ticks);
-  EXPECT_LT(10 * fs::file_size(file()), 9 * fs::file_size(kept));
 }
 
 /// Agents of all kinds: with bodies that stand where they do or elsewhere, in any order, that come, go and turn.

@@ -20,9 +20,6 @@ using world::Shared;
 using world::SharedList;
 using world::Vec3;
 
-/// Later formats hold places and turns as differences, and agents as where what belongs to them stands.
-constexpr std::uint16_t kLastInFull = 8;
-
 template <typename T>
 concept HasFields = requires(const T& value) {
   FieldsOf(value);
@@ -249,15 +246,15 @@ void PutMembers(ByteWriter& out, std::uint64_t mask, const E& expected, const T&
 }
 
 template <HasFields T>
-void GetMembers(ByteReader& in, T& value, std::uint16_t version) {
+void GetMembers(ByteReader& in, T& value) {
   std::uint64_t mask = in.Number();
   const auto get = [&](auto member) {
     if ((mask & 1) != 0) {
       using Member = std::remove_cvref_t<decltype(value.*member)>;
       if constexpr (std::is_same_v<Member, world::BodyBones>) {
-        GetBones(in, value.*member, version);
+        GetBones(in, value.*member);
       } else if constexpr (kIsMoved<Member>) {
-        version > kLastInFull ? GetMoved(in, value.*member) : Get(in, value.*member);
+        GetMoved(in, value.*member);
       } else {
         Get(in, value.*member);
       }
@@ -374,7 +371,7 @@ void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<
 }
 
 template <HasFields T>
-void ReadList(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
+void ReadList(ByteReader& in, std::vector<T>& list) {
   std::vector<T> before = std::exchange(list, {});
   list.reserve(before.size());
   std::size_t old = 0;
@@ -390,7 +387,7 @@ void ReadList(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
         return;
       case Step::kChanged:
         list.push_back(std::move(before[old++]));
-        GetMembers(in, list.back(), version);
+        GetMembers(in, list.back());
         break;
       case Step::kGone:
         ++old;
@@ -399,7 +396,7 @@ void ReadList(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
         in.Charge(sizeof(T));
         list.emplace_back();
         Get(in, list.back().id);
-        GetMembers(in, list.back(), version);
+        GetMembers(in, list.back());
         break;
       default:
         return in.Fail();
@@ -436,7 +433,7 @@ void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>
 
 /// In place, so that blocks that stay as they are stay shared.
 template <HasFields T>
-void ReadList(ByteReader& in, SharedList<T>& list, std::uint16_t version) {
+void ReadList(ByteReader& in, SharedList<T>& list) {
   typename SharedList<T>::Place at;
   while (!in.failed()) {
     for (std::uint64_t unchanged = in.Number(); unchanged > 0;) {
@@ -453,7 +450,7 @@ void ReadList(ByteReader& in, SharedList<T>& list, std::uint16_t version) {
         if (!list.IsEnd(at)) in.Fail();
         return;
       case Step::kChanged:
-        GetMembers(in, list.Edit(at), version);
+        GetMembers(in, list.Edit(at));
         at = list.After(at);
         break;
       case Step::kGone:
@@ -462,7 +459,7 @@ void ReadList(ByteReader& in, SharedList<T>& list, std::uint16_t version) {
       case Step::kNew: {
         T made;
         Get(in, made.id);
-        GetMembers(in, made, version);
+        GetMembers(in, made);
         in.Charge(sizeof(T));
         at = list.After(list.Insert(at, std::move(made)));
         break;
@@ -485,16 +482,9 @@ void WritePlain(ByteWriter& out, const std::vector<T>& before, const std::vector
 }
 
 template <HasFields T>
-void ReadPlain(ByteReader& in, std::vector<T>& list, std::uint16_t version) {
-  constexpr std::uint16_t kLastWhole = 7;
-  list.resize(version > kLastWhole ? in.CountOf(sizeof(T)) : in.Count(sizeof(T)));
-  for (T& value : list) {
-    if (version > kLastWhole) {
-      GetMembers(in, value, version);
-    } else {
-      Get(in, value);
-    }
-  }
+void ReadPlain(ByteReader& in, std::vector<T>& list) {
+  list.resize(in.CountOf(sizeof(T)));
+  for (T& value : list) GetMembers(in, value);
 }
 
 }  // namespace
@@ -521,25 +511,18 @@ void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world
   WritePlain(out, before.circles, now.circles);
 }
 
-void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t version) {
-  GetMembers(in, scene, version);
-  ReadList(in, scene.drawables, version);
-  ReadList(in, scene.lights, version);
-  if (version > kLastInFull) {
-    Followed followed(scene);
-    for (world::AgentSnapshot& agent : scene.agents) followed.Follow(agent.id, agent.position, agent.forward);
-  }
-  ReadList(in, scene.agents, version);
-  ReadList(in, scene.ui, version);
-  ReadList(in, scene.particles, version);
-  ReadPlain(in, scene.lines, version);
-  ReadPlain(in, scene.triangles, version);
-  constexpr std::uint16_t kLastWithoutCircles = 5;  // They stood among the lines.
-  if (version > kLastWithoutCircles) {
-    ReadPlain(in, scene.circles, version);
-  } else {
-    scene.circles.clear();
-  }
+void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
+  GetMembers(in, scene);
+  ReadList(in, scene.drawables);
+  ReadList(in, scene.lights);
+  Followed followed(scene);
+  for (world::AgentSnapshot& agent : scene.agents) followed.Follow(agent.id, agent.position, agent.forward);
+  ReadList(in, scene.agents);
+  ReadList(in, scene.ui);
+  ReadList(in, scene.particles);
+  ReadPlain(in, scene.lines);
+  ReadPlain(in, scene.triangles);
+  ReadPlain(in, scene.circles);
 }
 
 }  // namespace soarbox::record

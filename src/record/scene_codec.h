@@ -11,7 +11,7 @@ namespace soarbox::record {
 void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now);
 
 /// Turns the earlier scene into the later one. If the bytes make no sense, `in` has failed and the scene is useless.
-/// `version` is the format's. In either case, memory stays below a multiple of the bytes read and of `scene`.
-void ReadScene(ByteReader& in, world::SceneSnapshot& scene, std::uint16_t version = kVersion);
+/// In either case, memory stays below a multiple of the bytes read and of `scene`.
+void ReadScene(ByteReader& in, world::SceneSnapshot& scene);
 
 }  // namespace soarbox::record

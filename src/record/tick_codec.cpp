@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "record/event_delta.h"
-#include "record/legacy_minds.h"
 #include "record/scene_codec.h"
 
 namespace soarbox::record {
@@ -82,7 +81,7 @@ void WriteMinds(ByteWriter& out, const std::vector<MindRecord>& before, const st
     std::size_t at = next;
     while (at < end && before[at].agent != mind.agent) ++at;
     const bool was_there = at < end;
-    out.Number((was_there ? 2 * (at - next + 1) : 0) + (mind.from_words ? 1 : 0));
+    out.Number(was_there ? at - next + 1 : 0);
     if (!was_there) out.Text(mind.agent);
     WriteEventDelta(out, was_there ? before[at].events.bytes() : std::string_view(), mind.events.bytes());
     if (was_there) next = at + 1;
@@ -94,10 +93,8 @@ void ReadMinds(ByteReader& in, std::vector<MindRecord>& minds) {
   minds.resize(in.CountOf(sizeof(MindRecord), 2));
   std::size_t next = 0;
   for (MindRecord& mind : minds) {
-    const std::uint64_t head = in.Number();
-    mind.from_words = (head & 1) != 0;
     std::string_view events_before;
-    if (const std::uint64_t passed = head >> 1; passed == 0) {
+    if (const std::uint64_t passed = in.Number(); passed == 0) {
       mind.agent = in.Text();
     } else {
       if (passed > before.size() - next) return in.Fail();
@@ -110,28 +107,6 @@ void ReadMinds(ByteReader& in, std::vector<MindRecord>& minds) {
     if (in.failed()) return;
     if (!mind.events.IsSound()) return in.Fail();
   }
-}
-
-/// Formats 5 to 7 hold all events.
-void ReadWholeMind(ByteReader& in, MindRecord& mind) {
-  mind.agent = in.Text();
-  mind.from_words = in.Byte() != 0;
-  const std::string_view events = in.Text();
-  in.Charge(events.size());
-  if (in.failed()) return;
-  mind.events = mind::EventLog(events);
-  if (!mind.events.IsSound()) in.Fail();
-}
-
-/// Formats 2 to 4 hold words.
-void ReadMindInWords(ByteReader& in, MindRecord& mind) {
-  mind.agent = in.Text();
-  mind.from_words = true;
-  tell::MindWords words;
-  for (auto* texts :
-       {&words.percepts, &words.decisions, &words.details, &words.commands, &words.reasons, &words.command_rules})
-    ReadTexts(in, *texts);
-  if (!in.failed()) mind.events = ReadWords(words);
 }
 
 }  // namespace
@@ -152,19 +127,16 @@ void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now)
   WriteMinds(out, before.minds, now.minds);
 }
 
-void ReadTick(ByteReader& in, TickRecord& record, std::uint16_t version) {
+void ReadTick(ByteReader& in, TickRecord& record) {
   record.tick = in.Number();
   record.state_hash = in.Fixed64();
   ReadTexts(in, record.inputs);
-  ReadScene(in, record.scene, version);
+  ReadScene(in, record.scene);
   record.scene.tick = record.tick;
   // An event takes 15 bytes at least, a mind 3.
   record.events.assign(in.CountOf(sizeof(sim::RunEvent), 15), {});
   for (sim::RunEvent& event : record.events) ReadEvent(in, event);
-  constexpr std::uint16_t kLastInWords = 4, kLastWhole = 7;
-  if (version > kLastWhole) return ReadMinds(in, record.minds);
-  record.minds.assign(in.CountOf(sizeof(MindRecord), 3), {});
-  for (MindRecord& mind : record.minds) version <= kLastInWords ? ReadMindInWords(in, mind) : ReadWholeMind(in, mind);
+  ReadMinds(in, record.minds);
 }
 
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {

@@ -24,7 +24,6 @@ struct MindRecord {
   std::string agent;  ///< Its body's name.
   /// Percepts, decisions and commands; at Level::kAll also firings and elements.
   mind::EventLog events;
-  bool from_words = false;  ///< From an old recording: some facts are unknown, and numbers have six digits.
   friend bool operator==(const MindRecord&, const MindRecord&) = default;
 };
 

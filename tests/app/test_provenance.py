@@ -183,11 +183,6 @@ class OfRecordings(MissionCase):
         info = self.info(file)
         self.assertEqual(info["manifest"]["command"][1], "run")
 
-    def test_recordings_of_earlier_versions_have_none_and_say_so(self):
-        old = next((REPOSITORY / "tests" / "app" / "recordings").glob("*.soarrec"))
-        self.assertNotIn("manifest", self.info(old))
-        self.assertIn("no manifest", Run("replay", old, "--info", code=0).out)
-
     def test_recordings_of_failed_missions_have_one(self):
         self.mission('[[check]]\nagent = "scout"\nat = "mill"\nby = 2\n')
         Run("test", self.folder / "scenario.toml", "--keep", self.folder / "kept", code=1)
