@@ -26,12 +26,12 @@ std::string Alone(const TickRecord& record) {
   return bytes;
 }
 
-void ReadTicks(std::string_view bytes, std::uint16_t version) {
+void ReadTicks(std::string_view bytes) {
   ByteReader in(bytes);
   TickRecord record;
   PerceptValues percepts;
   while (!in.AtEnd()) {
-    ReadTick(in, record, version);
+    ReadTick(in, record);
     if (in.failed()) return;
     for (const MindRecord& mind : record.minds) ApplyPercepts(mind.events, percepts);
     const std::string bytes_alone = Alone(record);
@@ -59,10 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     case 2:
-      ReadTicks(bytes, kVersion);
-      ReadTicks(bytes, 8);  // The last in which places stood in full.
-      ReadTicks(bytes, 7);  // The last in which minds and bones stood whole.
-      ReadTicks(bytes, 4);  // The last that held words.
+      ReadTicks(bytes);
       break;
     default: {
       BlockFrame frame;
