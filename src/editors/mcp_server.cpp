@@ -77,7 +77,10 @@ McpServer::McpServer(fs::path program, fs::path folder) : program_(std::move(pro
   std::error_code error;
   folder_ = fs::canonical(folder, error);
   std::string own = (fs::temp_directory_path(error) / "soarbox-mcp-XXXXXX").string();
-  if (mkdtemp(own.data()) != nullptr) own_ = own;
+  if (mkdtemp(own.data()) == nullptr) return;
+  own_ = own;
+  // What the command keeps of its runs and of a learner's progress: an assistant's are not the user's.
+  setenv("XDG_STATE_HOME", own.c_str(), 1);
 }
 
 McpServer::~McpServer() {
@@ -136,10 +139,14 @@ McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
   static const std::map<std::string, Handler> kHandlers = {
       {"check_rules", &McpServer::CheckRules},
       {"compare_runs", &McpServer::CompareRuns},
+      {"grade_lesson", &McpServer::GradeLesson},
       {"inspect", &McpServer::Inspect},
+      {"lesson_hint", &McpServer::LessonHint},
       {"list_commands", &McpServer::ListCommands},
+      {"list_lessons", &McpServer::ListLessons},
       {"list_percepts", &McpServer::ListPercepts},
       {"list_scenarios", &McpServer::ListScenarios},
+      {"read_lesson", &McpServer::ReadLesson},
       {"read_recording", &McpServer::ReadRecording},
       {"run_mission", &McpServer::RunMission},
       {"run_scenario", &McpServer::RunScenario},
@@ -317,6 +324,67 @@ McpJson McpServer::TryFuture(const McpJson& arguments) {
   for (const McpJson& part : differences["content"]) answer["content"].push_back(part);
   answer["content"].push_back({{"type", "text"}, {"text", "recording: " + name}});
   return answer;
+}
+
+McpJson McpServer::ListLessons(const McpJson&) {
+  return Run({"learn"});
+}
+
+/// The folder with the files of a lesson, which it makes; what the lesson says goes to `said`.
+fs::path McpServer::OpenLesson(const McpJson& arguments, McpJson& said, std::string& number) {
+  const auto found = arguments.find("lesson");
+  if (found == arguments.end() || !found->is_number_unsigned())
+    throw McpRefusal{kMcpInvalidParams, "lesson is the number of a lesson"};
+  number = found->dump();
+  const fs::path all = own_ / "lessons";
+  said = Run({"learn", number, "--headless", "--folder", all.string()});
+  const std::string begin = (number.size() == 1 ? "0" : "") + number + "-";
+  std::error_code error;
+  for (fs::directory_iterator it(all, error), end; !error && it != end; it.increment(error))
+    if (it->path().filename().string().starts_with(begin)) return it->path();
+  throw McpRefusal{kMcpInvalidParams, "there is no lesson " + number + "; list_lessons names them"};
+}
+
+/// The file that the learner writes.
+fs::path McpServer::RulesOf(const fs::path& lesson) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(lesson, error), end; !error && it != end; it.increment(error))
+    if (it->path().extension() == ".soar") files.push_back(it->path());
+  if (files.size() == 1) return files.front();
+  throw McpRefusal{kMcpInvalidParams, "this lesson is not about one file of rules"};
+}
+
+McpJson McpServer::ReadLesson(const McpJson& arguments) {
+  McpJson answer;
+  std::string number;
+  const fs::path folder = OpenLesson(arguments, answer, number);
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file(error)) files.push_back(it->path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files)
+    answer["content"].push_back(
+        {{"type", "text"}, {"text", file.filename().string() + ":\n" + ReadText(file).value_or("")}});
+  return answer;
+}
+
+McpJson McpServer::LessonHint(const McpJson& arguments) {
+  McpJson said;
+  std::string number;
+  OpenLesson(arguments, said, number);
+  return Run({"learn", "hint", number, "--folder", (own_ / "lessons").string()});
+}
+
+McpJson McpServer::GradeLesson(const McpJson& arguments) {
+  const std::string rules = WordOf(arguments, "rules", true);
+  McpJson said;
+  std::string number;
+  const fs::path file = RulesOf(OpenLesson(arguments, said, number));
+  if (!(std::ofstream(file, std::ios::binary) << rules).flush())
+    throw McpRefusal{kMcpInvalidParams, "these rules cannot be kept for the grading"};
+  return Run({"learn", "check", number, "--folder", (own_ / "lessons").string()});
 }
 
 McpJson McpServer::CompareRuns(const McpJson& arguments) {

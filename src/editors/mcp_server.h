@@ -35,6 +35,12 @@ class McpServer {
   Json Call(const std::string& tool, const Json& arguments);
 
   Json CheckRules(const Json& arguments);
+  Json ListLessons(const Json& arguments);
+  Json ReadLesson(const Json& arguments);
+  Json LessonHint(const Json& arguments);
+  Json GradeLesson(const Json& arguments);
+  std::filesystem::path OpenLesson(const Json& arguments, Json& said, std::string& number);
+  static std::filesystem::path RulesOf(const std::filesystem::path& lesson);
   Json CompareRuns(const Json& arguments);
   Json Inspect(const Json& arguments);
   Json ListCommands(const Json& arguments);

@@ -88,6 +88,27 @@ class Assistant(unittest.TestCase):
         self.assertIn("recording: ", future)
         self.assertRegex(future, "differ|tick")
 
+    def test_lesson_5_is_solved_and_graded_by_tools_alone(self):
+        self.assertIn("Commands and their answers", self.call("list_lessons"))
+        lesson = self.call("read_lesson", lesson=5)
+        self.assertIn("must not try the hut twice", lesson)
+        starter = lesson.split("climber.soar:\n", 1)[1].split("scenario.toml:\n")[0]
+        self.assertIn("climber*propose*hut", starter)
+        graded = self.call("grade_lesson", lesson=5, rules=starter)
+        self.assertIn("no rule made ^closed of it", graded)
+        self.assertIn("panel Senses", self.call("lesson_hint", lesson=5))
+        answer = starter + """
+sp {climber*apply*learn
+   (state <s> ^operator <o> ^io.output-link.move-to <command>)
+   (<o> ^name go ^where <name>)
+   (<command> ^waypoint <name> ^reason <reason>)
+-->
+   (<s> ^closed <name>)}
+"""
+        self.assertNotIn('"severity":"error"', self.call("check_rules", text=answer))
+        self.assertIn("Passed", self.call("grade_lesson", lesson=5, rules=answer))
+        self.assertIn("error", self.answer("tools/call", name="read_lesson", arguments={"lesson": 99}))
+
     def test_nothing_outside_of_its_folder_is_read(self):
         for path in ("../secret.soar", str(self.folder / "secret.soar"), "link.soar", "/etc/passwd", "--json"):
             answer = self.answer("tools/call", name="check_rules", arguments={"path": path})
