@@ -22,6 +22,9 @@ struct AgentSettings {
   std::uint32_t max_partial_matches = 8'000'000;
   /// An agent whose own memory grows beyond this while it runs breaks down, too. The host sets it, no command does.
   std::size_t most_memory_bytes = std::numeric_limits<std::size_t>::max();
+  /// When the counter of firings (Counters::firings) has reached this number, each phase ends as if it had reached
+  /// max_elaborations. The host sets it; no command does.
+  std::uint64_t most_firings = std::numeric_limits<std::uint64_t>::max();
   bool keep_all_top_o_preferences = false;
   bool wait_snc = false;
   /// On: a match that both elaborates and applies an operator gets i-support, and a warning says so. Off: o-support.

@@ -357,6 +357,20 @@ TEST(AgentMemory, MorePartialMatchesThanAreAllowedEndTheAgentAndNameTheRule) {
             "there is no room for the matches of rule explode; 'soar max-partial-matches' allows 5000 in all");
 }
 
+TEST(AgentElaborations, PhasesEndOnceTheRulesHaveFiredOftenEnough) {
+  Agent agent("busy");
+  agent.mutable_settings().max_elaborations = 10'000;
+  for (const char* rule : {"start (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name count)",
+                           "zero (state <s> ^operator.name count -^n) --> (<s> ^n 0)",
+                           "count (state <s> ^operator.name count ^n <n>) --> (<s> ^n (+ <n> 1) <n> -)"}) {
+    ASSERT_TRUE(agent.LoadProduction(rule).loaded);
+  }
+  agent.mutable_settings().most_firings = 500;
+  agent.Run(RunUnit::kDecision, 3);
+  EXPECT_GE(agent.counters().firings, 500U);
+  EXPECT_LT(agent.counters().firings, 510U);
+}
+
 TEST(AgentMemory, ATextThatGrowsWithoutEndEndsTheAgent) {
   Agent agent("wordy");
   agent.mutable_settings().most_memory_bytes = std::size_t{4} << 20;

@@ -49,7 +49,9 @@ Elaboration::Next Elaboration::Determine(bool apply) {
     }
     return Next::kPhaseEnds;
   }
-  if (count_ >= static_cast<std::uint32_t>(engine_.settings.max_elaborations)) {
+  const AgentSettings& settings = engine_.settings;
+  if (count_ >= static_cast<std::uint32_t>(settings.max_elaborations) ||
+      engine_.counters.firings >= settings.most_firings) {
     engine_.observers.Warn(apply ? WarningKind::kMaxElaborationsApply : WarningKind::kMaxElaborationsPropose,
                            apply ? "reached max-elaborations; proceeding to output phase"
                                  : "reached max-elaborations; proceeding to decide phase");

@@ -14,6 +14,7 @@
 #include "sml/client/local_agent_link.h"
 #include "sml/server/decision_packer.h"
 #include "sml/server/printed_names.h"
+#include "soarbox_Limits.h"
 #include "soarbox_Observation.h"
 
 namespace soarbox {
@@ -279,6 +280,10 @@ void SetMindMatchLimit(sml::Agent& agent, std::uint32_t most) {
 
 void SetMindMemoryLimit(sml::Agent& agent, std::size_t bytes) {
   if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().most_memory_bytes = bytes;
+}
+
+void SetMindFiringLimit(sml::Agent& agent, std::uint64_t most) {
+  if (kernel::Agent* mind = KernelAgent(agent)) mind->mutable_settings().most_firings = most;
 }
 
 }  // namespace soarbox

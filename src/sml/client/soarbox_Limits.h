@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "Export.h"
+
+namespace sml {
+class Agent;
+}
+
+namespace soarbox {
+
+/// When MindFirings (soarbox_Observation.h) has reached this number, each phase of the agent ends as if it had reached
+/// max-elaborations. Does nothing if its kernel is in another process.
+void EXPORT SetMindFiringLimit(sml::Agent& agent, std::uint64_t most);
+
+}  // namespace soarbox
