@@ -12,6 +12,7 @@
 #include "kernel/rules/parser.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/production.h"
+#include "rule_reading/nearest_function.h"
 
 namespace soarbox::rule_reading {
 namespace {
@@ -240,6 +241,10 @@ std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text
   std::erase_if(conditions, [&](const mind::RuleConditionFact& one) { return one.id == kState; });
   for (mind::RuleConditionFact& one : conditions) one.value = WithoutBarsOfVariables(std::move(one.value));
   return conditions;
+}
+
+std::string_view NearestFunction(std::string_view name) {
+  return kernel::NearestFunction(name);
 }
 
 }  // namespace soarbox::rule_reading

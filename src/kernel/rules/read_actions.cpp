@@ -190,13 +190,7 @@ std::string RuleReader::TextOf(const RuleToken& name) const {
 
 bool RuleReader::FailUnknown(const RuleToken& name) {
   const std::string text = TextOf(name);
-  std::vector<std::string_view> names;
-  for (const BuiltinFunction& builtin : BuiltinFunctions()) names.push_back(builtin.name);
-  std::string_view near = Suggest(text, names);
-  for (const std::string_view printer : {"print", "printf", "println", "echo", "say", "puts", "display"}) {
-    if (near.empty() && text == printer) near = "write";
-  }
-  if (near.empty() && text.starts_with("rand")) near = "rand-int or rand-float";
+  const std::string_view near = NearestFunction(text);
   std::string hint = "(exec " + text + " ...) calls a function that a client registers later";
   if (text == "tcl") hint = "Soar has no Tcl any more: (write ...) prints, (cmd ...) gives a command";
   if (!near.empty()) hint = "did you mean " + std::string(near) + "? " + hint;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "kernel/rules/functions/builtin_functions.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "diagnostics/diagnostic.h"
 #include "kernel/rules/functions/function_bodies.h"
 #include "kernel/rules/production.h"
 
@@ -104,6 +109,15 @@ std::uint16_t FindBuiltinFunction(std::string_view name) {
     ++index;
   }
   return RhsValue::kUserFunction;
+}
+
+std::string_view NearestFunction(std::string_view name) {
+  constexpr std::string_view kPrinters[] = {"print", "printf", "println", "echo", "say", "log", "puts", "display"};
+  if (std::ranges::find(kPrinters, name) != std::end(kPrinters)) return "write";
+  std::vector<std::string_view> names;
+  for (const BuiltinFunction& function : kFunctions) names.push_back(function.name);
+  const std::string_view near = Suggest(name, names);
+  return near.empty() && name.starts_with("rand") ? "rand-int or rand-float" : near;
 }
 
 Symbol Evaluate(FunctionContext& context, std::uint16_t function_index, std::span<const Symbol> arguments) {

@@ -27,6 +27,10 @@ std::span<const BuiltinFunction> BuiltinFunctions();
 /// The index of a built-in function, or RhsValue::kUserFunction.
 std::uint16_t FindBuiltinFunction(std::string_view name);
 
+/// The built-in function that is probably meant by a name that no function has: `write` for `print` and other printers,
+/// "rand-int or rand-float" for `random`, otherwise one that is spelled alike. Empty if there is none.
+std::string_view NearestFunction(std::string_view name);
+
 /// Calls the function that an RhsValue names by `function_index`, which must be a built-in one.
 Symbol Evaluate(FunctionContext& context, std::uint16_t function_index, std::span<const Symbol> arguments);
 
