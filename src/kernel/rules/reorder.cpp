@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "kernel/rules/condition_queue.h"
 #include "kernel/rules/print_production.h"
+#include "kernel/rules/waiting_tests.h"
 
 namespace soarbox::kernel {
 
@@ -17,15 +17,6 @@ namespace {
 constexpr std::int64_t kInfinite = kInfiniteCost;
 /// Later complaints about unconnected identifiers do not repeat the earlier ones.
 constexpr std::size_t kMostRepeated = 50;
-
-/// A test that was taken off its field, to be put back where both sides are bound.
-struct SavedTest {
-  Symbol field;  ///< What the field that the test stood on is equated with.
-  std::uint32_t field_variable = kNoVariable;
-  TestDraft test;
-  bool placed = false;
-  SavedTest* next = nullptr;
-};
 
 struct GoalTest {
   std::uint32_t variable = kNoVariable;
@@ -53,31 +44,6 @@ bool IsStrippable(TestKind kind) {
   }
 }
 
-/// The parts of a test as a list, whatever its form.
-DraftList<TestDraft> Parts(const TestDraft& test, Arena& arena) {
-  if (test.kind == TestKind::kConjunction) {
-    return test.parts;
-  }
-  DraftList<TestDraft> parts;
-  if (test.kind != TestKind::kBlank) {
-    parts.Add(arena.New(test));
-  }
-  return parts;
-}
-
-TestDraft Joined(const DraftList<TestDraft>& parts) {
-  TestDraft test;
-  if (parts.first == parts.last) {
-    if (parts.first != nullptr) {
-      test = *parts.first;
-    }
-    return test;
-  }
-  test.kind = TestKind::kConjunction;
-  test.parts = parts;
-  return test;
-}
-
 bool IsGoalTest(const TestDraft& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
@@ -92,17 +58,6 @@ void PutEqualityLast(TestDraft& test) {
   }
   kept.Append(equality);
   test.parts = kept;
-}
-
-/// Keeps of a disjunction what another one has as well.
-void KeepCommon(TestDraft& test, const TestDraft& other, Arena& arena) {
-  Symbol* const common = arena.NewArray<Symbol>(test.disjunct_count);
-  Symbol* const end = std::copy_if(test.disjuncts, test.disjuncts + test.disjunct_count, common, [&](Symbol symbol) {
-    const Symbol* const last = other.disjuncts + other.disjunct_count;
-    return std::find(other.disjuncts, last, symbol) != last;
-  });
-  test.disjuncts = common;
-  test.disjunct_count = static_cast<std::uint32_t>(end - common);
 }
 
 /// Orders one list of conditions: those of a rule, or those inside a conjunctive negation. `Set` is a set of variables.
@@ -123,7 +78,8 @@ class ListReorderer {
         positive_values_(variables, arena),
         positive_variables_(variables, arena),
         fresh_(variables, arena),
-        ahead_(variables, arena) {}
+        ahead_(variables, arena),
+        waiting_tests_(arena) {}
 
   /// `is_top`: these are the conditions of a rule, which must hang on something.
   void Reorder(DraftList<ConditionDraft>& conditions, bool is_top) {
@@ -324,21 +280,21 @@ class ListReorderer {
     const Symbol field = EqualitySymbol(test);
     const std::uint32_t variable = EqualityVariable(test);
     DraftList<TestDraft> kept, equality;
-    for (TestDraft* part = Parts(test, arena_).first; part != nullptr;) {
+    for (TestDraft* part = PartsOf(test, arena_).first; part != nullptr;) {
       TestDraft* const next = part->next;
       if (part->kind == TestKind::kEqual) {
         equality.Add(part);
       } else if (IsGoalTest(*part)) {
         SaveGoalTest(variable, part->kind, is_id);
       } else if (IsStrippable(part->kind)) {
-        SaveTest(field, variable, *part);
+        waiting_tests_.Save(field, variable, *part);
       } else {
         kept.Add(part);
       }
       part = next;
     }
     kept.Append(equality);
-    test = Joined(kept);
+    test = JoinParts(kept);
   }
 
   void SaveGoalTest(std::uint32_t variable, TestKind kind, bool of_id) {
@@ -363,16 +319,6 @@ class ListReorderer {
         test.placed = true;
       }
     }
-  }
-
-  void SaveTest(Symbol field, std::uint32_t variable, const TestDraft& test) {
-    SavedTest saved;
-    saved.field = field;
-    saved.field_variable = variable;
-    saved.test = test;
-    saved_.Add(arena_.New(saved));
-    ++unplaced_;
-    ++saved_count_;
   }
 
   bool IsGoalVariable(std::uint32_t variable) const {
@@ -642,93 +588,9 @@ class ListReorderer {
       roots_unbound_ -= roots_.Has(variable) ? 1 : 0;
       if (queue_) queue_->Bind(variable);
     }
-    if (unplaced_ != 0) {
-      PutBack(test);
+    if (!waiting_tests_.empty()) {
+      waiting_tests_.PutBack(test, bound_);
     }
-  }
-
-  /// The saved tests that a field with this symbol may decide, in text order: all if there are few. Of many only those
-  /// that name the symbol, and only at its first field, because a test can be decided as soon as both sides are bound.
-  SavedTest* FirstThatMayBe(Symbol symbol) {
-    if (saved_count_ < kManyTests) {
-      return saved_.first;
-    }
-    if (tests_of_.empty()) {
-      std::uint32_t number = 0;
-      for (SavedTest& saved : saved_) {
-        tests_of_.emplace_back(saved.field.bits(), number, &saved);
-        if (saved.test.referent != saved.field) tests_of_.emplace_back(saved.test.referent.bits(), number, &saved);
-        ++number;
-      }
-      std::ranges::sort(tests_of_);
-    }
-    const std::tuple<std::uint32_t, std::uint32_t, SavedTest*> first{symbol.bits(), 0, nullptr};
-    candidates_.clear();
-    for (auto at = std::ranges::lower_bound(tests_of_, first); at != tests_of_.end(); ++at) {
-      auto& [bits, number, saved] = *at;
-      if (bits != symbol.bits()) break;
-      if (saved != nullptr) candidates_.push_back(saved);
-      saved = nullptr;
-    }
-    candidate_ = 0;
-    return candidates_.empty() ? nullptr : candidates_.front();
-  }
-
-  SavedTest* NextThatMayBe(const SavedTest& saved) {
-    if (saved_count_ < kManyTests) {
-      return saved.next;
-    }
-    return ++candidate_ < candidates_.size() ? candidates_[candidate_] : nullptr;
-  }
-
-  /// Puts the saved tests back that can be decided now that this field is bound, equal ones once; of disjunctions
-  /// becomes the one of what they have in common.
-  void PutBack(TestDraft& test) {
-    const Symbol symbol = EqualitySymbol(test);
-    std::vector<TestDraft*>& placed = placed_;
-    placed.clear();
-    for (SavedTest* next = FirstThatMayBe(symbol); next != nullptr; next = NextThatMayBe(*next)) {
-      SavedTest& saved = *next;
-      if (saved.placed) {
-        continue;
-      }
-      const Symbol referent = saved.test.referent;
-      if (saved.field == symbol && bound_.Has(saved.test.variable)) {
-        placed.push_back(arena_.New(saved.test));
-      } else if (referent == symbol && referent.IsVariable() && bound_.Has(saved.field_variable)) {
-        TestDraft turned = saved.test;
-        turned.kind = TurnedRound(turned.kind);
-        turned.is_turned = true;
-        turned.referent = saved.field;
-        turned.variable = saved.field_variable;
-        placed.push_back(arena_.New(turned));
-      } else {
-        continue;
-      }
-      saved.placed = true;
-      --unplaced_;
-    }
-    if (placed.empty()) {
-      return;
-    }
-    DraftList<TestDraft> parts = Parts(test, arena_);
-    for (std::size_t at = placed.size(); at-- > 0;) {
-      TestDraft& part = *placed[at];
-      TestDraft* known = parts.first;
-      while (known != nullptr && !(*known == part) &&
-             (known->kind != TestKind::kDisjunction || part.kind != TestKind::kDisjunction)) {
-        known = known->next;
-      }
-      if (known == nullptr) {
-        DraftList<TestDraft> front;
-        front.Add(&part);
-        front.Append(parts);
-        parts = front;
-      } else if (part.kind == TestKind::kDisjunction) {
-        KeepCommon(*known, part, arena_);
-      }
-    }
-    test = Joined(parts);
   }
 
   void CheckNegated(ConditionDraft& condition) {
@@ -777,8 +639,8 @@ class ListReorderer {
       }
     }
     if (!parts.empty()) {
-      parts.Append(Parts(id, arena_));
-      id = Joined(parts);
+      parts.Append(PartsOf(id, arena_));
+      id = JoinParts(parts);
     }
   }
 
@@ -799,15 +661,7 @@ class ListReorderer {
   Waiting** users_ = nullptr;           ///< By variable: the conditions that need it.
   std::uint32_t* users_end_ = nullptr;  ///< Where those of each variable end; null: not found out yet.
   std::vector<Symbol> unconnected_;     ///< Roots of this list that are no goals.
-  DraftList<SavedTest> saved_;
-  std::size_t unplaced_ = 0;  ///< Saved tests not put back yet.
-  static constexpr std::size_t kManyTests = 32;
-  std::size_t saved_count_ = 0;
-  /// If there are many saved tests: by symbol and in text order those that name it; null once they were tried.
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, SavedTest*>> tests_of_;
-  std::vector<SavedTest*> candidates_;  ///< Scratch of FirstThatMayBe.
-  std::size_t candidate_ = 0;
-  std::vector<TestDraft*> placed_;  ///< Scratch of PutBack.
+  WaitingTests waiting_tests_;
   DraftList<GoalTest> goal_tests_;
   Waiting** waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
   std::size_t count_ = 0;
