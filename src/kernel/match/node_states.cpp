@@ -2,7 +2,6 @@
 #include "kernel/match/node_states.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace soarbox::kernel {
 
@@ -23,25 +22,23 @@ void NodeStates::Reset(std::uint32_t node) {
 
 // Tokens --------------------------------------------------------------------------------------------------------------
 
-// Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
-/// Tokens of few keys would stand in chains as long as before. Asked again whenever they are twice as many.
-bool NodeStates::IsWorthGrowing(std::uint32_t table, std::uint32_t bits, std::uint32_t count) const {
+/// Tokens of few keys would stand in chains as long as before.
+bool NodeStates::IsWorthGrowing(std::uint32_t table, std::uint32_t bits) const {
   constexpr std::uint32_t kBucketsPerKey = 8;
-  if (!std::has_single_bit(count)) return false;
   std::uint32_t used = 0;
   for (std::uint32_t n = 0; n < 1u << bits; ++n) used += tables_[table + n] != kNil ? 1 : 0;
   return used * kBucketsPerKey > 1u << bits;
 }
 
-void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node, std::uint32_t count) {
+// Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
+void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node) {
   // Tokens are all over memory: each is looked at once, and those of later buckets are called for in time.
   constexpr std::uint32_t kAhead = 12;
-  constexpr std::uint32_t kBitsForAll = 8;  // As many as any node gets that has the tokens.
   constexpr std::uint32_t kFirstBits = 4, kMoreBits = 2;
   NodeState& state = states_[node];
   const std::uint32_t old_bits = marks_[node].bits();
   const std::uint32_t old_head = state.head;
-  if (old_bits >= kBitsForAll && !IsWorthGrowing(state.head, old_bits, count)) return;
+  if (old_bits >= kBitsForAll && !IsWorthGrowing(state.head, old_bits)) return;
   const std::uint32_t bits = old_bits == 0 ? kFirstBits : old_bits + kMoreBits;
   const std::uint32_t table = tables_.Allocate(bits);
   const std::uint32_t parts = 1u << (bits - old_bits);  // A bucket's tokens go to so many neighbours.

@@ -121,7 +121,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
     bool grow = false;
     if (bits != 0) {
       head = &tables_[memory.head + TablePool::Hash(key, bits)];
-      grow = (count >> bits) != 0;
+      grow = (count >> bits) != 0 && MayGrow(bits, count);
     } else {
       grow = count > kTinyMemory && keyed;
     }
@@ -134,7 +134,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
       all[next].previous_in_bucket = index;
     }
     if (grow) [[unlikely]] {
-      GrowBuckets(tokens, node, count);
+      GrowBuckets(tokens, node);
     }
   }
   [[gnu::always_inline]] void Insert(TokenPool & tokens, std::uint32_t node, std::uint32_t index, std::uint32_t key,
@@ -212,8 +212,14 @@ class [[gnu::visibility("hidden")]] NodeStates {
   }
 
  private:
-  void GrowBuckets(TokenPool & tokens, std::uint32_t node, std::uint32_t count);
-  bool IsWorthGrowing(std::uint32_t table, std::uint32_t bits, std::uint32_t count) const;
+  /// Up to so many bits a table grows as soon as it has as many tokens as buckets; a larger one is looked at whenever
+  /// its tokens are twice as many.
+  static constexpr std::uint32_t kBitsForAll = 8;
+  static bool MayGrow(std::uint32_t bits, std::uint32_t count) {
+    return bits < kBitsForAll || (count & (count - 1)) == 0;
+  }
+  void GrowBuckets(TokenPool & tokens, std::uint32_t node);
+  bool IsWorthGrowing(std::uint32_t table, std::uint32_t bits) const;
 
   PlainVector<NodeState> states_;
   PlainVector<NodeMarks> marks_;

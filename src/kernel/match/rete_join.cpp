@@ -13,6 +13,20 @@ namespace {
   state.joins().FindOnlyId(node);
 }
 
+/// Makes the set of identifiers that the tokens of a memory wait for.
+[[gnu::noinline]] void RenewSignature(ReteState& state, std::uint32_t index) {
+  const Node& node = state.network->node(index);
+  KeySignatures::Set set = 0;
+  state.nodes.ForEachToken(state.tokens, index, [&](std::uint32_t token) {
+    const std::uint32_t id =
+        node.kind == NodeKind::kAnchors
+            ? state.tokens[token].key
+            : BitsOf(state.wmes[ElementAt(state.tokens.read(), token, node.key_id_levels)], node.key_id_field);
+    set |= KeySignatures::Of(id);
+  });
+  state.signatures.Replace(index, set);
+}
+
 /// The first of the items from `item` on whose element passes the tests of a join with (parent, wme).
 [[gnu::always_inline]] inline std::uint32_t FirstPassing(const ReteState& state, const RightSide& right,
                                                          const Node& join, const KeyParts& key, std::uint32_t parent,
@@ -430,6 +444,9 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
       key.key = PairKey(key.id, key.value);
     }
     nodes.Insert(tokens, memory, index, token, key.key, node.key != KeyKind::kNone, memory.count);
+    if (!signatures.empty()) [[unlikely]] {
+      signatures.Add(index, key.id, memory.count);
+    }
     const std::uint32_t found = FirstOffered(*this, joined, key);
     if (found != kNil) {
       JoinFrom(join, joined, token, key, found);
@@ -497,6 +514,9 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   const std::uint32_t token = MakeToken(*this, index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   nodes.Insert(tokens, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
+  if (!signatures.empty()) [[unlikely]] {
+    signatures.Add(index, key.id, state.count);
+  }
   JoinAll(state, token, key);
   if (state.score != kNil) {
     sparse.AddToScore(state.score, index, tokens[token].first_child != kNil);
@@ -507,6 +527,9 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
 std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
   const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
   nodes.Insert(tokens, anchors, token, id, true);
+  if (!signatures.empty()) {
+    signatures.Add(anchors, id, nodes[anchors].count);
+  }
   JoinAll(nodes[anchors], token, KeyParts{id, id, 0});
   return token;
 }
@@ -570,13 +593,14 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   }
 }
 
-/// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side.
-[[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
+/// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side. False if
+/// none of them has its key.
+[[gnu::always_inline]] inline bool ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
                                                         const Wme& element) {
   const NodeMarks memory = nodes.marks(node.parent);
   if (memory.Is(NodeMarks::kSparse)) {
     RightSparse(index, wme);
-    return;
+    return true;
   }
   const std::uint32_t key = KeyOfElement(node, element);
   const Records<const Token> all = tokens.read();
@@ -584,9 +608,11 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   while (token != kNil && all[token].key != key) {
     token = all[token].next_in_bucket;
   }
-  if (token != kNil) {
-    RightMatch(index, wme, token, key);
+  if (token == kNil) {
+    return false;
   }
+  RightMatch(index, wme, token, key);
+  return true;
 }
 
 /// The element joins with those tokens of a bucket, from `token` on, that have its key and pass the tests.
@@ -708,16 +734,23 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     if (((place - node.filter.lowest) & known) > node.filter.range) {
       continue;
     }
-    if (node.kind == NodeKind::kJoin) {
-      if (wanted == 0 && nodes[node.parent].count == 1) {
-        FindOnlyId(*this, index);  // It had more tokens.
-        if (ids[index] != 0 && ids[index] != id) {
-          continue;
-        }
+    const bool is_join = node.kind == NodeKind::kJoin;
+    const std::uint32_t memory = is_join ? node.parent : index;
+    if (wanted == 0 && is_join && nodes[memory].count == 1) {
+      FindOnlyId(*this, index);  // It had more tokens.
+      wanted = ids[index];
+      if (wanted != 0 && wanted != id) {
+        continue;
       }
-      RightJoin(index, node, wme, element);
-    } else {
+    }
+    const bool is_set = wanted == 0 && node.key != KeyKind::kNone && !nodes.marks(memory).Is(NodeMarks::kSparse);
+    if (is_set && !signatures.MayHave(memory, id)) {
+      continue;
+    }
+    if (!is_join) {
       RightNegative(index, node, wme);
+    } else if (!RightJoin(index, node, wme, element) && is_set && signatures.IsStale(memory, nodes[memory].count)) {
+      RenewSignature(*this, memory);
     }
   }
 }

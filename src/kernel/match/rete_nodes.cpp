@@ -10,6 +10,7 @@ namespace soarbox::kernel {
 void ReteState::NodeAdded(std::uint32_t index) {
   nodes.MakeRoom(index + 1u);  // Else RemoveNode left its state as good as new.
   only_ids.MakeRoom(nodes.size());
+  signatures.MakeRoom(nodes.size());
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {

@@ -14,10 +14,8 @@ namespace soarbox::kernel {
     shared.path_element = true;
   }
   if ((memory.sparse & ~AlphaState::kFlags) != 0) {
-    for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if (nodes.marks(node).Is(NodeMarks::kFeedsSparse)) {
-        ForgetPairs(node, item.wme);
-      }
+    for (const std::uint32_t join : feeders.Of(item.alpha)) {
+      ForgetPairs(join, item.wme);
     }
   }
   alphas.TakeOut(memory, index);

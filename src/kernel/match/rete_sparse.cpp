@@ -224,10 +224,12 @@ void ReteState::MakeSparse(std::uint32_t index) {
   nodes.marks(index).Set(NodeMarks::kSparse);
   if (!only_ids.empty()) {
     only_ids.SecondToken(nodes, state.first_linked);
+    signatures.AddAll(index);
   }
   const std::uint32_t join = network->node(index).parent;
   nodes.marks(join).Set(NodeMarks::kFeedsSparse);
   ++alphas[network->node(join).alpha].sparse;
+  feeders.Add(network->node(join).alpha, join);
   nodes.marks(network->node(join).parent).Set(NodeMarks::kAboveSparse);
   nodes.ForEachToken(tokens, index, [this](std::uint32_t token) { ++tokens[tokens[token].parent].pairs; });
 }
@@ -277,6 +279,7 @@ void ReteState::MakePlain(std::uint32_t index) {
   const std::uint32_t join = network->node(index).parent;
   nodes.marks(join).Unset(NodeMarks::kFeedsSparse);
   --alphas[network->node(join).alpha].sparse;
+  feeders.Remove(network->node(join).alpha, join);
   nodes.marks(network->node(join).parent).Unset(NodeMarks::kAboveSparse);
   nodes.marks(index).Unset(NodeMarks::kSparse);
   sparse.GiveBack(state.place);

@@ -13,6 +13,7 @@
 #include "kernel/match/element_links.h"
 #include "kernel/match/emissions.h"
 #include "kernel/match/join_links.h"
+#include "kernel/match/key_signatures.h"
 #include "kernel/match/match_set.h"
 #include "kernel/match/match_support.h"
 #include "kernel/match/network.h"
@@ -23,6 +24,7 @@
 #include "kernel/match/right_side.h"
 #include "kernel/match/rule_numbers.h"
 #include "kernel/match/shared_conjunctions.h"
+#include "kernel/match/sparse_feeders.h"
 #include "kernel/match/sparse_memories.h"
 #include "kernel/match/token_pool.h"
 
@@ -60,7 +62,9 @@ struct [[gnu::visibility("hidden")]] ReteState {
   AlphaMemories alphas;
   NodeStates nodes;
   SparseMemories sparse;
+  SparseFeeders feeders;
   OnlyIds only_ids;
+  KeySignatures signatures;
   SharedConjunctions shared;
   MatchSupport support;
   PairTests pair_tests;
@@ -76,7 +80,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> gathered;  ///< Scratch: tokens that an element joins with.
 
   [[gnu::always_inline]] JoinLinks joins() {
-    return {*network, alphas, nodes, only_ids, tokens, wmes};
+    return {*network, alphas, nodes, only_ids, signatures, tokens, wmes};
   }
 
   EmissionReader emissions() const {
@@ -109,7 +113,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Abandon();
 
   // rete_join.cpp
-  void RightJoin(std::uint32_t join, const Node& node, std::uint32_t wme, const Wme& element);
+  bool RightJoin(std::uint32_t join, const Node& node, std::uint32_t wme, const Wme& element);
   void RightMatch(std::uint32_t join, std::uint32_t wme, std::uint32_t token, std::uint32_t key);
   void RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme);
   void RightFirst(std::uint32_t first, std::uint32_t wme);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace soarbox::kernel {
+
+/// Which identifiers the tokens of a memory or a negative node wait for, as a set of 64 hashes: an element with any
+/// other identifier joins with none of them. Used for nodes that are linked to busy alpha memories and have several
+/// tokens (OnlyIds serves those with one). Empty while no alpha memory is busy.
+///
+/// Invariant: the set contains the hash of each token's identifier. It may contain more, because a token that leaves
+/// does not remove its own.
+class KeySignatures {
+ public:
+  using Set = std::uint64_t;
+
+  static Set Of(std::uint32_t id) { return Set{1} << (id * 0x9E3779B1u >> 26); }
+
+  bool empty() const { return sets_.empty(); }
+  /// A token has entered a node, which now has `count`.
+  void Add(std::uint32_t node, std::uint32_t id, std::uint32_t count) {
+    Set& set = sets_[node];
+    set = (count == 1 ? 0 : set) | Of(id);
+  }
+  /// False if no token of the node waits for the identifier.
+  bool MayHave(std::uint32_t node, std::uint32_t id) const { return (sets_[node] & Of(id)) != 0; }
+  /// Whether the set must contain hashes of tokens that have left, because it has more than the node has tokens. Only
+  /// of a node with so few that the set is worth making again.
+  bool IsStale(std::uint32_t node, std::uint32_t count) const {
+    constexpr std::uint32_t kMost = 32;
+    return count <= kMost && static_cast<std::uint32_t>(std::popcount(sets_[node])) > count;
+  }
+  void Replace(std::uint32_t node, Set set) { sets_[node] = set; }
+  /// The tokens of the node are no longer added here until it has been empty.
+  void AddAll(std::uint32_t node) { sets_[node] = kAll; }
+
+  /// Begins the sets of that many nodes, about whose tokens nothing is known.
+  void Begin(std::size_t nodes) { sets_.resize(nodes, kAll); }
+  /// The number of nodes is now `nodes`.
+  void MakeRoom(std::size_t nodes) {
+    if (!sets_.empty() && sets_.size() < nodes) sets_.resize(nodes + nodes / 2, kAll);
+  }
+
+ private:
+  static constexpr Set kAll = std::numeric_limits<Set>::max();
+
+  std::vector<Set> sets_;
+};
+
+}  // namespace soarbox::kernel
