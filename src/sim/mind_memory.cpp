@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/minds.h"
+#include "sim/work_limit.h"
 
 // What all minds of a world take together, and how much one may do in a tick. It is counted in bytes that the kernel
 // says it has laid out, and in firings, never timed.
@@ -20,10 +21,6 @@ constexpr std::size_t kLarge_bytes = std::size_t{4} << 20;
 constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
 /// What a partial match takes, and what it takes with all that becomes of it.
 constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
-
-/// No rules that somebody wrote on purpose fire so often in a tick, and a world that waits for it stands still: it
-/// takes the better part of a second.
-constexpr std::uint64_t kMostFirings = 200'000;
 
 /// A mind that takes this part of the world's memory is told of.
 constexpr std::size_t kMuch = 8;

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "sim/senses.h"
+#include "sim/work_limit.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
+#include "soarbox_Limits.h"
 #include "soarbox_Observation.h"
 #endif
 
@@ -150,6 +152,7 @@ void SoarMind::Decide() {
   agent_->Commit();
 #ifdef SOARBOX_OWN_KERNEL
   const std::uint64_t before = MindFirings(*agent_);
+  SetMindFiringLimit(*agent_, before + kMostFirings);
 #endif
   answer_ = agent_->RunSelfTilOutput();
 #ifdef SOARBOX_OWN_KERNEL
