@@ -10,45 +10,12 @@
 #include "explain/former_soar.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
+#include "rule_reading/nearest_function.h"
 
 namespace soarbox::explain {
 namespace {
 
 constexpr std::size_t kNone = std::string::npos;
-
-/// Functions that rules call most, for near-misses.
-constexpr std::string_view kFunctions[] = {"write",
-                                           "crlf",
-                                           "halt",
-                                           "interrupt",
-                                           "make-constant-symbol",
-                                           "rand-int",
-                                           "rand-float",
-                                           "abs",
-                                           "sqrt",
-                                           "sin",
-                                           "cos",
-                                           "atan2",
-                                           "min",
-                                           "max",
-                                           "int",
-                                           "float",
-                                           "mod",
-                                           "div",
-                                           "round-off",
-                                           "round-off-heading",
-                                           "ifeq",
-                                           "strlen",
-                                           "trim",
-                                           "concat",
-                                           "capitalize-symbol",
-                                           "deep-copy",
-                                           "timestamp",
-                                           "compute-heading",
-                                           "compute-range",
-                                           "dont-learn",
-                                           "force-learn",
-                                           "cmd"};
 
 bool HasState(const RuleText& rule) {
   return std::any_of(rule.conditions.begin(), rule.conditions.end(),
@@ -307,10 +274,7 @@ void FindOddActions(const RuleText& rule, std::vector<Slip>& slips) {
   for (const std::string& call : rule.calls) {
     if (!call.starts_with("exec ")) continue;
     const std::string name = call.substr(5);
-    constexpr std::string_view kPrinters[] = {"print", "printf", "println", "echo", "say", "log", "puts", "display"};
-    std::string_view near = Suggest(name, {std::begin(kFunctions), std::end(kFunctions)});
-    if (near.empty() && std::ranges::find(kPrinters, name) != std::end(kPrinters)) near = "write";
-    if (near.empty() && name.starts_with("rand")) near = "rand-int or rand-float";
+    const std::string_view near = rule_reading::NearestFunction(name);
     const std::string former = FormerFunctionHint(name);
     slips.push_back({rule.name, name, false,
                      "rule " + rule.name + " calls the function " + name + ", which does not exist",
