@@ -26,8 +26,11 @@
 #include "app/usage_errors.h"
 #include "app/usage_text.h"
 #include "app/window.h"
+#include "mission/test_missions.h"
+#include "record/header.h"
 #include "record/manifest.h"
 #include "sim/scenario.h"
+#include "world/shared_navigation.h"
 
 namespace soarbox::app {
 namespace {
@@ -122,6 +125,8 @@ int Main(int argc, char** argv, const PageServer* server) {
   // A server's engine is called by the server; its recordings go to whoever asks for them.
   record::SetOrigin({Commit(), program.got_subcommand("engine") ? std::vector<std::string>()
                                                                 : std::vector<std::string>(argv, argv + argc)});
+  // Not in an engine: what strangers let it run leaves no files behind.
+  if (!program.got_subcommand("engine")) world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
     return WithServer(server, argv, options, is_replay);

@@ -11,6 +11,7 @@
 
 #include "diagnostics/problem.h"
 #include "world/navigation_build.h"
+#include "world/navigation_files.h"
 #include "world/navigation_store.h"
 #include "world/rotation.h"
 
@@ -46,8 +47,14 @@ std::string Text(float value) {
 Result<BuiltNavigation> FindOrBuild(const NavigationGeometry& geometry, const NavigationConfig& config) {
   const std::uint64_t source = SourceHash(geometry, config);
   if (std::optional<BuiltNavigation> found = FindSharedNavigation(source)) return std::move(*found);
+  if (std::optional<BuiltNavigation> kept = FindKeptNavigation(source)) {
+    OfferNavigation(source, *kept);
+    return std::move(*kept);
+  }
   Result<BuiltNavigation> built = BuildNavigation(geometry, config);
-  if (built.ok()) OfferNavigation(source, *built);
+  if (!built.ok()) return built;
+  OfferNavigation(source, *built);
+  KeepBuiltNavigation(source, *built);
   return built;
 }
 

@@ -5,11 +5,14 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <system_error>
 #include <thread>
 
 #include "diagnostics/without_threads.h"
+#include "world/navigation_files.h"
 #include "world/navigation_mesh.h"
 #include "world/navigation_store.h"
 #include "world/shared_navigation.h"
@@ -227,6 +230,46 @@ TEST(SharedNavigation, AMeshThatAnotherProcessBuiltIsTheOneThatWouldBeBuiltHere)
   EXPECT_GE((*mesh)->FindPath({0, 0, 2}, {6, 0, 2}).size(), 2u);
   config.walkable_radius_m = 0.6f;
   EXPECT_FALSE(FindSharedNavigation(SourceHash(geometry, config)).has_value());
+}
+
+TEST(KeptNavigation, AMeshInAFileIsTheOneThatWouldBeBuiltHere) {
+  namespace fs = std::filesystem;
+  NavigationGeometry geometry;
+  geometry.AddBox({}, {12, 0.5f, 12}, {0, -0.5f, 0}, {});
+  const NavigationConfig config;
+  const std::uint64_t source = SourceHash(geometry, config);
+  const fs::path folder = fs::temp_directory_path() / ("soarbox-kept-navigation-" + std::to_string(getpid()));
+  KeepNavigation(folder, "this program");
+  Result<BuiltNavigation> built = BuildNavigation(geometry, config);
+  ASSERT_TRUE(built.ok());
+  EXPECT_FALSE(FindKeptNavigation(source).has_value());
+  KeepBuiltNavigation(source, *built);
+  const std::optional<BuiltNavigation> found = FindKeptNavigation(source);
+  ASSERT_TRUE(found.has_value());
+  ASSERT_EQ(found->tile_size, built->tile_size);
+  EXPECT_EQ(std::memcmp(found->tile, built->tile, static_cast<std::size_t>(built->tile_size)), 0);
+  EXPECT_EQ(found->triangles, built->triangles);
+  dtFree(found->tile);
+  EXPECT_FALSE(FindKeptNavigation(source + 64).has_value()) << "its file holds another mesh";
+  KeepNavigation(folder, "another program");
+  EXPECT_FALSE(FindKeptNavigation(source).has_value());
+  KeepNavigation(folder, "this program");
+  // One file, and nothing half written beside it.
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  ASSERT_EQ(files.size(), 1u);
+  std::fstream file(files.front(), std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(200);
+  file.put('?').put('!');
+  file.close();
+  EXPECT_FALSE(FindKeptNavigation(source).has_value()) << "it is damaged";
+  fs::resize_file(files.front(), 100);
+  EXPECT_FALSE(FindKeptNavigation(source).has_value()) << "it ends too soon";
+  KeepNavigation({}, {});
+  KeepBuiltNavigation(source, *built);
+  EXPECT_FALSE(FindKeptNavigation(source).has_value());
+  dtFree(built->tile);
+  fs::remove_all(folder);
 }
 
 TEST_F(NavigationTest, FaultsAreNamed) {
