@@ -6,6 +6,7 @@
 #include "debugger/console.h"
 #include "debugger/watch.h"
 #include "debugger/why.h"
+#include "editors/dap_words.h"
 #include "editors/serve_stream.h"
 
 namespace soarbox::editors {
@@ -13,16 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a request is refused with.
-struct DapRefusal {
-  std::string message;
-};
-
 constexpr std::size_t kMostHeld = 100'000;
-
-std::string WithHint(const Diagnostic& problem) {
-  return problem.message + (problem.hint.empty() ? "" : ": " + problem.hint);
-}
 
 std::string WordIn(const Json& json, const char* name) {
   const auto found = json.find(name);
@@ -93,6 +85,9 @@ Json DapServer::Request(const std::string& command, const Json& arguments) {
             {"supportsSteppingGranularity", true},
             {"supportsCompletionsRequest", true},
             {"supportsTerminateRequest", true},
+            {"supportsConditionalBreakpoints", true},
+            {"exceptionBreakpointFilters",
+             Json::array({Json{{"filter", "scripts"}, {"label", "Errors in scripts"}, {"default", false}}})},
             {"completionTriggerCharacters", {" "}}};
   }
   if (command == "launch") return Launch(arguments);
@@ -114,7 +109,7 @@ Json DapServer::Request(const std::string& command, const Json& arguments) {
     if (!over_) after_.push_back({{"type", "event"}, {"event", "terminated"}});
     return Json::object();
   }
-  if (command == "setExceptionBreakpoints") return {{"breakpoints", Json::array()}};
+  if (command == "setExceptionBreakpoints") return SetErrorStops(arguments);
   if (command == "setBreakpoints") return SetBreakpoints(arguments);
   if (command == "setFunctionBreakpoints") return SetFunctionBreakpoints(arguments);
   if (command == "threads") return Threads(arguments);
@@ -191,9 +186,12 @@ void DapServer::Stop(const std::string& reason, const std::string& text) {
   held_.clear();
   const std::vector<std::string> agents = debuggee_->Agents();
   const auto stepped = std::ranges::find(agents, stepping_);
-  const std::size_t number = stepped == agents.end() ? 1 : static_cast<std::size_t>(stepped - agents.begin()) + 1;
+  const std::size_t number = agents.empty()            ? kFirstScriptThread
+                             : stepped == agents.end() ? 1
+                                                       : static_cast<std::size_t>(stepped - agents.begin()) + 1;
   Json body = {
       {"reason", reason}, {"threadId", number}, {"allThreadsStopped", true}, {"description", debuggee_->When()}};
+  if (const std::optional<std::uint32_t> script = PausedScript()) body["threadId"] = kFirstScriptThread + *script;
   if (!text.empty()) body["text"] = text;
   after_.push_back({{"type", "event"}, {"event", "stopped"}, {"body", std::move(body)}});
 }
@@ -223,7 +221,8 @@ std::vector<Json> DapServer::Advance() {
       for (const std::string& agent : agents)
         if (why.front().find(agent + ": ") != std::string::npos) stepping_ = agent;
     }
-    Stop(why.empty() ? "pause" : "breakpoint", why.empty() ? "the run is over" : why.front());
+    const bool is_error = !why.empty() && PausedScript() && why.front().find(": error: ") != std::string::npos;
+    Stop(why.empty() ? "pause" : is_error ? "exception" : "breakpoint", why.empty() ? "the run is over" : why.front());
   }
   for (Json& event : after_) {
     event["seq"] = ++sequence_;
@@ -234,7 +233,11 @@ std::vector<Json> DapServer::Advance() {
 }
 
 Json DapServer::StepBy(const std::string& command, const Json& arguments) {
-  const std::string agent = AgentOf(arguments);
+  const std::optional<std::uint32_t> script = ScriptOf(arguments);
+  const bool goes_back = command == "stepBack" || command == "reverseContinue";
+  // Between two ticks, `next` of a script is a tick of the world, as everywhere.
+  if (script && !goes_back && (PausedScript() || command != "next")) return StepScript(command, *script);
+  const std::string agent = script ? std::string() : AgentOf(arguments);
   Debuggee& minds = Minds();
   stepping_ = agent;
   stopped_at_.clear();
@@ -268,6 +271,7 @@ Json DapServer::StepBy(const std::string& command, const Json& arguments) {
 
 Json DapServer::SetBreakpoints(const Json& arguments) {
   const fs::path file = fs::path(WordIn(arguments.at("source"), "path")).lexically_normal();
+  if (file.extension() == ".lua") return SetScriptBreakpoints(file, arguments);
   std::vector<Mark>& marks = marks_[file.string()];
   marks.clear();
   Json list = Json::array();
@@ -326,6 +330,11 @@ void DapServer::UpdateStops() {
     for (const Mark& mark : marks)
       if (std::ranges::find(rules, mark.rule) == rules.end()) rules.push_back(mark.rule);
   debuggee_->SetStops(rules, wishes_);
+  if (debuggee_->Scripts() == nullptr) return;
+  debuggee_->Scripts()->With([&](script::ScriptDebugger& scripts) {
+    for (const auto& [file, marks] : script_marks_) scripts.SetBreakpoints(file, marks);
+    scripts.SetStopAtErrors(stop_at_errors_);
+  });
 }
 
 std::string DapServer::AgentOf(const Json& arguments) {
@@ -340,11 +349,13 @@ Json DapServer::Threads(const Json&) {
   Json list = Json::array();
   if (debuggee_ != nullptr)
     for (const std::string& agent : debuggee_->Agents()) list.push_back({{"id", list.size() + 1}, {"name", agent}});
+  if (debuggee_ != nullptr) AddScriptThreads(list);
   if (list.empty()) list.push_back({{"id", 1}, {"name", "no agent"}});
   return {{"threads", list}};
 }
 
 Json DapServer::StackTrace(const Json& arguments) {
+  if (const std::optional<std::uint32_t> script = ScriptOf(arguments)) return ScriptStack(*script);
   const std::string agent = AgentOf(arguments);
   const std::unique_ptr<explain::Inspector> mind = Minds().Inspect(agent);
   Json list = Json::array();
@@ -376,6 +387,7 @@ Json DapServer::Scopes(const Json& arguments) {
   const auto number = arguments.at("frameId").get<std::size_t>();
   if (number < 1 || number > frames_.size()) throw DapRefusal{"there is no such state any more"};
   const Frame frame = frames_[number - 1];
+  if (frame.script) return ScriptScopes(number);
   Json list = Json::array();
   list.push_back({{"name", "State " + frame.state},
                   {"variablesReference", Reference(frame.agent, frame.state)},
@@ -406,7 +418,7 @@ int DapServer::Reference(std::string agent, std::string id) {
 
 int DapServer::Reference(explain::WhyNode why) {
   if (held_.size() >= kMostHeld) return 0;
-  held_.push_back({{}, {}, std::move(why)});
+  held_.push_back({{}, {}, std::move(why), Held::Kind::kWhy});
   return static_cast<int>(held_.size());
 }
 
@@ -437,7 +449,9 @@ Json DapServer::Variables(const Json& arguments) {
   const auto number = arguments.at("variablesReference").get<std::size_t>();
   if (number < 1 || number > held_.size()) throw DapRefusal{"these variables are gone: something has happened since"};
   const Held held = held_[number - 1];
-  return {{"variables", held.id.empty() ? Tree(held.why) : ElementsOf(held.agent, held.id)}};
+  if (held.kind == Held::Kind::kElements) return {{"variables", ElementsOf(held.agent, held.id)}};
+  if (held.kind == Held::Kind::kWhy) return {{"variables", Tree(held.why)}};
+  return ScriptVariables(static_cast<int>(number));
 }
 
 std::string DapServer::AgentOfFrame(const Json& arguments, std::string* state) {
@@ -453,21 +467,26 @@ std::string DapServer::AgentOfFrame(const Json& arguments, std::string* state) {
 
 Json DapServer::Evaluate(const Json& arguments) {
   std::string state;
-  const std::string agent = AgentOfFrame(arguments, &state);
   std::string expression = WordIn(arguments, "expression");
   const std::size_t end = expression.find_last_not_of(" \t\r\n");
   expression = end == std::string::npos ? ""
                                         : expression.substr(expression.find_first_not_of(" \t\r\n"),
                                                             end + 1 - expression.find_first_not_of(" \t\r\n"));
+  const bool is_typed = WordIn(arguments, "context") == "repl";
+  const auto frame = arguments.value("frameId", std::size_t{0});
+  if (frame >= 1 && frame <= frames_.size() && frames_[frame - 1].script)
+    return EvaluateInScript(*frames_[frame - 1].script, frames_[frame - 1].level, expression, is_typed);
+  if (const std::optional<std::uint32_t> script = frame == 0 ? PausedScript() : std::nullopt)
+    return EvaluateInScript(*script, 0, expression, is_typed);
+  const std::string agent = AgentOfFrame(arguments, &state);
   if (expression == "why" || expression.starts_with("why ")) {
     const std::string topic = expression.size() > 4 ? expression.substr(4) : "";
     Result<explain::WhyNode> why = Minds().Why(agent, topic);
     if (!why) throw DapRefusal{WithHint(why.error())};
-    const bool in_console = WordIn(arguments, "context") == "repl";
-    return {{"result", in_console ? debugger::ToText(*why) : why->text},
+    return {{"result", is_typed ? debugger::ToText(*why) : why->text},
             {"variablesReference", why->below.empty() ? 0 : Reference(*why)}};
   }
-  if (WordIn(arguments, "context") == "repl") {
+  if (is_typed) {
     const Result<std::string> said = Minds().Command(agent, expression);
     if (!said) throw DapRefusal{WithHint(said.error())};
     TellNews();

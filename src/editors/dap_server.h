@@ -5,22 +5,26 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "editors/debuggee.h"
 #include "editors/json.h"
 #include "language/workspace.h"
+#include "script/script_debugger.h"
 #include "sim/scenario.h"
 
 namespace soarbox::editors {
 
-/// The Debug Adapter Protocol for Soar's agents, without its framing: messages in, messages out.
+/// The Debug Adapter Protocol for Soar's agents and scripts in Lua, without its framing: messages in, messages out.
 ///
 /// Agents are threads, the states of a goal stack its frames, states and operators and what they lead to variables.
-/// `next` goes on by a tick of the world, `stepIn` by a decision, with the granularity "instruction" by a phase;
-/// `stepBack` goes a tick back. Breakpoints stand on lines of rules, and as function breakpoints on what StopWish says.
-/// The console takes Soar's commands, and `why`. Any message is answered; none but `disconnect` ends the server.
+/// The script of the sandbox, and that of each agent that has one, is a thread as well: its frames are calls
+/// (dap_scripts.cpp). `next` goes on by a tick of the world, `stepIn` by a decision, with the granularity "instruction"
+/// by a phase; `stepBack` goes a tick back. Breakpoints stand on lines of rules, and as function breakpoints on what
+/// StopWish says. The console takes Soar's commands, and `why`. Any message is answered; none but `disconnect` ends the
+/// server.
 class DapServer {
  public:
   /// `data`: where scenarios lie; null: scenarios are refused.
@@ -46,6 +50,22 @@ class DapServer {
   Json Completions(const Json& arguments);
   Json StepBy(const std::string& command, const Json& arguments);
 
+  // Scripts.
+  Json SetScriptBreakpoints(const std::filesystem::path& file, const Json& arguments);
+  Json SetErrorStops(const Json& arguments);
+  void AddScriptThreads(Json& list);
+  Json ScriptStack(std::uint32_t owner);
+  Json ScriptScopes(std::size_t frame_number);
+  Json ScriptVariables(int held_number);
+  Json EvaluateInScript(std::uint32_t owner, std::size_t level, const std::string& expression, bool in_console);
+  Json StepScript(const std::string& command, std::uint32_t owner);
+  Json VariablesAsJson(const std::vector<script::ScriptVariable>& variables);
+  ScriptDebuggee& Lua();
+  /// The owner of the script that is paused in the middle of a tick.
+  std::optional<std::uint32_t> PausedScript();
+  /// The owner of a script's thread; nothing for threads of agents.
+  static std::optional<std::uint32_t> ScriptOf(const Json& arguments);
+
   void Begin(std::unique_ptr<Debuggee> debuggee);
   void Event(const std::string& name, Json body);
   void TellNews();
@@ -70,11 +90,16 @@ class DapServer {
   std::string stepping_;  ///< The agent that was stepped last.
   struct Frame {
     std::string agent, state, operator_id;
+    std::optional<std::uint32_t> script = {};  ///< Owner; then `level` counts calls, the innermost is 0.
+    std::size_t level = 0;
   };
   std::vector<Frame> frames_;  ///< By number, from 1.
   struct Held {
     std::string agent, id;
     explain::WhyNode why;
+    enum class Kind : std::uint8_t { kElements, kWhy, kLocals, kUpvalues, kGlobals, kFields } kind = Kind::kElements;
+    std::uint32_t script = 0;
+    int number = 0;  ///< A level, or a reference of the scripts' debugger.
   };
   std::vector<Held> held_;  ///< What may be unfolded, by number from 1.
   struct Mark {
@@ -84,6 +109,8 @@ class DapServer {
   };
   std::map<std::string, std::vector<Mark>> marks_;  ///< Breakpoints by file.
   std::vector<StopWish> wishes_;
+  std::map<std::string, std::vector<script::ScriptBreakpoint>> script_marks_;  ///< By file.
+  bool stop_at_errors_ = false;
   std::string stopped_at_;  ///< The rule that a breakpoint stopped at.
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "diagnostics/result.h"
 #include "explain/inspector.h"
 #include "explain/why_node.h"
+#include "script/script_debugger.h"
 #include "sim/scenario.h"
 
 namespace soarbox::editors {
@@ -28,6 +30,21 @@ struct StopWish {
 };
 /// Reads one; nothing if there is no such kind.
 std::optional<StopWish> ReadStopWish(const std::string& text);
+
+/// The scripts in Lua of a world that is being debugged. A script pauses in the middle of a tick; then
+/// Debuggee::Advance goes on to the end of this tick.
+class ScriptDebuggee {
+ public:
+  virtual ~ScriptDebuggee() = default;
+  /// Calls `look` with the debugger of the scripts, on the thread that they run on. Nothing pauses meanwhile.
+  virtual void With(const std::function<void(script::ScriptDebugger&)>& look) = 0;
+  virtual bool IsPaused() const = 0;
+  /// Goes on until a script pauses again or the run ends: by a step of the script that is paused, else up to the next
+  /// line that the script of this owner executes. Returns why it stopped.
+  virtual std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) = 0;
+  /// Hands a text of Lua to the script of an agent, or of the sandbox (0); it runs in the next tick.
+  virtual void Run(std::uint32_t owner, const std::string& text) = 0;
+};
 
 /// Minds that are being debugged, in a world or in a kernel alone.
 class Debuggee {
@@ -54,6 +71,8 @@ class Debuggee {
   virtual std::string When() const = 0;
   /// Problems and events since the last call, as lines.
   virtual std::vector<std::string> TakeNews() = 0;
+  /// The world's scripts in Lua; null: there are none.
+  virtual ScriptDebuggee* Scripts() { return nullptr; }
 };
 
 /// What a client asked for.

@@ -11,6 +11,7 @@
 #include "debugger/why.h"
 #include "diagnostics/problem.h"
 #include "editors/debuggee.h"
+#include "editors/pausable_task.h"
 #include "language/visual_soar.h"
 #include "record/reader.h"
 #include "record/rerun.h"
@@ -27,15 +28,24 @@ Diagnostic NoWorld(std::string message, std::string hint = {}) {
   return NewProblem(std::move(message), std::move(hint));
 }
 
-class WorldDebuggee final : public Debuggee {
+class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
  public:
   /// Makes the simulation as it is before its first tick.
   using Maker = std::function<Made()>;
 
-  WorldDebuggee(Maker maker, std::unique_ptr<sim::Simulation> simulation, std::uint64_t last_tick)
-      : maker_(std::move(maker)), simulation_(std::move(simulation)), last_tick_(last_tick) {
+  /// Call Begin next.
+  explicit WorldDebuggee(Maker maker) : maker_(std::move(maker)) {}
+  ~WorldDebuggee() override { EndPause(); }
+
+  Result<void> Begin() {
+    Made made = Make();
+    if (!made) return made.error();
+    simulation_ = std::move(*made);
     Watch();
+    return {};
   }
+  void SetEnd(std::uint64_t last_tick) { last_tick_ = last_tick; }
+  const sim::Simulation& simulation() const { return *simulation_; }
 
   std::vector<std::string> Agents() const override {
     std::vector<std::string> agents;
@@ -47,22 +57,26 @@ class WorldDebuggee final : public Debuggee {
 
   std::vector<std::string> Advance(Step step, const std::string& agent) override {
     constexpr int kMostTicks = 300;  // So long nothing may be decided before a step ends anyway.
+    if (task_.is_paused()) return EndTick(task_.Resume());
     const std::uint64_t decisions = DecisionsOf(agent);
     std::vector<std::string> why;
     for (int i = 0; i < kMostTicks && !HasEnded() && why.empty(); ++i) {
       why = Tick();
-      if (step != Step::kDecision || DecisionsOf(agent) > decisions) break;
+      if (task_.is_paused() || step != Step::kDecision || DecisionsOf(agent) > decisions) break;
     }
     return why;
   }
 
   Result<void> GoBack() override {
+    // In the middle of a tick, its beginning lies before.
+    if (task_.is_paused()) return GoTo(ended_tick_);
     if (simulation_->tick() == 0) return NoWorld("this is the beginning: nothing lies before it");
     return GoTo(simulation_->tick() - 1);
   }
   Result<void> Restart() override { return GoTo(0); }
 
   Result<std::string> Command(const std::string& agent, const std::string& line) override {
+    has_begun_ = true;
     return simulation_->Command(agent, line);
   }
 
@@ -92,7 +106,67 @@ class WorldDebuggee final : public Debuggee {
 
   std::vector<std::string> TakeNews() override { return std::exchange(news_, {}); }
 
+  ScriptDebuggee* Scripts() override { return this; }
+
+  void With(const std::function<void(script::ScriptDebugger&)>& look) override {
+    if (task_.is_paused()) return task_.Do([&] { look(scripts_); });
+    // An error in what is looked at is no reason to pause.
+    scripts_.SetEnabled(false);
+    look(scripts_);
+    scripts_.SetEnabled(true);
+  }
+
+  bool IsPaused() const override { return task_.is_paused(); }
+
+  std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) override {
+    constexpr int kMostTicks = 300;  // A script that is not called for so long ends a step.
+    std::vector<std::string> why;
+    if (task_.is_paused()) {
+      task_.Do([&] { scripts_.SetStep(step); });
+      why = EndTick(task_.Resume());
+    } else {
+      scripts_.StopIn(owner);
+    }
+    for (int i = 0; i < kMostTicks && why.empty() && !task_.is_paused() && !HasEnded(); ++i) {
+      if (!scripts_.IsWanted()) break;
+      why = Tick();
+    }
+    if (!task_.is_paused()) scripts_.ForgetStep();
+    return why;
+  }
+
+  void Run(std::uint32_t owner, const std::string& text) override {
+    std::string agent;
+    for (const script::ScriptView::Machine& machine : scripts_.view().Machines())
+      if (machine.owner == owner && owner != 0) agent = machine.name;
+    has_begun_ = true;
+    asked_of_scripts_.push_back(text);
+    simulation_->Submit(sim::ScriptInput{agent, text});
+  }
+
  private:
+  /// Lets a paused tick go on to its end, without another pause.
+  void EndPause() {
+    if (!task_.is_paused()) return;
+    scripts_.SetEnabled(false);
+    task_.Resume();
+    scripts_.SetEnabled(true);
+  }
+
+  /// What has happened in a tick when it has ended, or why a script has paused in the middle of it.
+  std::vector<std::string> EndTick(bool has_ended) {
+    if (has_ended) return std::exchange(is_set_up_again_, false) ? std::vector<std::string>() : AfterTick();
+    std::vector<script::ScriptFrame> calls;
+    std::string reason;
+    task_.Do([&] {
+      const script::ScriptView& view = scripts_.view();
+      calls = view.Frames();
+      reason = view.reason() == "error" ? "error: " + view.error() : view.reason();
+    });
+    if (calls.empty()) return {reason};
+    return {calls.front().file + ":" + std::to_string(calls.front().line) + ": " + reason};
+  }
+
   void Watch() {
     for (const std::string& agent : Agents()) simulation_->NoteMind(agent, sim::MindDetail::kAll);
     TakeEvents();
@@ -103,7 +177,9 @@ class WorldDebuggee final : public Debuggee {
     for (const sim::RunEvent& event : events)
       if (!event.diagnostic.message.empty()) {
         news_.push_back(Format(event.diagnostic));
-      } else if (event.kind == sim::EventKind::kLog) {
+      } else if (event.kind == sim::EventKind::kLog ||
+                 // What a mind answered was returned at once.
+                 (event.kind == sim::EventKind::kAnswer && std::erase(asked_of_scripts_, event.news) > 0)) {
         news_.push_back((event.agent.empty() ? "" : event.agent + ": ") + event.text);
       }
     return events;
@@ -115,8 +191,38 @@ class WorldDebuggee final : public Debuggee {
   }
 
   std::vector<std::string> Tick() {
+    if (simulation_->tick() == 0 && scripts_.HasBreakpoints() && scripts_.IsWanted() &&
+        !std::exchange(has_begun_, true)) {
+      // The set-up again: now its breakpoints are known.
+      is_set_up_again_ = true;
+      if (!task_.Start([this] { SetUpAgain(); })) return EndTick(false);
+      is_set_up_again_ = false;
+    }
     breakpoints_.Prepare(*simulation_);
-    simulation_->Tick();
+    scripts_.view().DropReferences();
+    if (!scripts_.IsWanted()) {
+      simulation_->Tick();
+      return AfterTick();
+    }
+    return EndTick(task_.Start([this] { simulation_->Tick(); }));
+  }
+
+  /// A simulation whose scripts the debugger follows.
+  Made Make() {
+    const script::ObserveNewHosts observed(&scripts_);
+    return maker_();
+  }
+
+  void SetUpAgain() {
+    Made again = Make();
+    if (!again) return news_.push_back(Format(again.error()));
+    simulation_ = std::move(*again);
+    Watch();
+    news_.clear();  // The first set-up said the same.
+  }
+
+  std::vector<std::string> AfterTick() {
+    ended_tick_ = simulation_->tick();
     for (const sim::Input& input : simulation_->LastInputs()) inputs_.push_back({simulation_->tick(), input});
     std::vector<std::string> why;
     for (const debugger::BreakHit& hit : breakpoints_.Check(*simulation_, TakeEvents())) why.push_back(hit.why);
@@ -124,10 +230,17 @@ class WorldDebuggee final : public Debuggee {
   }
 
   Result<void> GoTo(std::uint64_t tick) {
-    Made again = maker_();
-    if (!again) return again.error();
+    EndPause();
+    scripts_.SetEnabled(false);
+    Made again = Make();
+    if (!again) {
+      scripts_.SetEnabled(true);
+      return again.error();
+    }
     const std::vector<TickInput> inputs = std::exchange(inputs_, {});
     simulation_ = std::move(*again);
+    has_begun_ = is_set_up_again_ = false;
+    ended_tick_ = 0;
     // What the user said comes in at its tick again; what the recording holds waits there already.
     for (const TickInput& one : inputs) {
       if (one.tick > tick || one.input.recorded) continue;
@@ -139,6 +252,7 @@ class WorldDebuggee final : public Debuggee {
     const debugger::Breakpoints kept = std::exchange(breakpoints_, {});
     while (simulation_->tick() < tick) Tick();
     breakpoints_ = kept;
+    scripts_.SetEnabled(true);
     news_.clear();
     return {};
   }
@@ -148,11 +262,17 @@ class WorldDebuggee final : public Debuggee {
     sim::Input input;
   };
   Maker maker_;
+  PausableTask task_;  ///< Runs ticks that scripts may pause in.
+  script::ScriptDebugger scripts_{[this] { task_.Pause(); }};
+  bool has_begun_ = false;        ///< A tick, or a command, was asked for since the beginning.
+  bool is_set_up_again_ = false;  ///< The task builds the world, with breakpoints in its set-up.
+  std::uint64_t ended_tick_ = 0;
   std::unique_ptr<sim::Simulation> simulation_;
-  std::uint64_t last_tick_;
+  std::uint64_t last_tick_ = 0;
   std::vector<TickInput> inputs_;
   debugger::Breakpoints breakpoints_;
   std::vector<std::string> news_;
+  std::vector<std::string> asked_of_scripts_;  ///< Whose answers are still to come.
 };
 
 std::uint64_t TickAt(double seconds, double step_s) {
@@ -163,16 +283,16 @@ Result<std::unique_ptr<Debuggee>> LaunchRecording(const LaunchRequest& request, 
   Result<std::unique_ptr<record::Reader>> opened = record::Reader::Open(request.program);
   if (!opened) return opened.error();
   const std::shared_ptr<record::Reader> reader = std::move(*opened);
-  const WorldDebuggee::Maker maker = [reader, &data]() -> Made {
+  auto debuggee = std::make_unique<WorldDebuggee>([reader, &data]() -> Made {
     Result<record::Rerun> again = record::Restart(*reader, data);
     if (!again) return again.error();
     return std::move(again->simulation);
-  };
-  Made made = maker();
-  if (!made) return made.error();
+  });
+  if (const Result<void> begun = debuggee->Begin(); !begun) return begun.error();
   std::uint64_t last = reader->last_tick();
   if (request.seconds) last = std::min(last, TickAt(*request.seconds, reader->header().step_s));
-  return std::unique_ptr<Debuggee>(std::make_unique<WorldDebuggee>(maker, std::move(*made), last));
+  debuggee->SetEnd(last);
+  return std::unique_ptr<Debuggee>(std::move(debuggee));
 }
 
 }  // namespace
@@ -197,13 +317,11 @@ Result<std::unique_ptr<Debuggee>> LaunchWorld(const LaunchRequest& request, cons
     if (!request.seconds) seconds = file->seconds.value_or(seconds);
   }
   if (request.seed) settings.seed = *request.seed;
-  const WorldDebuggee::Maker maker = [scenario = *scenario, settings]() {
-    return sim::Simulation::Create(scenario, settings);
-  };
-  Made made = maker();
-  if (!made) return made.error();
-  const std::uint64_t last = TickAt(seconds, (*made)->world().settings().step_s);
-  return std::unique_ptr<Debuggee>(std::make_unique<WorldDebuggee>(maker, std::move(*made), last));
+  auto debuggee = std::make_unique<WorldDebuggee>(
+      [scenario = *scenario, settings]() { return sim::Simulation::Create(scenario, settings); });
+  if (const Result<void> begun = debuggee->Begin(); !begun) return begun.error();
+  debuggee->SetEnd(TickAt(seconds, debuggee->simulation().world().settings().step_s));
+  return std::unique_ptr<Debuggee>(std::move(debuggee));
 }
 
 }  // namespace soarbox::editors

@@ -35,7 +35,9 @@ std::string RestlessPercept(const RuleText& rule) {
     }
     if (path->second.back() == "path" && (condition.attribute == "status" || condition.attribute == "command"))
       return {};
-    if (!condition.negated && vocabulary::HoldsWord(kRestless, condition.attribute) &&
+    // Of what lies on the input link itself only the time is ours; a script may call its own percepts as it likes.
+    const bool is_own = path->second.back() == "input-link" && condition.attribute != "time";
+    if (!condition.negated && !is_own && vocabulary::HoldsWord(kRestless, condition.attribute) &&
         vocabulary::IsPerceptAttribute(condition.attribute) && found.empty())
       found = condition.attribute;
   }

@@ -37,6 +37,10 @@ print(agent:GetLeader() == other)  --> true)",
     {"Agent.GetMaxSpeed", "agent: Agent", "number [m/s]",
      "The top speed that scripts observe; initially 7. The world does not enforce it.",
      R"(print(agent:GetMaxSpeed())  --> 7)"},
+    {"Agent.GetNeighbours", "agent: Agent, distance: number 0..1e6 [m], team: string = any", "table",
+     "The agents within a distance, without the agent itself, in the order in which they were made; with a team, only "
+     "those of that team. It does not look at agents that are far away, so a flock of 1,000 can afford it.",
+     R"(print(#agent:GetNeighbours(10))  --> 1)", true},
     {"Agent.GetNearestPointOnPath", "agent: Agent, point: Vector [m]", "Vector [m]",
      "The point on the path nearest to this one; nothing without a path.",
      R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})

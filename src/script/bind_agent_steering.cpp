@@ -10,6 +10,7 @@
 #include "script/binding.h"
 #include "script/lua_order.h"
 #include "script/plain_call.h"
+#include "world/agent_store.h"
 
 // Agent: steering forces (spec 7).
 
@@ -31,6 +32,25 @@ EntityId ListedAgent(lua_State* state, int list_index) {
 
 /// Reads the table in Lua's own order; false if that is not 1, 2, 3, ...
 bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer) {
+  // An array of agents, which is usual, is read by number: that takes a third of the time.
+  const int count = static_cast<int>(lua_objlen(state, index));
+  for (int i = 1; i <= count; ++i) {
+    lua_rawgeti(state, index, i);
+    if (lua_isnil(state, -1)) break;
+    buffer.push_back(ListedAgent(state, index));
+    lua_pop(state, 1);
+  }
+  // Nothing else may be in it.
+  const bool is_whole = buffer.size() == static_cast<std::size_t>(count);
+  if (!is_whole || count == 0) {
+    lua_pushnil(state);
+  } else {
+    lua_pushinteger(state, count);
+  }
+  if (lua_next(state, index) == 0) return true;
+  lua_pop(state, 2);
+  if (!is_whole) lua_pop(state, 1);
+  buffer.clear();
   lua_pushnil(state);
   while (lua_next(state, index) != 0) {
     if (lua_tonumber(state, -2) != static_cast<double>(buffer.size() + 1)) {
@@ -64,6 +84,26 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vecto
   LuaMachine::Of(state).Charge(buffer.size());
   const auto all = ContextOf(state).world.AgentIds();
   return std::ranges::equal(buffer, all) ? all : std::span<const EntityId>(buffer);
+}
+
+/// (agent, distance [, team]): those within the distance, in creation order, without the agent itself.
+int GetNeighbours(lua_State* state) {
+  const Agent& agent = AgentArgument(state, 1);
+  const float distance = CheckFloat(state, 2);
+  const bool any_team = lua_isnoneornil(state, 3);
+  const std::string_view team = any_team ? std::string_view() : TextArgument(state, 3);
+  world::AgentStore& store = world::AgentStore::Of(agent);
+  lua_newtable(state);
+  int count = 0;
+  for (const std::uint32_t index : store.NearInOrder(agent.Position(), std::max(distance, 0.0f))) {
+    const Agent& other = store.agent(index);
+    if (other.id() == agent.id() || (!any_team && other.Team() != team)) continue;
+    if (Length(other.Position() - agent.Position()) > distance) continue;
+    PushAgent(state, other.id());
+    lua_rawseti(state, -2, ++count);
+  }
+  LuaMachine::Of(state).Charge(static_cast<std::uint64_t>(count));
+  return 1;
 }
 
 using GroupForce = Vec3 (Agent::*)(float, float, std::span<const EntityId>) const;
@@ -151,6 +191,7 @@ constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},
     {"ForceToTargetSpeed", ForceToTargetSpeed, 2, 2, WrongCount::kError},
     {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},
+    {"GetNeighbours", GetNeighbours, 2, 3, WrongCount::kError},
 };
 
 }  // namespace

@@ -138,6 +138,8 @@ void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view su
 }
 
 void WarnIgnored(lua_State* state, const char* why) {
+  auto& [file, line] = LuaMachine::Of(state).ignored_;
+  LocateCaller(state, file, line);
   WarnAtCaller(state, std::string(why) + ": the call is ignored");
 }
 

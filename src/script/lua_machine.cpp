@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "script/lua_library.h"
+#include "script/script_observer.h"
 #include "script/script_path.h"
 
 namespace soarbox::script {
@@ -27,6 +28,10 @@ constexpr std::size_t kCollectedBytesPerInstruction = 4;
 constexpr std::size_t kLine_bytes = 64;
 
 std::atomic<bool> interrupted{false};
+
+int MaskOf(ScriptObserver::Wants wants) {
+  return (wants.lines ? LUA_MASKLINE : 0) | (wants.calls ? LUA_MASKCALL | LUA_MASKRET : 0);
+}
 
 }  // namespace
 
@@ -56,6 +61,7 @@ LuaMachine::LuaMachine(MachineSetup setup)
   }
   lua_gc(state_, LUA_GCSTOP, 0);
   SetCollectionPoint();
+  if (setup_.observer != nullptr) setup_.observer->OnMachine(*this);
 }
 
 LuaMachine::~LuaMachine() {
@@ -85,7 +91,7 @@ void* LuaMachine::Allocate(void* machine, void* block, std::size_t old_size, std
   const bool is_due = self.memory_.used_bytes() >= self.collect_at_bytes_ || self.memory_.TakeNearRefusal();
   if (self.collect_at_bytes_ != 0 && is_due && !self.collection_due_) {
     self.collection_due_ = true;
-    lua_sethook(self.state_, OnCount, LUA_MASKCOUNT, 1);
+    self.SetHook(self.state_, 1);
   }
   return allocated;
 }
@@ -97,7 +103,7 @@ void LuaMachine::CollectGarbage() {
   // A collection starts Lua's own collector again.
   lua_gc(state_, LUA_GCSTOP, 0);
   // Whoever collects what was due, it is due no more: instructions are counted as before.
-  if (collection_due_) lua_sethook(state_, OnCount, LUA_MASKCOUNT, instructions_left_ > 0 ? kCountInterval : 1);
+  if (collection_due_) SetHook(state_, instructions_left_ > 0 ? kCountInterval : 1);
   SetCollectionPoint();
 }
 
@@ -126,7 +132,9 @@ std::optional<ScriptError> LuaMachine::RunFile(std::string_view name) {
 }
 
 void LuaMachine::NoteFile(std::string_view name) {
-  if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.emplace_back(name);
+  if (std::find(files_.begin(), files_.end(), name) != files_.end()) return;
+  files_.emplace_back(name);
+  if (setup_.observer != nullptr) UpdateHooks();
 }
 
 std::optional<ScriptError> LuaMachine::RunText(std::string_view text, std::string_view name) {
@@ -155,7 +163,10 @@ std::optional<ScriptError> LuaMachine::RunProtected(RawBody body, void* data) {
   std::optional<ScriptError> error;
   if (status != 0) error = TakeError(status);
   lua_settop(state_, top);
-  if (--depth_ == 0 && setup_.world) setup_.world->UseInstructions(armed_ - instructions_left_ + kCallPrice);
+  if (--depth_ == 0) {
+    if (setup_.world) setup_.world->UseInstructions(armed_ - instructions_left_ + kCallPrice);
+    if (setup_.observer != nullptr) setup_.observer->OnEnd(*this);
+  }
   body_ = outer_body;
   body_data_ = outer_data;
   return error;
@@ -191,27 +202,71 @@ void LuaMachine::ArmBudget() {
   world_bound_ = armed_ < setup_.limits.instructions;
   instructions_left_ = armed_;
   nested_calls_ = 0;
-  lua_sethook(state_, OnCount, LUA_MASKCOUNT, collection_due_ ? 1 : kCountInterval);
+  ignored_.second = 0;
+  if (setup_.observer != nullptr) observed_events_ = MaskOf(setup_.observer->WantsOf(*this));
+  SetHook(state_, collection_due_ ? 1 : kCountInterval);
 }
 
-void LuaMachine::OnCount(lua_State* state, lua_Debug*) {
+void LuaMachine::SetHook(lua_State* state, int count) const {
+  lua_sethook(state, OnHook, LUA_MASKCOUNT | observed_events_, count);
+}
+
+void LuaMachine::UpdateHooks() {
+  const int wanted = setup_.observer == nullptr ? 0 : MaskOf(setup_.observer->WantsOf(*this));
+  if (wanted == observed_events_) return;
+  observed_events_ = wanted;
+  // Between two calls nothing runs: the next one sets the hook.
+  if (depth_ > 0) SetHookAgain();
+}
+
+void LuaMachine::SetHookAgain() {
+  // It begins to count anew. What was counted since the last time is not known; a script must not win by it.
+  Charge(kCountInterval);
+  SetHook(state_, instructions_left_ > 0 && !collection_due_ ? kCountInterval : 1);
+}
+
+LuaMachine::OwnBudget::OwnBudget(LuaMachine& machine, std::uint64_t instructions)
+    : machine_(machine), left_(machine.instructions_left_), armed_(machine.armed_) {
+  machine.instructions_left_ = machine.armed_ = instructions;
+}
+
+LuaMachine::OwnBudget::~OwnBudget() {
+  const bool ran_out = machine_.instructions_left_ == 0;
+  machine_.instructions_left_ = left_;
+  machine_.armed_ = armed_;
+  if (ran_out) machine_.SetHookAgain();
+}
+
+void LuaMachine::OnHook(lua_State* state, lua_Debug* frame) {
   LuaMachine& machine = Of(state);
-  if (machine.collection_due_) {
-    // What was counted since the last time is not known; half of it is as likely as not.
-    machine.Charge(kCountInterval / 2 + machine.collection_price_);
-    machine.CollectGarbage();
+  if (frame->event == LUA_HOOKCOUNT) return machine.OnCount(state);
+  if (machine.setup_.observer == nullptr) return;
+  if (frame->event == LUA_HOOKLINE) {
+    machine.setup_.observer->OnLine(machine, state, *frame);
+  } else if (frame->event == LUA_HOOKCALL) {
+    machine.setup_.observer->OnCall(machine, state, *frame);
+  } else {
+    machine.setup_.observer->OnReturn(machine, state, *frame);
   }
-  if (machine.instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {
-    machine.instructions_left_ -= kCountInterval;
+}
+
+void LuaMachine::OnCount(lua_State* state) {
+  if (collection_due_) {
+    // What was counted since the last time is not known; half of it is as likely as not.
+    Charge(kCountInterval / 2 + collection_price_);
+    CollectGarbage();
+  }
+  if (instructions_left_ > kCountInterval && !interrupted.load(std::memory_order_relaxed)) {
+    instructions_left_ -= kCountInterval;
     return;
   }
-  machine.RaiseOutOfBudget(state);
+  RaiseOutOfBudget(state);
 }
 
 void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   instructions_left_ = 0;
   // From here on each instruction fails, so that a script cannot catch the error with pcall and go on.
-  lua_sethook(state, OnCount, LUA_MASKCOUNT, 1);
+  lua_sethook(state, OnHook, LUA_MASKCOUNT, 1);
   if (interrupted.load(std::memory_order_relaxed)) {
     lua_pushliteral(state, "the run is being ended");
     lua_error(state);
@@ -251,6 +306,11 @@ int LuaMachine::RunBody(lua_State* state) {
 int LuaMachine::OnError(lua_State* state) {
   LuaMachine& machine = Of(state);
   machine.error_ = DescribeError(state, machine.path());
+  Diagnostic& told = machine.error_->diagnostic;
+  if (machine.ignored_.second > 0 && told.message.find("nil value") != std::string::npos)
+    told.hint = "a call in " + machine.ignored_.first + ":" + std::to_string(machine.ignored_.second) +
+                " was ignored, so it returned nil; see the warning about it";
+  if (machine.setup_.observer != nullptr) machine.setup_.observer->OnError(machine, state);
   return 1;
 }
 

@@ -21,6 +21,7 @@ struct lua_Debug;
 
 namespace soarbox::script {
 
+class ScriptObserver;
 class ScriptPath;
 struct ScriptContext;
 
@@ -58,8 +59,9 @@ struct MachineSetup {
   ScriptPath* path = nullptr;  ///< For chunks and require.
   RandomSource* random = nullptr;
   PrintSink* print = nullptr;
-  WorldBudget* world = nullptr;      ///< What all machines may use together; null: no bound.
-  ScriptContext* context = nullptr;  ///< What the bindings of the sandbox's API work on; null for bare machines.
+  WorldBudget* world = nullptr;        ///< What all machines may use together; null: no bound.
+  ScriptContext* context = nullptr;    ///< What the bindings of the sandbox's API work on; null for bare machines.
+  ScriptObserver* observer = nullptr;  ///< Follows what the machine executes; null: nobody does.
 };
 
 /// One Lua machine: LuaJIT with the language of Lua 5.1, its standard library without what reaches outside (io,
@@ -154,6 +156,20 @@ class LuaMachine {
   /// Frees what nothing refers to.
   void CollectGarbage();
 
+  /// While one lives, built-in functions may be called from a hook of Lua, where no instructions are counted: the
+  /// budget of the present call is left as it was, and they use at most `instructions` of their own.
+  class OwnBudget {
+   public:
+    OwnBudget(LuaMachine& machine, std::uint64_t instructions);
+    ~OwnBudget();
+    OwnBudget(const OwnBudget&) = delete;
+    OwnBudget& operator=(const OwnBudget&) = delete;
+
+   private:
+    LuaMachine& machine_;
+    std::uint64_t left_, armed_;
+  };
+
   /// Makes each call that is under way or begins later, in each machine, end with an error as soon as it can, because
   /// the process is about to end. You may call it from a signal handler.
   static void InterruptAll();
@@ -187,6 +203,9 @@ class LuaMachine {
 
  private:
   friend class NestedCall;
+  friend class ScriptDebugger;
+  friend class ScriptHost;
+  friend void WarnIgnored(lua_State* state, const char* why);
   using RawBody = void (*)(lua_State*, void*);
 
   std::optional<ScriptError> RunProtected(RawBody body, void* data);
@@ -198,7 +217,13 @@ class LuaMachine {
   static void Call(lua_State* state, int argument_count, int result_count = 0);
   static int RunBody(lua_State* state);
   static int OnError(lua_State* state);
-  static void OnCount(lua_State* state, lua_Debug* frame);
+  void SetHook(lua_State* state, int count) const;
+  ScriptObserver* observer() const { return setup_.observer; }
+  /// Asks the observer again what it wants.
+  void UpdateHooks();
+  void SetHookAgain();
+  static void OnHook(lua_State* state, lua_Debug* frame);
+  void OnCount(lua_State* state);
 
   MachineSetup setup_;
   ScriptMemory memory_;
@@ -208,6 +233,10 @@ class LuaMachine {
   std::vector<std::pair<const char*, int>> names_;  // Of functions called from outside, and where their texts are kept.
   int nested_calls_ = 0;                            // See NestedCall.
   int depth_ = 0;                                   // Of protected calls within each other.
+  int observed_events_ = 0;                         // LUA_MASKLINE and others that the observer wants.
+  /// File and line of a call of the API that did nothing and returned nil: an error that follows may come from that. 0:
+  /// there was none in the present call.
+  std::pair<std::string, int> ignored_;
   std::set<std::string> loading_;
   std::vector<std::string> files_;
   std::uint64_t instructions_left_ = 0;

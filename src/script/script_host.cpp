@@ -10,6 +10,7 @@
 #include "script/lua_library.h"
 #include "script/lua_text.h"
 #include "script/lua_values.h"
+#include "script/script_observer.h"
 #include "world/state_hash.h"
 
 namespace soarbox::script {
@@ -78,6 +79,22 @@ void PushInput(lua_State* state, const InputEvent& event, const world::World& wo
 
 }  // namespace
 
+namespace {
+thread_local ScriptObserver* observer_of_new_hosts = nullptr;
+}  // namespace
+
+ObserveNewHosts::ObserveNewHosts(ScriptObserver* observer) : before_(observer_of_new_hosts) {
+  observer_of_new_hosts = observer;
+}
+
+ObserveNewHosts::~ObserveNewHosts() {
+  observer_of_new_hosts = before_;
+}
+
+ScriptObserver* ObserveNewHosts::Current() {
+  return observer_of_new_hosts;
+}
+
 void SetGlobalUnlessThere(lua_State* state, const char* name, Handle handle) {
   lua_getglobal(state, name);
   const bool is_there = !lua_isnil(state, -1);
@@ -129,14 +146,18 @@ ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFac
       path_(settings_.script_folders),
       budget_(settings_.world_limits),
       reporter_(listener, budget_),
-      context_{world, reporter_, *this, budget_} {}
+      context_{world, reporter_, *this, budget_} {
+  if (ScriptObserver* observer = ObserveNewHosts::Current()) observer->OnWorld();
+}
 
 ScriptHost::~ScriptHost() = default;
 
 std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, EntityId owner, MachineLimits limits,
                                                     RandomSource& random) {
-  return std::make_unique<LuaMachine>(
-      MachineSetup{std::string(script), Number(owner), limits, &path_, &random, &reporter_, &budget_, &context_});
+  // The sandbox's machine comes first; those of agents may be made at any time after.
+  ScriptObserver* const observer = sandbox_ ? sandbox_->observer() : ObserveNewHosts::Current();
+  return std::make_unique<LuaMachine>(MachineSetup{std::string(script), Number(owner), limits, &path_, &random,
+                                                   &reporter_, &budget_, &context_, observer});
 }
 
 bool ScriptHost::LoadSandbox(std::string_view script) {

@@ -53,6 +53,13 @@ TEST_F(HostTest, AnErrorCostsItsCallAndIsToldOnce) {
   EXPECT_EQ(recorder_.counts[0].count, 5u);
 }
 
+TEST_F(HostTest, AnErrorAfterAnIgnoredCallNamesThatCall) {
+  StartWith("function Sandbox_Initialize(s)\n  local p = Core.GetPosition()\n  print(p.x)\nend");
+  ASSERT_EQ(recorder_.errors.size(), 1u);
+  EXPECT_EQ(recorder_.errors[0].second.diagnostic.hint,
+            "a call in Sandbox.lua:2 was ignored, so it returned nil; see the warning about it");
+}
+
 TEST_F(HostTest, OneErrorOfSeveralAgentsIsToldOnceWithAllOfThemAndAgainWhenTheyKeepFailingAndRecover) {
   using Kind = ScriptTrouble::Kind;
   Write("Bad.lua", "tries = 0 function Agent_Update(a) tries = tries + 1 if tries < 10 then error('again') end end");

@@ -21,12 +21,16 @@ constexpr std::size_t kLargestSharedChunk = std::size_t{1024} * 1024;
 
 std::size_t ScriptMemory::ClassOf(std::size_t size) {
   if (size <= kSmallLimit) return (size + kSmallStep - 1) / kSmallStep - 1;
-  return kSmallClasses + static_cast<std::size_t>(std::bit_width((size - 1) / kSmallLimit)) - 1;
+  const auto doubling = static_cast<std::size_t>(std::bit_width((size - 1) / kSmallLimit)) - 1;
+  const std::size_t step = (kSmallLimit / kPerDoubling) << doubling;
+  return kSmallClasses + kPerDoubling * doubling + (size - 1) / step % kPerDoubling;
 }
 
 std::size_t ScriptMemory::SizeOfClass(std::size_t size_class) {
   if (size_class < kSmallClasses) return (size_class + 1) * kSmallStep;
-  return kSmallLimit << (size_class - kSmallClasses + 1);
+  const std::size_t doubling = (size_class - kSmallClasses) / kPerDoubling;
+  const std::size_t part = (size_class - kSmallClasses) % kPerDoubling;
+  return (kSmallLimit / kPerDoubling * (kPerDoubling + part + 1)) << doubling;
 }
 
 void* ScriptMemory::Take(std::size_t size_class) {

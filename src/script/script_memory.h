@@ -54,7 +54,9 @@ class ScriptMemory {
   static constexpr std::size_t kSmallStep = 16;
   static constexpr std::size_t kSmallLimit = 1024;
   static constexpr std::size_t kSmallClasses = kSmallLimit / kSmallStep;
-  static constexpr std::size_t kClasses = kSmallClasses + 40;
+  /// Above that, four classes for each doubling, up to a gigabyte: at most a fifth of a block is unused.
+  static constexpr std::size_t kPerDoubling = 4, kDoublings = 20;
+  static constexpr std::size_t kClasses = kSmallClasses + kPerDoubling * kDoublings;
 
   struct FreeBlock {
     FreeBlock* next;

@@ -69,3 +69,9 @@ class LuaMinds(ScenarioCase):
         self.assertIn("Sandbox.lua:4:5: warning: nothing defines the function Lib_Hlep", out)
         self.assertIn("did you mean Lib_Help?", out)
         self.assertNotIn("Lib_Help;", out)
+
+    def test_an_own_percept_is_not_taken_for_one_that_changes_all_the_time(self):
+        rule = "sp {go*propose*go\n   (state <s> ^superstate nil ^io.input-link.%s 3)\n-->\n   (<s> ^operator <o> +)\n   (<o> ^name go)\n}\n"
+        own, ours = self.write("own.soar", rule % "x"), self.write("ours.soar", rule % "time")
+        self.assertNotIn("all the time", Run("check", own).out)
+        self.assertIn("^time, which changes all the time", Run("check", ours).out)

@@ -46,7 +46,7 @@ ALLOWED = {
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
-    "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record", "debugger", "language"},
+    "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
     # Contents and requests for all views of a run: it draws nothing.
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and knows no panel and no world.

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/result.h"
+
+struct lua_State;
+struct lua_Debug;
+
+namespace soarbox::script {
+
+class LuaMachine;
+
+/// A call that is under way.
+struct ScriptFrame {
+  std::string function;  ///< "Agent_Update", "the main chunk".
+  std::string file;      ///< Path of the script file; empty for a built-in function.
+  int line = 0;
+};
+
+/// A variable, a field of a table, or the value of an expression.
+struct ScriptVariable {
+  std::string name, value, type;
+  int reference = 0;  ///< For Fields; 0: it has none.
+};
+
+/// What a debugger sees of the scripts of a world: machines, and of one that is paused calls and variables.
+///
+/// Expressions are evaluated by EvaluateExpression, which calls built-in functions only: a function of a script could
+/// run for ever, because Lua counts no instructions inside of a hook. Used by the thread that runs the scripts.
+class ScriptView {
+ public:
+  ScriptView();
+  ~ScriptView();
+  ScriptView(const ScriptView&) = delete;
+  ScriptView& operator=(const ScriptView&) = delete;
+
+  struct Machine {
+    std::uint32_t owner = 0;  ///< The agent's number; 0: the sandbox.
+    std::string name;         ///< Of the agent; "sandbox".
+  };
+  /// In the order in which they were made, the sandbox first.
+  std::vector<Machine> Machines() const;
+
+  // While a script is paused, and about it.
+  bool is_paused() const { return state_ != nullptr; }
+  /// Of the paused script; 0: the sandbox.
+  std::uint32_t owner() const;
+  /// "breakpoint", "step" or "error".
+  const std::string& reason() const { return reason_; }
+  /// The error's message; empty for other reasons.
+  const std::string& error() const { return error_; }
+  /// The innermost first.
+  std::vector<ScriptFrame> Frames() const;
+  /// Parameters and local variables; of two with one name the one that counts.
+  std::vector<ScriptVariable> Locals(std::size_t frame);
+  /// Local variables of enclosing functions that the frame's function uses.
+  std::vector<ScriptVariable> Upvalues(std::size_t frame);
+  /// The value of an expression in a frame.
+  Result<ScriptVariable> Evaluate(std::size_t frame, std::string_view expression);
+
+  // Always.
+  /// Global variables of a machine's scripts, without what the language and the API define.
+  std::vector<ScriptVariable> Globals(std::uint32_t owner);
+  /// Fields of a value, by ScriptVariable::reference. References end when scripts go on.
+  std::vector<ScriptVariable> Fields(int reference);
+  /// The value of an expression of global variables.
+  Result<ScriptVariable> EvaluateGlobal(std::uint32_t owner, std::string_view expression);
+  /// Ends all references.
+  void DropReferences();
+
+ private:
+  friend class ScriptDebugger;
+  struct Calls;
+
+  /// `first_level`: of the innermost call that is shown.
+  void BeginPause(LuaMachine& machine, lua_State* state, int first_level, std::string reason, std::string error);
+  void EndPause();
+  /// Evaluates a condition in the innermost call; also true if it cannot be evaluated, so that the user notices.
+  static bool Holds(LuaMachine& machine, lua_State* state, const std::string& condition);
+  /// The level of a call inside of a protected call of our own, where Lua finds its local variables.
+  int LevelOf(std::size_t frame) const { return first_level_ + 1 + static_cast<int>(frame); }
+  LuaMachine* MachineOf(std::uint32_t owner) const;
+  /// Names and describes the value on top of the stack, and pops it.
+  ScriptVariable Take(LuaMachine& machine, lua_State* state, std::string name);
+  std::vector<ScriptVariable> FieldsAt(LuaMachine& machine, lua_State* state, int index);
+
+  std::vector<LuaMachine*> machines_;
+  LuaMachine* machine_ = nullptr;  ///< Of the paused script.
+  lua_State* state_ = nullptr;
+  int first_level_ = 0;  ///< Of its innermost call.
+  std::string reason_, error_;
+  std::unique_ptr<Calls> calls_;
+  struct Reference {
+    LuaMachine* machine;
+    int kept;
+  };
+  std::vector<Reference> references_;
+};
+
+}  // namespace soarbox::script
