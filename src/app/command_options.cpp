@@ -94,6 +94,8 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "Where to look from: " + ListedWordsOf("--camera") + "; all but free and map require --select");
   run->add_flag("--json", options.json, "Print events as lines of JSON");
   run->add_flag("--every-command", options.every_command, "Print each command of each tick, not only changes");
+  run->add_flag("--profile", options.profile,
+                "Print at the end how often functions of Lua scripts were called, and how long they took");
   run->add_option("--report", options.report_s, "Print where all agents are, at this interval in simulated seconds")
       ->check(NumberIn(0.001, kLongest_s));
   run->add_option(

@@ -26,6 +26,7 @@
 #include "record/header.h"
 #include "record/manifest.h"
 #include "record/recorder.h"
+#include "script/script_profiler.h"
 #include "sim/input_text.h"
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
@@ -204,6 +205,8 @@ int Run(const RunOptions& given) {
   if (is_recorded || !options.headless) mission = MissionWatch::Of(*scenario, options.lesson, *data);
   if (mission != nullptr) settings.mind_detail = std::max(settings.mind_detail, mission->LeastDetail());
 
+  script::ScriptProfiler profiler;
+  const script::ObserveNewHosts observed(options.profile ? &profiler : nullptr);
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation && !options.port && settings.soar.port != 0) {
@@ -264,8 +267,12 @@ int Run(const RunOptions& given) {
   session.SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
     tell(recordings.GoOn(session, header, at, inputs));
   });
-  if (!options.headless) return ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
-  const int code = RunHeadless(session, options);
+  const int code = options.headless
+                       ? RunHeadless(session, options)
+                       : ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
+  constexpr std::size_t kMostFunctions = 40;
+  if (options.profile) std::cerr << profiler.Table(session.simulation().tick(), kMostFunctions);
+  if (!options.headless) return code;
   if (session.gateway() != nullptr) tell(session.gateway()->Describe());
   return code;
 }

@@ -22,6 +22,7 @@ struct RunOptions : WindowWishes {
   std::optional<double> speed;        ///< Times real time; none: 1 with a window, as fast as possible without.
   bool json = false;
   bool every_command = false;
+  bool profile = false;            ///< Print at the end how often functions of scripts were called, and their times.
   std::optional<double> report_s;  ///< Print all agents each so many simulated seconds.
   std::string screenshot;          ///< PNG file; empty: none.
   double screenshot_at_s = 5;
