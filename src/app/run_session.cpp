@@ -159,7 +159,8 @@ void RunSession::SetMake(std::uint64_t seed, std::string scenario, Make make, st
   on_made_ = std::move(on_made);
 }
 
-Result<void> RunSession::BeginAgain(bool with_next_seed) {
+Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint64_t> seed) {
+  if (seed) seed_ = *seed;
   if (with_next_seed) ++seed_;
   on_tick_ = {};
   simulation_->Finish();

@@ -59,9 +59,9 @@ class RunSession final : public workbench::LiveRun {
   /// How to make the run anew from a seed; `on_made` is called once the new one is in place (to record it).
   using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
   void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
-  /// Ends the simulation and makes another one, with this seed or the next. It reads rules and scripts again. Nobody
-  /// watches the new one: ask again. After an error there is no simulation any more; end the process.
-  Result<void> BeginAgain(bool with_next_seed);
+  /// Ends the simulation and makes another one, with this seed, the next or the given one. It reads rules and scripts
+  /// again. Nobody watches the new one: ask again. After an error there is no simulation any more; end the process.
+  Result<void> BeginAgain(bool with_next_seed, std::optional<std::uint64_t> seed = {});
   std::uint64_t seed() const { return seed_; }
   /// The folder of the lesson that the world belongs to, if that was said.
   const std::filesystem::path& lesson() const { return lesson_; }

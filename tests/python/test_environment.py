@@ -66,6 +66,36 @@ class Environments(unittest.TestCase):
         with hallway() as another:
             self.assertEqual(episode(another, actions, seed=5), once)
 
+    def test_episodes_share_a_process_and_do_not_depend_on_those_before(self):
+        actions = [2, 2, 3]
+        with hallway() as environment:
+            episode(environment, [3, 1, 0], seed=4)
+            process = environment.world._engine._process.pid
+            second = episode(environment, actions, seed=5)
+            self.assertEqual(environment.world._engine._process.pid, process)
+        with hallway(seed=5) as fresh:
+            self.assertEqual(episode(fresh, actions), second)
+
+    def test_a_world_begins_again(self):
+        with soarbox.World("soar_hallway", seed=3) as world:
+            world.step(40)
+            before = str(world.why("anna"))
+            world.restart()
+            self.assertEqual((world.tick, world.seed), (0, 3))
+            world.step(40)
+            self.assertEqual(str(world.why("anna")), before)
+            world.restart(seed=8)
+            self.assertEqual((world.tick, world.seed), (0, 8))
+            with self.assertRaisesRegex(TypeError, "whole number"):
+                world.restart(seed=-1)
+
+    def test_a_path_that_no_percept_has_is_an_error_with_a_suggestion(self):
+        for path, near in (("self.helth", "self.health"), ("self.position.zz", "self.position.z"), ("agents.range", "agent.range")):
+            with self.assertRaisesRegex(ValueError, f"no percept '{path}'; did you mean '{near}'"):
+                hallway(observe=[path])
+        with self.assertRaisesRegex(ValueError, "docs/percepts.md"):
+            hallway(observe=["qqqqq"])
+
     def test_episodes_take_one_seed_after_the_other(self):
         with hallway() as environment:
             seeds = []

@@ -2,6 +2,7 @@
 """A world as a learning environment: Python decides for one agent, Soar for all others."""
 from __future__ import annotations
 
+import difflib
 import math
 import os
 import re
@@ -31,7 +32,8 @@ class Environment:
     space, and a function that converts an action to an order.
 
     `observe` is a list of paths of percepts: `["self.health", "self.position.x"]`. An observation has their numbers. If there
-    are several values, the newest counts. `yes` is 1, `no` is 0, and a missing percept is 0. Instead, you can pass a pair: a
+    are several values, the newest counts. `yes` is 1, `no` is 0, and a missing percept is 0. A path that no
+    percept has raises ValueError. Instead, you can pass a pair: a
     space, and a function that converts the agent to an observation.
 
     `reward` is a function of the agent that is called after each step; without it, rewards are 0. `ended` is a function of
@@ -61,6 +63,9 @@ class Environment:
             raise ValueError(f"render_mode is None or 'ansi', not {render_mode!r}")
         self.render_mode = render_mode
         self.action_space, self._order_of = _actions(actions)
+        if not isinstance(observe, (str, tuple)):
+            observe = list(observe)
+        self._paths = _paths(observe)
         self.observation_space, self._observe = _observations(observe)
         self._reward, self._ended = reward, ended
         self._scenario, self._name, self._ticks, self._most_steps = scenario, agent, ticks, most_steps
@@ -148,9 +153,15 @@ class Environment:
     # The agent -------------------------------------------------------------------------------------------------------
 
     def _begin(self) -> None:
-        """Creates a new world at tick 0 and removes the agent's rules."""
-        self.close()
-        self._world = world = World(self._scenario, self._next_seed)
+        """Begins the world at tick 0, in the same process if there is one, and removes the agent's rules."""
+        world = self._world
+        try:
+            if world is None:
+                raise WorldEnded()
+            world.restart(world.seed if self._next_seed is None else self._next_seed)
+        except WorldEnded:
+            self.close()
+            self._world = world = World(self._scenario, self._next_seed)
         self._next_seed = world.seed + 1
         self._steps = 0
         self._is_fresh = True
@@ -169,9 +180,24 @@ class Environment:
             # Without a rule that proposes an operator, the agent waits. After one tick it has percepts.
             self._say("excise --all", "soar wait-snc on")
             world.step()
+            self._check_paths()
         except BaseException:
             self.close()
             raise
+
+    def _check_paths(self) -> None:
+        """Refuses paths that name no percept: they would be 0 for ever."""
+        if not self._paths:
+            return
+        known = set(self.world._percept_names())
+        _add_paths(self.agent.percepts, "", known)
+        for path in self._paths:
+            if path in known:
+                continue
+            near = difflib.get_close_matches(path, sorted(known), 1, 0.6)
+            raise ValueError(f"observe: there is no percept {path!r}; "
+                             + (f"did you mean {near[0]!r}?" if near else "docs/percepts.md lists all percepts")
+                             + " What a script adds later, observe with a space and a function.")
 
     def _say(self, *lines: str) -> None:
         self.world._ask(*[{"request": "console", "agent": self._name, "line": line} for line in lines])
@@ -260,6 +286,22 @@ def _actions(actions: Any) -> Tuple[Space, Callable[[Any], Order]]:
         if order is not None:
             rule_of(order)
     return Discrete(len(orders)), lambda action: orders[int(action)]
+
+
+def _paths(observe: Any) -> List[str]:
+    """The paths among what is to be observed; none if a function observes."""
+    if isinstance(observe, str):
+        return [observe]
+    return [each for each in observe if isinstance(each, str)]
+
+
+def _add_paths(node: Node, before: str, paths: Set[str], deepest: int = 6) -> None:
+    """Adds the paths of all that is there below a node."""
+    for attribute in node:
+        paths.add(before + attribute)
+        for value in node.all(attribute):
+            if isinstance(value, Node) and deepest > 0:
+                _add_paths(value, f"{before}{attribute}.", paths, deepest - 1)
 
 
 def _observations(observe: Any) -> Tuple[Space, Callable[[Agent], Any]]:

@@ -103,6 +103,17 @@ class World:
             raise ValueError(f"seconds are a number from 0, not {seconds!r}")
         self.step(round(seconds / self.step_s))
 
+    def restart(self, seed: Optional[int] = None) -> None:
+        """Begins again at tick 0, with the same seed or another one, as a new World would, but much faster.
+
+        Rules, scripts and the scenario are read again.
+        """
+        if seed is not None and (not isinstance(seed, int) or isinstance(seed, bool) or seed < 0):
+            raise TypeError(f"a seed is a whole number from 0, not {seed!r}")
+        self._ask({"request": "flow", "what": "begin-again", "seed": self.seed if seed is None else seed})
+        if self._engine is not None:
+            self.seed = self._engine.hello["seed"]
+
     # Agents ----------------------------------------------------------------------------------------------------------
 
     @property
@@ -188,6 +199,10 @@ class World:
         if self._engine is None:
             raise WorldEnded("this world is closed")
         return self._engine.contents[name]
+
+    def _percept_names(self) -> List[str]:
+        """The paths of all percepts that the program knows, without those of scripts."""
+        return list(self._engine.hello.get("percepts", [])) if self._engine is not None else []
 
     @contextlib.contextmanager
     def _looking_at(self, panel: str, agent: str) -> Iterator[None]:

@@ -124,6 +124,11 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
       for (const auto& [word, flow] : kFlows) words += ", " + std::string(word);
       return NewProblem("flow knows no '" + what + "'", "it is one of " + words);
     }
+    if (found->second == Flow::kReset)
+      if (const auto seed = json.find("seed"); seed != json.end()) {
+        if (!seed->is_number_unsigned()) return NewProblem("a seed is a whole number from 0");
+        asked.seed = seed->get<std::uint64_t>();
+      }
     asked.flows.push_back(found->second);
     return {};
   }

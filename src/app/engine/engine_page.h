@@ -37,7 +37,8 @@ class EnginePage {
   struct Asked {
     std::vector<workbench::Request> requests;
     std::vector<workbench::Flow> flows;
-    std::optional<bool> pause;  ///< Asked for outright, whatever it was.
+    std::optional<std::uint64_t> seed;  ///< From which the world begins again.
+    std::optional<bool> pause;          ///< Asked for outright, whatever it was.
     std::vector<sim::InputValue> inputs;
     bool empty() const { return requests.empty() && flows.empty() && !pause && inputs.empty(); }
   };

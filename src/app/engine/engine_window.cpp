@@ -21,6 +21,7 @@
 #include "record/rerun.h"
 #include "serve/wall.h"
 #include "sim/scenario_file.h"
+#include "vocabulary/vocabulary.h"
 #include "workbench/desk.h"
 #include "world/world.h"
 
@@ -136,11 +137,14 @@ class LiveEngine {
     nlohmann::ordered_json minds = nlohmann::ordered_json::array();
     for (const world::AgentSnapshot& agent : scene.agents)
       if (simulation.HasMind(agent.name)) minds.push_back(agent.name);
+    nlohmann::ordered_json percepts = nlohmann::ordered_json::array();
+    for (const vocabulary::PerceptRow& row : vocabulary::Percepts()) percepts.push_back(row.path);
     page_.Hello({{"lesson", session_.lesson().filename().string()},
                  {"scenario", run_.scenario.name},
                  {"seed", session_.seed()},
                  {"agents", NamesOf(scene)},
                  {"minds", std::move(minds)},
+                 {"percepts", std::move(percepts)},
                  {"step_s", Step_s()},
                  {"turn_ticks", turn_ticks_},
                  {"may_edit", true},
@@ -179,16 +183,16 @@ class LiveEngine {
             StepMind(session_, panels_.agent(), flow == Flow::kStepDecision ? MindStep::kDecision : MindStep::kPhase)
                 .told);
       if (flow == Flow::kReset || flow == Flow::kNextSeed) {
-        if (const Result<void> begun = BeginAgain(flow == Flow::kNextSeed); !begun) return begun;
+        if (const Result<void> begun = BeginAgain(flow == Flow::kNextSeed, asked.seed); !begun) return begun;
       }
     }
     return {};
   }
 
-  Result<void> BeginAgain(bool with_next_seed) {
+  Result<void> BeginAgain(bool with_next_seed, std::optional<std::uint64_t> seed) {
     workbench::Desk::Belongings belongings = desk_->TakeBelongings();
     desk_.reset();
-    if (const Result<void> begun = session_.BeginAgain(with_next_seed); !begun) return begun;
+    if (const Result<void> begun = session_.BeginAgain(with_next_seed, seed); !begun) return begun;
     desk_.emplace(session_, run_.header, run_.scenario, run_.settings, surroundings_);
     desk_->Bring(std::move(belongings));
     Hello();
