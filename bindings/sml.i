@@ -13,6 +13,7 @@
 
 %header %{
 #include "call.h"
+#include "soarbox_ClientLog.h"
 %}
 
 // What is for C++ alone, or cannot be handed over.
@@ -40,6 +41,12 @@
 %ignore soarxml::ElementXML::ElementXML(std::shared_ptr<const soarbox::wire::Element>);
 %ignore soarxml::ElementXML::element;
 %ignore soarxml::ElementXML::operator=;
+
+// Recordings are not part of Soar's interface, and of use in every language.
+%extend sml::Kernel {
+  // What is wrong, or an empty text.
+  std::string Record(char const *pFile) { return soarbox::RecordClients(*$self, pFile ? pFile : ""); }
+}
 
 // Texts that C++ programs allocate and give back: other languages have texts of their own.
 %define %soarbox_own_texts(TYPE)

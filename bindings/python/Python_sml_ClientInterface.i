@@ -279,3 +279,18 @@ PyObject* NewXml(sml::ClientXML* xml) {
 %soarbox_forgets(Kernel, UnregisterForAgentEvent)
 %soarbox_forgets(Kernel, RemoveRhsFunction)
 %soarbox_forgets(Kernel, UnregisterForClientMessageEvent)
+
+%pythoncode %{
+def _record(kernel, file):
+    """Records what this program does to the kernel's agents, from before the first one on.
+
+    The file is a recording: `soarbox replay`, `why`, `inspect`, `compare` and `resume` open it. Raises OSError if it
+    cannot be made.
+    """
+    problem = kernel.Record(str(file))
+    if problem:
+        raise OSError(problem)
+
+
+Kernel.record = _record
+%}

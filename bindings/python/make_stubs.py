@@ -117,6 +117,8 @@ def class_of(node, classes):
             body += functions_of(each, "    ", classes, is_static)
         else:
             body += constants_of(each, "    ", "str" if node.name == "sml_Names" else "int")
+    if node.name == "Kernel":
+        body.append("    def record(self, file: Union[str, \"os.PathLike[str]\"]) -> None: ...")
     return lines + (body or ["    ..."])
 
 

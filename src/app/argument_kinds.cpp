@@ -58,6 +58,7 @@ constexpr Row kRows[] = {
     {"", "--plots", kFolder},
     {"", "--video", {"FILE", Offers::kFiles, ".gif .mp4 .webm"}},
     {"", "--screenshot", {"FILE", Offers::kFiles, ".png"}},
+    {"kernel", "--record", kFile},
     {"kernel", "--secret-file", kFile},
     {"", "--record", kRecording},
     {"report", "--output", {"FILE", Offers::kFiles, ".html"}},

@@ -27,6 +27,7 @@
 #include "app/usage_text.h"
 #include "app/window.h"
 #include "mission/test_missions.h"
+#include "record/client_recording.h"
 #include "record/header.h"
 #include "record/manifest.h"
 #include "sim/scenario.h"
@@ -127,6 +128,9 @@ int Main(int argc, char** argv, const PageServer* server) {
                                                                 : std::vector<std::string>(argv, argv + argc)});
   // Not in an engine: what strangers let it run leaves no files behind.
   if (!program.got_subcommand("engine")) world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
+  if (const Result<sim::DataFolders> data = FindDataFolders()) record::SetDataFolders(*data);
+  // It is for kernels of clients, not for those of our worlds.
+  if (!program.got_subcommand("kernel")) unsetenv("SOARBOX_RECORD");
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
     return WithServer(server, argv, options, is_replay);

@@ -265,6 +265,8 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
   kernel->add_option("--port", options.port, "TCP port; 0: any free one")
       ->capture_default_str()
       ->check(NumberIn(0, 65535));
+  kernel->add_option("--record", options.record,
+                     "Record what clients do to the agents, for `soarbox replay`, `why` and the like");
   kernel->add_option("--secret-file", options.secret_file,
                      "Serve only clients that show the secret in the first line of this file");
 }

@@ -2,9 +2,7 @@
 #include "app/inspect_command.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <tuple>
@@ -15,7 +13,6 @@
 #include "debugger/breakpoints.h"
 #include "debugger/views.h"
 #include "diagnostics/problem.h"
-#include "record/format.h"
 #include "record/reader.h"
 #include "record/recorder.h"
 #include "record/rerun.h"
@@ -24,14 +21,6 @@
 
 namespace soarbox::app {
 namespace {
-
-bool IsRecording(const std::string& name) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(name, error)) return false;
-  std::array<char, record::kMagic.size()> begin{};
-  std::ifstream(name, std::ios::binary).read(begin.data(), begin.size());
-  return std::string_view(begin.data(), begin.size()) == record::kMagic;
-}
 
 /// A run that was brought to a tick, and what happened on the way.
 struct Inspected {
@@ -164,7 +153,7 @@ int Inspect(const InspectOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return refuse(data.error());
   Inspected run;
-  if (options.recorded && !IsRecording(options.source)) {
+  if (options.recorded && !record::IsRecording(options.source)) {
     Diagnostic problem;
     problem.file = options.source;
     problem.message = "--recorded is about recordings, and this is none";
@@ -172,7 +161,7 @@ int Inspect(const InspectOptions& options) {
     return refuse(problem);
   }
   const Result<void> brought =
-      IsRecording(options.source) ? ReadRecording(options, *data, run) : RunScenario(options, *data, run);
+      record::IsRecording(options.source) ? ReadRecording(options, *data, run) : RunScenario(options, *data, run);
   if (!brought) return refuse(brought.error());
   for (const Diagnostic& warning : run.warnings) std::cerr << Format(warning);
   debugger::ViewRequest request;

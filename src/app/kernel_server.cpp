@@ -16,6 +16,9 @@
 #include "diagnostics/diagnostic.h"
 #include "sml/wire/secret.h"
 #include "sml_Client.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "soarbox_ClientLog.h"
+#endif
 
 namespace soarbox::app {
 namespace {
@@ -52,6 +55,16 @@ bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<s
   return true;
 }
 
+/// What is wrong with the recording; empty: nothing.
+std::string Record([[maybe_unused]] sml::Kernel& kernel, const std::filesystem::path& file) {
+  if (file.empty()) return {};
+#ifdef SOARBOX_OWN_KERNEL
+  return RecordClients(kernel, std::filesystem::absolute(file).string());
+#else
+  return "only Soarbox's own kernel records its clients";
+#endif
+}
+
 }  // namespace
 
 int ServeKernel(const KernelServerOptions& options) {
@@ -65,6 +78,7 @@ int ServeKernel(const KernelServerOptions& options) {
   if (!secret) {
     return Refuse(secret.error().file + ": " + secret.error().message, "write the secret into its first line");
   }
+  if (!options.record.empty()) unsetenv("SOARBOX_RECORD");
   const int port = options.port == 0 ? static_cast<int>(sml::Kernel::kUseAnyPort) : options.port;
   const std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInNewThread(port));
   if (kernel->HadError()) {
@@ -73,6 +87,7 @@ int ServeKernel(const KernelServerOptions& options) {
                       (why == nullptr ? "" : std::string(" (") + why + ")"),
                   "another program holds it; choose another with --port N, or any free one with --port 0");
   }
+  if (const std::string problem = Record(*kernel, options.record); !problem.empty()) return Refuse(problem);
   if (kernel->GetListenerPort() == 0)
     return Refuse("this build has no sockets", "use the native soarbox for connections to other programs");
   std::set<std::string> names;

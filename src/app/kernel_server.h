@@ -10,6 +10,8 @@ namespace soarbox::app {
 struct KernelServerOptions {
   int port = 12121;                           ///< On this machine only; 0: any free one, which is printed.
   std::vector<std::filesystem::path> agents;  ///< One agent per file of rules, named after it.
+  /// What clients do is recorded to this file; empty: to what $SOARBOX_RECORD names, if anything.
+  std::filesystem::path record;
   /// The file with the secret that clients must show. Empty: what the environment names (sml/wire/secret.h).
   std::filesystem::path secret_file;
 };

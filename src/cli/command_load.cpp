@@ -248,6 +248,7 @@ bool LoadFile(CommandCall& call) {
   const bool is_image = path.extension() == ".soarx";
   const std::string content = is_image ? std::string() : TextOf(in, path);
   const std::string_view text = WithoutByteOrderMark(content);
+  if (!is_image && call.interpreter.on_file_read) call.interpreter.on_file_read(path, content);
 
   SourceRun own;
   SourceRun*& current = call.interpreter.source_run();

@@ -144,6 +144,26 @@ std::string Interpreter::WithSlashes(const std::string& file) const {
   return std::filesystem::exists(Resolve(slashes), error) ? slashes : file;
 }
 
+std::string WithWholeFileName(const Interpreter& interpreter, std::string_view line) {
+  CommandReader reader(line);
+  std::vector<Word> words, next;
+  const bool is_one = reader.Next(words) == CommandReader::Status::kCommand && words.size() > 1 &&
+                      reader.Next(next) == CommandReader::Status::kEnd;
+  if (!is_one || (words.front().text != "source" && words.front().text != "load")) return std::string(line);
+  std::string whole = words.front().text;
+  bool is_found = false;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string& word = words[i].text;
+    std::error_code error;
+    const std::filesystem::path file =
+        std::filesystem::canonical(interpreter.Resolve(interpreter.WithSlashes(word)), error);
+    const bool is_file = !is_found && !word.starts_with('-') && std::filesystem::is_regular_file(file, error);
+    whole += " " + (is_file ? QuoteWord(file.string()) : word);
+    is_found = is_found || is_file;
+  }
+  return is_found ? whole : std::string(line);
+}
+
 bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const {
   path = Resolve(file);
   if (fence_ && !fence_->MayRead(path))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -54,6 +55,9 @@ class Interpreter {
   /// A file's name as another system writes it, with slashes for its backslashes, if only this names a file.
   std::string WithSlashes(const std::string& file) const;
 
+  /// Hears of each file of commands that is read, with its content, before it is carried out. May be empty.
+  std::function<void(const std::filesystem::path& file, std::string_view content)> on_file_read;
+
   /// For commands that read a file: its path, or a failure of the call if it lies outside the fence.
   bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
   /// For commands that write a file: inside a fence nothing may be written.
@@ -90,5 +94,8 @@ class Interpreter {
   const Fence* fence_ = nullptr;
   int depth_ = 0;
 };
+
+/// The line as it is, unless it only loads a file: then it names the file by its absolute path.
+std::string WithWholeFileName(const Interpreter& interpreter, std::string_view line);
 
 }  // namespace soarbox::cli

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "record/reader.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
 #include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
+#include "record/client_recording.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -16,6 +20,7 @@ namespace fs = std::filesystem;
 bool IsRecording(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
+  if (IsClientLog(file)) return true;
   std::ifstream in(file, std::ios::binary);
   std::string magic(kMagic.size(), '\0');
   return in.read(magic.data(), static_cast<std::streamsize>(magic.size())) && magic == kMagic;
@@ -34,6 +39,18 @@ Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
     problem.message = error || !fs::exists(file, error) ? "there is no such file" : "this is no file";
     problem.hint = "name a recording, as `soarbox run --record FILE` makes them";
     return problem;
+  }
+  if (IsClientLog(file)) {
+    // It becomes a recording, in a file that goes with the reader, which holds it open.
+    std::string name = (fs::temp_directory_path(error) / "soarbox-recording-XXXXXX").string();
+    const int made = mkstemp(name.data());
+    if (made < 0) return ProblemIn(name, std::string("this file cannot be made: ") + std::strerror(errno));
+    close(made);
+    const Result<void> recorded = RecordClientLog(file, name);
+    Result<std::unique_ptr<Reader>> reader = recorded ? Open(name) : Result<std::unique_ptr<Reader>>(recorded.error());
+    fs::remove(name, error);
+    if (reader) (*reader)->path_ = file;
+    return reader;
   }
   std::unique_ptr<Reader> reader(new Reader(file));
   reader->bytes_ = fs::file_size(file, error);

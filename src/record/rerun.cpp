@@ -158,9 +158,11 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   const Result<std::vector<TickInputs>> inputs = recording.Inputs();
   if (!inputs) return inputs.error();
   for (const TickInputs& entry : *inputs) {
-    if (entry.tick > how.last_tick) break;
+    // A recorded client goes on doing what it did, whatever becomes of the run.
     std::string text;
-    for (const std::string& line : entry.inputs) text += line + "\n";
+    for (const std::string& line : entry.inputs)
+      if (entry.tick <= how.last_tick || line.starts_with(std::to_string(entry.tick) + " command \"\" "))
+        text += line + "\n";
     sim::InputText read = sim::ReadInputs(text, recording.name());
     if (!read.problems.empty()) return read.problems.front();
     for (sim::Input& input : read.inputs) {

@@ -32,7 +32,8 @@ struct InputTargets {
   std::function<void(Diagnostic)> warn;
   std::function<void(world::EntityId agent, const std::string& order)> order;
   ForeignBodies& foreign;
-  std::span<const BodyKind> kinds;  ///< Of bodies.
+  std::span<const BodyKind> kinds;                    ///< Of bodies.
+  std::function<void(std::string_view acts)> client;  ///< Lines of the log of a recorded client.
 };
 
 /// Lets an input take effect. Reports what it cannot do.

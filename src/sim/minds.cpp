@@ -209,7 +209,7 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   settings.detail = detail_;
   Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings, is_scripted);
   if (!loaded) return loaded.error();
-  minds_.push_back({agent, settings, kind->follows_leader, is_scripted, by_sandbox, *rules,
+  minds_.push_back({agent, settings, kind->follows_leader, is_scripted, false, by_sandbox, *rules,
                     SoarMind(*loaded->agent, settings), loaded->thread});
   minds_.back().memory_bytes = minds_.back().soar.MemoryBytes();
   memory_bytes_ += minds_.back().memory_bytes;
@@ -279,6 +279,7 @@ void Minds::Decide() {
     mind.decide_s = 0;
     if (mind.soar.is_logged()) mind.soar.log().Clear();
   }
+  PlayClientActs();
   Notice();
   // Scripts that sense may make agents: minds are looked up by place.
   ready_.clear();
@@ -370,7 +371,7 @@ bool Minds::Prepare(Mind& mind) {
   const world::Agent& body = *world_.FindAgent(mind.agent);
   const bool is_actor_dead = !mind.is_scripted && body.Health() <= 0;
   mind.decided = false;
-  if (body.Failed() || mind.lost || is_actor_dead || !host_.IsConnected()) return false;
+  if (mind.by_client || body.Failed() || mind.lost || is_actor_dead || !host_.IsConnected()) return false;
   if (mind.by_sandbox) return !mind.soar.Halted() && PerceiveGraph(mind);
   if (!PerceiveDistance(mind, body)) return false;
   if (mind.is_scripted) PerceiveWorld(mind);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,6 +34,8 @@ class MindReasons;
 }
 
 namespace soarbox::sim {
+
+class ClientPercepts;
 
 /// The Soar minds of a world: makes them when scripts or scenario files ask for agents that have one, and lets them
 /// perceive and decide once per tick.
@@ -99,6 +102,10 @@ class Minds final : public script::MindFactory {
   /// error if there is no such agent, or its rules know nothing of that name.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
 
+  /// Lines of the log of a client that drives Soar agents itself (sml/server/client_log.h). The next Decide plays them:
+  /// it makes the agents that they name, which have bodies that do nothing.
+  std::string client_acts;
+
   /// Makes all minds again in the host's kernel, with the rules that they had. Reports those that fail; they stay idle.
   void Restore();
 
@@ -107,6 +114,7 @@ class Minds final : public script::MindFactory {
     MindSettings settings;
     bool follows_leader = false;  ///< Perceives its leader, else its target.
     bool is_scripted = true;      ///< A script carries out its commands.
+    bool by_client = false;       ///< A client's log drives it; also by_sandbox, because its world is not ours.
     bool by_sandbox = false;      ///< The sandbox's own: it decides in the ticks in which that script says so.
     std::filesystem::path rules;
     SoarMind soar;
@@ -137,8 +145,9 @@ class Minds final : public script::MindFactory {
     std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
     std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
     double last_said_s = 0;
-    DecisionClock clock = {};  ///< If what it does is noted (MindSettings::detail).
-    double decide_s = 0;       ///< Real time that the last tick's decisions took.
+    DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
+    double decide_s = 0;                            ///< Real time that the last tick's decisions took.
+    std::shared_ptr<ClientPercepts> percepts = {};  ///< What its client has told it, if a client drives it.
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
@@ -154,6 +163,14 @@ class Minds final : public script::MindFactory {
   Result<void> MakeBody(world::Agent& body, const AgentOptions& options);
   Result<SoarHost::Loaded> Load(const std::string& agent, const std::filesystem::path& rules,
                                 const MindSettings& settings, bool is_scripted);
+  void PlayClientActs();
+  void PlayClientAct(const std::vector<std::string>& parts);
+  void MakeClientMind(const std::string& name);
+  void EndClientMind(const std::string& name);
+  /// After it has run: what it commands is reported.
+  void ReportClientCommands(Mind& mind);
+  /// A command line that loads a recorded file loads its copy.
+  std::string WithCopies(Mind& mind, const std::string& line) const;
   void DecideNow(Mind& mind);
   /// Notes when the decisions of this tick were made, for Why.
   void NoteDecisions(Mind& mind);
@@ -227,10 +244,11 @@ class Minds final : public script::MindFactory {
   std::size_t scripts_bytes_ = 0, bodies_bytes_ = 0;
   std::size_t memory_bytes_ = 0;                                          ///< Of all minds, as last measured.
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
-  std::set<std::string> script_rows_;            ///< Attributes that scripts' Agent_Sense returned.
-  std::set<std::string> reported_;               ///< Problems already reported: many agents share one file.
-  bool has_new_rules_ = false;                   ///< Minds were made whose rules may still have slips to report.
-  std::set<std::filesystem::path> looked_over_;  ///< Files of rules whose slips were reported.
+  std::set<std::string> script_rows_;             ///< Attributes that scripts' Agent_Sense returned.
+  std::set<std::string> reported_;                ///< Problems already reported: many agents share one file.
+  std::map<std::string, std::size_t> by_client_;  ///< Minds by the names that their client gave them.
+  bool has_new_rules_ = false;                    ///< Minds were made whose rules may still have slips to report.
+  std::set<std::filesystem::path> looked_over_;   ///< Files of rules whose slips were reported.
   /// Files with rules that did not load, and why.
   std::map<std::filesystem::path, std::vector<explain::FailedRule>> failed_;
 };

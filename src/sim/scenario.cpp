@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "diagnostics/problem.h"
+#include "sim/client_world.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::sim {
@@ -169,6 +170,7 @@ bool IsScriptOfAgent(const fs::path& file) {
 
 /// The file that an argument means; empty if none.
 fs::path FindMain(const fs::path& given, const DataFolders& data) {
+  if (given == kClientWorld) return data.media / "worlds" / kClientWorld / kScenarioFile;
   for (const fs::path& place : {given, data.scenarios / given}) {
     if (given.is_absolute() && place != given) break;
     if (IsFile(place)) return place;

@@ -241,7 +241,8 @@ void Simulation::Impl::ApplyInputs() {
       [this](const Diagnostic& warning) { ReportDiagnostic(warning); },
       [this](world::EntityId agent, const std::string& order) { arena->Order(agent, order); },
       *foreign,
-      minds->body_kinds()};
+      minds->body_kinds(),
+      [this](std::string_view acts) { minds->client_acts += acts; }};
   for (const auto& [asked, answer] : std::exchange(answered, {})) ReportAnswer(asked, answer);
   for (const Input& input : door.taken().subspan(door.noted())) ApplyInput(input, targets);
 }
@@ -392,6 +393,7 @@ void Simulation::Impl::ContinueByScript(world::EntityId id) {
 void Simulation::Impl::Act(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   if (Minds::Mind* mind = minds->Find(id)) {
+    if (mind->by_client) return world.SyncAgent(id);  // Its client acted.
     minds->Await(*mind);
     // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
     if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});

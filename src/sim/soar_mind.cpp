@@ -148,7 +148,8 @@ void SoarMind::Perceive(const Actor& body, bool surroundings) {
   if (const std::string lines = scene_->Update(body, surroundings); !lines.empty()) agent_->SendSVSInput(lines);
 }
 
-void SoarMind::Decide() {
+void SoarMind::Decide(bool has_run) {
+  if (has_run) return ReadOutput();
   agent_->Commit();
 #ifdef SOARBOX_OWN_KERNEL
   const std::uint64_t before = MindFirings(*agent_);

@@ -59,7 +59,8 @@ class SoarMind {
 
   /// Decides until there is output or the decision budget is used up (max-nil-output-cycles). commands() then holds
   /// what is new on the output link, withdrawn() what went.
-  void Decide();
+  /// `has_run`: something else has let it decide already.
+  void Decide(bool has_run = false);
   std::span<const vocabulary::SaidCommand> commands() const { return commands_; }
   std::span<const std::uint64_t> withdrawn() const { return withdrawn_; }
   /// Whether a command is on the output link now.

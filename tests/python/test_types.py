@@ -19,6 +19,7 @@ def phrase(event: int, data: str, agent: sml.Agent, function: str, argument: str
 
 def main() -> None:
     kernel = sml.Kernel.CreateKernelInNewThread(sml.Kernel.kSuppressListener)
+    kernel.record("run.soarrec")
     agent = kernel.CreateAgent("scout")
     kernel.AddRhsFunction("phrase", phrase, "Good morning, ")
     wme = agent.GetInputLink().CreateIntWME("x", 1)

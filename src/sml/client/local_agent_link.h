@@ -67,7 +67,7 @@ class LocalAgentLink final : public AgentLink, private MindLink {
   }
   /// Whether nothing but the new value has to be known of an element.
   bool TakesValueAlone(InputHandle element) const {
-    return element != kNoInputHandle && !hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED);
+    return element != kNoInputHandle && !hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED) && hosted_.log == nullptr;
   }
   void Note(const soarbox::server::InputWme& wme);
   void NoteRemoval(long long tag);

@@ -2,6 +2,9 @@
 #include "sml/client/local_link.h"
 
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "cli/result.h"
@@ -16,6 +19,7 @@
 #include "sml/wire/message.h"
 #include "sml/wire/secret.h"
 #include "sml/wire/xml_reader.h"
+#include "soarbox_ClientLog.h"
 
 namespace sml {
 
@@ -64,6 +68,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     host_.AddConnection(*this);
     host_.Register(*this, nullptr, smlEVENT_BEFORE_AGENT_DESTROYED);
     host_.Register(*this, nullptr, smlEVENT_AFTER_AGENT_REINITIALIZED);
+    RecordIfAsked();
     if (port != Kernel::kSuppressListener) Listen(own_thread, port, error);
   }
 
@@ -93,6 +98,15 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     host_.Overhear(std::move(listener));
   }
   void HoldIncoming(bool on) override { host_.HoldPump(on); }
+
+  /// Logs what clients do, as a recording. Returns what is wrong, or an empty text.
+  std::string Record(const std::string& file) {
+    const std::lock_guard lock(host_.mutex());
+    const soarbox::Result<void> kept = soarbox::server::KeepLog(host_, file, soarbox::wire::kSmlVersion);
+    if (kept) return {};
+    const soarbox::Diagnostic& problem = kept.error();
+    return problem.file + ": " + problem.message + "; " + problem.hint;
+  }
 
   void FenceFiles(std::vector<std::string> folders, bool rules_only) override {
     const std::lock_guard lock(host_.mutex());
@@ -282,6 +296,20 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     return answer;
   }
 
+  /// A program that cannot be changed is recorded if the environment names a file. Its second kernel gets a file of its
+  /// own.
+  void RecordIfAsked() {
+    const char* const named = std::getenv("SOARBOX_RECORD");
+    if (named == nullptr || *named == '\0') return;
+    static std::atomic<int> kernels{0};
+    const int number = ++kernels;
+    std::filesystem::path file(named);
+    if (number > 1)
+      file.replace_filename(file.stem().string() + "-" + std::to_string(number) + file.extension().string());
+    if (const std::string problem = Record(file.string()); !problem.empty())
+      std::fprintf(stderr, "soarbox: SOARBOX_RECORD: %s\n", problem.c_str());
+  }
+
   void Listen(bool own_thread, int port, std::string& error) {
     // "Any port" does not insist on one, so a build without sockets goes on without; a certain port is an error there.
     if (port == Kernel::kUseAnyPort && !soarbox::wire::HasSockets()) return;
@@ -361,3 +389,15 @@ std::unique_ptr<KernelLink> MakeLocalLink(KernelData& kernel, bool own_thread, i
 }
 
 }  // namespace sml
+
+namespace soarbox {
+
+std::string RecordClients(sml::Kernel& kernel, const std::string& file) {
+  sml::KernelLink* const link = sml::KernelData::Of(kernel).link.get();
+  if (link == nullptr) return "there is no kernel any more";
+  auto* const local = dynamic_cast<sml::LocalLink*>(link);
+  if (local != nullptr) return local->Record(file);
+  return file + ": the kernel is in another process; record where it runs: soarbox kernel --record FILE";
+}
+
+}  // namespace soarbox

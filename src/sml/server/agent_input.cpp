@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "sml/server/client_log.h"
+
 namespace soarbox::server {
 
 namespace {
@@ -96,6 +98,12 @@ kernel::InputValue AgentInput::Value(const InputWme& wme) {
 }
 
 kernel::InputElement AgentInput::Add(const InputWme& wme) {
+  const kernel::InputElement element = AddUnlogged(wme);
+  if (log_ != nullptr) log_->Added(*hosted_, element, wme);
+  return element;
+}
+
+kernel::InputElement AgentInput::AddUnlogged(const InputWme& wme) {
   if (wme.attribute.empty() || wme.tag == 0) return kernel::InputElement::kNone;
   const kernel::InputObject parent = Resolve(wme);
   if (parent == kernel::InputObject::kNone) return kernel::InputElement::kNone;
@@ -105,7 +113,13 @@ kernel::InputElement AgentInput::Add(const InputWme& wme) {
 kernel::InputElement AgentInput::Update(kernel::InputElement element, const InputWme& wme) {
   if (element == kernel::InputElement::kNone) return Add(wme);
   agent_.input().Update(element, Value(wme), wme.tag);
+  if (log_ != nullptr) log_->Changed(*hosted_, element, wme);
   return element;
+}
+
+void AgentInput::Remove(kernel::InputElement element) {
+  if (log_ != nullptr) log_->Removed(*hosted_, element);
+  agent_.input().Remove(element);
 }
 
 void AgentInput::AddByTag(const InputWme& wme) {
@@ -115,7 +129,7 @@ void AgentInput::AddByTag(const InputWme& wme) {
 
 void AgentInput::RemoveByTag(long long tag) {
   if (const std::optional<kernel::InputElement> element = elements_.Take(tag)) {
-    agent_.input().Remove(*element);
+    Remove(*element);
     return;
   }
   if (tag <= 0) {
@@ -123,10 +137,11 @@ void AgentInput::RemoveByTag(long long tag) {
     agent_.input().ForEachTagged([&](kernel::InputElement element, kernel::WmeId, std::int64_t other) {
       if (other == tag) found = element;
     });
-    if (found != kernel::InputElement::kNone) agent_.input().Remove(found);
+    if (found != kernel::InputElement::kNone) Remove(found);
     return;
   }
   // A client that took over the kernel's own view of the input names elements by the kernel's tags.
+  if (log_ != nullptr) log_->Dropped(*hosted_, tag);
   const kernel::WmeId wme = agent_.memory().FindByTimetag(static_cast<std::uint64_t>(tag));
   if (wme != kernel::WmeId::kNone && agent_.memory().record(wme).kind == kernel::WmeKind::kInput) {
     static_cast<void>(agent_.RemoveWme(wme));

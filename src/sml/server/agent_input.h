@@ -13,6 +13,9 @@
 
 namespace soarbox::server {
 
+class ClientLog;
+class HostedAgent;
+
 /// The input of one agent in the words of its clients: their (negative) time tags and the names that they give to
 /// identifiers, and the kernel's elements and objects behind them. Changes reach working memory in the agent's next
 /// input phase. Unknown tags and parents are ignored, as the protocol has it.
@@ -24,7 +27,7 @@ class AgentInput {
   kernel::InputElement Add(const InputWme& wme);
   /// Removes the element and adds it again with another value and tag. Adds it if the handle is none.
   kernel::InputElement Update(kernel::InputElement element, const InputWme& wme);
-  void Remove(kernel::InputElement element) { agent_.input().Remove(element); }
+  void Remove(kernel::InputElement element);
 
   /// Adds an element that will be named by its tag.
   void AddByTag(const InputWme& wme);
@@ -35,6 +38,11 @@ class AgentInput {
   std::string KernelName(std::string_view client_name) const;
   /// The tag that a client knows an element by; the kernel's own if no client made it.
   std::vector<std::pair<kernel::WmeId, long long>> ClientTags() const;
+  /// Tells the log of clients' acts of each change from now on. Neither is owned.
+  void SetLog(ClientLog* log, HostedAgent& hosted) {
+    log_ = log;
+    hosted_ = &hosted;
+  }
   /// init-soar: forgets all tags and names.
   void Clear();
   /// Forgets tags whose elements are gone. Cheap unless many have come since the last time.
@@ -46,8 +54,11 @@ class AgentInput {
   kernel::InputObject Resolve(std::string_view name);
   const kernel::InputObject* FindNamed(std::string_view name) const;
   kernel::InputValue Value(const InputWme& wme);
+  kernel::InputElement AddUnlogged(const InputWme& wme);
 
   kernel::Agent& agent_;
+  ClientLog* log_ = nullptr;
+  HostedAgent* hosted_ = nullptr;  ///< For the log.
   TagMap<kernel::InputElement> elements_;
   TagMap<kernel::InputObject> objects_;                                  ///< By client name, as one number.
   std::map<std::string, kernel::InputObject, std::less<>> odd_objects_;  ///< Those whose names are no such number.

@@ -19,6 +19,7 @@
 
 namespace soarbox::server {
 
+class ClientLog;
 class EventRelay;
 class HostedAgent;
 class XmlTracer;
@@ -111,6 +112,9 @@ class HostedAgent {
 
   /// What made elements, if somebody asked to note it. Before the agent, which calls it until it ends. Never null.
   std::unique_ptr<kernel::Origins> origins;
+
+  /// The log of what clients do; null: nobody keeps one. The host's.
+  ClientLog* log = nullptr;
 
   /// The object that stands for this agent in the program that the kernel lives in.
   void* embedded_peer = nullptr;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/tokens.h"
+#include "diagnostics/problem.h"
 
 namespace soarbox::server {
 
@@ -26,8 +27,28 @@ HostedAgent* KernelHost::CreateAgent(const std::string& name) {
   const auto before = [](const HostedAgent* known, const std::string& wanted) { return known->name() < wanted; };
   order_.insert(std::lower_bound(order_.begin(), order_.end(), name, before), hosted);
   InstallFunctions(*hosted);
+  if (log) {
+    log->AgentMade(name);
+    hosted->log = log.get();
+    hosted->input().SetLog(log.get(), *hosted);
+  }
   SourceSettings(*hosted);
   return hosted;
+}
+
+Result<void> KeepLog(KernelHost& host, const std::string& file, std::string_view build) {
+  if (host.log) return ProblemIn(file, "this kernel is being recorded already", "a kernel has one recording");
+  if (!host.agents().empty())
+    return ProblemIn(file, "this kernel has agents already", "record before you create the first agent");
+  Result<std::unique_ptr<ClientLog>> log = ClientLog::Create(file, build);
+  if (!log) return log.error();
+  host.log = std::move(*log);
+  for (const KernelHost::Function& function : host.functions_)
+    if (function.event == smlEVENT_RHS_USER_FUNCTION) host.log->FunctionMade(function.name);
+  host.interpreter().on_file_read = [&host](const std::filesystem::path& path, std::string_view content) {
+    host.log->FileRead(path.string(), content);
+  };
+  return {};
 }
 
 void KernelHost::SourceSettings(HostedAgent& hosted) {
@@ -60,6 +81,7 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
                                               std::string(name));
       },
       [this](std::string_view name) {
+        if (player && player->Knows(name)) return true;
         return std::ranges::any_of(functions_, [&](const auto& function) {
           return function.event == smlEVENT_RHS_USER_FUNCTION && function.name == name;
         });
@@ -78,6 +100,7 @@ void KernelHost::DestroyAgent(HostedAgent& hosted) {
   FireAgent(hosted, smlEVENT_BEFORE_AGENT_DESTROYED);
   const auto found = by_name_.find(hosted.name());
   if (found == by_name_.end() || found->second.get() != &hosted) return;
+  if (log) log->AgentGone(hosted);
   std::erase(order_, &hosted);
   if (last_addressed_ == &hosted) last_addressed_ = nullptr;
   hosted.doomed = true;
@@ -113,6 +136,7 @@ HostedAgent* KernelHost::Addressed(HostedAgent* hosted) {
 }
 
 kernel::RunResult KernelHost::RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
+  if (player && player->is_in_line()) return {};
   const Stay stay(*this);
   return run_.Run(addressed, request, interleave_given);
 }

@@ -16,6 +16,8 @@
 #include "cli/interpreter.h"
 #include "cli/result.h"
 #include "sml/server/call_mutex.h"
+#include "sml/server/client_log.h"
+#include "sml/server/client_player.h"
 #include "sml/server/connection.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/server/run_control.h"
@@ -52,6 +54,10 @@ class KernelHost : public cli::Host {
 
   /// Null if there is an agent of that name. Sources settings.soar, if there is one.
   HostedAgent* CreateAgent(const std::string& name);
+  /// The log of what clients do (KeepLog); null: nobody keeps one.
+  std::unique_ptr<ClientLog> log;
+  /// What plays such a log; null: nobody has played one.
+  std::unique_ptr<ClientPlayer> player;
   /// Tells the clients of a new agent.
   void AnnounceAgent(HostedAgent& hosted) { FireAgent(hosted, ::sml::smlEVENT_AFTER_AGENT_CREATED); }
   void DestroyAgent(HostedAgent& hosted);
@@ -150,6 +156,7 @@ class KernelHost : public cli::Host {
   }
 
  private:
+  friend Result<void> KeepLog(KernelHost& host, const std::string& file, std::string_view build);
   struct Function {
     int event;
     std::string name;
@@ -192,5 +199,9 @@ class KernelHost : public cli::Host {
   std::function<void(char const*, char const*)> overhear_;
   std::atomic<std::uint64_t> stop_requests_{0};
 };
+
+/// Logs what clients of the kernel do from now on, as a recording; `build` identifies this program. Fails if agents are
+/// there already, if a log is kept, or if the file cannot be written.
+Result<void> KeepLog(KernelHost& host, const std::string& file, std::string_view build);
 
 }  // namespace soarbox::server

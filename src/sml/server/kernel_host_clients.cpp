@@ -67,6 +67,7 @@ void KernelHost::RegisterFunction(Connection& connection, int event, const std::
     return function.event == event && function.name == name && function.connection == &connection;
   };
   if (std::any_of(functions_.begin(), functions_.end(), same)) return;
+  if (log && event == smlEVENT_RHS_USER_FUNCTION) log->FunctionMade(name);
   functions_.insert(connection.embedded() ? functions_.begin() : functions_.end(), Function{event, name, &connection});
 }
 
@@ -108,10 +109,17 @@ void KernelHost::FireAgent(HostedAgent& hosted, int event) {
 
 std::optional<std::string> KernelHost::CallFunction(HostedAgent* hosted, int event, std::string_view name,
                                                     std::string_view argument) {
+  const bool is_of_rules = event == smlEVENT_RHS_USER_FUNCTION && hosted;
+  if (is_of_rules && player) {
+    if (auto answer = player->Answer(hosted, name, argument)) return answer;
+  }
   for (std::size_t i = 0; i < functions_.size() && !(hosted && hosted->doomed); ++i) {
     if (functions_[i].event != event || functions_[i].name != name) continue;
     Connection* connection = functions_[i].connection;
-    if (auto answer = connection->OnFunction(hosted, event, name, argument)) return answer;
+    auto answer = connection->OnFunction(hosted, event, name, argument);
+    if (!answer) continue;
+    if (is_of_rules && log && !hosted->doomed) log->Answered(*hosted, name, argument, *answer);
+    return answer;
   }
   return std::nullopt;
 }

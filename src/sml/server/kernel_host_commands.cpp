@@ -78,6 +78,7 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
   if (echoes) hosted.FireEcho(options.from, std::string(line));
   // A user's own line ends the fence that a file around it may have put up, a stranger's puts it up.
   const cli::Interpreter::Fenced fenced(interpreter_, FenceOf(hosted, options));
+  if (hosted.log && options.from) hosted.log->Line(hosted, cli::WithWholeFileName(interpreter_, line));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
   // Memory may run out outside of a run too.

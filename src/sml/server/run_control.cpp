@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sml/server/client_log.h"
 #include "sml/server/hosted_agent.h"
 #include "sml/server/kernel_host.h"
 
@@ -78,7 +79,9 @@ kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest&
     EndInterrupted(runner);
     if (runner.hosted == &addressed) result.reason = runner.reason;
     Finish(runner, EndsAtStopPhase(request) || runner.active);
+    if (ClientLog* const log = runner.hosted->log; log && !runner.hosted->doomed) log->Went(*runner.hosted);
   }
+  if (host_.log) host_.log->Flush();
   if (request.until_goal_removed) addressed.agent().SetGoalToWatch({});
   running_ = false;
   if (!host_.system_stop_suppressed()) host_.FireSystem(smlEVENT_SYSTEM_STOP);
@@ -327,6 +330,7 @@ void RunControl::StepPhase(Runner& runner, bool whole) {
 void RunControl::AfterOutputPhase(Runner& runner) {
   // In runs until output, an agent has passed when it is served.
   if (unit_ != RunUnit::kOutput) runner.passed_output = true;
+  if (ClientLog* const log = runner.hosted->log) log->Went(*runner.hosted);
   runner.hosted->DeliverOutput();
   const kernel::OutputLink& output = std::as_const(*runner.hosted).agent().output();
   const auto added = [](const kernel::OutputChange& change) { return change.added; };

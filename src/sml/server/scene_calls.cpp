@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kernel/imagery/imagery.h"
+#include "sml/server/client_log.h"
 #include "sml/server/hosted_agent.h"
 
 namespace soarbox::server {
@@ -19,6 +20,7 @@ kernel::Imagery* ImageryOf(HostedAgent& hosted) {
 
 bool SendScene(HostedAgent& hosted, std::string_view lines) {
   kernel::Imagery* const imagery = ImageryOf(hosted);
+  if (imagery != nullptr && hosted.log != nullptr) hosted.log->Scene(hosted, lines);
   return imagery != nullptr && imagery->Send(lines);
 }
 

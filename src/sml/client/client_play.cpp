@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
+#include "sml/client/local_agent_link.h"
+#include "sml/server/client_log.h"
+#include "soarbox_ClientLog.h"
+
+namespace soarbox {
+
+std::vector<std::string> PartsOfClientAct(std::string_view line) {
+  return server::PartsOfLogLine(line);
+}
+
+std::string EscapedForClientAct(std::string_view part) {
+  return server::EscapedForLog(part);
+}
+
+std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts) {
+  sml::AgentData& data = sml::AgentData::Of(agent);
+  const sml::Lock lock = sml::Hold(data);
+  auto* const link = dynamic_cast<sml::LocalAgentLink*>(data.link.get());
+  if (link == nullptr) return "the agent's kernel is not in this process";
+  std::unique_ptr<server::ClientPlayer>& player = link->host().player;
+  if (!player) player = std::make_unique<server::ClientPlayer>(link->host());
+  return player->Play(link->hosted(), parts);
+}
+
+}  // namespace soarbox

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "Export.h"
+
+namespace sml {
+class Agent;
+class Kernel;
+}  // namespace sml
+
+namespace soarbox {
+
+/// Records what clients do to the agents of a kernel in this process from now on, before there is any agent: the file
+/// is a recording for `soarbox replay`, `why` and the like. Returns what is wrong, or an empty text. The environment
+/// variable SOARBOX_RECORD=FILE does the same for each kernel.
+std::string EXPORT RecordClients(sml::Kernel& kernel, const std::string& file);
+
+/// The parts of a line of a client's log (sml/server/client_log.h).
+std::vector<std::string> PartsOfClientAct(std::string_view line);
+
+/// A part as it is written in such a line.
+std::string EscapedForClientAct(std::string_view part);
+
+/// Does to an agent of a kernel in this process what a line of a client's log says. Returns what did not go as it was
+/// recorded, or an empty text.
+std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts);
+
+}  // namespace soarbox

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "kernel/io/input_link.h"
+#include "sml/wire/input_wme.h"
+
+namespace soarbox::server {
+
+using wire::InputWme;
+class HostedAgent;
+
+/// How far an agent has run: the output phases that it has completed, and the phase that comes next.
+struct RunPosition {
+  std::uint64_t cycles = 0;
+  int phase = 0;
+  std::uint64_t elaborations = 0;  ///< Only in the middle of a phase: the elaborations so far. 0: between phases.
+  friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
+};
+RunPosition PositionOf(const HostedAgent& hosted);
+
+/// The log of everything that clients do to the agents of a kernel: enough to run the agents again without the clients.
+/// A line for each act, its parts separated by tabs; `\t`, `\n`, `\r` and `\\` stand for these characters.
+///
+///     soarbox-client 1 BUILD      the first line
+///     agent NAME                  an agent was made;  gone NAME: it was destroyed
+///     function NAME               clients implement this right-hand-side function from now on
+///     file PATH CONTENT           a command read this file
+///     line AGENT TEXT             a command line; `source` names its file by its absolute path
+///     add AGENT HANDLE TAG ID ATTRIBUTE TYPE VALUE    an element of input
+///     set AGENT HANDLE TAG TYPE VALUE                 it has another value
+///     remove AGENT HANDLE;  drop AGENT TAG            it is gone
+///     scene AGENT TEXT            lines for the scene of the top state
+///     answer AGENT FUNCTION ARGUMENT VALUE            what a client returned for a function that a rule called
+///     go AGENT CYCLES PHASE ELABORATIONS FIRINGS MS   the agent ran to this position (RunPosition); how often rules
+///                                 have fired by then, and the time since the log began. FIRINGS is - if not known.
+///
+/// Each act comes after the `go` of the position at which it happened. An act in the middle of a phase counts as
+/// happening at its end: input and commands reach the agent no earlier. Answers come before the `go` that needs them.
+///
+/// Owned by KernelHost, on the thread that holds the kernel. If the file can no longer be written, the log says so once
+/// on standard error and ends.
+class ClientLog {
+ public:
+  /// Creates the file, replacing an old one. `build` identifies the program.
+  static Result<std::unique_ptr<ClientLog>> Create(const std::string& file, std::string_view build);
+  ~ClientLog();
+  ClientLog(const ClientLog&) = delete;
+  ClientLog& operator=(const ClientLog&) = delete;
+
+  void AgentMade(std::string_view agent);
+  void AgentGone(HostedAgent& hosted);
+  void FunctionMade(std::string_view name);
+  void FileRead(std::string_view path, std::string_view content);
+  void Line(HostedAgent& hosted, std::string_view line);
+  void Added(HostedAgent& hosted, kernel::InputElement element, const InputWme& wme);
+  void Changed(HostedAgent& hosted, kernel::InputElement element, const InputWme& wme);
+  void Removed(HostedAgent& hosted, kernel::InputElement element);
+  void Dropped(HostedAgent& hosted, long long tag);
+  void Scene(HostedAgent& hosted, std::string_view lines);
+  void Answered(HostedAgent& hosted, std::string_view function, std::string_view argument, std::string_view value);
+  /// The agent has run; writes where it is now.
+  void Went(HostedAgent& hosted);
+  /// Hands what was written to the operating system: a program that is killed loses nothing before this.
+  void Flush();
+
+ private:
+  struct Seen {
+    RunPosition at;                    ///< The position of the last `go`.
+    RunPosition deferred_at;           ///< The end of the phase in which the acts below happened.
+    std::vector<std::string> waiting;  ///< Lines of acts in the middle of a phase.
+  };
+
+  explicit ClientLog(std::FILE* file);
+  void Act(HostedAgent& hosted, std::string line);
+  void WriteGo(const std::string& agent, const RunPosition& at, const std::string& firings);
+  /// Writes the acts of a phase that is over.
+  void Settle(const std::string& agent, Seen& seen, const RunPosition& now);
+  void Write(const std::string& line);
+
+  std::FILE* file_;
+  std::map<std::uint64_t, Seen> seen_;  ///< By the agent's number.
+  std::int64_t began_ms_;
+};
+
+/// The parts of a line of the log, unescaped.
+std::vector<std::string> PartsOfLogLine(std::string_view line);
+/// A part as it is written.
+std::string EscapedForLog(std::string_view text);
+
+}  // namespace soarbox::server
