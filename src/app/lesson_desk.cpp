@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/lesson_desk.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <optional>
 #include <utility>
 
 #include "app/data_folders.h"
+#include "app/grading.h"
 #include "app/learn_command.h"
 #include "app/lesson.h"
 #include "app/lesson_progress.h"
@@ -25,75 +17,6 @@ namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A program that runs beside this one, and what it prints.
-class Helper {
- public:
-  ~Helper() { Stop(); }
-  bool IsRunning() const { return pid_ > 0; }
-  int code() const { return code_; }
-  const std::string& text() const { return text_; }
-
-  Result<void> Start(std::vector<std::string> words) {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return Problem();
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_t pid = 0;
-    const int failed = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (failed != 0) {
-      close(ends[0]);
-      errno = failed;
-      return Problem();
-    }
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    pipe_ = ends[0];
-    pid_ = pid;
-    text_.clear();
-    return {};
-  }
-
-  /// Ends it and everything that it started.
-  void Stop() {
-    if (pid_ <= 0) return;
-    kill(pid_, SIGTERM);  // It ends the runs that it started.
-    waitpid(std::exchange(pid_, 0), nullptr, 0);
-    close(std::exchange(pipe_, -1));
-  }
-
-  /// True if it has ended since.
-  bool Poll() {
-    if (pid_ <= 0) return false;
-    std::array<char, 4096> bytes;
-    while (true) {
-      const ssize_t got = read(pipe_, bytes.data(), bytes.size());
-      if (got < 0) return false;  // Nothing yet.
-      if (got == 0) break;
-      text_.append(bytes.data(), static_cast<std::size_t>(got));
-    }
-    int status = 0;
-    waitpid(std::exchange(pid_, 0), &status, 0);
-    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    close(std::exchange(pipe_, -1));
-    return true;
-  }
-
- private:
-  static Diagnostic Problem() {
-    return NewProblem(std::string("your rules cannot be checked now: ") + std::strerror(errno));
-  }
-
-  pid_t pid_ = 0;
-  int pipe_ = -1, code_ = 0;
-  std::string text_;
-};
 
 std::vector<std::string> LinesOf(const std::string& text) {
   std::vector<std::string> lines;
@@ -136,7 +59,7 @@ struct LessonDesk::Parts {
   fs::path from, home;  ///< Of all lessons; of the learner's folders.
   std::vector<std::string> grade;
   bool is_cancelled = false;  ///< Since the last Poll.
-  Helper helper;
+  Grading grading;
   LessonProgress progress;
 
   const Lesson* Now() const { return at < lessons.size() ? &lessons[at] : nullptr; }
@@ -180,15 +103,14 @@ void LessonDesk::Hint() {
 
 Result<void> LessonDesk::Grade() {
   const Lesson* now = parts_->Now();
-  if (now == nullptr || parts_->helper.IsRunning()) return {};
+  if (now == nullptr || parts_->grading.IsRunning()) return {};
   parts_->grade.clear();
-  return parts_->helper.Start({"soarbox", "learn", "check", now->name, "--folder", parts_->home.string(), "--from",
-                               parts_->from.string(), "--progress"});
+  return parts_->grading.Start(now->name, parts_->home, parts_->from);
 }
 
 void LessonDesk::Cancel() {
-  if (!parts_->helper.IsRunning()) return;
-  parts_->helper.Stop();
+  if (!parts_->grading.IsRunning()) return;
+  parts_->grading.Stop();
   parts_->grade = {"Grading was cancelled. There is no verdict."};
   parts_->is_cancelled = true;
 }
@@ -205,12 +127,12 @@ Result<workbench::Lessons::Opened> LessonDesk::Open(const std::string& lesson) {
 
 bool LessonDesk::Poll() {
   if (std::exchange(parts_->is_cancelled, false)) return true;
-  if (!parts_->helper.IsRunning()) return false;
-  const bool has_ended = parts_->helper.Poll();
-  std::vector<std::string> lines = LinesOf(parts_->helper.text());
+  if (!parts_->grading.IsRunning()) return false;
+  const bool has_ended = parts_->grading.Poll();
+  std::vector<std::string> lines = LinesOf(parts_->grading.text());
   // Lines of progress come first: the last of them shows how far grading is.
   const auto is_progress = [](const std::string& line) { return line.starts_with(kProgressLine); };
-  if (!has_ended && !lines.empty() && !parts_->helper.text().ends_with('\n')) lines.pop_back();  // Half a line.
+  if (!has_ended && !lines.empty() && !parts_->grading.text().ends_with('\n')) lines.pop_back();  // Half a line.
   const auto result = std::find_if_not(lines.begin(), lines.end(), is_progress);
   if (!has_ended) {
     if (result == lines.begin()) return false;
@@ -242,7 +164,7 @@ void LessonDesk::Fill(workbench::Contents& contents) const {
   shown.hints.assign(now->hints.begin(),
                      now->hints.begin() + static_cast<std::ptrdiff_t>(std::min(used, now->hints.size())));
   shown.is_passed = parts_->progress.IsPassed(now->name);
-  shown.is_graded = parts_->helper.IsRunning();
+  shown.is_graded = parts_->grading.IsRunning();
   shown.grade = parts_->grade;
   if (parts_->at + 1 < parts_->lessons.size()) shown.next = parts_->lessons[parts_->at + 1].name;
 }

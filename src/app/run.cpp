@@ -20,6 +20,7 @@
 #include "app/run_headless.h"
 #include "app/run_options.h"
 #include "app/run_session.h"
+#include "app/run_setup.h"
 #include "app/window.h"
 #include "diagnostics/read_text.h"
 #include "dis/gateway.h"
@@ -97,12 +98,19 @@ bool IsOfThisMachine(const dis::Settings& settings) {
   return (is_group ? settings.interface : settings.address).starts_with(kLoopback) || settings.address == "localhost";
 }
 
+/// Prints a remark on the run; nothing if it is empty.
+void Note(const std::string& remark) {
+  if (!remark.empty()) std::cerr << "soarbox: " << remark << '\n';
+}
+
 }  // namespace
 
-int Run(const RunOptions& given) {
-  RunOptions options = given;
+int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
+  auto setup = std::make_unique<RunSetup>();
+  RunOptions& options = setup->options = given;
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
+  setup->data = *data;
   const Result<std::filesystem::path> rules = RulesOfProject(options.scenario);
   if (!rules) return Refuse(rules.error());
   options.scenario = rules->string();
@@ -155,8 +163,9 @@ int Run(const RunOptions& given) {
   }
   if (options.headless && !options.seconds) options.seconds = headless_s;
   NoteOwnScenario(*scenario);
+  setup->scenario = *scenario;
 
-  sim::SimulationSettings settings;
+  sim::SimulationSettings& settings = setup->settings;
   settings.seed = seed;
   const WindowSize window = WindowSizeOf(options);
   settings.screen_width_px = window.width;
@@ -205,8 +214,6 @@ int Run(const RunOptions& given) {
   if (is_recorded || !options.headless) mission = MissionWatch::Of(*scenario, options.lesson, *data);
   if (mission != nullptr) settings.mind_detail = std::max(settings.mind_detail, mission->LeastDetail());
 
-  script::ScriptProfiler profiler;
-  const script::ObserveNewHosts observed(options.profile ? &profiler : nullptr);
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation && !options.port && settings.soar.port != 0) {
@@ -228,7 +235,7 @@ int Run(const RunOptions& given) {
   std::unique_ptr<EventPrinter> printer =
       options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
   printer->Begin({scenario.value().name, seed, options.headless});
-  RunSession session(std::move(*simulation), std::move(printer), options);
+  RunSession& session = setup->session.emplace(std::move(*simulation), std::move(printer), options);
   session.SetMission(std::move(mission));
   if (joins) {
     Result<std::unique_ptr<dis::Gateway>> gateway = dis::Gateway::Open(*joins);
@@ -239,8 +246,8 @@ int Run(const RunOptions& given) {
     std::cerr << "soarbox: " << session.gateway()->Describe() << '\n';
   }
   session.ExpectInputs(!options.input.empty());
-  record::Header header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
-  RunRecordings recordings(options);
+  record::Header& header = setup->header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
+  RunRecordings& recordings = setup->recordings.emplace(options);
   if (is_recorded) {
     recordings.SetManifest(record::ManifestOf(*scenario, header));
     const std::string note = recordings.Begin(session, header);
@@ -248,32 +255,45 @@ int Run(const RunOptions& given) {
     options.remark = note;
     if (!note.empty() && options.record.empty()) std::cerr << "soarbox: " << note << '\n';
   }
-  const auto tell = [](const std::string& note) {
-    if (!note.empty()) std::cerr << "soarbox: " << note << '\n';
-  };
+  // These are called later, when only the set-up is still there.
   session.SetMake(
       seed, scenario.value().name,
-      [&](std::uint64_t with_seed) {
-        settings.seed = with_seed;
-        return sim::Simulation::Create(*scenario, settings);
+      [raw = setup.get()](std::uint64_t with_seed) {
+        raw->settings.seed = with_seed;
+        return sim::Simulation::Create(raw->scenario, raw->settings);
       },
-      [&] {
-        header = HeaderOfRun(options, *scenario, settings, session.simulation(), *level);
+      [raw = setup.get(), is_recorded, level = *level] {
+        raw->header = HeaderOfRun(raw->options, raw->scenario, raw->settings, raw->session->simulation(), level);
         if (is_recorded) {
-          recordings.SetManifest(record::ManifestOf(*scenario, header));
-          tell(recordings.Begin(session, header));
+          raw->recordings->SetManifest(record::ManifestOf(raw->scenario, raw->header));
+          Note(raw->recordings->Begin(*raw->session, raw->header));
         }
       });
-  session.SetOnBranch([&](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
-    tell(recordings.GoOn(session, header, at, inputs));
+  session.SetOnBranch([raw = setup.get()](const record::TickRecord& at, const std::vector<record::TickInputs>& inputs) {
+    Note(raw->recordings->GoOn(*raw->session, raw->header, at, inputs));
   });
-  const int code = options.headless
-                       ? RunHeadless(session, options)
-                       : ProgramWindow()->Run(session, options, data.value(), {*scenario, settings, header});
-  constexpr std::size_t kMostFunctions = 40;
-  if (options.profile) std::cerr << profiler.Table(session.simulation().tick(), kMostFunctions);
-  if (!options.headless) return code;
-  if (session.gateway() != nullptr) tell(session.gateway()->Describe());
+  result = std::move(setup);
+  return kOk;
+}
+
+int Run(const RunOptions& options) {
+  script::ScriptProfiler profiler;
+  const script::ObserveNewHosts observed(options.profile ? &profiler : nullptr);
+  std::unique_ptr<RunSetup> run;
+  if (const int code = SetUpRun(options, run); code != kOk) return code;
+  const auto print_profile = [&] {
+    constexpr std::size_t kMostFunctions = 40;
+    if (options.profile) std::cerr << profiler.Table(run->session->simulation().tick(), kMostFunctions);
+  };
+  if (!run->options.headless) {
+    const int code =
+        ProgramWindow()->Run(*run->session, run->options, run->data, {run->scenario, run->settings, run->header});
+    print_profile();
+    return code;
+  }
+  const int code = RunHeadless(*run->session, run->options);
+  print_profile();
+  if (run->session->gateway() != nullptr) Note(run->session->gateway()->Describe());
   return code;
 }
 

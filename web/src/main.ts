@@ -5,6 +5,7 @@ import { App } from "./app/app";
 import { applyTheme, themeNow } from "./app/theme";
 import { ClassTable } from "./class/class_table";
 import { button, h, patch } from "./dom/view";
+import type { Port } from "./local/worker_source";
 
 const PLACE_KEY = "soarbox.place";
 
@@ -45,10 +46,31 @@ function tell(root: HTMLElement, error: unknown): void {
     h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), location.pathname !== "/" && button("A new place", () => location.assign("/"))))))]);
 }
 
+/** A page without a server: its engine is a worker, and its place is in this browser. */
+async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
+  const { LocalApi, LocalPlace } = await import("./local/worker_source");
+  const base = document.baseURI, worker = new URL("assets/worker.js", base);
+  const place = new LocalPlace(() => new Worker(worker, { type: "module" }) as unknown as Port, new URL(engine, base).href);
+  const api = new LocalApi(place);
+  document.addEventListener("visibilitychange", () => {
+    if (document.visibilityState === "hidden") place.keepNow();
+  });
+  try {
+    const info = await api.json<PlaceInfo>("/api/p/local");
+    root.replaceChildren();
+    new App(root, api, info);
+  } catch (error) {
+    tell(root, error);
+  }
+}
+
 async function begin(): Promise<void> {
   applyTheme(themeNow());
   const root = document.getElementById("page");
   if (root === null) return;
+  // The address of the engine, in a page without a server.
+  const engine = document.querySelector<HTMLMetaElement>("meta[name=soarbox-engine]")?.content;
+  if (engine !== undefined) return beginLocal(root, engine);
   const api = new Api(takeToken(location, history, sessionStorage));
   const classKey = /^\/class\/([^/]+)\/?$/.exec(location.pathname)?.[1];
   if (classKey !== undefined) {

@@ -15,7 +15,8 @@ namespace soarbox::app {
 /// holds its secret: pages see "/place" instead, in what they are sent and in the files that they name.
 class EngineChannel {
  public:
-  /// Owns the descriptor of a connected stream socket.
+  /// Owns the descriptor of a connected stream socket. Without sockets the other end is JavaScript
+  /// (engine_channel_absent.cpp), and there is one channel at a time.
   explicit EngineChannel(int socket);
   ~EngineChannel();
   EngineChannel(const EngineChannel&) = delete;

@@ -17,6 +17,8 @@
 #include "app/mind_steps.h"
 #include "app/refuse.h"
 #include "app/run_options.h"
+#include "app/run_setup.h"
+#include "diagnostics/problem.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "serve/wall.h"
@@ -110,22 +112,35 @@ class LiveEngine {
   }
 
   int Run() {
-    while (!session_.IsOver() && page_.is_open()) {
-      page_.ShowLife();
-      EnginePage::Asked asked = page_.Receive(Wait_ms());
-      const bool was_asked = !asked.empty();
-      if (const Result<void> obeyed = Obey(asked); !obeyed) return Refuse(obeyed.error());
-      panels_.Serve(*desk_, std::move(asked.requests));
-      if (desk_->is_live() && !page_.is_alone()) {
-        for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
-        Tick();
-      } else {
-        pace_.Skip();
-      }
-      Show();
-      if (was_asked) page_.Done();
-    }
+    while (!IsOver())
+      if (const Result<void> done = Round(Wait_ms()); !done) return Refuse(done.error());
     return session_.Finish();
+  }
+  bool IsOver() const { return session_.IsOver() || !page_.is_open(); }
+  /// How long a round may wait for requests.
+  int Wait_ms() {
+    if (page_.is_alone()) return kAlone_ms;
+    if (pace_.paused() || !desk_->is_live()) return kIdle_ms;
+    if (std::isinf(pace_.speed())) return 0;
+    const double rest_s = (1 - pace_.Blend(Step_s())) * Step_s() / pace_.speed();
+    return std::clamp(static_cast<int>(std::ceil(rest_s * 1000)), 1, kIdle_ms);
+  }
+  /// Carries out what was asked, ticks what is due, shows it. An error ends the run.
+  Result<void> Round(int most_ms) {
+    page_.ShowLife();
+    EnginePage::Asked asked = page_.Receive(most_ms);
+    const bool was_asked = !asked.empty();
+    if (Result<void> obeyed = Obey(asked); !obeyed) return obeyed;
+    panels_.Serve(*desk_, std::move(asked.requests));
+    if (desk_->is_live() && !page_.is_alone()) {
+      for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
+      Tick();
+    } else {
+      pace_.Skip();
+    }
+    Show();
+    if (was_asked) page_.Done();
+    return {};
   }
 
  private:
@@ -150,14 +165,6 @@ class LiveEngine {
                  {"may_edit", true},
                  {"is_recording", false},
                  {"has_exercise", session_.gateway() != nullptr}});
-  }
-
-  int Wait_ms() {
-    if (page_.is_alone()) return kAlone_ms;
-    if (pace_.paused() || !desk_->is_live()) return kIdle_ms;
-    if (std::isinf(pace_.speed())) return 0;
-    const double rest_s = (1 - pace_.Blend(Step_s())) * Step_s() / pace_.speed();
-    return std::clamp(static_cast<int>(std::ceil(rest_s * 1000)), 1, kIdle_ms);
   }
 
   Result<void> Obey(const EnginePage::Asked& asked) {
@@ -287,27 +294,32 @@ class ReplayEngine {
   }
 
   int Run() {
-    while (!WasInterrupted() && page_.is_open()) {
-      page_.ShowLife();
-      const bool stands = pace_.paused() || page_.is_alone();
-      EnginePage::Asked asked = page_.Receive(stands ? kIdle_ms : static_cast<int>(std::ceil(step_s_ * 500)));
-      const bool was_asked = !asked.empty();
-      Obey(asked);
-      if (page_.is_alone()) {
-        pace_.Skip();
-      } else if (const int due = pace_.TicksDue(step_s_, desk_.past().shown_tick(), turn_ticks_); due > 0) {
-        desk_.Show(std::min(desk_.past().shown_tick() + static_cast<std::uint64_t>(due), desk_.past().last_tick()));
-      }
-      panels_.Serve(desk_, std::move(asked.requests));
-      if (was_asked) page_.Done();
-      if (page_.is_alone()) continue;
-      const world::SceneSnapshot& scene = *desk_.PastScene();
-      page_.ShowFlow(pace_, desk_.past().shown_tick(), scene.time_s);
-      if (page_.WantsScene(scene.agents.size()) && (scene.tick != shown_tick_ || page_.WantsFull()))
-        page_.ShowScene(scene, nullptr);
-      shown_tick_ = scene.tick;
-    }
+    while (!IsOver()) Round(Wait_ms());
     return kOk;
+  }
+  bool IsOver() const { return WasInterrupted() || !page_.is_open(); }
+  int Wait_ms() const {
+    const bool stands = pace_.paused() || page_.is_alone();
+    return stands ? kIdle_ms : static_cast<int>(std::ceil(step_s_ * 500));
+  }
+  void Round(int most_ms) {
+    page_.ShowLife();
+    EnginePage::Asked asked = page_.Receive(most_ms);
+    const bool was_asked = !asked.empty();
+    Obey(asked);
+    if (page_.is_alone()) {
+      pace_.Skip();
+    } else if (const int due = pace_.TicksDue(step_s_, desk_.past().shown_tick(), turn_ticks_); due > 0) {
+      desk_.Show(std::min(desk_.past().shown_tick() + static_cast<std::uint64_t>(due), desk_.past().last_tick()));
+    }
+    panels_.Serve(desk_, std::move(asked.requests));
+    if (was_asked) page_.Done();
+    if (page_.is_alone()) return;
+    const world::SceneSnapshot& scene = *desk_.PastScene();
+    page_.ShowFlow(pace_, desk_.past().shown_tick(), scene.time_s);
+    if (page_.WantsScene(scene.agents.size()) && (scene.tick != shown_tick_ || page_.WantsFull()))
+      page_.ShowScene(scene, nullptr);
+    shown_tick_ = scene.tick;
   }
 
  private:
@@ -354,6 +366,7 @@ class EngineWindow final : public Window {
              const RecordingOptions&) const override {
     return ReplayEngine(recording, range, data, page_, options_).Run();
   }
+  EnginePage& page() const { return page_; }
 
  private:
   const EngineOptions& options_;
@@ -408,23 +421,9 @@ int PlayMatch(const EngineOptions& options) {
   return kOk;
 }
 
-}  // namespace
-
-int Engine(const EngineOptions& given) {
-  EngineOptions options = given;
+/// What `soarbox run` would be asked for. The learner's copy of the world or lesson is made if there is none.
+Result<RunOptions> RunOf(const EngineOptions& options) {
   std::error_code error;
-  options.home = fs::weakly_canonical(options.home, error);
-  if (!options.recording.empty()) options.recording = fs::absolute(options.recording, error);
-  if (options.is_walled) RaiseWall(options);
-  EndWithServer(options.socket);
-  if (!options.match.empty()) return PlayMatch(options);
-  const EngineWindow window(options);
-  SetProgramWindow(&window);
-  if (!options.recording.empty()) {
-    RecordingOptions replay;
-    replay.file = options.recording;
-    return Replay(replay);
-  }
   RunOptions run;
   run.port = 0;
   run.threads = 1;
@@ -436,7 +435,7 @@ int Engine(const EngineOptions& given) {
   constexpr double kRecording_mb = 16;
   run.record_limit_mb = kRecording_mb;
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return Refuse(data.error());
+  if (!data) return data.error();
   run.seed = options.seed;
   if (!options.run.empty()) {
     run.scenario = options.run;
@@ -446,19 +445,124 @@ int Engine(const EngineOptions& given) {
       fs::create_directories(folder.parent_path(), error);
       fs::copy(options.from.empty() ? data->scenarios / options.world : options.from, folder,
                fs::copy_options::recursive, error);
-      if (error) return Refuse("there is no world '" + options.world + "' to copy: " + error.message());
+      if (error) return NewProblem("there is no world '" + options.world + "' to copy: " + error.message());
     }
     run.scenario = folder.string();
   } else {
     std::vector<Diagnostic> problems;
     const std::optional<Lesson> lesson = ReadLesson(LessonOf(LessonsFolder() / options.lesson, *data), *data, problems);
-    if (!lesson) return Refuse("there is no lesson '" + options.lesson + "'");
+    if (!lesson) return NewProblem("there is no lesson '" + options.lesson + "'");
     const fs::path folder = LessonsFolder() / lesson->name;
-    if (const Result<void> prepared = PrepareLesson(*lesson, folder); !prepared) return Refuse(prepared.error());
+    if (const Result<void> prepared = PrepareLesson(*lesson, folder); !prepared) return prepared.error();
     run.scenario = folder.string();
     run.lesson = lesson->folder;
   }
-  return Run(run);
+  return run;
+}
+
+EngineOptions WithRealPaths(EngineOptions options) {
+  std::error_code error;
+  options.home = fs::weakly_canonical(options.home, error);
+  if (!options.recording.empty()) options.recording = fs::absolute(options.recording, error);
+  return options;
+}
+
+class SteppedLive final : public SteppedEngine {
+ public:
+  explicit SteppedLive(const EngineOptions& options) : options_(WithRealPaths(options)), window_(options_) {
+    SetProgramWindow(&window_);
+  }
+  ~SteppedLive() override { SetProgramWindow(nullptr); }
+
+  bool Begin() {
+    const Result<RunOptions> run = RunOf(options_);
+    if (!run) {
+      Refuse(run.error());
+      return false;
+    }
+    if (SetUpRun(*run, run_) != kOk) return false;
+    what_.emplace(WindowRun{run_->scenario, run_->settings, run_->header});
+    if (!run_->options.warning.empty()) window_.page().Tell(run_->options.warning);
+    engine_.emplace(*run_->session, window_.page(), *what_, options_);
+    return true;
+  }
+  std::optional<int> Step() override {
+    if (engine_->IsOver()) return End();
+    if (const Result<void> done = engine_->Round(0); !done) {
+      Refuse(done.error());
+      return std::nullopt;
+    }
+    return engine_->IsOver() ? End() : engine_->Wait_ms();
+  }
+
+ private:
+  std::optional<int> End() {
+    run_->session->Finish();
+    return std::nullopt;
+  }
+
+  const EngineOptions options_;
+  const EngineWindow window_;
+  std::unique_ptr<RunSetup> run_;
+  std::optional<WindowRun> what_;
+  std::optional<LiveEngine> engine_;
+};
+
+class SteppedReplay final : public SteppedEngine {
+ public:
+  explicit SteppedReplay(const EngineOptions& options) : options_(WithRealPaths(options)), window_(options_) {}
+
+  bool Begin() {
+    const Result<sim::DataFolders> data = FindDataFolders();
+    Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(options_.recording);
+    if (!data || !reader) {
+      Refuse(data ? reader.error() : data.error());
+      return false;
+    }
+    reader_ = std::move(*reader);
+    engine_.emplace(*reader_, record::TickRange(), *data, window_.page(), options_);
+    return true;
+  }
+  std::optional<int> Step() override {
+    if (engine_->IsOver()) return std::nullopt;
+    engine_->Round(0);
+    return engine_->Wait_ms();
+  }
+
+ private:
+  const EngineOptions options_;
+  const EngineWindow window_;
+  std::unique_ptr<record::Reader> reader_;
+  std::optional<ReplayEngine> engine_;
+};
+
+/// Null if the engine cannot begin, which it has said.
+template <typename Engine>
+std::unique_ptr<SteppedEngine> Begun(const EngineOptions& options) {
+  auto engine = std::make_unique<Engine>(options);
+  return engine->Begin() ? std::move(engine) : nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<SteppedEngine> SteppedEngine::Make(const EngineOptions& options) {
+  return options.recording.empty() ? Begun<SteppedLive>(options) : Begun<SteppedReplay>(options);
+}
+
+int Engine(const EngineOptions& given) {
+  const EngineOptions options = WithRealPaths(given);
+  if (options.is_walled) RaiseWall(options);
+  EndWithServer(options.socket);
+  if (!options.match.empty()) return PlayMatch(options);
+  const EngineWindow window(options);
+  SetProgramWindow(&window);
+  if (!options.recording.empty()) {
+    RecordingOptions replay;
+    replay.file = options.recording;
+    return Replay(replay);
+  }
+  const Result<RunOptions> run = RunOf(options);
+  return run ? Run(*run) : Refuse(run.error());
 }
 
 }  // namespace soarbox::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,5 +31,17 @@ struct EngineOptions {
 /// Runs a scenario or shows a recording for pages in browsers, until the server closes the connection. Returns an
 /// ExitCode; what was wrong is told on standard error.
 int Engine(const EngineOptions& options);
+
+/// The same for a program that may not wait, such as a worker of a page: its own loop calls Step(). One at a time.
+class SteppedEngine {
+ public:
+  /// Null if it cannot begin; what is wrong was told on standard error.
+  static std::unique_ptr<SteppedEngine> Make(const EngineOptions& options);
+  virtual ~SteppedEngine() = default;
+
+  /// Carries out what pages have asked for, and ticks what is due. Returns how many ms may pass until the next call,
+  /// or nothing when the run is over.
+  virtual std::optional<int> Step() = 0;
+};
 
 }  // namespace soarbox::app

@@ -9,16 +9,13 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
-#include "app/lesson.h"
-#include "app/lesson_progress.h"
 #include "app/other_program.h"
 #include "app/refuse.h"
+#include "app/shipped_catalog.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/test_missions.h"
@@ -26,79 +23,11 @@
 #include "serve/random_id.h"
 #include "serve/server.h"
 #include "serve/wall.h"
-#include "sim/scenario.h"
 
 namespace soarbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The scenario of a match on a board of the game's script.
-std::string MatchOf(const std::string& script, const std::vector<serve::Player>& players) {
-  std::string text = "# A match that `soarbox serve` has made.\ndescription = \"" + script + ": ";
-  for (std::size_t i = 0; i < players.size(); ++i) text += (i == 0 ? "" : " against ") + players[i].name;
-  text += "\"\nscript = \"" + script + ".lua\"\nturn = 10\n";
-  for (const serve::Player& player : players)
-    text += "\n[[agent]]\nname = " + nlohmann::json(player.name).dump() +
-            "\nrules = " + nlohmann::json(player.rules).dump() + "\nby = \"sandbox\"\n";
-  return text;
-}
-
-/// Lessons and worlds that come with the program, read once.
-class ShippedCatalog final : public serve::Catalog {
- public:
-  explicit ShippedCatalog(const sim::DataFolders& data) {
-    std::vector<Diagnostic> problems;
-    for (const Lesson& lesson : ReadLessons(ShippedLessons(data), data, problems)) Add(lesson, {});
-    for (const std::string& course : CoursesIn(ShippedLessons(data)))
-      for (const Lesson& lesson : ReadLessons(ShippedLessons(data) / course, data, problems))
-        if (!hints_.contains(lesson.name)) Add(lesson, course);  // A course may list lessons of others.
-    for (const Diagnostic& problem : problems) std::cerr << Format(problem);
-    for (const std::string& name : sim::ListScenarios(data))
-      scenarios_.push_back({name, sim::DescribeScenario(name, data)});
-  }
-  std::vector<serve::Lesson> Lessons() const override { return lessons_; }
-  std::vector<Scenario> Scenarios() const override { return scenarios_; }
-  std::vector<serve::Game> Games() const override {
-    constexpr int kEaters_s = 120, kTanks_s = 200;
-    return {{"eaters", "Eaters", kEaters_s, [](const auto& players) { return MatchOf("Eaters", players); }},
-            {"tanksoar", "TankSoar", kTanks_s, [](const auto& players) { return MatchOf("TankSoar", players); }}};
-  }
-  Recording Describe(const fs::path& recording) const override {
-    const Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(recording);
-    if (!reader) return {};
-    const record::Header& header = (*reader)->header();
-    return {fs::path(header.scenario).filename().string(),
-            static_cast<double>((*reader)->last_tick() - (*reader)->first_tick()) * header.step_s};
-  }
-  serve::Progress ProgressOf(const fs::path& state, const std::string& lesson) const override {
-    const LessonProgress progress = LessonProgress::Below(state);
-    serve::Progress told{progress.IsPassed(lesson), progress.Get(lesson, "attempts"), progress.Get(lesson, "hints")};
-    const auto hints = hints_.find(lesson);
-    if (told.hints > 0 && hints != hints_.end() && !hints->second.empty())
-      told.last_hint =
-          hints->second[std::min<std::size_t>(static_cast<std::size_t>(told.hints), hints->second.size()) - 1];
-    return told;
-  }
-
- private:
-  void Add(const Lesson& lesson, const std::string& course) {
-    lessons_.push_back({lesson.name, lesson.title, course});
-    hints_[lesson.name] = lesson.hints;
-  }
-
-  std::vector<serve::Lesson> lessons_;
-  std::map<std::string, std::vector<std::string>> hints_;  ///< By lesson.
-  std::vector<Scenario> scenarios_;
-};
-
-/// Letters, digits and what joins them: no path.
-bool IsPlainName(std::string_view name) {
-  return !name.empty() && name.size() <= 100 && name.front() != '.' && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-           c == '.';
-  });
-}
 
 /// The folder of a scenario that is none of the program's; empty: it has none.
 fs::path FolderOf(const std::string& scenario) {

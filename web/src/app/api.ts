@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import { SocketSource } from "../run/socket_source";
+import type { RunSource } from "../run/source";
+
+/** The name of the place of a page without a server. */
+export const LOCAL_PLACE = "local";
 
 /** What the server says about a place to work in (docs/serve.md). */
 export interface PlaceInfo {
@@ -112,15 +117,22 @@ export class Api {
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 
-  socketAddress(path: string): string {
-    return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${path}`;
+  /** Where the run of a place comes from: `path` is that of its WebSocket. */
+  source(path: string): RunSource {
+    return new SocketSource(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${path}`, this.token);
+  }
+
+  /** Whether there is a server; without one, there is one place in this browser, and nobody else can be led to it. */
+  get hasServer(): boolean {
+    return true;
+  }
+
+  /** The address of the page itself, without what it shows. */
+  get pageAddress(): string {
+    return `${location.origin}/`;
   }
 
   get hasToken(): boolean {
     return this.token !== "";
-  }
-
-  get secret(): string {
-    return this.token;
   }
 }

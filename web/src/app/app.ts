@@ -5,7 +5,6 @@ import { LearnerDesk } from "../class/learner_desk";
 import { startPage } from "../lesson/start_page";
 import type { WorldMaps } from "../lesson/world_map";
 import { Run, type Remark } from "../run/run";
-import { SocketSource } from "../run/socket_source";
 import type { Api, ArenaInfo, PlaceInfo } from "./api";
 import type { PlaceFiles } from "../panels/panel";
 import { clock } from "../panels/parts";
@@ -76,7 +75,7 @@ export class App {
     const tab = [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
     const { key, link } = guest, path = key !== undefined ? `/api/p/${info.place}/watch?key=${encodeURIComponent(key)}` : link !== undefined ? `/api/w/${link}/watch` : `/api/p/${info.place}/run?tab=${tab}`;
     root.classList.toggle("embedded", guest.panels !== undefined);
-    this.run = new Run(new SocketSource(api.socketAddress(path), api.secret), this.watches ? "" : info.place);
+    this.run = new Run(api.source(path), this.watches ? "" : info.place);
     this.desk = this.watches || info.learner === "" ? null : new LearnerDesk(api, `/api/p/${info.place}`, this.run, () => {
       this.draw();
       this.drawRemarks();
@@ -410,20 +409,20 @@ export class App {
     const { address } = this.navigator, { hello } = this.run, title = this.titleOfRun(), edit = this.run.contents.edit?.edit, links: Link[] = [], isShown = !this.isHome && hello !== null && hello.what === address.what;
     if (isShown && !hello.what.startsWith("recording:")) {
       const when = address.seconds === null ? "" : ` at ${clock(address.seconds)}`;
-      links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: location.origin + "/" + formatAddress({ ...address, text: "" }) });
+      links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: this.api.pageAddress + formatAddress({ ...address, text: "" }) });
       if (edit !== undefined && edit.file !== "") {
         const text = await packText(this.runPage?.editorText ?? edit.text);
-        links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: location.origin + "/" + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
+        links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: this.api.pageAddress + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
       }
     }
-    if (isShown && this.guest.panels === undefined) {
+    if (isShown && this.guest.panels === undefined && this.api.hasServer) {
       try {
         links.push(await this.watchLink());
       } catch (error) {
         this.fail(error);
       }
     }
-    links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
+    if (this.api.hasServer) links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
     this.links = links;
     this.draw();
   }

@@ -31,7 +31,7 @@ export function keysDialog(close: () => void): View {
   const groups = [...new Set(KEYS.map((one) => one.group))];
   return dialog("Keys", close, h("div.keys", null, groups.map((group) => h("section", null, h("h3", null, group),
     h("dl", null, KEYS.filter((one) => one.group === group).map((one) => [h("dt", null, h("kbd", null, one.keys)), h("dd", null, one.does)]))))),
-    h("p.quiet", null, h("a", { attributes: { href: "/assets/licences.txt", target: "_blank" } }, "Licences of the programs that this page contains")));
+    h("p.quiet", null, h("a", { attributes: { href: new URL("licences.txt", import.meta.url).href, target: "_blank" } }, "Licences of the programs that this page contains")));
 }
 
 /** A QR code as one path. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
 import { icon } from "../app/icons";
-import type { PlaceInfo } from "../app/api";
+import { LOCAL_PLACE, type PlaceInfo } from "../app/api";
 import { clock } from "../panels/parts";
 import { nextLesson, nextThings, numberOf } from "./next_thing";
 import { worldMap, type WorldMaps } from "./world_map";
@@ -60,7 +60,8 @@ export function startPage(info: PlaceInfo, filter: string, running: { what: stri
       value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
     })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button([worldMap(maps[one.name]), h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about))], () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
     h("section.kept", { attributes: { "aria-label": "Your place" } }, h("h2", null, "Your place"),
-      h("p.quiet", null, `Your files, lessons and recordings are kept under this page's link. Keep the link: whoever has it works here. ${info.kept_days > 0 ? `Nobody needs to log in; what is not used for ${info.kept_days} days is deleted.` : ""}`),
+      info.place === LOCAL_PLACE ? h("p.quiet", null, "Your files, lessons and recordings are kept by this browser, on this machine. Nothing is sent anywhere. Save them now and then: a browser deletes what a page keeps when its data is cleared.")
+        : h("p.quiet", null, `Your files, lessons and recordings are kept under this page's link. Keep the link: whoever has it works here. ${info.kept_days > 0 ? `Nobody needs to log in; what is not used for ${info.kept_days} days is deleted.` : ""}`),
       info.recordings.length > 0 && h("ul.plain", null, [...info.recordings].sort((a, b) => b.when - a.when).map((one) => h("li.row", { key: one.name }, button(recordingText(one).title, () => events.open(`recording:${one.name}`), { attributes: { title: `Watch ${one.name}` } }, "button.link"), h("span.quiet", null, recordingText(one).about),
         button("Download", () => events.downloadRecording(one.name), { attributes: { "aria-label": `Download ${one.name}` } }, "button.small")))),
       h("div.row", null, button("Download my folder", events.download, { attributes: { title: "All your files as a zip" } }),

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// The engine of a page without a server, in Node.js: it answers what a page asks, in every world and lesson.
+//
+// usage: node run_engine.mjs ENGINE [NAME...]     ENGINE: the folder of soarbox-engine.mjs; NAME: only these worlds and lessons
+//
+// Each world runs for some seconds at full speed; each lesson's solution is applied and graded. Prints one line each; the exit
+// status is 1 if anything is not as it should be. Needs the page's packages (npm ci in web/).
+import assert from "node:assert/strict";
+import { existsSync, mkdtempSync, readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const REPOSITORY = new URL("../../", import.meta.url).pathname, WEB = join(REPOSITORY, "web");
+const PATIENCE_MS = 300_000, SECONDS = 5;
+const [folder, ...names] = process.argv.slice(2);
+if (folder === undefined || !existsSync(join(folder, "soarbox-engine.mjs"))) {
+  console.error("usage: node run_engine.mjs ENGINE [NAME...], where ENGINE has soarbox-engine.mjs (./dev site builds it)");
+  process.exit(2);
+}
+const { build } = createRequire(join(WEB, "package.json"))("esbuild");
+const bundled = join(mkdtempSync(join(tmpdir(), "soarbox-")), "local.mjs");
+await build({ stdin: { contents: 'export * from "./src/local/engine"; export * from "./src/local/worker_source";', resolveDir: WEB }, outfile: bundled, bundle: true, platform: "node", format: "esm", logLevel: "warning" });
+const { EngineWorker, LocalPlace, LocalApi } = await import(pathToFileURL(bundled).href);
+const { default: makeEngine } = await import(pathToFileURL(resolve(folder, "soarbox-engine.mjs")).href);
+
+/** A page with its place, as far as these tests look: what it was told last, and what it is told from now on. */
+class Page {
+  hello = null;
+  contents = {};
+  flow = null;
+  blocks = 0;
+  errors = [];
+  ended = "";
+
+  constructor() {
+    this.place = new LocalPlace(() => {
+      const port = { onmessage: null, onerror: null, postMessage: (message) => void worker.take(message), terminate: () => undefined };
+      const worker = new EngineWorker(async () => (settings) => makeEngine({ ...settings, locateFile: (name) => resolve(folder, name) }), (message) => port.onmessage?.({ data: message }), {
+        later: (call, ms) => {
+          const timer = ms > 0 ? setTimeout(call, ms) : setImmediate(call);
+          return () => (ms > 0 ? clearTimeout(timer) : clearImmediate(timer));
+        },
+      });
+      return port;
+    }, "", false);
+    this.api = new LocalApi(this.place);
+    this.place.start({ message: (message) => this.take(message), block: () => (this.blocks += 1), connection: () => undefined });
+  }
+
+  take(message) {
+    if (message.message === "hello") this.hello = message;
+    if (message.message === "contents") Object.assign(this.contents, message.contents);
+    if (message.message === "flow") this.flow = message;
+    if (message.message === "error") this.errors.push(message.error);
+    if (message.message === "ended") this.ended = message.text;
+  }
+
+  ask(request, fields = {}) {
+    assert.ok(this.place.send({ request, ...fields }));
+  }
+
+  async until(fact, what) {
+    for (const end = Date.now() + PATIENCE_MS; Date.now() < end;) {
+      if (this.ended !== "") throw new Error(`the run ended: ${this.ended}`);
+      if (fact()) return;
+      await new Promise((done) => setTimeout(done, 10));
+    }
+    throw new Error(`it never was so: ${what}`);
+  }
+
+  async open(what) {
+    this.hello = this.flow = null;
+    this.contents = {};
+    this.blocks = 0;
+    this.errors = [];
+    this.ask("open", { what });
+    await this.until(() => this.hello?.what === what || this.errors.length > 0, `${what} is open`);
+    assert.deepEqual(this.errors, []);
+  }
+}
+
+async function runWorld(page, name) {
+  await page.open(`scenario:${name}`);
+  page.ask("look", { panels: ["agents", "messages"] });
+  page.ask("flow", { what: "unlimited" });
+  await page.until(() => page.flow !== null && page.flow.time_s >= SECONDS, `${name} has run for ${SECONDS} s`);
+  page.ask("flow", { what: "pause" });
+  await page.until(() => page.flow.paused, "it stands");
+  assert.ok(page.blocks > 0, "there was something to see");
+  return `${page.hello.agents.length} agents, ${page.flow.time_s.toFixed(1)} s, ${page.blocks} blocks`;
+}
+
+/** The rules of a lesson's solution: each file's name and text. */
+function solutionOf(lesson) {
+  const below = join(REPOSITORY, "lessons"), home = [below, ...readdirSync(below).map((course) => join(below, course))].find((one) => existsSync(join(one, lesson, "lesson.toml")));
+  const solution = join(home, lesson, "solution");
+  return readdirSync(solution).map((name) => [name, readFileSync(join(solution, name), "utf8")]);
+}
+
+async function solveLesson(page, name) {
+  // What the learner's editor would save.
+  for (const [file, text] of solutionOf(name)) await page.api.fetch(`/api/p/local/files/soarbox-lessons/${name}/${file}`, { method: "PUT", body: text });
+  await page.open(`lesson:${name}`);
+  page.ask("look", { panels: ["mission"] });
+  await page.until(() => page.contents.mission !== undefined, "the mission is told");
+  page.ask("lesson", { what: "grade" });
+  await page.until(() => page.contents.mission.lesson?.is_graded !== true && (page.contents.mission.lesson?.grade ?? []).length > 0, `${name} is graded`);
+  assert.ok(page.contents.mission.lesson.is_passed, page.contents.mission.lesson.grade.join("\n"));
+  return page.contents.mission.lesson.grade[0];
+}
+
+const page = new Page();
+const info = await page.api.json("/api/p/local");
+const all = [...info.scenarios.map(({ name }) => ({ name, run: runWorld })), ...info.lessons.map(({ name }) => ({ name, run: solveLesson }))];
+assert.ok(info.scenarios.length >= 29 && info.lessons.length >= 23, `${info.scenarios.length} worlds, ${info.lessons.length} lessons`);
+let failed = 0, done = 0;
+for (const { name, run } of all.filter((one) => names.length === 0 || names.includes(one.name))) {
+  const start = Date.now();
+  try {
+    const told = await run(page, name);
+    console.log(`good     ${name}: ${told}; ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAILED   ${name}: ${error.message}`);
+    page.ended = "";
+  }
+  done += 1;
+}
+console.log(`${done} worlds and lessons, ${failed} failed; ${Math.round(process.memoryUsage().rss / 1e6)} MB`);
+process.exit(failed > 0 || done === 0 ? 1 : 0);

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { RunMessage } from "../run/source";
+import { EngineWorker, type EngineModule, type MakeEngine } from "./engine";
+import type { FromWorker, ToWorker } from "./messages";
+import { LocalApi, LocalPlace, type Port } from "./worker_source";
+
+const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** A module that runs one world, "scenario:field", and fails when it is asked to. */
+class FakeEngine {
+  readonly texts = new Map<number, string>();
+  readonly files = new Map<string, Uint8Array>();
+  taken: string[] = [];
+  kept = 0;
+  wait = 50;
+  fails = false;
+  private next = 8;
+  private settings: Parameters<MakeEngine>[0] | null = null;
+
+  readonly make: MakeEngine = async (settings) => {
+    this.settings = settings;
+    return this.module;
+  };
+  private text(text: string): number {
+    this.next += 8;
+    this.texts.set(this.next, text);
+    return this.next;
+  }
+  private readonly module: EngineModule = {
+    HEAPU8: new Uint8Array(4096),
+    _malloc: () => 1024,
+    _free: (address) => void this.texts.delete(address),
+    stringToNewUTF8: (text) => this.text(text),
+    UTF8ToString: (address) => this.texts.get(address) ?? "",
+    _soarbox_open: (what) => {
+      const name = this.texts.get(what);
+      if (name === "scenario:broken") {
+        this.settings?.printErr("field.toml:1: error: there is no such body");
+        return this.text('{"error":"","hint":""}');
+      }
+      if (name !== "scenario:field") return this.text('{"error":"there is nothing","hint":"look"}');
+      this.settings?.soarboxFrame("h", bytesOf('{"message":"hello","scenario":"field"}'));
+      this.settings?.soarboxFrame("f", Uint8Array.of(1, 2));
+      this.settings?.soarboxFrame("c", bytesOf('mission\0{"title":"Ä"}'));
+      return 0;
+    },
+    _soarbox_step: () => {
+      if (this.fails) throw new Error("unreachable");
+      return this.wait;
+    },
+    _soarbox_take: (text) => void this.taken.push(this.texts.get(text) ?? ""),
+    _soarbox_answer: (method, path, body, length) => {
+      this.files.set("/answer", bytesOf(`${this.texts.get(method)} ${this.texts.get(path)} ${new TextDecoder().decode(this.module.HEAPU8.slice(body, body + length))}`));
+      return this.text('{"status":200,"type":"text/plain","file":"/answer"}');
+    },
+    FS: {
+      readFile: (path) => this.files.get(path)!,
+      filesystems: { IDBFS: {} },
+      mount: () => undefined,
+      syncfs: (fromBrowser, done) => {
+        if (!fromBrowser) this.kept += 1;
+        done(null);
+      },
+    },
+  };
+}
+
+/** A page and its worker, without a thread between them. Timers do nothing until they are called. */
+function pageWith(fake: FakeEngine) {
+  const timers: { call: () => void; ms: number; isOff: boolean }[] = [], ports: (Port & { isOver: boolean })[] = [];
+  const makePort = (): Port => {
+    const port: Port & { isOver: boolean } = { isOver: false, onmessage: null, onerror: null, postMessage: (message: ToWorker) => void worker.take(message), terminate: () => (port.isOver = true) };
+    const worker = new EngineWorker(async () => fake.make, (message: FromWorker) => port.onmessage?.({ data: message }), {
+      later: (call, ms) => {
+        const timer = { call, ms, isOff: false };
+        timers.push(timer);
+        return () => (timer.isOff = true);
+      },
+    });
+    ports.push(port);
+    return port;
+  };
+  const place = new LocalPlace(makePort, "engine.mjs"), messages: RunMessage[] = [], blocks: Uint8Array[] = [], states: string[] = [];
+  place.start({ message: (message) => messages.push(message), block: (block) => blocks.push(block), connection: (state) => states.push(state) });
+  return { place, messages, blocks, states, timers, ports, settled: () => new Promise((resolve) => setTimeout(resolve, 5)) };
+}
+
+test("a page without a server is told what a server would tell it", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake);
+  await page.settled();
+  assert.deepEqual(page.states, ["connecting", "open"]);
+  assert.deepEqual(page.messages, [{ message: "tabs", may_type: true }, { message: "none" }]);
+  page.messages.length = 0;
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  assert.deepEqual(page.messages, [{ message: "hello", scenario: "field", what: "scenario:field" }, { message: "contents", contents: { mission: { title: "Ä" } } }]);
+  assert.deepEqual([...page.blocks[0]!], [1, 2]);
+  page.place.send({ request: "flow", what: "pause" });
+  assert.deepEqual(fake.taken, ['{"request":"flow","what":"pause"}']);
+  page.place.close();
+});
+
+test("what cannot be opened is refused, and what cannot begin says why", async () => {
+  const page = pageWith(new FakeEngine());
+  await page.settled();
+  page.messages.length = 0;
+  page.place.send({ request: "open", what: "scenario:nowhere", id: 7 });
+  await page.settled();
+  assert.deepEqual(page.messages, [{ message: "error", error: "there is nothing", hint: "look", id: 7 }]);
+  page.messages.length = 0;
+  page.place.send({ request: "open", what: "scenario:broken" });
+  await page.settled();
+  assert.deepEqual(page.messages, [{ message: "ended", text: "there is no such body", can_open_again: true }]);
+  page.place.close();
+});
+
+test("files are kept after what may have changed them, and only then", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake), fire = () => page.timers.filter(({ ms, isOff }) => ms === 1000 && !isOff).forEach((timer) => { timer.isOff = true; timer.call(); });
+  await page.settled();
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  fire();
+  assert.equal(fake.kept, 1);
+  page.place.send({ request: "look", panels: [] });
+  fire();
+  assert.equal(fake.kept, 1);
+  page.place.send({ request: "edit-text", what: "save", text: "" });
+  fire();
+  assert.equal(fake.kept, 2);
+  page.place.keepNow();
+  assert.equal(fake.kept, 3);
+  page.place.close();
+});
+
+test("a run that crashes ends, and opening it again starts another worker", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake);
+  await page.settled();
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  fake.fails = true;
+  page.place.send({ request: "flow", what: "go-on" });
+  await page.settled();
+  assert.equal(page.ports[0]!.isOver, true);
+  assert.match((page.messages.at(-1) as { text: string }).text, /crashed.*unreachable/);
+  fake.fails = false;
+  page.messages.length = 0;
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  assert.equal(page.ports.length, 2);
+  assert.ok(page.messages.some(({ message }) => message === "hello"));
+  page.place.close();
+});
+
+test("the place is asked as a server is", async () => {
+  const page = pageWith(new FakeEngine()), api = new LocalApi(page.place);
+  const response = await api.fetch("/api/p/local/files/a.soar", { method: "PUT", body: "sp {}" });
+  assert.equal(await response.text(), "PUT files/a.soar sp {}");
+  assert.equal(await (await api.fetch("/api/p/local")).text(), "GET  ");
+  page.place.close();
+});

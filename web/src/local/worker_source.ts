@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import type { Listener, Request, RunMessage, RunSource } from "../run/source";
+import { readMessage } from "../run/socket_source";
+import { Api, Refused } from "../app/api";
+import type { FromWorker, ToWorker } from "./messages";
+
+const BUSY_AFTER_MS = 200, HANGS_AFTER_MS = 60_000;
+const CRASHED = "The run has crashed. What was saved is kept.";
+
+/** The parts of a Worker that are used; tests give their own. */
+export interface Port {
+  postMessage(message: ToWorker): void;
+  onmessage: ((event: { data: FromWorker }) => void) | null;
+  onerror: ((event: { message?: string }) => void) | null;
+  terminate(): void;
+}
+
+/** A run in a worker of this page, and the place that its files are in: what a server and its engine are to other pages. */
+export class LocalPlace implements RunSource {
+  private port: Port | null = null;
+  private listener: Listener | null = null;
+  private what = "";
+  private hasRun = false;
+  private readonly waiting = new Map<number, { resolve: (response: Response) => void; reject: (error: unknown) => void }>();
+  private nextCall = 1;
+  private isReady = false;
+  private early: ToWorker[] = [];
+  private busyTimer: ReturnType<typeof setTimeout> | null = null;
+  private hangTimer: ReturnType<typeof setTimeout> | null = null;
+  private isBusy = false;
+
+  constructor(private readonly makePort: () => Port, private readonly engine: string, private readonly keep = true) {}
+
+  start(listener: Listener): void {
+    this.listener = listener;
+    listener.connection("connecting");
+    this.connect();
+  }
+
+  send(request: Request): boolean {
+    if (request.request === "open") {
+      this.post({ kind: "open", what: String(request["what"] ?? ""), ...(request.id === undefined ? {} : { id: request.id }) });
+      this.awaitAnswer();
+    } else if (request.request !== "take-over" && this.hasRun) {
+      this.post({ kind: "request", text: JSON.stringify(request) });
+      this.awaitAnswer();
+    }
+    return true;
+  }
+
+  retry(): void {
+    this.connect();
+  }
+
+  close(): void {
+    this.port?.terminate();
+    this.port = null;
+    this.listener?.connection("closed");
+  }
+
+  /** The page goes away, or is hidden: what changed is kept now. */
+  keepNow(): void {
+    if (this.isReady) this.post({ kind: "keep" });
+  }
+
+  /** Answers what a server would be asked about a place: `path` begins after "/api/p/ID". */
+  async answer(method: string, path: string, body: Uint8Array): Promise<Response> {
+    this.connect();
+    const call = this.nextCall++;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(call, { resolve, reject });
+      this.post({ kind: "answer", call, method, path, body });
+    });
+  }
+
+  private connect(): void {
+    if (this.port !== null) {
+      if (this.isReady) this.open();
+      return;
+    }
+    const port = this.makePort();
+    this.port = port;
+    this.isReady = false;
+    port.onmessage = ({ data }) => this.take(data);
+    port.onerror = ({ message }) => this.crashed(message ?? CRASHED);
+    port.postMessage({ kind: "begin", engine: this.engine, keep: this.keep });
+  }
+
+  private post(message: ToWorker): void {
+    if (this.port === null) this.connect();
+    if (this.isReady) this.port?.postMessage(message);
+    else this.early.push(message);
+  }
+
+  private open(): void {
+    this.listener?.connection("open");
+    this.listener?.message({ message: "tabs", may_type: true });
+    if (!this.hasRun) this.listener?.message({ message: "none" });
+  }
+
+  private take(message: FromWorker): void {
+    switch (message.kind) {
+      case "ready": {
+        this.isReady = true;
+        if (this.listener !== null) this.open();
+        const early = this.early;
+        this.early = [];
+        for (const one of early) this.post(one);
+        return;
+      }
+      case "frame":
+        return this.takeFrame(message.frame, message.bytes);
+      case "begun":
+        this.what = message.what;
+        this.hasRun = true;
+        return;
+      case "refused":
+        this.noLongerBusy();
+        this.listener?.message({ message: "error", error: message.error, hint: message.hint, ...(message.id === undefined ? {} : { id: message.id }) });
+        return;
+      case "ended":
+        this.hasRun = false;
+        this.noLongerBusy();
+        this.listener?.message({ message: "ended", text: message.text, can_open_again: true });
+        return;
+      case "failed":
+        return this.crashed(message.text);
+      case "answer":
+        return this.answered(message.call, message.status, message.type, message.bytes);
+    }
+  }
+
+  private takeFrame(frame: string, bytes: Uint8Array): void {
+    this.noLongerBusy();
+    if (frame === "s" || frame === "f") {
+      this.listener?.block(bytes);
+      return;
+    }
+    if (frame === "b" || frame === "d") return;
+    let text = new TextDecoder().decode(bytes);
+    if (frame === "c") {
+      const end = text.indexOf("\0");
+      text = `{"message":"contents","contents":{${JSON.stringify(text.slice(0, end))}:${text.slice(end + 1)}}}`;
+    }
+    const message = readMessage(text);
+    if (message !== null) this.listener?.message(frame === "h" ? ({ ...message, what: this.what } as RunMessage) : message);
+  }
+
+  private answered(call: number, status: number, type: string, bytes: Uint8Array): void {
+    const waiting = this.waiting.get(call);
+    this.waiting.delete(call);
+    waiting?.resolve(new Response(bytes as BodyInit, { status, headers: { "Content-Type": type } }));
+  }
+
+  /** The worker is of no use any more: the next request starts another one. */
+  private crashed(text: string): void {
+    this.port?.terminate();
+    this.port = null;
+    this.hasRun = false;
+    this.early = [];
+    this.noLongerBusy();
+    for (const { reject } of this.waiting.values()) reject(new Refused(CRASHED, text, 500));
+    this.waiting.clear();
+    this.listener?.message({ message: "ended", text: `${CRASHED} (${text})`, can_open_again: true });
+  }
+
+  private awaitAnswer(): void {
+    this.busyTimer ??= setTimeout(() => {
+      this.isBusy = true;
+      this.listener?.message({ message: "busy" });
+    }, BUSY_AFTER_MS);
+    this.hangTimer ??= setTimeout(() => this.crashed(`it has not answered for ${HANGS_AFTER_MS / 1000} s, and was ended`), HANGS_AFTER_MS);
+  }
+
+  private noLongerBusy(): void {
+    if (this.busyTimer !== null) clearTimeout(this.busyTimer);
+    if (this.hangTimer !== null) clearTimeout(this.hangTimer);
+    this.busyTimer = this.hangTimer = null;
+    if (this.isBusy) this.listener?.message({ message: "ready" });
+    this.isBusy = false;
+  }
+}
+
+const BEFORE = /^\/api\/p\/[^/]+\/?/;
+
+/** Answers what a page asks of its server, from the place in the worker. */
+export class LocalApi extends Api {
+  constructor(private readonly place: LocalPlace) {
+    super("");
+  }
+
+  override source(): RunSource {
+    return this.place;
+  }
+
+  override get hasServer(): boolean {
+    return false;
+  }
+
+  override get pageAddress(): string {
+    return location.origin + location.pathname;
+  }
+
+  override async fetch(path: string, options: RequestInit = {}): Promise<Response> {
+    const body = options.body === undefined || options.body === null ? new Uint8Array() : new Uint8Array(await new Response(options.body).arrayBuffer());
+    const response = await this.place.answer(options.method ?? "GET", path.replace(BEFORE, ""), body);
+    if (response.ok) return response;
+    const told = (await response.json()) as { error?: string; hint?: string };
+    throw new Refused(told.error ?? `The answer was ${response.status}.`, told.hint ?? "", response.status);
+  }
+}
