@@ -1,30 +1,96 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Writes the page with the engine in it: a folder that any server of files can serve, below any path (./dev site, docs/site.md).
+// Writes the page with the engine in it (./dev site, docs/site.md), after build.mjs.
 //
-// usage: node build_site.mjs ENGINE FOLDER     after build.mjs. ENGINE: the folder of soarbox-engine.mjs, .wasm and .data
+// usage: node build_site.mjs ENGINE EMSCRIPTEN SOURCES TARGET
+//
+// ENGINE      the folder of soarbox-engine.mjs, .wasm and .data
+// EMSCRIPTEN  the folder of emscripten, and
+// SOURCES     the folder of the libraries that the engine contains: for their licences
+// TARGET      a folder that any server of files can serve, below any path; or NAME.html: one file, which a browser opens from the disk
 import { build } from "esbuild";
+import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { join } from "node:path";
+import { dirname, join, resolve } from "node:path";
+import { noticesFor } from "./licences.mjs";
 
-const [engine, folder] = process.argv.slice(2);
-const PARTS = ["soarbox-engine.mjs", "soarbox-engine.wasm", "soarbox-engine.data"];
-if (folder === undefined || !PARTS.every((name) => existsSync(join(engine, name)))) {
-  console.error("usage: node build_site.mjs ENGINE FOLDER, where ENGINE has " + PARTS.join(", "));
+const RULE = `\n${"-".repeat(72)}\n\n`;
+const PARTS = { script: "soarbox-engine.mjs", wasm: "soarbox-engine.wasm", data: "soarbox-engine.data" };
+const [engine, emscripten, sources, target] = process.argv.slice(2);
+if (target === undefined || !Object.values(PARTS).every((name) => existsSync(join(engine, name)))) {
+  console.error("usage: node build_site.mjs ENGINE EMSCRIPTEN SOURCES TARGET, where ENGINE has " + Object.values(PARTS).join(", "));
   process.exit(2);
 }
-if (existsSync(folder) && !existsSync(join(folder, "engine"))) {
-  console.error(`${folder} is there and is no site that was built before: name another folder, or remove it`);
-  process.exit(1);
+
+/** The notices of the libraries that the engine contains. */
+function noticesOfEngine() {
+  const debian = (name) => `/usr/share/doc/${name}/copyright`;
+  const files = {
+    "Bullet": join(sources, "bullet/LICENSE.txt"), "Recast and Detour": join(sources, "recastnavigation/License.txt"), "Lua 5.1": join(sources, "lua5.1/COPYRIGHT"),
+    "zstd": join(sources, "libzstd/LICENSE"), "zlib": join(sources, "zlib/LICENSE"), "musl (the C library)": join(emscripten, "system/lib/libc/musl/COPYRIGHT"),
+    "fmt": debian("libfmt-dev"), "JSON for Modern C++": debian("nlohmann-json3-dev"), "toml++": debian("libtomlplusplus-dev"),
+  };
+  const texts = Object.entries(files).map(([name, file]) => {
+    if (!existsSync(file)) throw new Error(`${file}: the licence of ${name} is not there, and it has to be passed on`);
+    return `${name}\n\n${readFileSync(file, "utf8").trim()}\n`;
+  });
+  return [...texts, "Emscripten's runtime: Copyright (c) 2010 to 2014 Emscripten authors, under the MIT licence as above (musl).\n", "SQLite is in the public domain. LLVM's C++ library: Apache 2.0 with LLVM's exception.\n"].join(RULE);
 }
-rmSync(folder, { recursive: true, force: true });
-mkdirSync(join(folder, "engine"), { recursive: true });
-cpSync("dist/page/assets", join(folder, "assets"), { recursive: true });
-await build({ entryPoints: { worker: "src/local/worker.ts" }, outdir: join(folder, "assets"), bundle: true, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
-for (const name of PARTS) cpSync(join(engine, name), join(folder, "engine", name));
-// Nothing is at the root of its server.
-const html = readFileSync("dist/page/index.html", "utf8").replaceAll('="/assets/', '="assets/')
-  .replace("<meta name=\"color-scheme\"", '<meta name="soarbox-engine" content="engine/soarbox-engine.mjs">\n<meta name="color-scheme"');
-writeFileSync(join(folder, "index.html"), html);
-const kB = (name) => Math.round(gzipSync(readFileSync(join(folder, "engine", name)), { level: 9 }).length / 1000);
-console.log(`${folder}: engine ${kB(PARTS[1])} kB compressed (${Math.round(statSync(join(folder, "engine", PARTS[1])).size / 1000)} kB), worlds and lessons ${kB(PARTS[2])} kB`);
+
+const COMMON = { bundle: true, target: "es2022", minify: true, legalComments: "none", logLevel: "warning", write: false };
+/** The worker, with what emscripten wrote in it. */
+async function worker() {
+  const inNode = ["module", "path", "fs", "url", "crypto", "node:*"];
+  const { outputFiles } = await build({ ...COMMON, entryPoints: ["src/local/worker.ts"], format: "iife", external: inNode, alias: { "soarbox-engine": resolve(engine, PARTS.script) }, define: { "import.meta.url": '"soarbox-engine"', SOARBOX_MODULE_ID: JSON.stringify(moduleId()) } });
+  return outputFiles[0].text;
+}
+
+/** As programs for Node.js have it (cmake/wasm/node.js). */
+function moduleId() {
+  return createHash("sha256").update(partBytes("wasm")).digest("hex").slice(0, 40);
+}
+
+const partBytes = (part) => readFileSync(join(engine, PARTS[part]));
+const kB = (bytes) => `${Math.round(bytes / 1000)} kB`;
+
+async function writeFolder(folder) {
+  if (existsSync(folder) && !existsSync(join(folder, "engine", PARTS.wasm))) {
+    console.error(`${folder} is there and is no site that was built before: name another folder, or remove it`);
+    process.exit(1);
+  }
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(join(folder, "engine"), { recursive: true });
+  cpSync("dist/page/assets", join(folder, "assets"), { recursive: true });
+  rmSync(join(folder, "assets", "embed.js"), { force: true });
+  writeFileSync(join(folder, "assets", "worker.js"), await worker());
+  writeFileSync(join(folder, "assets", "licences.txt"), readFileSync("dist/page/assets/licences.txt", "utf8") + RULE + noticesOfEngine());
+  for (const part of ["wasm", "data"]) cpSync(join(engine, PARTS[part]), join(folder, "engine", PARTS[part]));
+  // Nothing is at the root of its server.
+  writeFileSync(join(folder, "index.html"), readFileSync("dist/page/index.html", "utf8").replaceAll('="/assets/', '="assets/')
+    .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="engine">\n<meta name="color-scheme"'));
+  const packed = (part) => gzipSync(partBytes(part), { level: 9 }).length;
+  console.log(`${folder}: engine ${kB(packed("wasm"))} compressed (${kB(statSync(join(engine, PARTS.wasm)).size)}), worlds and lessons ${kB(packed("data"))}`);
+}
+
+async function writeFile(file) {
+  const page = await build({ ...COMMON, entryPoints: { page: "src/main.ts", style: "src/styles/page.css" }, outdir: "dist", format: "iife", metafile: true, define: { "import.meta.url": "document.baseURI" } });
+  const textOf = (ending) => page.outputFiles.find(({ path }) => path.endsWith(ending)).text;
+  const script = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+  const held = (id, text) => `<script type="text/plain" id="soarbox-${id}">${text}</script>\n`;
+  const packed = (part) => gzipSync(partBytes(part), { level: 9 }).toString("base64");
+  const notices = noticesFor(page.metafile) + RULE + noticesOfEngine();
+  const icon = `data:image/svg+xml;base64,${readFileSync("src/icon.svg").toString("base64")}`;
+  const html = readFileSync("src/index.html", "utf8")
+    .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="">\n<meta name="color-scheme"')
+    .replace('href="/assets/icon.svg"', () => `href="${icon}"`)
+    .replace(/<link rel="license"[^>]*>\n/, "").replace("<!-- preloads -->\n", "")
+    .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${textOf("style.css").replaceAll("</style", "<\\/style")}</style>`)
+    .replace(/<script type="module"[^>]*><\/script>\n/, "")
+    .replace("</body>", () => held("licences", script(notices)) + held("worker", script(textOfWorker)) + held("wasm", packed("wasm")) + held("data", packed("data")) + `<script>${script(textOf("page.js"))}</script>\n</body>`);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, html);
+  console.log(`${file}: ${kB(html.length)}`);
+}
+
+const textOfWorker = target.endsWith(".html") ? await worker() : "";
+await (target.endsWith(".html") ? writeFile(target) : writeFolder(target));

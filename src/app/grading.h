@@ -10,7 +10,7 @@
 namespace soarbox::app {
 
 /// Grades a learner's rules beside a run: what `soarbox learn check LESSON --progress` prints, from a process of its
-/// own. Without processes, Poll() does all of the work, and returns when it is done.
+/// own. Without processes, another worker of the page does it (grading_absent.cpp).
 class Grading {
  public:
   Grading();

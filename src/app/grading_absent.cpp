@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where there are no other processes (WebAssembly): rules are graded in this one, and the run waits meanwhile.
+// Where there are no other processes (WebAssembly). If the JavaScript that runs this module has functions soarboxGrade(lesson,
+// from) and soarboxStopGrading(), another module grades, and what it prints comes by soarbox_graded(). Otherwise this one
+// grades, and the run waits meanwhile.
+#include <emscripten.h>
+
 #include <iostream>
 #include <sstream>
 #include <utility>
@@ -9,6 +13,16 @@
 
 namespace soarbox::app {
 namespace {
+
+/// What the other module has printed.
+struct Told {
+  std::string text;
+  bool is_over = false;
+};
+Told& ToldElsewhere() {
+  static Told told;
+  return told;
+}
 
 /// Takes what is printed on a stream, for as long as it lives.
 class Printed {
@@ -25,12 +39,32 @@ class Printed {
 
 }  // namespace
 
+// clang-format off
+EM_JS(bool, SoarboxGradesElsewhere, (const char* lesson, const char* from), {
+  if (typeof Module["soarboxGrade"] !== "function") return false;
+  Module["soarboxGrade"](UTF8ToString(lesson), UTF8ToString(from));
+  return true;
+});
+EM_JS(void, SoarboxStopsGrading, (), { Module["soarboxStopGrading"](); });
+// clang-format on
+
+extern "C" {
+/// More of what the other module has printed, and whether that was all.
+EMSCRIPTEN_KEEPALIVE void soarbox_graded(const char* text, int is_over) {
+  ToldElsewhere().text += text;
+  ToldElsewhere().is_over = is_over != 0;
+}
+}
+
 struct Grading::Work {
   LearnOptions options;
+  bool is_elsewhere = false;
 };
 
 Grading::Grading() = default;
-Grading::~Grading() = default;
+Grading::~Grading() {
+  Stop();
+}
 
 Result<void> Grading::Start(const std::string& lesson, const std::filesystem::path& folder,
                             const std::filesystem::path& from) {
@@ -39,22 +73,30 @@ Result<void> Grading::Start(const std::string& lesson, const std::filesystem::pa
   options.folder = folder;
   options.from = from;
   options.progress = true;
-  work_ = std::make_unique<Work>(Work{std::move(options)});
+  ToldElsewhere() = {};
+  const bool is_elsewhere = SoarboxGradesElsewhere(lesson.c_str(), from.c_str());
+  work_ = std::make_unique<Work>(Work{std::move(options), is_elsewhere});
   text_.clear();
   return {};
 }
 
 void Grading::Stop() {
+  if (work_ != nullptr && work_->is_elsewhere) SoarboxStopsGrading();
   work_.reset();
 }
 
 bool Grading::Poll() {
   if (work_ == nullptr) return false;
-  std::ostringstream text;
-  const Printed out(std::cout, text), errors(std::cerr, text);
-  Learn(work_->options);
+  if (work_->is_elsewhere) {
+    text_ = ToldElsewhere().text;
+    if (!ToldElsewhere().is_over) return false;
+  } else {
+    std::ostringstream text;
+    const Printed out(std::cout, text), errors(std::cerr, text);
+    Learn(work_->options);
+    text_ = text.str();
+  }
   work_.reset();
-  text_ = text.str();
   return true;
 }
 

@@ -37,7 +37,10 @@ class Page {
   constructor() {
     this.place = new LocalPlace(() => {
       const port = { onmessage: null, onerror: null, postMessage: (message) => void worker.take(message), terminate: () => undefined };
-      const worker = new EngineWorker(async () => (settings) => makeEngine({ ...settings, locateFile: (name) => resolve(folder, name) }), (message) => port.onmessage?.({ data: message }), {
+      const worker = new EngineWorker({
+        // Nobody else grades: this engine does it itself.
+        load: async () => ({ make: (settings) => makeEngine({ ...settings, locateFile: (name) => resolve(folder, name) }), loaded: null }),
+        say: (message) => port.onmessage?.({ data: message }),
         later: (call, ms) => {
           const timer = ms > 0 ? setTimeout(call, ms) : setImmediate(call);
           return () => (ms > 0 ? clearTimeout(timer) : clearImmediate(timer));

@@ -2,22 +2,25 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Tries a site that `./dev site` has written in a browser.
 
-usage: run_site.py [--site FOLDER] [TEST...]
+usage: run_site.py [--site FOLDER|NAME.html] [--or-skip] [TEST...]
 
-The site is served by Python's server of files, below a path, as on any static host. TEST: files of tests instead of site.mjs, for
-example web/e2e/lessons.mjs. Needs Chromium (SOARBOX_BROWSER) and the page's packages (npm ci in web/).
+A folder is served by Python's server of files, below a path, as on any static host; one file is opened from the disk. TEST: files of
+tests instead of site.mjs, for example web/e2e/lessons.mjs. Needs Chromium (SOARBOX_BROWSER) and the page's packages (npm ci in web/).
+--or-skip: says what is missing, and exits with 77, if there is no site or it is older than the sources.
 """
 import argparse
 import functools
 import http.server
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 import threading
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+SKIPPED = 77
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -25,23 +28,53 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+def newest_source():
+    """The file of those that a site is made from which was changed last."""
+    listed = subprocess.run(["git", "ls-files", "src", "web/src", "lessons", "scenarios", "media", "cmake/wasm"], cwd=REPOSITORY,
+                            capture_output=True, text=True, check=True).stdout.split("\n")
+    files = [REPOSITORY / name for name in listed if name and not name.endswith(("_test.cpp", ".test.ts"))]
+    return max((file for file in files if file.is_file()), key=lambda file: file.stat().st_mtime)
+
+
+def what_is_missing(site, is_old_good):
+    """Why nothing can be tried; empty: everything is there."""
+    proof = site if site.suffix == ".html" else site / "index.html"
+    if not proof.is_file():
+        return f"there is no site in {site}: ./dev site writes it (it needs emscripten, docs/dev/wasm.md)"
+    if not is_old_good and (newest := newest_source()).stat().st_mtime > proof.stat().st_mtime:
+        return f"the site in {site} is older than {newest.relative_to(REPOSITORY)}: ./dev site writes it again"
+    if not (REPOSITORY / "web" / "node_modules" / "playwright-core").is_dir():
+        return "the page's packages are not there: npm ci in web/"
+    if not shutil.which(os.environ.get("SOARBOX_BROWSER", "/usr/bin/chromium")):
+        return "there is no browser: install chromium, or name one in SOARBOX_BROWSER"
+    return ""
+
+
+def run(tests, address):
+    return subprocess.run(["node", "--test", "--test-concurrency=1", *map(str, tests)], check=False,
+                          env={**os.environ, "SOARBOX_PAGE": address}).returncode
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--site", type=pathlib.Path, default=REPOSITORY / "build" / "site")
+    parser.add_argument("--or-skip", action="store_true")
     parser.add_argument("tests", nargs="*", default=[REPOSITORY / "tests" / "wasm" / "site.mjs"])
     arguments = parser.parse_args()
-    if not (arguments.site / "engine").is_dir():
-        sys.exit(f"there is no site in {arguments.site}: ./dev site writes it")
+    site = arguments.site.resolve()
+    if missing := what_is_missing(site, not arguments.or_skip):
+        print(f"{'skipped: ' if arguments.or_skip else 'error: '}{missing}", file=sys.stderr)
+        return SKIPPED if arguments.or_skip else 1
+    if site.suffix == ".html":
+        return run(arguments.tests, site.as_uri())
     with tempfile.TemporaryDirectory() as root:
         (pathlib.Path(root) / "some").mkdir()
-        (pathlib.Path(root) / "some" / "place").symlink_to(arguments.site.resolve())
+        (pathlib.Path(root) / "some" / "place").symlink_to(site)
         with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=root)) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()
-            address = f"http://127.0.0.1:{server.server_address[1]}/some/place"
-            done = subprocess.run(["node", "--test", "--test-concurrency=1", *map(str, arguments.tests)], check=False,
-                                  env={**os.environ, "SOARBOX_PAGE": address})
+            code = run(arguments.tests, f"http://127.0.0.1:{server.server_address[1]}/some/place/")
             server.shutdown()
-    return done.returncode
+    return code
 
 
 if __name__ == "__main__":

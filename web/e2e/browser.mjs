@@ -37,7 +37,7 @@ export async function openPage(path = "/", { size = [1280, 800], scheme = "light
   const troubles = [], isExpected = (text) => passed.test(text) || (!draws && /WebGL/.test(text));
   page.on("console", (message) => message.type() === "error" && !isExpected(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(String(error.stack ?? error)));
-  await page.goto(path.startsWith("http") ? path : `${ADDRESS}${path}`);
+  await page.goto(/^(https?|file):/.test(path) ? path : `${ADDRESS}${path}`);
   return { page, troubles, close: () => context.close() };
 }
 

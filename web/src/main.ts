@@ -40,27 +40,36 @@ async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
   return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(place)}`);
 }
 
-function tell(root: HTMLElement, error: unknown): void {
+/** `canMove`: there may be another place at the root of the server. */
+function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/"): void {
   const told = error as { message?: string; hint?: string };
   patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
-    h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), location.pathname !== "/" && button("A new place", () => location.assign("/"))))))]);
+    h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button("A new place", () => location.assign("/"))))))]);
 }
 
-/** A page without a server: its engine is a worker, and its place is in this browser. */
+/** What is in an element of a page that is one file: base64 of something that is compressed. */
+async function partOf(id: string): Promise<ArrayBuffer> {
+  const bytes = Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
+/** A page without a server: its engine is a worker, and its place is in this browser. `engine`: the folder of the engine; empty: it is in the page. */
 async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
-  const { LocalApi, LocalPlace } = await import("./local/worker_source");
-  const base = document.baseURI, worker = new URL("assets/worker.js", base);
-  const place = new LocalPlace(() => new Worker(worker, { type: "module" }) as unknown as Port, new URL(engine, base).href);
-  const api = new LocalApi(place);
-  document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "hidden") place.keepNow();
-  });
+  patch(root, [h("main.start", { attributes: { role: "status" } }, h("section.welcome", null, h("div", null, h("h1", null, "Soarbox"), h("p", null, "The engine is loaded …"))))]);
   try {
+    const { LocalApi, LocalPlace } = await import("./local/worker_source");
+    const inPage = document.getElementById("soarbox-worker")?.textContent;
+    const worker = inPage === undefined || inPage === null ? new URL("assets/worker.js", document.baseURI).href : URL.createObjectURL(new Blob([inPage], { type: "text/javascript" }));
+    const files = engine === "" ? { wasm: await partOf("soarbox-wasm"), data: await partOf("soarbox-data") } : new URL(engine, document.baseURI).href;
+    const place = new LocalPlace(() => new Worker(worker) as unknown as Port, files), api = new LocalApi(place);
+    document.addEventListener("visibilitychange", () => {
+      if (document.visibilityState === "hidden") place.keepNow();
+    });
     const info = await api.json<PlaceInfo>("/api/p/local");
     root.replaceChildren();
     new App(root, api, info);
   } catch (error) {
-    tell(root, error);
+    tell(root, error, false);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "app/data_folders.h"
 #include "app/engine/engine_window.h"
+#include "app/learn_command.h"
 #include "app/shipped_catalog.h"
 #include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
@@ -116,6 +118,18 @@ EMSCRIPTEN_KEEPALIVE int soarbox_step() {
   const std::optional<int> wait_ms = TheEngine()->Step();
   if (!wait_ms) TheEngine().reset();
   return wait_ms.value_or(-1);
+}
+
+/// Grades a learner's rules in this module, which has no run: what `soarbox learn check LESSON --progress` prints. `from`:
+/// the folder of the lessons. Returns an ExitCode.
+EMSCRIPTEN_KEEPALIVE int soarbox_grade(const char* lesson, const char* from) {
+  app::LearnOptions options;
+  options.words = {"check", lesson};
+  options.from = from;
+  options.progress = true;
+  const int code = app::Learn(options);
+  std::cout.flush();
+  return code;
 }
 
 /// Answers a request about the place, as the server does (docs/serve.md): `path` without "/api/p/ID" before it. The

@@ -27,11 +27,17 @@ function keepFocus(element: HTMLElement): void {
   }).observe(document.body, { childList: true, subtree: true });
 }
 
+/** The notices of what the page contains: a file beside it, or a part of a page that is one file. */
+function licencesAddress(): string {
+  const inPage = document.getElementById("soarbox-licences")?.textContent;
+  return inPage === undefined || inPage === null ? new URL("licences.txt", import.meta.url).href : URL.createObjectURL(new Blob([inPage], { type: "text/plain" }));
+}
+
 export function keysDialog(close: () => void): View {
   const groups = [...new Set(KEYS.map((one) => one.group))];
   return dialog("Keys", close, h("div.keys", null, groups.map((group) => h("section", null, h("h3", null, group),
     h("dl", null, KEYS.filter((one) => one.group === group).map((one) => [h("dt", null, h("kbd", null, one.keys)), h("dd", null, one.does)]))))),
-    h("p.quiet", null, h("a", { attributes: { href: new URL("licences.txt", import.meta.url).href, target: "_blank" } }, "Licences of the programs that this page contains")));
+    h("p.quiet", null, h("a", { attributes: { href: licencesAddress(), target: "_blank" } }, "Licences of the programs that this page contains")));
 }
 
 /** A QR code as one path. */

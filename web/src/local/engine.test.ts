@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { RunMessage } from "../run/source";
-import { EngineWorker, type EngineModule, type MakeEngine } from "./engine";
-import type { FromWorker, ToWorker } from "./messages";
+import { EngineWorker, type EngineModule, type EngineSettings, type MakeEngine } from "./engine";
+import type { FromWorker, LoadedEngine, ToWorker } from "./messages";
 import { LocalApi, LocalPlace, type Port } from "./worker_source";
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
@@ -17,12 +17,20 @@ class FakeEngine {
   wait = 50;
   fails = false;
   private next = 8;
-  private settings: Parameters<MakeEngine>[0] | null = null;
+  graded = "";
+  isGraded = false;
+  private settings: EngineSettings | null = null;
 
   readonly make: MakeEngine = async (settings) => {
     this.settings = settings;
     return this.module;
   };
+  startsGrading(): void {
+    this.settings?.soarboxGrade?.("01-a-rule", "/soarbox/lessons");
+  }
+  stopsGrading(): void {
+    this.settings?.soarboxStopGrading?.();
+  }
   private text(text: string): number {
     this.next += 8;
     this.texts.set(this.next, text);
@@ -41,9 +49,9 @@ class FakeEngine {
         return this.text('{"error":"","hint":""}');
       }
       if (name !== "scenario:field") return this.text('{"error":"there is nothing","hint":"look"}');
-      this.settings?.soarboxFrame("h", bytesOf('{"message":"hello","scenario":"field"}'));
-      this.settings?.soarboxFrame("f", Uint8Array.of(1, 2));
-      this.settings?.soarboxFrame("c", bytesOf('mission\0{"title":"Ä"}'));
+      this.settings?.soarboxFrame?.("h", bytesOf('{"message":"hello","scenario":"field"}'));
+      this.settings?.soarboxFrame?.("f", Uint8Array.of(1, 2));
+      this.settings?.soarboxFrame?.("c", bytesOf('mission\0{"title":"Ä"}'));
       return 0;
     },
     _soarbox_step: () => {
@@ -55,8 +63,24 @@ class FakeEngine {
       this.files.set("/answer", bytesOf(`${this.texts.get(method)} ${this.texts.get(path)} ${new TextDecoder().decode(this.module.HEAPU8.slice(body, body + length))}`));
       return this.text('{"status":200,"type":"text/plain","file":"/answer"}');
     },
+    _soarbox_grade: (lesson, from) => {
+      this.settings?.print(`seed 1 of 1`);
+      this.settings?.print(`Passed: ${this.texts.get(lesson)} of ${this.texts.get(from)}, with ${[...this.files.keys()].join()}`);
+      this.files.set("/place/state/soarbox/learn/progress.json", bytesOf("{}"));
+      return 0;
+    },
+    _soarbox_graded: (text, isOver) => {
+      this.graded += this.texts.get(text);
+      this.isGraded = isOver === 1;
+    },
     FS: {
       readFile: (path) => this.files.get(path)!,
+      writeFile: (path, bytes) => void this.files.set(path, bytes),
+      readdir: (path) => [".", "..", ...new Set([...this.files.keys()].filter((file) => file.startsWith(`${path}/`)).map((file) => file.slice(path.length + 1).split("/")[0]!))],
+      stat: (path) => ({ mode: this.files.has(path) ? 0 : 1 }),
+      isDir: (mode) => mode === 1,
+      mkdirTree: () => undefined,
+      analyzePath: (path) => ({ exists: [...this.files.keys()].some((file) => file.startsWith(`${path}/`)) }),
       filesystems: { IDBFS: {} },
       mount: () => undefined,
       syncfs: (fromBrowser, done) => {
@@ -68,11 +92,14 @@ class FakeEngine {
 }
 
 /** A page and its worker, without a thread between them. Timers do nothing until they are called. */
-function pageWith(fake: FakeEngine) {
+function pageWith(fake: FakeEngine, grader = new FakeEngine()) {
   const timers: { call: () => void; ms: number; isOff: boolean }[] = [], ports: (Port & { isOver: boolean })[] = [];
   const makePort = (): Port => {
     const port: Port & { isOver: boolean } = { isOver: false, onmessage: null, onerror: null, postMessage: (message: ToWorker) => void worker.take(message), terminate: () => (port.isOver = true) };
-    const worker = new EngineWorker(async () => fake.make, (message: FromWorker) => port.onmessage?.({ data: message }), {
+    const engine = ports.length === 0 || ports.at(-1)!.isOver ? fake : grader;
+    const worker = new EngineWorker({
+      load: async () => ({ make: engine.make, loaded: {} as LoadedEngine }),
+      say: (message: FromWorker) => port.onmessage?.({ data: message }),
       later: (call, ms) => {
         const timer = { call, ms, isOff: false };
         timers.push(timer);
@@ -150,6 +177,33 @@ test("a run that crashes ends, and opening it again starts another worker", asyn
   await page.settled();
   assert.equal(page.ports.length, 2);
   assert.ok(page.messages.some(({ message }) => message === "hello"));
+  page.place.close();
+});
+
+test("another worker grades with the learner's files, and what it has noted comes back", async () => {
+  const fake = new FakeEngine(), grader = new FakeEngine(), page = pageWith(fake, grader);
+  await page.settled();
+  fake.files.set("/place/home/soarbox-lessons/01-a-rule/porter.soar", bytesOf("sp {}"));
+  fake.files.set("/place/state/soarbox/recordings/run.soarrec", bytesOf("long"));
+  page.place.send({ request: "open", what: "scenario:field" });
+  fake.startsGrading();
+  await page.settled();
+  assert.equal(fake.graded, "seed 1 of 1\nPassed: 01-a-rule of /soarbox/lessons, with /place/home/soarbox-lessons/01-a-rule/porter.soar\n");
+  assert.equal(fake.isGraded, true);
+  assert.equal(new TextDecoder().decode(fake.files.get("/place/state/soarbox/learn/progress.json")), "{}");
+  assert.deepEqual(page.ports.map(({ isOver }) => isOver), [false, true]);
+  page.place.close();
+});
+
+test("grading that is cancelled ends its worker, and the run goes on", async () => {
+  const fake = new FakeEngine(), grader = new FakeEngine(), page = pageWith(fake, grader);
+  await page.settled();
+  page.place.send({ request: "open", what: "scenario:field" });
+  fake.startsGrading();
+  fake.stopsGrading();
+  await page.settled();
+  assert.deepEqual(page.ports.map(({ isOver }) => isOver), [false, true]);
+  assert.equal(fake.graded, "");
   page.place.close();
 });
 

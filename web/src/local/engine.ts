@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import type { FromWorker, ToWorker } from "./messages";
+import type { EngineFiles, FromWorker, KeptFile, LoadedEngine, ToWorker } from "./messages";
 
 /** The part of the engine's module (src/app/worker) that is used. */
 export interface EngineModule {
@@ -7,6 +7,8 @@ export interface EngineModule {
   _soarbox_step(): number;
   _soarbox_take(text: number): void;
   _soarbox_answer(method: number, path: number, body: number, length: number): number;
+  _soarbox_grade(lesson: number, from: number): number;
+  _soarbox_graded(text: number, isOver: number): void;
   _malloc(bytes: number): number;
   _free(address: number): void;
   stringToNewUTF8(text: string): number;
@@ -14,21 +16,32 @@ export interface EngineModule {
   HEAPU8: Uint8Array;
   FS: {
     readFile(path: string): Uint8Array;
+    writeFile(path: string, bytes: Uint8Array): void;
+    readdir(path: string): string[];
+    stat(path: string): { mode: number };
+    isDir(mode: number): boolean;
+    mkdirTree(path: string): void;
+    analyzePath(path: string): { exists: boolean };
     filesystems: { IDBFS?: unknown };
     mount(type: unknown, options: object, path: string): void;
     syncfs(fromBrowser: boolean, done: (error: unknown) => void): void;
   };
 }
-export type MakeEngine = (settings: {
-  soarboxFrame(kind: string, bytes: Uint8Array): void;
+export interface EngineSettings {
+  soarboxFrame?(kind: string, bytes: Uint8Array): void;
+  soarboxGrade?(lesson: string, from: string): void;
+  soarboxStopGrading?(): void;
   print(line: string): void;
   printErr(line: string): void;
-  /** Where a file of the engine is; not needed if it is beside the program. */
-  locateFile?(name: string): string;
-}) => Promise<EngineModule>;
+}
+export type MakeEngine = (settings: EngineSettings) => Promise<EngineModule>;
 
-/** How the engine's loop waits; tests give their own. */
-export interface Clock {
+/** What is around an engine: tests give their own. */
+export interface Surroundings {
+  /** Loads the engine; `loaded` is for another worker, or null if grading is done in this one. */
+  load(engine: EngineFiles | LoadedEngine): Promise<{ make: MakeEngine; loaded: LoadedEngine | null }>;
+  say(message: FromWorker): void;
+  /** Calls later; what it returns takes that back. */
   later(call: () => void, ms: number): () => void;
 }
 
@@ -38,6 +51,32 @@ const KEPT_AFTER_MS = 1000;
 const KEPT_EVERY_MS = 60_000;
 /** Requests that change no file. */
 const CHANGES_NOTHING = new Set(["look", "flow", "overlays", "scene", "input", "language", "presence", "select"]);
+/** What a lesson is graded by, and where it is noted that it is passed. */
+const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
+
+function filesBelow(FS: EngineModule["FS"], folder: string): KeptFile[] {
+  if (!FS.analyzePath(folder).exists) return [];
+  return FS.readdir(folder).filter((name) => name !== "." && name !== "..").flatMap((name) => {
+    const path = `${folder}/${name}`;
+    return FS.isDir(FS.stat(path).mode) ? filesBelow(FS, path) : [{ path, bytes: FS.readFile(path) }];
+  });
+}
+
+function writeFiles(FS: EngineModule["FS"], files: readonly KeptFile[]): void {
+  for (const { path, bytes } of files) {
+    FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+    FS.writeFile(path, bytes);
+  }
+}
+
+function withTexts<T>(engine: EngineModule, texts: readonly string[], call: (addresses: number[]) => T): T {
+  const addresses = texts.map((text) => engine.stringToNewUTF8(text));
+  try {
+    return call(addresses);
+  } finally {
+    for (const address of addresses) engine._free(address);
+  }
+}
 
 /** Runs the engine in a worker, or in Node.js: messages in, messages out. Nothing in it waits. */
 export class EngineWorker {
@@ -50,10 +89,11 @@ export class EngineWorker {
   private words: string[] = [];
   private what = "";
 
-  constructor(private readonly makeEngine: () => Promise<MakeEngine>, private readonly say: (message: FromWorker) => void, private readonly clock: Clock) {}
+  constructor(private readonly around: Surroundings) {}
 
   async take(message: ToWorker): Promise<void> {
-    if (message.kind === "begin") return this.begin(message.keep);
+    if (message.kind === "begin") return this.begin(message.engine, message.keep);
+    if (message.kind === "grade-here") return this.gradeHere(message);
     if (this.module === null) return;
     switch (message.kind) {
       case "open":
@@ -64,25 +104,28 @@ export class EngineWorker {
         return this.guarded(() => this.answer(message.call, message.method, message.path, message.body));
       case "keep":
         return this.keep();
+      case "graded":
+        return this.guarded(() => this.graded(message.text, message.isOver, message.files));
     }
   }
 
-  private async begin(keep: boolean): Promise<void> {
+  private async begin(engine: EngineFiles, keep: boolean): Promise<void> {
     try {
-      const make = await this.makeEngine();
+      const { make, loaded } = await this.around.load(engine);
       this.module = await make({
         soarboxFrame: (kind, bytes) => {
           // The engine does not know by what name it was asked for.
           if (kind === "h") this.say({ kind: "begun", what: this.what });
           this.say({ kind: "frame", frame: kind, bytes });
         },
+        ...(loaded === null ? {} : { soarboxGrade: (lesson, from) => this.say({ kind: "grade", engine: loaded, lesson, from, files: this.filesOfLearner() }), soarboxStopGrading: () => this.say({ kind: "stop-grading" }) }),
         print: () => undefined,
         printErr: (line) => {
           this.words = [...this.words.slice(-40), line];
         },
       });
       this.isKept = keep && (await this.findKept());
-      this.say({ kind: "ready" });
+      this.say({ kind: "ready", isKept: this.isKept || !keep });
     } catch (error) {
       this.say({ kind: "failed", text: String(error) });
     }
@@ -92,7 +135,7 @@ export class EngineWorker {
   private async findKept(): Promise<boolean> {
     const { FS } = this.engine;
     try {
-      FS.mount(FS.filesystems.IDBFS, {}, "/place");
+      FS.mount(FS.filesystems.IDBFS, {}, PLACE);
       await new Promise<void>((done, failed) => FS.syncfs(true, (error) => (error ? failed(error) : done())));
       return true;
     } catch {
@@ -100,18 +143,37 @@ export class EngineWorker {
     }
   }
 
+  /** Grades in this worker, which does nothing else. */
+  private async gradeHere({ engine, lesson, from, files }: Extract<ToWorker, { kind: "grade-here" }>): Promise<void> {
+    const print = (line: string): void => this.say({ kind: "graded", text: `${line}\n`, isOver: false, files: [] });
+    try {
+      const { make } = await this.around.load(engine), module = await make({ print, printErr: print });
+      writeFiles(module.FS, files);
+      withTexts(module, [lesson, from], ([name, folder]) => module._soarbox_grade(name!, folder!));
+      this.say({ kind: "graded", text: "", isOver: true, files: filesBelow(module.FS, PROGRESS) });
+    } catch (error) {
+      this.say({ kind: "failed", text: String(error) });
+    }
+  }
+
+  private filesOfLearner(): KeptFile[] {
+    const { FS } = this.engine;
+    return [...filesBelow(FS, HOME), ...filesBelow(FS, PROGRESS)];
+  }
+
+  private graded(text: string, isOver: boolean, files: readonly KeptFile[]): void {
+    writeFiles(this.engine.FS, files);
+    withTexts(this.engine, [text], ([address]) => this.engine._soarbox_graded(address!, isOver ? 1 : 0));
+    if (isOver) this.keepSoon();
+  }
+
+  private say(message: FromWorker): void {
+    this.around.say(message);
+  }
+
   private get engine(): EngineModule {
     if (this.module === null) throw new Error("there is no engine");
     return this.module;
-  }
-
-  private withText<T>(text: string, call: (address: number) => T): T {
-    const address = this.engine.stringToNewUTF8(text);
-    try {
-      return call(address);
-    } finally {
-      this.engine._free(address);
-    }
   }
 
   private textAt(address: number): string {
@@ -135,7 +197,7 @@ export class EngineWorker {
     const before = this.what;
     this.words = [];
     this.what = what;
-    const told = this.withText(what, (address) => this.engine._soarbox_open(address));
+    const told = withTexts(this.engine, [what], ([address]) => this.engine._soarbox_open(address!));
     if (told !== 0) {
       const { error, hint } = JSON.parse(this.textAt(told)) as { error: string; hint: string };
       if (error !== "") this.what = before;
@@ -149,7 +211,7 @@ export class EngineWorker {
 
   private request(text: string): void {
     if (!this.isRunning) return;
-    this.withText(text, (address) => this.engine._soarbox_take(address));
+    withTexts(this.engine, [text], ([address]) => this.engine._soarbox_take(address!));
     if (!CHANGES_NOTHING.has((JSON.parse(text) as { request?: string }).request ?? "")) this.keepSoon();
     this.step();
   }
@@ -159,7 +221,7 @@ export class EngineWorker {
     this.stopWaiting = null;
     const wait = this.engine._soarbox_step();
     if (wait < 0) return this.end();
-    this.stopWaiting = this.clock.later(() => this.guarded(() => this.step()), wait);
+    this.stopWaiting = this.around.later(() => this.guarded(() => this.step()), wait);
   }
 
   private end(): void {
@@ -170,11 +232,11 @@ export class EngineWorker {
   }
 
   private answer(call: number, method: string, path: string, body: Uint8Array): void {
-    const address = this.engine._malloc(body.length + 1);
-    this.engine.HEAPU8.set(body, address);
-    const told = JSON.parse(this.textAt(this.withText(method, (name) => this.withText(path, (place) => this.engine._soarbox_answer(name, place, address, body.length))))) as { status: number; type: string; file: string };
-    this.engine._free(address);
-    const bytes = told.file === "" ? new Uint8Array() : this.engine.FS.readFile(told.file);
+    const { engine } = this, address = engine._malloc(body.length + 1);
+    engine.HEAPU8.set(body, address);
+    const told = JSON.parse(this.textAt(withTexts(engine, [method, path], ([name, place]) => engine._soarbox_answer(name!, place!, address, body.length)))) as { status: number; type: string; file: string };
+    engine._free(address);
+    const bytes = told.file === "" ? new Uint8Array() : engine.FS.readFile(told.file);
     this.say({ kind: "answer", call, status: told.status, type: told.type, bytes });
     if (method !== "GET") this.keepSoon();
   }
@@ -182,7 +244,7 @@ export class EngineWorker {
   private keepSoon(): void {
     if (!this.isKept) return;
     this.stopKeeping?.();
-    this.stopKeeping = this.clock.later(() => this.keep(), KEPT_AFTER_MS);
+    this.stopKeeping = this.around.later(() => this.keep(), KEPT_AFTER_MS);
   }
 
   private keep(): void {
@@ -191,7 +253,7 @@ export class EngineWorker {
     this.isKeeping = true;
     this.engine.FS.syncfs(false, () => {
       this.isKeeping = false;
-      if (this.isRunning && this.stopKeeping === null) this.stopKeeping = this.clock.later(() => this.keep(), KEPT_EVERY_MS);
+      if (this.isRunning && this.stopKeeping === null) this.stopKeeping = this.around.later(() => this.keep(), KEPT_EVERY_MS);
     });
     this.stopKeeping = null;
   }

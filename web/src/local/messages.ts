@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
+/** Where a worker gets the engine from: the address of a folder, or what is in its files. */
+export type EngineFiles = string | { wasm: ArrayBuffer; data: ArrayBuffer };
+/** An engine that one worker has loaded, for another one. */
+export interface LoadedEngine { module: WebAssembly.Module; data: ArrayBuffer }
+/** A file of the place by its path, "/place/home/...". */
+export interface KeptFile { path: string; bytes: Uint8Array }
+
 /** What the page says to the worker that runs its engine. */
 export type ToWorker =
-  | { kind: "begin"; engine: string; keep: boolean }
+  | { kind: "begin"; engine: EngineFiles; keep: boolean }
   | { kind: "open"; what: string; id?: number }
   | { kind: "request"; text: string }
   | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
-  | { kind: "keep" };
+  | { kind: "keep" }
+  // Instead of all others, to a worker that only grades; it answers with `graded`.
+  | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
+  /** What that worker has printed since; `files`: what it has noted, when it is done. */
+  | { kind: "graded"; text: string; isOver: boolean; files: readonly KeptFile[] };
 
-/** What the worker says: `frame` is a letter of the frames between engine and server (docs/serve.md). */
+/** What the worker says: `frame` is a letter of the frames between engine and server (docs/serve_protocol.md). */
 export type FromWorker =
-  | { kind: "ready" }
+  | { kind: "ready"; isKept: boolean }
   | { kind: "failed"; text: string }
   | { kind: "frame"; frame: string; bytes: Uint8Array }
   | { kind: "begun"; what: string }
   | { kind: "refused"; error: string; hint: string; id?: number }
   | { kind: "ended"; text: string }
-  | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array };
+  | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array }
+  | { kind: "grade"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
+  | { kind: "stop-grading" }
+  | { kind: "graded"; text: string; isOver: boolean; files: readonly KeptFile[] };

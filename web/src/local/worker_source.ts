@@ -2,10 +2,12 @@
 import type { Listener, Request, RunMessage, RunSource } from "../run/source";
 import { readMessage } from "../run/socket_source";
 import { Api, Refused } from "../app/api";
-import type { FromWorker, ToWorker } from "./messages";
+import type { EngineFiles, FromWorker, ToWorker } from "./messages";
 
 const BUSY_AFTER_MS = 200, HANGS_AFTER_MS = 60_000;
+const NOT_LOADED = "The engine of this page cannot be loaded.";
 const CRASHED = "The run has crashed. What was saved is kept.";
+const NOT_KEPT = "This browser keeps nothing for this page. Download your folder before you close it.";
 
 /** The parts of a Worker that are used; tests give their own. */
 export interface Port {
@@ -28,8 +30,11 @@ export class LocalPlace implements RunSource {
   private busyTimer: ReturnType<typeof setTimeout> | null = null;
   private hangTimer: ReturnType<typeof setTimeout> | null = null;
   private isBusy = false;
+  /** Another worker, while it grades. */
+  private grader: Port | null = null;
+  private isKept = true;
 
-  constructor(private readonly makePort: () => Port, private readonly engine: string, private readonly keep = true) {}
+  constructor(private readonly makePort: () => Port, private readonly engine: EngineFiles, private readonly keep = true) {}
 
   start(listener: Listener): void {
     this.listener = listener;
@@ -53,6 +58,7 @@ export class LocalPlace implements RunSource {
   }
 
   close(): void {
+    this.stopGrading();
     this.port?.terminate();
     this.port = null;
     this.listener?.connection("closed");
@@ -96,12 +102,14 @@ export class LocalPlace implements RunSource {
     this.listener?.connection("open");
     this.listener?.message({ message: "tabs", may_type: true });
     if (!this.hasRun) this.listener?.message({ message: "none" });
+    if (!this.isKept) this.listener?.message({ message: "told", text: NOT_KEPT });
   }
 
   private take(message: FromWorker): void {
     switch (message.kind) {
       case "ready": {
         this.isReady = true;
+        this.isKept = message.isKept;
         if (this.listener !== null) this.open();
         const early = this.early;
         this.early = [];
@@ -127,6 +135,12 @@ export class LocalPlace implements RunSource {
         return this.crashed(message.text);
       case "answer":
         return this.answered(message.call, message.status, message.type, message.bytes);
+      case "grade":
+        return this.grade({ ...message, kind: "grade-here" });
+      case "stop-grading":
+        return this.stopGrading();
+      case "graded":
+        return;  // Only graders say this.
     }
   }
 
@@ -152,16 +166,43 @@ export class LocalPlace implements RunSource {
     waiting?.resolve(new Response(bytes as BodyInit, { status, headers: { "Content-Type": type } }));
   }
 
+  /** A worker of its own grades, so that the run goes on and grading can be cancelled. */
+  private grade(message: ToWorker): void {
+    this.stopGrading();
+    const grader = this.makePort();
+    this.grader = grader;
+    const failed = (text: string): void => {
+      this.stopGrading();
+      this.port?.postMessage({ kind: "graded", text: `Grading has crashed: ${text}\n`, isOver: true, files: [] });
+    };
+    grader.onmessage = ({ data }) => {
+      if (grader !== this.grader) return;
+      if (data.kind === "failed") failed(data.text);
+      if (data.kind !== "graded") return;
+      this.port?.postMessage(data);
+      if (data.isOver) this.stopGrading();
+    };
+    grader.onerror = ({ message: text }) => failed(text ?? "");
+    grader.postMessage(message);
+  }
+
+  private stopGrading(): void {
+    this.grader?.terminate();
+    this.grader = null;
+  }
+
   /** The worker is of no use any more: the next request starts another one. */
   private crashed(text: string): void {
+    const what = this.isReady ? CRASHED : NOT_LOADED;
+    this.stopGrading();
     this.port?.terminate();
     this.port = null;
     this.hasRun = false;
     this.early = [];
     this.noLongerBusy();
-    for (const { reject } of this.waiting.values()) reject(new Refused(CRASHED, text, 500));
+    for (const { reject } of this.waiting.values()) reject(new Refused(what, text, 500));
     this.waiting.clear();
-    this.listener?.message({ message: "ended", text: `${CRASHED} (${text})`, can_open_again: true });
+    this.listener?.message({ message: "ended", text: `${what} (${text})`, can_open_again: true });
   }
 
   private awaitAnswer(): void {
@@ -197,8 +238,9 @@ export class LocalApi extends Api {
     return false;
   }
 
+  /** Of the page itself, which may be a file. */
   override get pageAddress(): string {
-    return location.origin + location.pathname;
+    return location.href.replace(/#.*$/, "");
   }
 
   override async fetch(path: string, options: RequestInit = {}): Promise<Response> {
