@@ -9,9 +9,9 @@
 // TARGET      a folder that any server of files can serve, below any path; or NAME.html: one file, which a browser opens from the disk
 import { build } from "esbuild";
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { dirname, join, resolve } from "node:path";
+import { dirname, join, relative, resolve } from "node:path";
 import { noticesFor } from "./licences.mjs";
 
 const RULE = `\n${"-".repeat(72)}\n\n`;
@@ -53,6 +53,15 @@ function moduleId() {
 const partBytes = (part) => readFileSync(join(engine, PARTS[part]));
 const kB = (bytes) => `${Math.round(bytes / 1000)} kB`;
 
+/** It knows all files of the site, so it is written last. */
+async function writeServiceWorker(folder) {
+  const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((one) => one.isFile()).map((one) => relative(folder, join(one.parentPath ?? one.path, one.name))).sort();
+  const version = createHash("sha256");
+  for (const file of files) version.update(file).update(readFileSync(join(folder, file)));
+  const { outputFiles } = await build({ ...COMMON, entryPoints: ["src/local/offline.ts"], format: "iife", define: { SOARBOX_FILES: JSON.stringify(["./", ...files]), SOARBOX_VERSION: JSON.stringify(version.digest("hex").slice(0, 16)) } });
+  writeFileSync(join(folder, "offline.js"), outputFiles[0].text);
+}
+
 async function writeFolder(folder) {
   if (existsSync(folder) && !existsSync(join(folder, "engine", PARTS.wasm))) {
     console.error(`${folder} is there and is no site that was built before: name another folder, or remove it`);
@@ -67,7 +76,9 @@ async function writeFolder(folder) {
   for (const part of ["wasm", "data"]) cpSync(join(engine, PARTS[part]), join(folder, "engine", PARTS[part]));
   // Nothing is at the root of its server.
   writeFileSync(join(folder, "index.html"), readFileSync("dist/page/index.html", "utf8").replaceAll('="/assets/', '="assets/')
-    .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="engine">\n<meta name="color-scheme"'));
+    .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="engine">\n<link rel="manifest" href="manifest.webmanifest">\n<meta name="color-scheme"'));
+  writeFileSync(join(folder, "manifest.webmanifest"), JSON.stringify({ name: "Soarbox", short_name: "Soarbox", start_url: ".", display: "standalone", icons: [{ src: "assets/icon.svg", type: "image/svg+xml", sizes: "any" }] }));
+  await writeServiceWorker(folder);
   const packed = (part) => gzipSync(partBytes(part), { level: 9 }).length;
   console.log(`${folder}: engine ${kB(packed("wasm"))} compressed (${kB(statSync(join(engine, PARTS.wasm)).size)}), worlds and lessons ${kB(packed("data"))}`);
 }

@@ -63,6 +63,18 @@ test("a lesson is solved and graded, and a reload finds it as it was", async () 
   await close();
 });
 
+test("after the first visit the site works without a network", { skip: SITE.startsWith("file:") && "one file needs none" }, async () => {
+  const { page, troubles, close } = await openPage(SITE, { draws: false });
+  await page.waitForSelector(".start h1");
+  await page.evaluate(async () => void (await navigator.serviceWorker.ready));
+  await page.context().setOffline(true);
+  await page.reload();
+  await openLesson(page, 1);
+  await until(async () => !/^0:00\b/.test(await page.locator(".scrubber .moment").innerText()), "the lesson's world runs");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("a link opens the lesson with somebody's rules in another browser", async () => {
   const { page, troubles, close } = await openPage(SITE, { draws: false });
   await openLesson(page, 1);

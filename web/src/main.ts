@@ -68,6 +68,8 @@ async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
     const info = await api.json<PlaceInfo>("/api/p/local");
     root.replaceChildren();
     new App(root, api, info);
+    // Another time it works without a network. Where browsers do not offer that, as on a site without TLS, it needs one.
+    if (engine !== "") void navigator.serviceWorker?.register(new URL("offline.js", document.baseURI)).catch(() => undefined);
   } catch (error) {
     tell(root, error, false);
   }
