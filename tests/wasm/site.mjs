@@ -35,7 +35,7 @@ test("a world runs, its minds say why, its past is shown, and new rules take eff
   await typeRules(page, `${textOf("scenarios/soar_flee/rabbit.soar")}\nsp {rabbit*say*hello\n   (state <s> ^superstate nil)\n-->\n   (write |hello from the browser|)\n}\n`);
   await apply(page);
   await show(page, "Output");
-  await until(async () => (await page.locator(".panel.output").innerText()).includes("hello from the browser"), "the new rule fires");
+  await page.locator(".lines.output li", { hasText: "hello from the browser" }).first().waitFor();
   await picture(page, "site_output");
   assert.deepEqual(troubles, []);
   await close();
