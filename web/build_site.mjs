@@ -40,8 +40,13 @@ function noticesOfEngine() {
 const COMMON = { bundle: true, target: "es2022", minify: true, legalComments: "none", logLevel: "warning", write: false };
 /** The worker, with what emscripten wrote in it. */
 async function worker() {
-  const inNode = ["module", "path", "fs", "url", "crypto", "node:*"];
-  const { outputFiles } = await build({ ...COMMON, entryPoints: ["src/local/worker.ts"], format: "iife", external: inNode, alias: { "soarbox-engine": resolve(engine, PARTS.script) }, define: { "import.meta.url": '"soarbox-engine"', SOARBOX_MODULE_ID: JSON.stringify(moduleId()) } });
+  // What emscripten's script needs in Node.js alone.
+  const node = /^(node:)?(module|path|fs|url|crypto)$/;
+  const noNode = { name: "no Node.js", setup(bundle) {
+    bundle.onResolve({ filter: node }, ({ path }) => ({ path, namespace: "node" }));
+    bundle.onLoad({ filter: node, namespace: "node" }, () => ({ contents: "export const createRequire = () => undefined;" }));
+  } };
+  const { outputFiles } = await build({ ...COMMON, entryPoints: ["src/local/worker.ts"], format: "iife", plugins: [noNode], alias: { "soarbox-engine": resolve(engine, PARTS.script) }, define: { "import.meta.url": '"soarbox-engine"', SOARBOX_MODULE_ID: JSON.stringify(moduleId()) } });
   return outputFiles[0].text;
 }
 
