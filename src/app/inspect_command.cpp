@@ -10,6 +10,7 @@
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
+#include "app/panel_view.h"
 #include "debugger/breakpoints.h"
 #include "debugger/views.h"
 #include "diagnostics/problem.h"
@@ -142,7 +143,7 @@ std::string ViewsText() {
     text += (text.empty() ? "" : ", ") + std::string(view.name);
     if (!view.of.empty()) text += " " + std::string(view.of);
   }
-  return text;
+  return text + ", panel PANEL";
 }
 
 int Inspect(const InspectOptions& options) {
@@ -152,6 +153,12 @@ int Inspect(const InspectOptions& options) {
   };
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return refuse(data.error());
+  if (const auto [view, of] = SplitView(options.view); view == "panel") {
+    const Result<std::string> shown = ShowPanel(options, of, *data);
+    if (!shown) return refuse(shown.error());
+    std::cout << *shown;
+    return kOk;
+  }
   Inspected run;
   if (options.recorded && !record::IsRecording(options.source)) {
     Diagnostic problem;

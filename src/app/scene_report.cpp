@@ -79,6 +79,8 @@ class Moments {
   void AddContents(std::uint64_t tick, const record::TickRecord& record) {
     shown_.moment.shown_tick = tick;
     shown_.agent.clear();
+    shown_.has_mind = false;
+    shown_.agent_count = record.scene.agents.size();
     shown_.agents = debugger::ListAgents(record, models_.timeline, models_.troubles);
     shown_.timeline = &models_.timeline;
     shown_.messages = &models_.messages;
@@ -93,6 +95,7 @@ class Moments {
       const std::unique_ptr<explain::Inspector> mind = recorded_.Inspect(agent.name);
       if (recorded == nullptr || mind == nullptr) continue;
       shown_.agent = agent.name;
+      shown_.has_mind = true;
       shown_.stack = debugger::LookAtStack(*mind);
       shown_.operators = debugger::LookAtOperators(*mind, {});
       shown_.why = {"Why does " + agent.name + " do what it does?", debugger::WhyRecorded(*recorded, agent.name)};
@@ -106,7 +109,9 @@ class Moments {
 
   /// Says a content once while it stays the same.
   void Tell(std::uint64_t tick, const std::string& agent, const char* name) {
-    Json content = workbench::ToJson(shown_, name);
+    Json content = workbench::PageJson(shown_, name);
+    // A page draws the lines of the answer that is pressed.
+    if (std::string_view(name) == "imagery") content.update(workbench::ToJson(shown_, name));
     const std::string text = JsonText(content);
     const std::size_t hash = std::hash<std::string>{}(text);
     std::size_t& before = told_[agent + '\0' + name];

@@ -146,6 +146,17 @@ LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& r
   return view;
 }
 
+std::vector<std::string> MostMoved(const LearningView& view, std::size_t most) {
+  std::vector<const explain::NumberFact*> moved;
+  for (const explain::NumberFact& number : view.numbers)
+    if (number.updates > 0) moved.push_back(&number);
+  std::ranges::stable_sort(moved, std::ranges::greater(), &explain::NumberFact::updates);
+  std::vector<std::string> rules;
+  for (const explain::NumberFact* number : moved)
+    if (rules.size() < most) rules.push_back(number->rule);
+  return rules;
+}
+
 std::string ToText(const LearningView& view) {
   std::string text;
   if (!view.note.empty()) text += view.note + "\n";

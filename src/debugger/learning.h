@@ -50,6 +50,9 @@ struct LearnedRuleView {
 LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& rule, const LearningLog* log,
                                   std::uint64_t until = ~std::uint64_t{0});
 
+/// The rules whose values moved most often, at most so many.
+std::vector<std::string> MostMoved(const LearningView& view, std::size_t most);
+
 std::string ToText(const LearningView& view);
 Json ToJson(const LearningView& view);
 std::string ToText(const LearnedRuleView& view);

@@ -156,7 +156,6 @@ WorkspaceHost::Asked WorkspaceHost::Draw(const world::SceneSnapshot& scene, cons
                    asked.selected,
                    requests,
                    asked.commands,
-                   workspace_.shown_object,
                    is_on};
   meter_.BeginPanels();
   workspace_.Draw(frame, engine_.window_width(), engine_.window_height(), frames_per_second);

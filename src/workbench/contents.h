@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -201,10 +202,14 @@ struct ExerciseContents {
 };
 
 struct Contents {
+  std::uint64_t revision = 0;  ///< Another one when anything but the moment may have changed.
   Moment moment;
   /// The agent that the panels are about; empty: none is selected.
   std::string agent;
   bool has_mind = false;
+  std::size_t agent_count = 0;           ///< In the world at the moment that is shown.
+  std::vector<std::string> soar_agents;  ///< Agents with a Soar mind, at most kMostSoarAgents of them.
+  static constexpr std::size_t kMostSoarAgents = 16;
   /// Not empty: why the mind cannot be looked into now.
   std::string not_available;
   /// Not empty: how far a recorded moment is from being simulated again, or why it cannot be.
@@ -229,7 +234,9 @@ struct Contents {
   debugger::OperatorsView operators;
   std::map<std::string, debugger::MemoryObject> objects;  ///< Those that are unfolded, by identifier.
   std::optional<debugger::ElementStory> story;
-  std::vector<explain::ElementFact> found;  ///< By the search of memory.
+  std::uint64_t element_before = 0, element_after = 0;  ///< Time tags of those looked at before and after; 0: none.
+  std::vector<explain::ElementFact> found;              ///< By the search of memory.
+  std::string memory_search;                            ///< The text that they contain; empty: nothing is searched.
   std::vector<explain::RuleFact> rules;
   std::optional<debugger::RuleView> rule;
   std::string rule_text;  ///< That rule as its author wrote it; empty if no file tells.
@@ -240,7 +247,8 @@ struct Contents {
   std::string known_search;       ///< The text that all objects in `long_term` have.
   debugger::EpisodeView episode;  ///< That is looked at; its number is 0 if none is.
   debugger::LearningView learning;
-  debugger::LearnedRuleView learned_rule;  ///< The one whose explanation is looked at; no name: none.
+  std::vector<std::string> learning_curves;  ///< Rules whose learned values are drawn.
+  debugger::LearnedRuleView learned_rule;    ///< The one whose explanation is looked at; no name: none.
   WhyContents why;
   debugger::IoView io;
   std::vector<sim::WatchedFile> files;  ///< That the selected agent was made from.
@@ -248,6 +256,7 @@ struct Contents {
   std::vector<OpenFile> open_files;
   std::vector<std::string> beside;  ///< The agents whose minds are looked at side by side.
   std::vector<WatchRow> watches;
+  std::string watch_fault;  ///< Why what was to be watched last cannot be; empty: it can.
   std::vector<MindColumn> minds;
   std::string searched;  ///< Everywhere, for `places`.
   std::vector<FoundPlace> places;
@@ -269,6 +278,8 @@ struct Contents {
   // What grows with the run; the desk's. Null before its first tick.
   const debugger::Timeline* timeline = nullptr;
   const debugger::Trace* trace = nullptr;
+  debugger::TraceFilter trace_filter;                                   ///< What of it the panel Trace shows.
+  const std::deque<const debugger::TraceLine*>* trace_found = nullptr;  ///< The lines that pass it; null: not searched.
   const debugger::MessageLog* messages = nullptr;
   const debugger::RecallLog* recalls = nullptr;         ///< Of the selected agent.
   const debugger::LearningLog* learning_log = nullptr;  ///< Likewise.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "debugger/facts_text.h"
+#include "workbench/document/panels.h"
 
 namespace soarbox::workbench {
 namespace {
@@ -380,6 +381,8 @@ constexpr ContentField kFields[] = {
      }},
     {"learning", "rule", "", "the learned rule that is looked at, as `inspect --view \"learning #RULE\"` has it",
      [](const Contents& c) { return debugger::ToJson(c.learned_rule); }},
+    {"learning", "curves", "", "rules whose learned values are drawn",
+     [](const Contents& c) { return Json(c.learning_curves); }},
 
     {"exercise", "exercise", "",
      "the exercise (DIS): `number`, `address`, `this_machine_only`, `as`, `listens_only`, `takes_orders`, `is_frozen`, "
@@ -452,6 +455,12 @@ Json ToJson(const Contents& contents, std::string_view name) {
   for (const ContentField& field : kFields)
     if (field.content == name) json[std::string(field.name)] = field.value(contents);
   return json;
+}
+
+Json PageJson(const Contents& contents, std::string_view name) {
+  const std::optional<PanelId> panel = FindPanel(name);
+  if (!panel || !document::HasDocument(*panel)) return ToJson(contents, name);
+  return {{"document", document::ToJson(document::DocumentOf(*panel, contents))}};
 }
 
 }  // namespace soarbox::workbench

@@ -35,7 +35,12 @@ std::vector<std::string_view> ContentNames(const PanelSet& panels, const Content
 /// The contents of this name; null if there is none by it.
 Json ToJson(const Contents& contents, std::string_view name);
 
+/// The same as a page shows it: of a panel with a document {"document": ...} alone.
+Json PageJson(const Contents& contents, std::string_view name);
+
 /// docs/workbench.md.
 std::string WorkbenchReference();
+/// web/src/panels/panel_table.ts.
+std::string PanelTable();
 
 }  // namespace soarbox::workbench

@@ -178,6 +178,11 @@ void Desk::ReadOn() {
   }
 }
 
+bool Desk::IsSettled() {
+  if (recording_ != nullptr && (!HasReadOn() || next_tick_ <= past_.last_tick())) return false;
+  return past_.is_live() || past_.rebuilt().world() != nullptr || !past_.rebuilt().IsPossible();
+}
+
 void Desk::FillPlots() {
   if (histories_.empty() || past_.empty()) return;
   constexpr auto kSlice = std::chrono::milliseconds(8);

@@ -27,6 +27,7 @@
 #include "workbench/requests.h"
 #include "workbench/surroundings.h"
 #include "workbench/time_machine.h"
+#include "workbench/trail.h"
 
 namespace soarbox::workbench {
 
@@ -75,7 +76,8 @@ class Desk {
   void NoteProblem(Diagnostic diagnostic, std::string agent);
   /// The scene to draw instead of the live one; null while live.
   const world::SceneSnapshot* PastScene();
-  bool is_live() const { return past_.is_live(); }
+  /// Nothing is still being read or simulated again: Serve would fill in the same contents again.
+  bool IsSettled();
   /// Lets the world run again: forgets why it stopped, and shows the newest moment.
   void GoOn();
   /// From now on compares the selected agent's mind after each tick with what it is now. Returns why it cannot; empty
@@ -113,6 +115,8 @@ class Desk {
   void LookAtAgent(Contents& contents);
   void Refresh(Contents& contents);
   void FillMoment(Contents& contents);
+  /// How many agents there are, and which of them have a mind.
+  void FillSoarAgents(Contents& contents, const record::TickRecord* shown);
   void FillMind(Contents& contents, explain::Inspector& mind);
   /// The minds that are looked at side by side.
   void FillBeside(Contents& contents, bool watches, bool minds);
@@ -162,6 +166,7 @@ class Desk {
   debugger::MemoryChanges changes_;  ///< Of the selected agent in the tick that is shown.
 
   // What the user looks at.
+  static constexpr std::size_t kMostCurves = 6;
   PanelSet visible_;
   std::string wanted_agent_;  ///< The agent to select as soon as the world has it.
   std::string agent_;
@@ -170,11 +175,19 @@ class Desk {
   std::vector<std::string> watches_, beside_;  ///< What is watched, and of which agents; none: of the selected one.
   std::map<std::pair<std::string, std::string>, WatchRow::Cell> watched_;  ///< By what and agent: shown last.
   std::set<std::string> open_objects_;
+  bool unfolds_top_ = true;  ///< The top state is to be unfolded: another agent was selected.
   std::string known_search_;
   std::string learned_rule_;  ///< Whose explanation is looked at; empty: none.
   std::size_t episode_ = 0;   ///< Of the selected agent, as ghosts; 0: none.
   std::uint64_t timetag_ = 0;
+  Trail elements_;                   ///< Time tags of elements that the user has looked at.
+  std::vector<std::string> curves_;  ///< Rules whose learned values are drawn.
+  bool has_chosen_curves_ = false;   ///< Else those that moved most often are drawn.
   bool wants_coverage_ = false;
+  debugger::TraceFilter trace_filter_;
+  std::string watch_fault_;       ///< Why what was to be watched last cannot be; empty: it can.
+  bool traces_selected_ = false;  ///< Only lines about the selected agent.
+  debugger::TraceSearch trace_search_;
   std::string searched_;  ///< Everywhere; empty: nothing.
   bool offers_ = false;   ///< Somebody is about to choose what to open.
   WhyRequest why_;

@@ -7,6 +7,7 @@
 #include "debugger/imagery.h"
 #include "debugger/learning.h"
 #include "debugger/recall.h"
+#include "debugger/revision.h"
 #include "debugger/why.h"
 #include "workbench/desk.h"
 #include "world/world.h"
@@ -50,10 +51,14 @@ void Desk::LookAtAgent(Contents& contents) {
   search_.clear();
   rule_.clear();
   open_objects_.clear();
+  unfolds_top_ = true;
   known_search_.clear();
   learned_rule_.clear();
   episode_ = 0;
   timetag_ = 0;
+  elements_ = {};
+  curves_.clear();
+  has_chosen_curves_ = false;
   why_ = {};
   imagined_ = {};
   contents.coverage.clear();
@@ -126,10 +131,24 @@ void Desk::FillMoment(Contents& contents) {
   at.branches = parting != nullptr ? parting->number : 0;
 }
 
+void Desk::FillSoarAgents(Contents& contents, const record::TickRecord* shown) {
+  contents.soar_agents.clear();
+  contents.agent_count = shown == nullptr ? 0 : shown->scene.agents.size();
+  if (shown == nullptr) return;
+  for (const world::AgentSnapshot& agent : shown->scene.agents) {
+    if (contents.soar_agents.size() >= Contents::kMostSoarAgents) return;
+    if (HasMind(agent.name)) contents.soar_agents.push_back(agent.name);
+  }
+}
+
 void Desk::Refresh(Contents& contents) {
+  contents.revision = debugger::NewRevision();
   contents.agent = agent_;
   contents.timeline = &models_.timeline;
   contents.trace = &models_.trace;
+  trace_filter_.agent = traces_selected_ ? agent_ : std::string();
+  contents.trace_filter = trace_filter_;
+  contents.trace_found = visible_.Has(PanelId::kTrace) ? &trace_search_.Find(models_.trace, trace_filter_) : nullptr;
   contents.messages = &models_.messages;
   contents.plots = &models_.plots.series();
   const auto recalls = models_.recalls.find(agent_);
@@ -139,6 +158,7 @@ void Desk::Refresh(Contents& contents) {
   contents.problems = RankedProblems();
   contents.checks = checks_;
   if (const Lessons* const lessons = surroundings_.lessons()) lessons->Fill(contents);
+  contents.watch_fault = watch_fault_;
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
   files_.Fill(contents);
@@ -149,6 +169,7 @@ void Desk::Refresh(Contents& contents) {
                                       : debugger::ListAgents(*shown, models_.timeline, models_.troubles);
   }
   contents.has_mind = HasMind(agent_);
+  FillSoarAgents(contents, shown);
   consoles_.Fill(contents);
   if (visible_.Has(PanelId::kEdit) && common_.Live() != nullptr) {
     contents.files = debugger::FilesOf(*common_.Live(), agent_);
@@ -219,11 +240,19 @@ void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
     }
   }
   if (visible_.Has(PanelId::kMemory)) {
+    if (!visible_.Has(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
+    // The top state is unfolded to begin with.
+    if (unfolds_top_ && !contents.stack.levels.empty()) {
+      open_objects_.insert(contents.stack.levels.front().state);
+      unfolds_top_ = false;
+    }
     contents.objects.clear();
     for (const std::string& id : open_objects_) contents.objects[id] = debugger::LookAtObject(mind, id, changes_);
     contents.story = timetag_ != 0 ? debugger::LookAtElement(mind, timetag_) : std::nullopt;
+    contents.element_before = elements_.before();
+    contents.element_after = elements_.after();
+    contents.memory_search = search_;
     contents.found = search_.empty() ? std::vector<explain::ElementFact>{} : debugger::SearchMemory(mind, search_, 200);
-    if (!visible_.Has(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
   }
   if (visible_.Has(PanelId::kRules)) {
     contents.rules = debugger::ListRules(mind);
@@ -296,6 +325,8 @@ void Desk::FillLongTerm(Contents& contents, explain::Inspector* mind) {
 void Desk::FillLearning(Contents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   contents.learning = debugger::LookAtLearning(*mind, {}, contents.learning_log, past_.shown_tick());
+  if (!has_chosen_curves_) curves_ = debugger::MostMoved(contents.learning, kMostCurves);
+  contents.learning_curves = curves_;
   contents.learned_rule = debugger::LookAtLearnedRule(*mind, learned_rule_, contents.learning_log, past_.shown_tick());
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "debugger/watch.h"
 #include "workbench/desk.h"
 
 namespace soarbox::workbench {
@@ -36,6 +37,11 @@ struct Desk::Visitor {
   void operator()(const SpeedRequest& request) const { surroundings.SetSpeed(request.speed); }
   void operator()(const TellRequest& request) const { surroundings.Tell(request.text); }
   void operator()(const SavePictureRequest&) const { surroundings.SavePicture(); }
+  void operator()(const TraceRequest& request) const {
+    desk.trace_filter_.most = request.level;
+    desk.trace_filter_.text = request.text;
+    desk.traces_selected_ = !request.agent.empty();
+  }
   void operator()(const StateRequest& request) const { desk.state_ = request.state; }
   void operator()(const ObjectRequest& request) const {
     constexpr std::size_t kMostOpen = 200;
@@ -45,12 +51,22 @@ struct Desk::Visitor {
       desk.open_objects_.insert(request.id);
     }
   }
-  void operator()(const ElementRequest& request) const { desk.timetag_ = request.timetag; }
+  void operator()(const ElementRequest& request) const {
+    desk.timetag_ = request.timetag;
+    desk.elements_.GoTo(request.timetag);
+  }
   void operator()(const SearchMemoryRequest& request) const { desk.search_ = request.text; }
   void operator()(const RuleRequest& request) const { desk.rule_ = request.rule; }
   void operator()(const SearchKnownRequest& request) const { desk.known_search_ = request.text; }
   void operator()(const EpisodeRequest& request) const { desk.episode_ = request.number; }
   void operator()(const LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
+  void operator()(const CurveRequest& request) const {
+    // As many as colors: the oldest one makes room.
+    std::erase(desk.curves_, request.rule);
+    if (request.is_on && desk.curves_.size() >= kMostCurves) desk.curves_.erase(desk.curves_.begin());
+    if (request.is_on) desk.curves_.push_back(request.rule);
+    desk.has_chosen_curves_ = !desk.curves_.empty();
+  }
   void operator()(const CoverageRequest&) const { desk.wants_coverage_ = true; }
   void operator()(const WhyRequest& request) const { desk.why_ = request; }
   void operator()(const ImagineRequest& request) const { desk.imagined_ = request; }
@@ -65,7 +81,11 @@ struct Desk::Visitor {
   void operator()(const EditRequest& request) const { desk.files_.Edit(request, desk.agent_); }
   void operator()(const EditTextRequest& request) const { desk.files_.Change(request); }
   void operator()(const SaveAllRequest&) const { desk.files_.SaveAll(); }
-  void operator()(const WatchRequest& request) const { Put(desk.watches_, request.what, request.is_on); }
+  void operator()(const WatchRequest& request) const {
+    desk.watch_fault_ = request.is_on ? debugger::WatchFault(request.what) : std::string();
+    if (!desk.watch_fault_.empty()) return;
+    Put(desk.watches_, request.what, request.is_on);
+  }
   void operator()(const BesideRequest& request) const {
     // Who adds another mind wants to see it beside the one that is looked at.
     if (request.is_on && desk.beside_.empty() && !desk.agent_.empty()) Put(desk.beside_, desk.agent_, true);

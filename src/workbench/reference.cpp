@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // docs/workbench.md, from the tables of contents and requests.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "workbench/arrangement.h"
 #include "workbench/contents_json.h"
+#include "workbench/document/panels.h"
 #include "workbench/requests_json.h"
 
 namespace soarbox::workbench {
@@ -24,6 +27,86 @@ std::string AboutContent(std::string_view name) {
 }
 
 }  // namespace
+
+std::string PanelTable() {
+  const auto quoted = [](std::string_view text) { return Json(std::string(text)).dump(); };
+  std::string text =
+      "// SPDX-License-Identifier: BSD-2-Clause\n"
+      "// Written by reference_pages from src/workbench/panel_id.h.\n\n"
+      "/** What is said about a panel wherever it is offered. */\n"
+      "export interface PanelInfo {\n  readonly word: string;\n  readonly title: string;\n  readonly about: string;\n"
+      "  readonly hasDocument: boolean;\n}\n\nexport const PANELS: readonly PanelInfo[] = [\n";
+  for (const PanelInfo& info : kPanelInfos) {
+    text += "  {\n    word: " + quoted(info.word) + ", title: " + quoted(info.title) +
+            ",\n    about: " + quoted(info.about) +
+            ",\n    hasDocument: " + (document::HasDocument(info.id) ? "true" : "false") + ",\n  },\n";
+  }
+  text +=
+      "];\n\n/** Which panels stand where to begin with; what agents print is the page's own panel. "
+      "*/\n"
+      "export const ARRANGEMENTS = {\n";
+  for (const Arrangement& arranged : {kWorldArrangement, kLessonArrangement, kReportArrangement}) {
+    text += "  " + std::string(arranged.word) + ": {\n";
+    for (const auto& [side, panels] :
+         {std::pair{"left", arranged.left}, std::pair{"right", arranged.right}, std::pair{"bottom", arranged.bottom}}) {
+      text += std::string("    ") + side + ": [";
+      std::size_t number = 0;
+      for (const PanelId panel : panels) {
+        text += (number == 0 ? "" : number % 8 == 0 ? ",\n      " : ", ") + quoted(InfoOf(panel).word);
+        ++number;
+        if (panel == (arranged.word == kLessonArrangement.word ? PanelId::kMind : PanelId::kTimeline))
+          text += ", \"output\"";
+      }
+      text += "],\n";
+    }
+    text += "  },\n";
+  }
+  return text + "} as const;\n";
+}
+
+const char* const kDocuments =
+    "\n## Documents\n\n"
+    "Most panels are described by a **document** (`src/workbench/document/`): what they show, without colors, sizes "
+    "and "
+    "positions. It is built from\nthe contents. The window draws it with ImGui (`viewer/panels/document_panel.cpp`), "
+    "pages and "
+    "reports with HTML (`web/src/document/`), and\n`ToText` writes it as text. A page gets the document instead of the "
+    "contents: `{\"document\": [node, ...]}`. A node is an object; `is` says what it is:\n\n"
+    "| `is` | fields |\n| --- | --- |\n"
+    "| `text`, `heading`, `title`, `empty` | `s`: spans; `hint`. `empty` says why a panel shows nothing, and what to "
+    "do |\n"
+    "| `code` | `text`; or of Soar `tokens`: texts, and pairs of a text and its kind |\n"
+    "| `line` | `nodes`, one after another |\n"
+    "| `button` | `label`, `do`: an action, or `copies`: a text for the clipboard; `hint`, `on` (it is a toggle), "
+    "`off` (it cannot be "
+    "pressed) |\n"
+    "| `form` | `key`, `do`, `fields` (`kind`: `line`, `choice`, `check` or `suggested`; `name` in the request, "
+    "`label`, "
+    "`placeholder`, `value`, `options`, `needed`), `button` (none: it sends while the user types), `hint`, `refusal`, "
+    "`clears` |\n"
+    "| `table` | `key`, `columns` (`title`, `number`, `wide`: only where there is room, `wraps`), `rows` (`k`: key, "
+    "`c`: cells, `hint`, "
+    "`a`: arguments, `sign`: team, kind and whether another simulation moves the body, `depth`, `open`: deeper rows "
+    "fold, `g`: bits of "
+    "groups, `chosen`), `press`, `caption`, `filter`, `groups`, `none`, `sorts`, `headless`. A cell is spans, or has "
+    "`s`, `n` (what it is "
+    "sorted by) and `bar` |\n"
+    "| `tree` | `key`, `label`, `rows` (`k`, `s`, `a`, `open`, `below`), `press`, `unfold` (the run keeps what is "
+    "unfolded), `filter` |\n"
+    "| `plot` | `key`, `title`, `value`, `range`, `curves` (`name`, `points`: tick and value), `stepped`, `button` |\n"
+    "| `strip` | `key`, `label`, `count`: numbers from 1 of which one is `chosen` (0: none), `marks`, `mark`: what the "
+    "marked ones are, `press` |\n"
+    "| `section` | `key`, `title`, `nodes`, `open` (it folds), `story` (all about one thing) |\n"
+    "| `tabs` | `key`, `pages` (`title`, `hint`, `nodes`), `first`, `reason` (another one: the first page again) |\n"
+    "| `columns` | `parts`: sections side by side |\n"
+    "| `facts` | `rows`: pairs of a name and spans |\n\n"
+    "**Spans** are a text, or a list of texts and of `[text, role, action, hint]`; a number instead of the text is a "
+    "tick: its time "
+    "leads there.\nAn **action** is `[request, panel]`: the panel comes to the front. `press` and `unfold` are `{do, "
+    "field, argument}`: the "
+    "request's field becomes\nthe row's key, or its n-th argument. **Keys** stay the same from one document to the "
+    "next, so that "
+    "selection, filters and what is unfolded stay.\n";
 
 std::string WorkbenchReference() {
   std::string text =
@@ -62,6 +145,7 @@ std::string WorkbenchReference() {
               (field.view.empty() ? "" : "`" + std::string(field.view) + "` ") + "|\n";
     }
   }
+  text += kDocuments;
   return text;
 }
 

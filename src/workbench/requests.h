@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "debugger/breakpoints.h"
+#include "debugger/run_trace.h"
 #include "workbench/panel_id.h"
 
 namespace soarbox::workbench {
@@ -62,6 +63,13 @@ struct TellRequest {
 /// Write the window as a picture.
 struct SavePictureRequest {};
 
+/// Which lines the panel Trace shows.
+struct TraceRequest {
+  debugger::TraceKind level = debugger::TraceKind::kEvent;  ///< Lines of this kind and of those before it.
+  std::string agent;                                        ///< Not empty: only lines about the selected agent.
+  std::string text;                                         ///< As in TraceFilter.
+};
+
 /// The operators of this state; empty: of the lowest.
 struct StateRequest {
   std::string state;
@@ -93,6 +101,11 @@ struct EpisodeRequest {
 /// Show how a rule was learned, and where it fired; empty: of none any more.
 struct LearnedRuleRequest {
   std::string rule;
+};
+/// Draw the learned value of a rule as a curve.
+struct CurveRequest {
+  std::string rule;
+  bool is_on = true;
 };
 /// Note how far the rules match now, and tell which took part so far.
 struct CoverageRequest {};
@@ -167,12 +180,13 @@ struct LessonRequest {
   std::string lesson = {};  ///< Which one to open.
 };
 
-using Request = std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest,
-                             KeepLineRequest, ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest,
-                             ResumeRequest, SpeedRequest, SavePictureRequest, TellRequest, StateRequest, ObjectRequest,
-                             ElementRequest, SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest,
-                             EpisodeRequest, LearnedRuleRequest, WhyRequest, ImagineRequest, PlotRequest, EditRequest,
-                             EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest,
-                             SearchRequest, OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
+using Request =
+    std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest,
+                 ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest,
+                 SavePictureRequest, TellRequest, TraceRequest, StateRequest, ObjectRequest, ElementRequest,
+                 SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest, EpisodeRequest,
+                 LearnedRuleRequest, CurveRequest, WhyRequest, ImagineRequest, PlotRequest, EditRequest,
+                 EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest, SearchRequest,
+                 OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
 
 }  // namespace soarbox::workbench

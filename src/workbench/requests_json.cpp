@@ -28,6 +28,10 @@ constexpr auto kBreakNames = [] {
 constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
 constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 
+// In the order of TraceKind.
+constexpr std::string_view kTraceLevels[] = {"error", "decision", "command", "event",
+                                             "input", "percept",  "rule",    "element"};
+
 enum Need : bool { kOptional = false, kNeeded = true };
 
 // The fields of each request, for readers, writers and the reference alike.
@@ -67,6 +71,12 @@ void Fields(auto&, SavePictureRequest&) {}
 void Fields(auto& visit, TellRequest& r) {
   visit("text", r.text, "the remark", kNeeded);
 }
+void Fields(auto& visit, TraceRequest& r) {
+  visit("level", r.level, kTraceLevels, "lines of this kind and of those before it", kOptional);
+  visit("agent", r.agent, "not empty: only lines about the selected agent", kOptional);
+  visit("text", r.text,
+        "words that the line contains; rule:NAME, op:NAME, command:NAME and ^attribute: lines about these", kOptional);
+}
 void Fields(auto& visit, StateRequest& r) {
   visit("state", r.state, "\"S1\"; empty: the lowest", kNeeded);
 }
@@ -92,6 +102,10 @@ void Fields(auto& visit, EpisodeRequest& r) {
 }
 void Fields(auto& visit, LearnedRuleRequest& r) {
   visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
+}
+void Fields(auto& visit, CurveRequest& r) {
+  visit("rule", r.rule, "a rule with a value that is learned", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
 }
 void Fields(auto& visit, WhyRequest& r) {
   visit("about", r.about, kWhyAbout, "what is asked about", kNeeded);
@@ -342,6 +356,7 @@ constexpr Row kRows[] = {
     RowOf<SpeedRequest>("set-speed", "How fast the world goes."),
     RowOf<SavePictureRequest>("save-picture", "Write the window as a picture; in a window only."),
     RowOf<TellRequest>("tell", "Tell the user that something was done."),
+    RowOf<TraceRequest>("trace", "Which lines of the trace are shown."),
     RowOf<StateRequest>("state", "Show the operators of this state."),
     RowOf<ObjectRequest>("object", "Unfold an object of working memory, or fold it."),
     RowOf<ElementRequest>("element", "Tell all about an element."),
@@ -351,6 +366,7 @@ constexpr Row kRows[] = {
     RowOf<SearchKnownRequest>("search-known", "Find objects of long-term memory."),
     RowOf<EpisodeRequest>("episode", "Look at an episode of the selected agent."),
     RowOf<LearnedRuleRequest>("learned-rule", "Show how a rule was learned, and where it fired."),
+    RowOf<CurveRequest>("curve", "Draw the learned value of a rule as a curve."),
     RowOf<WhyRequest>("ask", "Why something is, or is not."),
     RowOf<ImagineRequest>("imagine", "Draw what the selected agent imagines over the world."),
     RowOf<PlotRequest>("plot", "Draw a number of an agent over time."),

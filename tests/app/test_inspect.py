@@ -163,6 +163,21 @@ class Inspect(ScenarioCase):
                 self.assertEqual(self.text(view, "--agent", "hero", source=recording),
                                  self.text(view, "--agent", "hero"))
 
+    def test_a_panel_is_printed_as_window_and_pages_show_it(self):
+        recording = self.folder / "hero.soarbox"
+        Run("run", self.folder, "--headless", "--seconds", "0.1", "--record", recording, "--record-level", "all", code=0)
+        for panel in ["mind", "memory", "rules", "links", "why", "trace", "learning", "plots"]:
+            with self.subTest(panel):
+                printed = self.text(f"panel {panel}")
+                self.assertEqual(printed, self.text(f"panel {panel}", "--agent", "hero", source=recording))
+                self.assertTrue(all("is" in node for node in json.loads(self.text(f"panel {panel}", "--json"))))
+        for panel, words in [("mind", "walk (O2) was selected"), ("memory", "^vigour 100"), ("rules", "hero*propose*flee"),
+                             ("why", "Why does hero do what it does?"), ("agents", "hero")]:
+            self.assertIn(words, self.text(f"panel {panel}"))
+        self.assertIn("name one of agents, mind", self.inspect("panel nothing").err)
+        self.assertIn("there is no agent 'herp' at that moment", self.inspect("panel mind", "--agent", "herp").err)
+        self.assertIn("not with --until", self.inspect("panel mind", "--until", "command move").err)
+
     def test_a_kernel_elsewhere_is_asked_in_its_command_language(self):
         port = self.kernel_elsewhere()
         far = ("--kernel", f"127.0.0.1:{port}")

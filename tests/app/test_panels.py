@@ -200,7 +200,7 @@ class Panels(WindowUser):
             audit "an episode"
             picture episode.png
             click "Close"
-            expect "Click the strip"
+            expect "Choose an episode"
             click "Known 3"
             click "Filter by text"
             type "ROPE"

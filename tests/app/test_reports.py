@@ -75,7 +75,7 @@ class Reports(MissionCase):
                 if each["tick"] == recorded["last_tick"]}
         track = next(track for track in told["timeline"]["timeline"] if track["agent"] == "scout")
         self.assertIn("go", " ".join(span["text"] for span in track["spans"]))
-        self.assertIn("off I go", " ".join(line["text"] for line in told["trace"]["lines"]))
+        self.assertIn("off I go", json.dumps(told["trace"]["document"]))
 
     def test_an_hour_of_ten_busy_agents_is_at_most_10_mb(self):
         self.write("Walker.lua", """

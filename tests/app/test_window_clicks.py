@@ -68,7 +68,6 @@ STORY = (
         type "io.input-link.self.health"
         key Return
           expect "100"
-        click "Add agent"
         click "+ idler"
           expect "idler \u00d7"
           click "idler \u00d7"
@@ -118,7 +117,7 @@ STORY = (
         click "Trace"
         click "Search; rule:NAME op:NAME ^attribute"
         type "op:seek"
-        double-click "(seek)"
+        double-click "O2 (seek)"
           expect "Resume here"
           click "Live"
           expect-not "Resume here"
@@ -209,7 +208,6 @@ STORY = (
         key Ctrl+Shift+P
         type "layout compare"
         key Return
-        click "Add agent"
         click "+ idler"
           expect "operator tie"
           key Ctrl+Shift+P

@@ -198,7 +198,7 @@ class Finding(WindowUser):
             key Ctrl+Shift+P
             type "layout compare"
             key Return
-            expect "Add agent"
+            expect "Side by side:"
             key Ctrl+Shift+P
             type "light"
             key Return
@@ -255,7 +255,6 @@ class Watching(WindowUser):
             type "excise walker*apply*seek"
             key Return
             expect "cannot be watched"
-            click "Add agent"
             click "+ idler"
             expect "idler \u00d7"
             audit "two agents beside each other"

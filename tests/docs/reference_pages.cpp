@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Writes the pages of docs/ that are made from tables of the source.
+// Writes the pages of docs/ that are made from tables of the source, and the page's table of panels.
 //
 //   reference_pages FOLDER           writes them into the folder, docs as a rule
 //   reference_pages --check FOLDER   fails if one of the folder's pages differs
@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   pages.push_back({"commands.md", soarbox::vocabulary::CommandReference()});
   pages.push_back({"soar_commands.md", soarbox::cli::CommandReference()});
   pages.push_back({"workbench.md", soarbox::workbench::WorkbenchReference()});
+  pages.push_back({"../web/src/panels/panel_table.ts", soarbox::workbench::PanelTable()});
   const std::filesystem::path folder = argv[argc - 1];
   int status = 0;
   for (const soarbox::script::ReferencePage& page : pages) {

@@ -157,7 +157,7 @@ class Tournament(ClassCase):
         viewer.ask(request="seek", tick=60)
         viewer.ask(request="select", agent="ada")
         viewer.ask(request="ask", about="doing")
-        viewer.until_contents("why", lambda why: why["answer"] is not None)
+        viewer.until_contents("why", lambda why: any(node["is"] == "tree" for node in why["document"]))
         viewer.ask(request="open", what="match:" + "0" * 26)
         self.assertIn("nothing called", viewer.until_message("error")["error"])
         # The same matches have the same scores. Entries and matches are still there after a restart.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Runs in pages: lessons, worlds, recordings, and what remains of them when a process is killed."""
 import base64
+import json
 import os
 import signal
 import struct
@@ -21,7 +22,7 @@ class Runs(ServeCase):
         hello = page.messages[-1]
         self.assertEqual((hello["what"], hello["is_recording"], hello["seed"]), ("scenario:soar_hallway", False, 1))
         self.assertTrue(hello["minds"])
-        page.until_contents("mind", lambda mind: mind["stack"])
+        page.until_contents("mind", lambda mind: "Goal stack" in json.dumps(mind["document"]))
         page.until(lambda message: message["message"] == "flow" and message["time_s"] > 1 and len(page.blocks) > 10)
         self.assertEqual(page.blocks[0][:2], b"\x53\x01")
         self.assertTrue(page.blocks[0][2] & 1, "the first block is full")
@@ -62,16 +63,20 @@ class Runs(ServeCase):
         page.ask(request="select", agent="hider")
 
         def answers(content):
-            return [value for scene in content["imagery"]["scenes"] for extract in scene["extracts"] for value in extract["values"] if value["record"] and value["lines"]]
+            """The value and the record of each answer that can be drawn."""
+            trees = [node for node in content["document"] if node["is"] == "tree"]
+            spans = [row["s"][0] for tree in trees for row in tree["rows"]]
+            return [(span[0], span[2][0]["record"]) for span in spans if isinstance(span, list) and "picture" in span[-1]]
 
         content = page.until_contents("imagery", answers)
-        self.assertEqual((content["state"], content["record"]), ("", ""))
+        drawn = next(node for node in content["document"] if node["is"] == "line")
+        self.assertEqual([button["label"] for button in drawn["nodes"] if button.get("on")], ["made up"])
         page.ask(request="flow", what="pause")
         page.until(lambda message: message["message"] == "flow" and message["paused"])
         answer = answers(page.until_contents("imagery", answers))[0]
-        page.ask(request="imagine", record=answer["record"])
+        page.ask(request="imagine", record=answer[1])
         ghosts = page.until_contents("ghosts", lambda ghosts: ghosts["answer"]["lines"])
-        self.assertEqual(ghosts["answer"]["text"], answer["value"])
+        self.assertEqual(float(ghosts["answer"]["text"]), float(answer[0]))
         self.assertEqual(set(ghosts["answer"]["lines"][0]), {"from", "to", "is_crossed"})
         page.ask(request="imagine", state="S1")
         ghosts = page.until_contents("ghosts", lambda ghosts: ghosts["shapes"])

@@ -251,7 +251,7 @@ class Class(ServeCase):
         watching.until(lambda message: message["message"] == "flow" and message["paused"])
         # A teacher chooses panels; what the learner looks at stays, and words that no panel has are nobody's trouble.
         watching.ask(request="look", panels=["rules", "nowhere"])
-        watching.until_contents("rules", lambda rules: rules["rules"])
+        watching.until_contents("rules", lambda rules: any(node["is"] == "tabs" for node in rules["document"]))
         for odd in ("rules", [7], ["x" * 100], ["why"] * 200):
             watching.ask(request="look", panels=odd, id=2)
             self.assertIn("look needs panels", watching.until_message("error")["error"])

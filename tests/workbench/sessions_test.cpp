@@ -196,14 +196,14 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   user.Ask(R"({"request": "seek", "tick": 20})");
   user.Ask(R"({"request": "look", "panels": ["mind", "futures"]})");
   user.Serve();
-  EXPECT_FALSE(desk.is_live());
+  EXPECT_FALSE(desk.past().is_live());
   EXPECT_TRUE(room.pace.paused());
   EXPECT_EQ(user.See("moment")["time"]["shown_tick"], 20);
   user.Await();
   EXPECT_THAT(user.See("mind")["stack"].dump(), HasSubstr("S1"));
   user.Ask(R"({"request": "resume"})");
   user.Serve();
-  EXPECT_TRUE(desk.is_live());
+  EXPECT_TRUE(desk.past().is_live());
   EXPECT_EQ(session->simulation().tick(), 20U);
   Tick(desk, 5);
   user.Serve();
@@ -253,7 +253,7 @@ TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {
   ASSERT_TRUE(recording) << recording.error().message;
   workbench::Desk desk(**recording, record::Data(), {0, 60}, room);
   Watcher user(desk);
-  EXPECT_FALSE(desk.is_live());
+  EXPECT_FALSE(desk.past().is_live());
   user.Ask(R"({"request": "select", "agent": "red-1"})");
   user.Ask(R"({"request": "look", "panels": ["mind", "why", "agents", "timeline"]})");
   user.Ask(R"({"request": "seek", "tick": 45})");

@@ -137,7 +137,7 @@ test("an empty world and agents without a mind say what they are, and what to do
   await openWorld(page, "decisions");
   await page.waitForSelector(".panel.mind:has-text('No agent of this world has a Soar mind')");
   // The rules of the world before are not there any more.
-  await show(page, "Rules' text");
+  await show(page, "Edit");
   assert.doesNotMatch(await page.locator(".cm-content").innerText(), /sp \{/);
   assert.deepEqual(troubles, []);
   await close();

@@ -72,9 +72,9 @@ test("a teacher sees the class, and watches without a hand in it; names with mar
   // Each looks at what he chooses.
   await show(learner.page, "Why");
   await show(teacher.page, "Rules");
-  await teacher.page.waitForSelector(".panel.rules td button.rule");
+  await teacher.page.waitForSelector(".panel.rules td button.row-press");
   await show(teacher.page, "Senses");
-  await teacher.page.waitForSelector(".panel.links .attribute");
+  await teacher.page.waitForSelector(".panel.links .attribute:visible");
   assert.equal(await learner.page.locator("#tab-why[aria-selected=true]").count(), 1);
   await learner.page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
   const hint = await learner.page.locator(".hints li").first().innerText();

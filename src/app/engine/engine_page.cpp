@@ -100,7 +100,8 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
 Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   const std::string request = TextOf(json, "request");
   if (request == "presence") {
-    // The server's own: how many look, and at what those look who only watch.
+    // The server's own: how many look, and at what those look who only watch. Pages draw documents.
+    shows_documents_ = true;
     pages_ = std::max(0, static_cast<int>(FieldNumber(json, "pages")));
     watched_ = {};
     for (const Json& word : json.value("watched", Json::array()))
@@ -207,7 +208,8 @@ void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, doubl
 
 void EnginePage::ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels) {
   for (const std::string_view name : workbench::ContentNames(panels, contents)) {
-    const std::string content = TextOf(workbench::ToJson(contents, name));
+    const std::string content =
+        TextOf(shows_documents_ ? workbench::PageJson(contents, name) : workbench::ToJson(contents, name));
     const std::size_t hash = std::hash<std::string>{}(content);
     const auto [told, is_new] = told_.try_emplace(std::string(name), hash);
     if (!is_new && std::exchange(told->second, hash) == hash) continue;

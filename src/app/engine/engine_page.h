@@ -77,6 +77,7 @@ class EnginePage {
   EngineChannel& channel_;
   std::unique_ptr<EngineLanguage> language_;  ///< Null: there is none.
   int pages_ = 1;
+  bool shows_documents_ = false;  ///< Pages are served: panels are told as documents.
   workbench::PanelSet watched_;
   stream::SceneEncoder encoder_;
   ShapeContents shapes_;

@@ -120,7 +120,7 @@ class LiveEngine {
   /// How long a round may wait for requests.
   int Wait_ms() {
     if (page_.is_alone()) return kAlone_ms;
-    if (pace_.paused() || !desk_->is_live()) return kIdle_ms;
+    if (pace_.paused() || !desk_->past().is_live()) return kIdle_ms;
     if (std::isinf(pace_.speed())) return 0;
     const double rest_s = (1 - pace_.Blend(Step_s())) * Step_s() / pace_.speed();
     return std::clamp(static_cast<int>(std::ceil(rest_s * 1000)), 1, kIdle_ms);
@@ -132,7 +132,7 @@ class LiveEngine {
     const bool was_asked = !asked.empty();
     if (Result<void> obeyed = Obey(asked); !obeyed) return obeyed;
     panels_.Serve(*desk_, std::move(asked.requests));
-    if (desk_->is_live() && !page_.is_alone()) {
+    if (desk_->past().is_live() && !page_.is_alone()) {
       for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
       Tick();
     } else {

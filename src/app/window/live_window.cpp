@@ -91,7 +91,7 @@ void LiveWindow::Draw() {
     viewer_.Show(newest_, &previous_, pace_.Blend(step_s));
   }
   const world::OverlayWants wants = viewer_.overlay_wants();
-  if (!desk_->is_live()) {
+  if (!desk_->past().is_live()) {
     // They are of the newest tick.
     if (overlays_tick_ != 0) viewer_.ShowOverlays({});
     overlays_tick_ = 0;
@@ -183,7 +183,7 @@ int LiveWindow::Run() {
       KeepNextRun(std::move(*wanted));
       break;
     }
-    if (desk_->is_live()) {
+    if (desk_->past().is_live()) {
       if (!was_live_) previous_ = newest_ = session_.simulation().Snapshot();
       deliverer_.Deliver(viewer_, session_.simulation());
       Tick(step_s);
@@ -191,7 +191,7 @@ int LiveWindow::Run() {
       Deliverer::Drop(viewer_);
       pace_.Skip();
     }
-    was_live_ = desk_->is_live();
+    was_live_ = desk_->past().is_live();
     if (has_script_ && viewer_.ui_script().is_over) break;
   }
   return session_.Finish();

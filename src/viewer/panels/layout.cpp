@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "diagnostics/problem.h"
+#include "workbench/arrangement.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -74,22 +75,11 @@ void Layout::SetText(int percent) {
 }
 
 Layout DefaultLayout() {
+  const workbench::Arrangement& arranged = workbench::kWorldArrangement;
   Layout layout;
-  layout.at(Area::kLeft) = {
-      true, 275, {workbench::PanelId::kAgents, workbench::PanelId::kMission, workbench::PanelId::kProblems}, 0};
-  layout.at(Area::kRight) = {true,
-                             360,
-                             {workbench::PanelId::kMind, workbench::PanelId::kWhy, workbench::PanelId::kMemory,
-                              workbench::PanelId::kRules, workbench::PanelId::kLinks, workbench::PanelId::kEdit,
-                              workbench::PanelId::kBreakpoints, workbench::PanelId::kFutures},
-                             0};
-  layout.at(Area::kBottom) = {true,
-                              190,
-                              {workbench::PanelId::kTimeline, workbench::PanelId::kTrace, workbench::PanelId::kConsole,
-                               workbench::PanelId::kPlots, workbench::PanelId::kMessages, workbench::PanelId::kWatch,
-                               workbench::PanelId::kMinds, workbench::PanelId::kLongTerm, workbench::PanelId::kLearning,
-                               workbench::PanelId::kImagery},
-                              0};
+  layout.at(Area::kLeft) = {true, 275, arranged.left, 0};
+  layout.at(Area::kRight) = {true, 360, arranged.right, 0};
+  layout.at(Area::kBottom) = {true, 190, arranged.bottom, 0};
   return layout;
 }
 

@@ -8,36 +8,6 @@
 
 namespace soarbox::viewer {
 
-bool HasMind(PanelFrame& frame) {
-  const workbench::Contents& contents = frame.contents;
-  if (contents.agent.empty()) {
-    EmptyNote("No agent is selected.", "Click one in the scene or in the list of agents, or press Tab.");
-    return false;
-  }
-  if (!contents.has_mind) {
-    EmptyNote(contents.agent + " has no Soar mind.", "Its script decides what it does. Select another agent.");
-    return false;
-  }
-  if (!contents.not_available.empty()) {
-    EmptyNote(contents.not_available);
-    return false;
-  }
-  if (!contents.past_note.empty()) {
-    Tag("as recorded", theme::kAccent);
-    Tooltip("What the recording holds of this moment. " + contents.past_note);
-    ImGui::SameLine();
-    CutText(contents.past_note, ImGui::GetContentRegionAvail().x, theme::kQuiet);
-  }
-  return true;
-}
-
-void RuleLink(PanelFrame& frame, std::string_view rule) {
-  const std::string name(rule);
-  const std::string shown = FittingText(name, ImGui::GetContentRegionAvail().x);
-  if (Link(name.c_str(), shown)) frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{name});
-  Tooltip(shown == name ? "Click to see this rule" : name);
-}
-
 void GoToFile(PanelFrame& frame, const std::string& file, int line) {
   if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
     frame.Ask(workbench::OpenFileRequest{file, line});
@@ -54,7 +24,6 @@ void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImV
 }
 
 void ShowObject(PanelFrame& frame, std::string_view id) {
-  frame.shown_object = id;
   frame.AskIn(workbench::PanelId::kMemory, workbench::ObjectRequest{std::string(id), true});
 }
 

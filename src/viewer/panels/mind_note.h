@@ -8,12 +8,6 @@
 
 namespace soarbox::viewer {
 
-/// Whether the selected agent has a mind that can be looked into now; if not, says in the panel why and what to do.
-bool HasMind(PanelFrame& frame);
-
-/// The name of a rule; a click shows it in the panel of rules.
-void RuleLink(PanelFrame& frame, std::string_view rule);
-
 /// Opens a place in a file where it can be changed: in the panel Edit; in the user's own editor what that cannot
 /// reload.
 void GoToFile(PanelFrame& frame, const std::string& file, int line);

@@ -30,7 +30,6 @@ struct PanelFrame {
   std::uint32_t& selected;  ///< Id of the selected agent; 0: none.
   std::vector<workbench::Request>& requests;
   std::vector<ViewerCommand>& commands;
-  std::string& shown_object;                 ///< What a link wants the panel Memory to show next; empty: nothing new.
   std::function<bool(ViewerCommand)> is_on;  ///< Whether an overlay or camera is.
 
   /// A length in px that grows with the text.
@@ -67,27 +66,10 @@ class Panel {
   virtual std::string Unsent() const { return {}; }
 };
 
-std::unique_ptr<Panel> MakeAgentsPanel();
-std::unique_ptr<Panel> MakeMindPanel();
-std::unique_ptr<Panel> MakeMemoryPanel();
-std::unique_ptr<Panel> MakeRulesPanel();
-std::unique_ptr<Panel> MakeWhyPanel();
-std::unique_ptr<Panel> MakeLinksPanel();
-std::unique_ptr<Panel> MakeMessagesPanel();
 std::unique_ptr<Panel> MakeTimelinePanel();
-std::unique_ptr<Panel> MakeTracePanel();
-std::unique_ptr<Panel> MakePlotsPanel();
 std::unique_ptr<Panel> MakeConsolePanel();
 std::unique_ptr<Panel> MakeEditPanel();
-std::unique_ptr<Panel> MakeBreakpointsPanel();
-std::unique_ptr<Panel> MakeFuturesPanel();
 std::unique_ptr<Panel> MakeProblemsPanel();
-std::unique_ptr<Panel> MakeWatchPanel();
-std::unique_ptr<Panel> MakeMindsPanel();
 std::unique_ptr<Panel> MakeMissionPanel();
-std::unique_ptr<Panel> MakeLongTermPanel();
-std::unique_ptr<Panel> MakeLearningPanel();
-std::unique_ptr<Panel> MakeExercisePanel();
-std::unique_ptr<Panel> MakeImageryPanel();
 
 }  // namespace soarbox::viewer

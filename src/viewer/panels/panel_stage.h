@@ -10,14 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "debugger/run_models.h"
-#include "record/recorder.h"
 #include "viewer/panels/workspace.h"
+#include "workbench/document/filled_run_fixture.h"
 
 namespace soarbox::viewer {
 
 /// A run of some seconds, and the panels drawn over it into nothing: ImGui alone, without a display.
-class PanelStage {
+class PanelStage : public workbench::FilledRun {
  public:
   PanelStage();
   ~PanelStage();
@@ -25,18 +24,12 @@ class PanelStage {
   PanelStage& operator=(const PanelStage&) = delete;
 
   void SetSize(int new_width, int new_height, int new_percent);
-  /// What a selected agent's panels show.
-  void Fill(const std::string& agent);
   /// Draws some frames with this panel open, as a user would find it, and reads the last one back.
   void Draw(const Layout& arranged, const std::function<void(Workspace&)>& in_the_last = {});
   void Draw(workbench::PanelId panel, const std::function<void(Workspace&, workbench::PanelId)>& in_the_last = {});
   /// What a user gets who copies the panel.
   std::string Copy(workbench::PanelId panel);
 
-  std::unique_ptr<sim::Simulation> simulation;
-  debugger::RunModels models;
-  record::TickRecord last;
-  workbench::Contents contents;
   int width = 1280, height = 720, percent = 100;
   std::vector<world::UiSnapshot> script_ui;  ///< Panels of the scenario's own.
   PictureRect cover;                         ///< What lay over the picture.
@@ -45,12 +38,8 @@ class PanelStage {
   std::vector<std::string> overfull;  ///< Windows that held more than can be drawn.
 
  private:
-  void Write(const char* file, const char* text) const;
-
-  std::filesystem::path folder_;
   ImGuiContext* context_ = nullptr;
   PanelFonts fonts_;
-  std::optional<debugger::Console> console_;
 };
 
 /// Tests of panels share a stage.

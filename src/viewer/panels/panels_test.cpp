@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "viewer/panels/panel_stage.h"
-#include "viewer/panels/terms.h"
+#include "workbench/document/terms.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -32,7 +32,7 @@ TEST_F(Panels, CanBeCopied) {
       {workbench::PanelId::kProblems, "did you mean"},
       {workbench::PanelId::kMission, "it stood idle for 0 s"},
       {workbench::PanelId::kLongTerm, "no long-term memory is switched on"},
-      {workbench::PanelId::kLearning, "nothing has been learned"},
+      {workbench::PanelId::kLearning, "No rule has been learned yet."},
       {workbench::PanelId::kExercise, "7:8:9"},
       {workbench::PanelId::kImagery, "wall"},
   };
@@ -62,8 +62,8 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {workbench::PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
       {workbench::PanelId::kFutures, {"There is only one future so far."}},
       {workbench::PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
-      {workbench::PanelId::kWatch, {"Nothing is watched yet.", "Add agent"}},
-      {workbench::PanelId::kMinds, {"No mind is looked at.", "Add agent"}},
+      {workbench::PanelId::kWatch, {"Nothing is watched yet.", "Side by side:"}},
+      {workbench::PanelId::kMinds, {"No mind is looked at.", "Side by side:"}},
       {workbench::PanelId::kMission,
        {"1. A rule fires once", "Greet each visitor", "New in the window: Memory (Alt+E)", "Hint 2 of 3",
         "1. Watch the panel", "Check my rules", "Next lesson", "1 of 3 checks, 1 failed", "it goes north", "0:00.20",
@@ -110,7 +110,7 @@ TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
                                                 "1.250", "@3", "-0.500", "^kind ammo ^site @3"});
     EXPECT_THAT(stage->complaints, IsEmpty()) << width;
   }
-  for (const char* text : {"5000 objects", "@12 (^kind ammo ^site @3) for ^kind ammo: the only one that fits"})
+  for (const char* text : {"= Known 5000", "^kind ammo  @12 ^kind ammo ^site @3  the only one that fits"})
     EXPECT_THAT(stage->Copy(workbench::PanelId::kLongTerm), HasSubstr(text));
   facts.known.clear();
   facts.objects = 0;
@@ -222,6 +222,7 @@ TEST_F(Panels, OfARecordingSayWhatIsNotRecordedAndOfferNothingThatCannotBe) {
 }
 
 TEST(Terms, EveryPhaseAndEveryImpasseIsExplained) {
+  using workbench::document::MeaningOf;
   for (const std::string& phase : debugger::Phases()) EXPECT_FALSE(MeaningOf(phase).empty()) << phase;
   for (const char* term : {"operator tie", "operator conflict", "operator constraint-failure", "operator no-change",
                            "state no-change", "i-support", "o-support", "operator", "better", "numeric"})

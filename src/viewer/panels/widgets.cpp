@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -35,6 +34,10 @@ int kept_frame = -1;  ///< In which a field kept the keyboard.
 
 void FocusNextField(bool wanted) {
   wants_focus = wanted;
+}
+
+bool IsFocusWanted() {
+  return wants_focus;
 }
 
 void TakeFocus() {
@@ -172,38 +175,12 @@ bool Link(const char* id, std::string_view text, ImVec4 color) {
   return clicked;
 }
 
-bool CutLink(std::string_view text, ImVec4 color) {
-  const float width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  CutText(text, color);
-  const ImVec2 end{at.x + width, at.y + ImGui::GetTextLineHeight()};
-  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(at, end)) return false;
-  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-}
-
-void TimeLink(PanelFrame& frame, std::uint64_t tick, std::string_view tip, ImVec4 color) {
-  if (Link("time", TimeOf(frame, tick), color)) frame.Ask(workbench::SeekRequest{tick});
-  Tooltip(tip);
-}
-
 bool LitButton(const char* label, bool is_on, std::string_view tip) {
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   const bool clicked = ImGui::Button(label);
   if (is_on) ImGui::PopStyleColor();
   Tooltip(tip);
   return clicked;
-}
-
-bool PageButtons(int& page, std::initializer_list<std::pair<std::string, const char*>> labels_and_tips) {
-  int number = 0, pressed = -1;
-  for (const auto& [label, tip] : labels_and_tips) {
-    if (number > 0) ImGui::SameLine();
-    if (LitButton((label + "###page" + std::to_string(number)).c_str(), page == number, tip)) pressed = number;
-    ++number;
-  }
-  if (pressed >= 0) page = pressed;
-  return pressed >= 0;
 }
 
 bool ButtonIf(bool enabled, const char* label, std::string_view tip) {
@@ -266,34 +243,11 @@ FactTable::FactTable(const char* id, float width_px, ImGuiTableFlags flags)
 
 bool FactTable::Name(std::string_view name, ImVec4 color) const {
   if (!is_open_) return false;
-  NextRow();
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
   ColoredText(color, name);
   ImGui::TableNextColumn();
   return true;
-}
-
-void NextRow() {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-}
-
-void Cell(ImVec4 color, std::string_view text) {
-  ImGui::TableNextColumn();
-  ColoredText(color, text);
-}
-
-void CutCell(std::string_view text, ImVec4 color) {
-  ImGui::TableNextColumn();
-  CutText(text, color);
-}
-
-void BarText(PanelFrame& frame, double value, double largest) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float length = ImGui::GetContentRegionAvail().x * static_cast<float>(std::abs(value) / largest);
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + frame.Px(2)},
-                                            {at.x + length, at.y + ImGui::GetTextLineHeight() - frame.Px(2)},
-                                            theme::Packed(value < 0 ? theme::kWarn : theme::kGood, 0.35f));
-  ColoredText(theme::kText, Formatted("%.3f", value));
 }
 
 void EmptyNote(std::string_view what, std::string_view advice) {
@@ -357,21 +311,8 @@ std::size_t FindPart(std::string_view text, std::string_view part, std::size_t b
   return begin + static_cast<std::size_t>(found - rest.begin());
 }
 
-std::string ShortNumber(std::string_view text) {
-  const std::size_t point = text.find('.');
-  if (point == std::string_view::npos || text.find_first_not_of("+-0123456789.") != std::string_view::npos)
-    return std::string(text);
-  while (text.back() == '0') text.remove_suffix(1);
-  if (text.back() == '.') text.remove_suffix(1);
-  return std::string(text);
-}
-
-double SecondsOf(const PanelFrame& frame, std::uint64_t tick) {
-  return static_cast<double>(tick) * frame.contents.moment.step_s;
-}
-
 std::string TimeOf(const PanelFrame& frame, std::uint64_t tick) {
-  return TimeText(SecondsOf(frame, tick));
+  return TimeText(static_cast<double>(tick) * frame.contents.moment.step_s);
 }
 
 std::string TimeText(double time_s) {

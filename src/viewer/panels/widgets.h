@@ -41,14 +41,8 @@ void FlowLine(float next_width, float gap = -1);
 float ButtonWidth(const char* label);
 /// Text that answers a click; looks like a link while the mouse is over it.
 bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
-/// A text that is cut at the width that is left; all of that width answers a click.
-bool CutLink(std::string_view text, ImVec4 color = theme::kAccent);
-/// A time that leads to its moment.
-void TimeLink(PanelFrame& frame, std::uint64_t tick, std::string_view tip = "Go there", ImVec4 color = theme::kAccent);
 /// A button that looks pressed while `is_on`.
 bool LitButton(const char* label, bool is_on, std::string_view tip);
-/// Buttons of which one is on. True if another one was pressed.
-bool PageButtons(int& page, std::initializer_list<std::pair<std::string, const char*>> labels_and_tips);
 /// A button that is grey unless it is `enabled`.
 bool ButtonIf(bool enabled, const char* label, std::string_view tip);
 /// Whether Enter ended the field that was drawn last.
@@ -61,6 +55,8 @@ void Tooltip(std::string_view text);
 bool SearchField(const char* id, const char* hint, std::string& text, float right = 0);
 /// The next field that is drawn takes the keyboard: somebody wants to search, or to type, in the panel drawn now.
 void FocusNextField(bool wanted = true);
+/// No field has taken it yet.
+bool IsFocusWanted();
 /// For a field of its own kind: call before it is drawn.
 void TakeFocus();
 /// The field that is drawn now keeps the keyboard when the picture is clicked: a line in it is not sent yet.
@@ -141,28 +137,12 @@ class FactTable : Scope {
  private:
   bool is_open_;
 };
-/// Begins a row of a table, and its first cell.
-void NextRow();
-/// The next cell of a table.
-void Cell(ImVec4 color, std::string_view text);
-void CutCell(std::string_view text, ImVec4 color = theme::kText);
-/// A number as a bar over the width that is left, as long as its share of the largest; of another colour below 0.
-void BarText(PanelFrame& frame, double value, double largest);
 /// Draws those of so many rows of equal height that are in sight.
 void ForRowsInSight(std::size_t count, auto&& draw, float height = -1) {
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count), height);
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw(i);
-}
-/// Those rows that somebody wants to see.
-template <typename Row>
-std::vector<const Row*> RowsThat(const std::vector<Row>& rows, auto&& is_wanted) {
-  std::vector<const Row*> wanted;
-  for (const Row& row : rows) {
-    if (is_wanted(row)) wanted.push_back(&row);
-  }
-  return wanted;
 }
 /// In a list that was clicked last: the row that the arrow keys lead to from the one that `is_chosen`, in view from now
 /// on; nothing: none was pressed.
@@ -188,13 +168,9 @@ std::string Formatted(const char* format, auto... values) {
   return length < 0 ? std::string() : std::string(text);
 }
 
-/// A number without the zeros that say nothing, "39.5" for "39.500000"; other texts as they are.
-std::string ShortNumber(std::string_view text);
-
 /// "0:12.30" minutes, seconds.
 std::string TimeText(double time_s);
 /// The time of a tick of the run.
-double SecondsOf(const PanelFrame& frame, std::uint64_t tick);
 std::string TimeOf(const PanelFrame& frame, std::uint64_t tick);
 
 }  // namespace soarbox::viewer

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "viewer/panels/document_panel.h"
 #include "viewer/panels/icons.h"
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/script_ui_places.h"
+#include "workbench/document/panels.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -27,27 +29,12 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   const auto put = [this](workbench::PanelId id, std::unique_ptr<Panel> panel) {
     panels_[static_cast<std::size_t>(id)] = std::move(panel);
   };
-  put(workbench::PanelId::kAgents, MakeAgentsPanel());
-  put(workbench::PanelId::kMind, MakeMindPanel());
-  put(workbench::PanelId::kMemory, MakeMemoryPanel());
-  put(workbench::PanelId::kRules, MakeRulesPanel());
-  put(workbench::PanelId::kWhy, MakeWhyPanel());
-  put(workbench::PanelId::kLinks, MakeLinksPanel());
-  put(workbench::PanelId::kMessages, MakeMessagesPanel());
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos)
+    if (workbench::document::HasDocument(info.id)) put(info.id, std::make_unique<DocumentPanel>(info.id));
   put(workbench::PanelId::kTimeline, MakeTimelinePanel());
-  put(workbench::PanelId::kTrace, MakeTracePanel());
-  put(workbench::PanelId::kPlots, MakePlotsPanel());
   put(workbench::PanelId::kConsole, MakeConsolePanel());
   put(workbench::PanelId::kEdit, MakeEditPanel());
-  put(workbench::PanelId::kBreakpoints, MakeBreakpointsPanel());
-  put(workbench::PanelId::kFutures, MakeFuturesPanel());
   put(workbench::PanelId::kProblems, MakeProblemsPanel());
-  put(workbench::PanelId::kWatch, MakeWatchPanel());
-  put(workbench::PanelId::kLongTerm, MakeLongTermPanel());
-  put(workbench::PanelId::kLearning, MakeLearningPanel());
-  put(workbench::PanelId::kExercise, MakeExercisePanel());
-  put(workbench::PanelId::kImagery, MakeImageryPanel());
-  put(workbench::PanelId::kMinds, MakeMindsPanel());
   put(workbench::PanelId::kMission, MakeMissionPanel());
 }
 
@@ -94,7 +81,6 @@ void Workspace::Draw(PanelFrame& frame, int width, int height, float frames_per_
   DrawToolbar(frame, m, frames_per_second);
   DrawScrubber(frame, m);
   for (const Area area : {Area::kLeft, Area::kRight, Area::kBottom}) DrawArea(frame, area, m);
-  focus_.reset();
   if (std::exchange(wants_copy_, false)) Copy(frame, used_);
   cover_ = {0, 0, 0, 0};
   if (layout.first_steps && !only_picture) {
@@ -144,6 +130,9 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
     if ((moved.x != 0 || moved.y != 0) && ImGui::IsWindowHovered(kOver)) used_ = panel;
     FocusNextField(focus_ == panel);
     if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
+    // A panel that was opened now may have its field in some frames.
+    constexpr int kPatience_frames = 30;
+    if (focus_ == panel && (!IsFocusWanted() || ++focus_waits_ > kPatience_frames)) focus_.reset();
     FocusNextField(false);
   }
   DrawSplitter(area, corner, size, m);
@@ -155,8 +144,8 @@ namespace {
 /// "Problems 3"
 std::string TitleOf(workbench::PanelId panel, const workbench::Contents& contents) {
   std::string title(InfoOf(panel).title);
-  if (panel == workbench::PanelId::kProblems && !contents.problems.empty())
-    title.append(1, ' ').append(std::to_string(contents.problems.size()));
+  const std::size_t count = panel == workbench::PanelId::kProblems ? contents.problems.size() : 0;
+  if (count > 0) title.append(1, ' ').append(std::to_string(count));
   return title;
 }
 
@@ -279,6 +268,7 @@ void Workspace::Open(workbench::PanelId panel) {
   layout.Show(panel);
   used_ = panel;
   focus_ = panel;
+  focus_waits_ = 0;
 }
 
 void Workspace::Copy(PanelFrame& frame, workbench::PanelId panel) {

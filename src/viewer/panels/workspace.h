@@ -50,7 +50,10 @@ class Workspace {
   /// Brings a panel to the front and gives it the keyboard.
   void Open(workbench::PanelId panel);
   /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
-  void FocusField() { focus_ = used_; }
+  void FocusField() {
+    focus_ = used_;
+    focus_waits_ = 0;
+  }
   /// What that panel shows goes to the clipboard.
   void CopyPanel() { wants_copy_ = true; }
   /// Where something small lies over the picture and takes the mouse; empty: nothing does.
@@ -58,7 +61,6 @@ class Workspace {
 
   Layout layout;
   bool show_help = false;
-  std::string shown_object;   ///< See PanelFrame.
   bool only_picture = false;  ///< All panels are hidden for now.
 
  private:
@@ -97,7 +99,8 @@ class Workspace {
   PictureRect cover_{0, 0, 0, 0};
   workbench::PanelId used_ =
       workbench::PanelId::kAgents;           ///< Under the mouse when it was moved last, or opened by key since then.
-  std::optional<workbench::PanelId> focus_;  ///< Its field takes the keyboard in the next frame.
+  std::optional<workbench::PanelId> focus_;  ///< Its field takes the keyboard as soon as it has one.
+  int focus_waits_ = 0;                      ///< Frames in which it had none.
   bool wants_copy_ = false;
   std::string layout_name_;  ///< As typed into the menu of layouts.
   std::string layout_fault_;

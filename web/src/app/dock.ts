@@ -19,7 +19,7 @@ function listKey(event: KeyboardEvent, body: HTMLElement): void {
   const stops = new Map<Element, HTMLElement>();
   for (const one of body.querySelectorAll<HTMLElement>(PRESSED)) {
     const row = one.closest(ROWS);
-    if (row !== null && one.offsetParent !== null && !stops.has(row)) stops.set(row, one);
+    if (row !== null && row.closest("thead") === null && one.offsetParent !== null && !stops.has(row)) stops.set(row, one);
   }
   const all = [...stops.values()], at = all.indexOf(stops.get(now.closest(ROWS)!) ?? now);
   const next = event.key === "ArrowDown" ? at + 1 : event.key === "ArrowUp" ? at - 1 : event.key === "Home" ? 0 : event.key === "End" ? all.length - 1 : -1;

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { patch, type Child } from "../dom/view";
+import { documentPanel } from "../document/document_panel";
 import { EditPanel } from "../editor/edit_panel";
 import { missionPanel } from "../lesson/mission_panel";
 import { Attempt } from "../lesson/attempt";
-import { agentsPanel } from "../panels/agents";
-import { breakpointsPanel } from "../panels/breakpoints";
 import { consolePanel } from "../panels/console";
-import { exercisePanel } from "../panels/exercise";
-import { futuresPanel } from "../panels/futures";
-import { imageryPanel } from "../panels/imagery";
-import { learningPanel } from "../panels/learning";
-import { linksPanel } from "../panels/links";
-import { longtermPanel } from "../panels/longterm";
-import { memoryPanel } from "../panels/memory";
-import { messagesPanel } from "../panels/messages";
-import { mindPanel } from "../panels/mind";
-import { mindsPanel } from "../panels/minds";
 import type { Panel, PanelContext, PlaceFiles } from "../panels/panel";
 import { outputPanel } from "../panels/output";
-import { plotsPanel } from "../panels/plots";
+import { ARRANGEMENTS, PANELS } from "../panels/panel_table";
 import { problemsPanel } from "../panels/problems";
-import { rulesPanel } from "../panels/rules";
 import { timelinePanel } from "../panels/timeline";
-import { tracePanel } from "../panels/trace";
-import { watchPanel } from "../panels/watch";
-import { whyPanel } from "../panels/why";
 import type { ContentName } from "../run/contents";
 import type { Run } from "../run/run";
 import { Dock } from "./dock";
@@ -36,23 +21,18 @@ import { Stage } from "./stage";
 
 const NARROW = "(max-width: 900px)";
 
-/** Which panels stand where: for lessons, for worlds, and on narrow screens. */
-const ARRANGEMENTS = {
-  lesson: {
-    left: ["mission", "agents"], right: ["edit"],
-    bottom: ["why", "mind", "output", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
-  },
-  world: {
-    left: ["agents", "mission", "problems"], right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints"],
-    bottom: ["timeline", "output", "trace", "messages", "plots", "console", "watch", "minds", "learning", "longterm", "imagery", "futures"],
-  },
-  report: { left: ["agents", "mission"], right: ["mind", "why"], bottom: ["timeline", "output", "messages", "trace", "imagery"] },
-  narrowReport: { left: [], right: [], bottom: ["mission", "agents", "mind", "why", "timeline", "output", "messages", "trace", "imagery"] },
-  narrow: {
-    left: [], right: [],
-    bottom: ["mission", "edit", "agents", "output", "why", "mind", "memory", "rules", "links", "timeline", "trace", "messages", "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints", "minds", "futures"],
-  },
-} as const;
+/** All panels in one row of tabs: the task and the rules first. */
+function inOneRow({ left, right, bottom }: Arrangement): Arrangement {
+  const all = [...left, ...right, ...bottom], first = ["mission", "edit"].filter((word) => all.includes(word));
+  return { left: [], right: [], bottom: [...first, ...all.filter((word) => !first.includes(word))] };
+}
+
+/** Where panels stand on this kind of page. */
+function arrangementOf(shape: string): Arrangement {
+  if (shape === "narrow") return inOneRow(ARRANGEMENTS.lesson);
+  if (shape === "narrowReport") return inOneRow(ARRANGEMENTS.report);
+  return shape === "report" ? ARRANGEMENTS.report : shape === "world" ? ARRANGEMENTS.world : ARRANGEMENTS.lesson;
+}
 
 interface Arrangement { readonly left: readonly string[]; readonly right: readonly string[]; readonly bottom: readonly string[] }
 
@@ -95,6 +75,7 @@ export class RunPage {
         run.ask("ask", { about, ...(what === undefined ? {} : { what }) });
         this.reveal("why");
       },
+      beforeEdit: () => this.edit.flush(),
       edit: (file, line) => {
         this.edit.flush();
         run.ask("edit", { file, ...(line === undefined ? {} : { line }) });
@@ -102,10 +83,8 @@ export class RunPage {
       },
     };
     this.edit = new EditPanel(context, () => this.applied());
-    this.panels = [
-      missionPanel, agentsPanel, whyPanel, mindPanel, memoryPanel, rulesPanel, linksPanel, timelinePanel, tracePanel, messagesPanel, problemsPanel, consolePanel, watchPanel, plotsPanel,
-      learningPanel, outputPanel, longtermPanel, breakpointsPanel, mindsPanel, futuresPanel, exercisePanel, imageryPanel,
-    ].map((make) => make(context));
+    const own = [missionPanel, timelinePanel, problemsPanel, consolePanel, outputPanel].map((make) => make(context));
+    this.panels = [...own, ...PANELS.filter((one) => one.hasDocument).map((one) => documentPanel(context, one))];
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
     this.element.append(this.work, this.foot);
@@ -133,7 +112,7 @@ export class RunPage {
     this.shape = shape;
     this.hasExercise = hasExercise;
     this.element.dataset["shape"] = shape;
-    const arranged = shape === "embedded" ? { left: [], right: [], bottom: (this.only ?? []).filter((word) => this.panels.some((one) => one.word === word)) } : withExercise(ARRANGEMENTS[shape], hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
+    const arranged = shape === "embedded" ? { left: [], right: [], bottom: (this.only ?? []).filter((word) => this.panels.some((one) => one.word === word)) } : withExercise(arrangementOf(shape), hasExercise, isNarrow), contents = (): typeof this.run.contents => this.run.contents, changed = (): void => this.look();
     const dock = (name: string, words: readonly string[]): Dock => new Dock(name, `${shape}.${name}`, words.map((word) => this.panels.find((one) => one.word === word)!), contents, changed);
     const middle = document.createElement("div");
     middle.className = "middle";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
 import type { Contents } from "../run/contents";
-import type { Panel, PanelContext } from "../panels/panel";
+import { infoOf, type Panel, type PanelContext } from "../panels/panel";
 import { problemView } from "../panels/problems";
 import type { Editor, EditorCommand } from "./editor";
 import { unpackText } from "../app/address";
@@ -19,8 +19,8 @@ const RELOADED = /^Reloaded/;
 /** The panel with the editor: files, the text, what is wrong with it, and Apply. The editor itself is loaded when it is needed. */
 export class EditPanel implements Panel {
   readonly word = "edit";
-  readonly title = "Rules' text";
-  readonly about = "Change rules and reload them while the world runs.";
+  readonly title = infoOf("edit").title;
+  readonly about = infoOf("edit").about;
   readonly uses = ["edit", "moment", "mission"] as const;
   private editor: Editor | null = null;
   private readonly client: LanguageClient;

@@ -2,7 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import { icon } from "../app/icons";
 import type { Check, Contents, Lesson, LessonOffer, Time } from "../run/contents";
-import type { MakePanel, PanelContext } from "../panels/panel";
+import { infoOf, type MakePanel, type PanelContext } from "../panels/panel";
 import { clock, empty } from "../panels/parts";
 import { passedOf, standingOf, whyOpen, type Standing } from "./attempt";
 
@@ -123,7 +123,7 @@ export const missionPanel: MakePanel = (context) => {
       ]);
   };
   return {
-    word: "mission", title: "Task", about: "What agents are to do: checks that tick off as they come true.", uses: ["mission", "moment"],
+    ...infoOf("mission"), uses: ["mission", "moment"],
     badge: (contents) => {
       if (contents.mission === undefined || contents.mission.checks.length === 0) return "";
       const { passed, of } = passedOf(contents.mission, contents.moment?.time, context.attempt);
@@ -134,7 +134,7 @@ export const missionPanel: MakePanel = (context) => {
       if (mission === undefined) return empty("The task and its checks come when the world runs.");
       if (mission.lesson === null && mission.checks.every((one) => one.is_marker)) return empty("Nothing is checked in this world. A scenario's file mission.toml can say what its agents are to do; worlds of Lua scripts alone are checked by soarbox test.");
       const { lesson } = mission, mayAsk = context.run.hello?.may_edit !== false;
-      return [lesson === null && h("h2.hidden", { key: "heading" }, "Task"), lesson !== null && lessonView(lesson, mission.lessons), checksView(contents), lesson !== null && mayAsk && actions(context, lesson, !lesson.is_graded && gradeLines(lesson.grade).isPass)];
+      return [lesson === null && h("h2.hidden", { key: "heading" }, infoOf("mission").title), lesson !== null && lessonView(lesson, mission.lessons), checksView(contents), lesson !== null && mayAsk && actions(context, lesson, !lesson.is_graded && gradeLines(lesson.grade).isPass)];
     },
   };
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h } from "../dom/view";
-import type { MakePanel } from "./panel";
+import { infoOf, type MakePanel } from "./panel";
 import { noMind } from "./parts";
 
 export const consolePanel: MakePanel = (context) => {
   let line = "", place = 0, asked = "";
   const history: string[] = [];
   return {
-    word: "console", title: "Console", about: "The Soar command line of the selected agent.", uses: ["console", "moment"],
+    ...infoOf("console"), uses: ["console", "moment"],
     view: (contents) => {
       const agent = contents.moment?.agent ?? "", lines = contents.console?.lines ?? [], completion = contents.console?.completion;
       if (agent === "") return noMind(context, contents, "Select an agent: you can give the kernel of its mind commands here, such as print s1 or matches my*rule, and its script Lua, such as lua agent:GetPosition().");

@@ -3,6 +3,7 @@ import type { Child } from "../dom/view";
 import type { Attempt } from "../lesson/attempt";
 import type { ContentName, Contents } from "../run/contents";
 import type { Run } from "../run/run";
+import { PANELS, type PanelInfo } from "./panel_table";
 
 /** Files of a place, by the names that the run gives them ("/place/home/..."). Both throw what was wrong. */
 export interface PlaceFiles {
@@ -21,6 +22,8 @@ export interface PanelContext {
   reveal(word: string): void;
   /** Asks why something is, and shows the answer. */
   why(about: string, what?: string): void;
+  /** Before another file is opened in the editor: what was typed goes to the run. */
+  beforeEdit(): void;
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
@@ -50,3 +53,9 @@ export interface Panel {
 }
 
 export type MakePanel = (context: PanelContext) => Panel;
+
+/** Word, title and description of a panel of the table. */
+export function infoOf(word: string): Pick<PanelInfo, "word" | "title" | "about"> {
+  const { title, about } = PANELS.find((one) => one.word === word)!;
+  return { word, title, about };
+}

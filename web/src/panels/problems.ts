@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type View } from "../dom/view";
 import type { Problem } from "../run/contents";
-import type { MakePanel, PanelContext } from "./panel";
+import { infoOf, type MakePanel, type PanelContext } from "./panel";
 import { empty, moment } from "./parts";
 
 export function problemView(context: PanelContext, one: Problem, ...more: View[]): View {
@@ -12,7 +12,7 @@ export function problemView(context: PanelContext, one: Problem, ...more: View[]
 }
 
 export const problemsPanel: MakePanel = (context) => ({
-  word: "problems", title: "Problems", about: "Errors and warnings in full, with file and line.", uses: ["problems"],
+  ...infoOf("problems"), uses: ["problems"],
   badge: (contents) => {
     const count = (contents.problems?.problems ?? []).filter((one) => one.severity !== "note" && !context.attempt.isMended(one)).length;
     return count === 0 ? "" : String(count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h } from "../dom/view";
 import type { Contents, Span, Track } from "../run/contents";
-import type { MakePanel } from "./panel";
+import { infoOf, type MakePanel } from "./panel";
 import { clock, empty } from "./parts";
 
 const NAMES_PX = 92, LINE_PX = 16, GAP_PX = 6, MARKS_PX = 14, SCALE_PX = 22, MOST_TICKS = 900;
@@ -100,7 +100,7 @@ export const timelinePanel: MakePanel = (context) => {
   };
 
   return {
-    word: "timeline", title: "Timeline", about: "Operators, impasses, commands and events over time. Click to go there.", uses: ["timeline", "moment"],
+    ...infoOf("timeline"), uses: ["timeline", "moment"],
     view: (contents) => {
       latest = contents;
       const tracks = contents.timeline?.timeline ?? [];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import type { ContentName, Contents, Ghosts, Imagery, Moment, Trace } from "./contents";
+import type { Span } from "../document/document";
+import type { ContentName, Contents, DocumentContent, Ghosts, Imagery, Moment } from "./contents";
 import type { Listener, Request, RunSource } from "./source";
 
 /** A recorded run as `soarbox report` puts it into a page (app/scene_report.cpp). */
@@ -58,7 +59,7 @@ export class FileSource implements RunSource {
   private readonly told = new Map<string, unknown>();
   private readonly whiles = new Map<string, number>();
   /** The trace that was told, and as much of it as had happened. */
-  private traced: { whole: Trace; past: Trace } | null = null;
+  private traced: { whole: DocumentContent; count: number; past: DocumentContent } | null = null;
 
   constructor(private readonly run: RecordedRun) {
     this.tick = run.first_tick;
@@ -177,16 +178,19 @@ export class FileSource implements RunSource {
     this.block = wanted;
   }
 
-  /** The same object while it holds the same lines. */
-  private pastOf(whole: Trace): Trace {
-    const lines = whole.lines.filter((line) => line.tick <= this.tick), known = this.traced;
-    if (known === null || known.whole !== whole || known.past.lines.length !== lines.length) this.traced = { whole, past: { lines } };
+  /** What had happened of a trace; the same object while it holds the same lines. */
+  private pastOf(whole: DocumentContent): DocumentContent {
+    const past = (whole.document ?? []).filter((node) => node.is !== "form").map((node) => node.is !== "table" ? node : { ...node, rows: node.rows.filter((row) => {
+      const cell = row.c[0], spans = typeof cell === "object" && "s" in cell ? cell.s : cell, tick = Array.isArray(spans) ? (spans[0] as Span)[0] : undefined;
+      return typeof tick !== "number" || tick <= this.tick;
+    }) });
+    const count = past.reduce((sum, node) => sum + (node.is === "table" ? node.rows.length : 0), 0), known = this.traced;
+    if (known === null || known.whole !== whole || known.count !== count) this.traced = { whole, count, past: { document: past } };
     return this.traced!.past;
   }
 
-  private showAnswer(now: Record<string, unknown>, imagery: Imagery, ghosts: Ghosts | undefined): void {
-    const answers = imagery.imagery.scenes.flatMap((scene) => scene.extracts.flatMap((one) => one.values)), shown = answers.find((one) => one.record === this.record);
-    if (this.record !== "") now["imagery"] = { ...imagery, record: this.record } satisfies Imagery;
+  private showAnswer(now: Record<string, unknown>, { imagery }: Imagery, ghosts: Ghosts | undefined): void {
+    const answers = imagery.scenes.flatMap((scene) => scene.extracts.flatMap((one) => one.values)), shown = answers.find((one) => one.record === this.record);
     now["ghosts"] = { ghosts: [], shapes: [], ...ghosts, answer: { text: shown?.value ?? "", lines: shown?.lines ?? [] } } satisfies Ghosts;
   }
 
@@ -205,7 +209,7 @@ export class FileSource implements RunSource {
       this.whiles.set(each.name, each.tick);
     }
     if ("imagery" in now && (this.record !== "" || this.told.has("ghosts"))) this.showAnswer(now, now["imagery"] as Imagery, now["ghosts"] as Ghosts | undefined);
-    if ("trace" in now) now["trace"] = this.pastOf(now["trace"] as Trace);
+    if ("trace" in now) now["trace"] = this.pastOf(now["trace"] as DocumentContent);
     const changed: Record<string, unknown> = {};
     for (const [name, content] of Object.entries(now)) {
       if (name !== "moment" && this.told.get(name) === content) continue;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "viewer/panels/panel.h"
+#include "workbench/document/document.h"
+#include "workbench/panel_id.h"
+
+namespace soarbox::viewer {
+
+/// Draws documents (workbench/document/document.h). It keeps what the user sets in them by the keys of their parts:
+/// filters, sorting, chosen pages, typed text. ImGui keeps what is unfolded.
+class DocumentView {
+ public:
+  /// The last table or tree takes the height that is left.
+  void Draw(PanelFrame& frame, const workbench::document::Nodes& nodes);
+
+ private:
+  struct TableState {
+    std::string filter;
+    int group = 0;
+    int sorted_by = -1;  ///< A column; -1: the document's order.
+    bool is_descending = false;
+    std::vector<std::size_t> rows;  ///< That are shown, in their order.
+    std::vector<float> widths;      ///< That the columns needed at most so far, px.
+    std::uint64_t revision = ~std::uint64_t{0}, measured = ~std::uint64_t{0};
+    std::string arranged_for;
+    float scale = 0, room = 0;
+  };
+  struct FieldState {
+    std::string text, told;  ///< `told`: what the document said last.
+    int choice = 0;
+    bool is_set = false, is_active = false;
+  };
+
+  void DrawNodes(PanelFrame& frame, const workbench::document::Nodes& nodes, bool fills);
+  void DrawRange(PanelFrame& frame, const workbench::document::Nodes& nodes, std::size_t begin, std::size_t end,
+                 bool fills);
+  /// The story at this place, with what comes after it if there is room.
+  void DrawStory(PanelFrame& frame, const workbench::document::Nodes& nodes, std::size_t place);
+  void DrawNode(PanelFrame& frame, const workbench::document::Node& node, bool fills);
+  void DrawLine(PanelFrame& frame, const workbench::document::Line& line);
+  void DrawButton(PanelFrame& frame, const workbench::document::Button& button);
+  void DrawForm(PanelFrame& frame, const workbench::document::Form& form);
+  bool DrawField(PanelFrame& frame, const workbench::document::Form& form, const workbench::document::Field& field,
+                 float right);
+  static bool DrawSuggested(const workbench::document::Form& form, const workbench::document::Field& field,
+                            FieldState& state, float right);
+  void Send(PanelFrame& frame, const workbench::document::Form& form);
+  void DrawTable(PanelFrame& frame, const workbench::document::Table& table, bool fills);
+  void Arrange(PanelFrame& frame, const workbench::document::Table& table, TableState& state) const;
+  /// The columns that are shown; notes what their texts need.
+  static std::vector<std::size_t> MeasureColumns(PanelFrame& frame, const workbench::document::Table& table,
+                                                 TableState& state, float room);
+  void DrawTableBar(PanelFrame& frame, const workbench::document::Table& table, TableState& state);
+  void DrawRows(PanelFrame& frame, const workbench::document::Table& table, TableState& state,
+                const std::vector<std::size_t>& columns);
+  void DrawTree(PanelFrame& frame, const workbench::document::Tree& tree);
+  void DrawSection(PanelFrame& frame, const workbench::document::Section& section);
+  void DrawTabs(PanelFrame& frame, const workbench::document::Tabs& tabs, bool fills);
+  void DrawColumns(PanelFrame& frame, const workbench::document::Columns& columns);
+
+  std::map<std::string, TableState> tables_;
+  std::map<std::string, FieldState> fields_;
+  std::string focused_form_;                    ///< Whose line takes the keyboard next.
+  std::map<std::string, std::string> reasons_;  ///< Of pages, as documents said last.
+  float plot_height_ = 80;                      ///< Of the plots that are drawn now, px.
+  std::map<std::string, int> pages_;
+  std::map<std::string, float> heights_;  ///< Of stories when they were drawn last, px.
+};
+
+/// A panel that is described by a document.
+class DocumentPanel final : public Panel {
+ public:
+  explicit DocumentPanel(workbench::PanelId panel) : panel_(panel) {}
+  void Draw(PanelFrame& frame) override;
+  std::string Text(const PanelFrame& frame) const override;
+
+ private:
+  const workbench::PanelId panel_;
+  workbench::document::Nodes nodes_;
+  std::uint64_t revision_ = ~std::uint64_t{0};
+  DocumentView view_;
+};
+
+}  // namespace soarbox::viewer

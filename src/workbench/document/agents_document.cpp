@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Agents: everybody in the world, what each does, and whether it is in trouble.
+#include <cmath>
+#include <utility>
+
+#include "workbench/document/build.h"
+#include "workbench/document/panels.h"
+#include "workbench/document/terms.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+using debugger::AgentRow;
+
+constexpr float kLowHealth = 35;
+
+/// The impasse of the lowest state, "operator tie"; empty if there is none.
+std::string ImpasseOf(const AgentRow& row) {
+  const std::size_t open = row.state.find('(');
+  return open == std::string::npos ? std::string() : row.state.substr(open + 1, row.state.size() - open - 2);
+}
+
+/// An operator with a long command stays selected in the next decision: that is no trouble.
+bool IsInTrouble(const AgentRow& row) {
+  const std::string impasse = ImpasseOf(row);
+  return !impasse.empty() && (row.op.empty() || impasse != "operator no-change");
+}
+
+/// "follow (O304)" without its identifier, which the panel Mind shows.
+std::string NameAlone(const std::string& op) {
+  return op.substr(0, op.find(" ("));
+}
+
+Cell Doing(const Contents& contents, const AgentRow& row) {
+  if (row.failed) return TextCell("stopped by an error", Role::kBad);
+  if (!row.alive) return TextCell("dead", Role::kQuiet);
+  if (IsInTrouble(row)) {
+    const std::string impasse = ImpasseOf(row);
+    return {{Span{impasse, Role::kWarn, std::nullopt, std::string(MeaningOf(impasse))}}};
+  }
+  const auto activity = contents.activities.find(row.id);
+  if (activity != contents.activities.end() && !activity->second.empty()) return TextCell(activity->second);
+  if (debugger::IsForeign(row)) return TextCell("foreign");
+  const std::string doing = !row.op.empty()        ? NameAlone(row.op)
+                            : !row.last_op.empty() ? NameAlone(row.last_op)
+                                                   : row.command;
+  if (!doing.empty()) return TextCell(doing);
+  return TextCell(row.has_mind ? "idle" : row.script.empty() ? "" : "script " + row.script, Role::kQuiet);
+}
+
+std::string Microseconds(double time_us) {
+  return std::to_string(std::llround(time_us)) + " \xc2\xb5s";
+}
+
+std::string HintOf(const AgentRow& row) {
+  std::string text = row.name;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) text += "\n" + std::string(name) + ": " + value;
+  };
+  add("kind", row.kind);
+  add("team", row.team);
+  add("script", row.script);
+  add("state", row.has_mind               ? row.state
+               : debugger::IsForeign(row) ? "foreign: another simulation moves it"
+                                          : "no Soar mind: its script decides");
+  add("operator", row.op);
+  add("command", row.command);
+  add("error", row.error);
+  return text;
+}
+
+TableRow RowOf(const Contents& contents, const AgentRow& agent) {
+  const bool is_dull = !agent.alive || agent.failed;
+  TableRow row;
+  row.key = agent.name;
+  row.hint = HintOf(agent);
+  row.is_chosen = agent.name == contents.agent;
+  row.sign = BodySign{agent.team, agent.kind, debugger::IsForeign(agent)};
+  Cell name = TextCell(agent.name, is_dull ? Role::kQuiet : Role::kPlain);
+  if (agent.errors > 0)
+    name.spans.push_back({" \xe2\x9a\xa0" + std::to_string(agent.errors), Role::kBad,
+                          Action{SelectRequest{agent.name}, PanelId::kProblems}, agent.error});
+  const long health = std::lround(agent.health);
+  row.cells = {std::move(name),
+               TextCell(agent.team, Role::kQuiet),
+               Doing(contents, agent),
+               NumberCell(static_cast<double>(health), std::to_string(health),
+                          agent.health < kLowHealth || is_dull ? Role::kBad : Role::kQuiet),
+               TextCell(agent.kind, Role::kQuiet),
+               Cell()};
+  if (agent.decide_us > 0) row.cells.back() = NumberCell(agent.decide_us, Microseconds(agent.decide_us), Role::kQuiet);
+  return row;
+}
+
+}  // namespace
+
+Nodes AgentsDocument(const Contents& contents) {
+  if (contents.agents.empty())
+    return {Empty("There are no agents in this world yet.",
+                  "A scenario makes them (docs/scenarios.md). Some worlds wait for a key: click the picture, and press "
+                  "the key that the world names.")};
+  Table table;
+  table.key = "agents";
+  table.columns = {{"Name"},         {"Team", false, true}, {"Doing"},
+                   {"Health", true}, {"Kind", false, true}, {"Decision", true, true}};
+  table.columns.back().hint = "Real time of the decisions in the last tick";
+  table.press = RowAction{{SelectRequest{}}, "agent"};
+  table.is_sortable = true;
+  table.filter = "Filter";
+  table.none_fits = {"No agent has this text.", ""};
+  for (const AgentRow& agent : contents.agents) table.rows.push_back(RowOf(contents, agent));
+  return {std::move(table)};
+}
+
+}  // namespace soarbox::workbench::document

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Breakpoints: when the world stops.
+#include <utility>
+
+#include "workbench/document/build.h"
+#include "workbench/document/panels.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+Form NewBreakpoint(const Contents& contents) {
+  Form form;
+  form.key = "new";
+  form.action.request = BreakRequest{};
+  Field kind{Field::Kind::kChoice, "kind", "What to wait for"};
+  for (const debugger::BreakKindWords& each : debugger::kBreakKinds) kind.options.emplace_back(each.name, each.title);
+  form.fields.push_back(std::move(kind));
+  if (!contents.agent.empty()) {
+    Field agent{Field::Kind::kCheck, "agent", "in " + contents.agent + " only"};
+    agent.options = {{"", ""}, {contents.agent, contents.agent}};
+    form.fields.push_back(std::move(agent));
+  }
+  form.fields.push_back(
+      {Field::Kind::kLine, "what",
+       "A rule, ID ^attribute value, ^attribute < number, an operator, an impasse, a command, a check or seconds; "
+       "* or nothing: any",
+       "the rule's name, ^health < 20, ...; * for any"});
+  form.button = "Add";
+  form.clears = true;
+  return form;
+}
+
+}  // namespace
+
+Nodes BreakpointsDocument(const Contents& contents) {
+  Nodes nodes;
+  for (const debugger::BreakHit& hit : contents.hits)
+    nodes.push_back(Text(Spans{{"stopped", Role::kTag}, {" "}, Time(hit.tick), {" " + hit.why, Role::kWarn}}));
+  if (contents.moment.is_recording) {
+    nodes.push_back(
+        Empty("Nothing stops a recording.", "Breakpoints are for a run: search its trace or click in its timeline."));
+    return nodes;
+  }
+  nodes.push_back(Heading("Stop the world when"));
+  nodes.push_back(NewBreakpoint(contents));
+  if (contents.breakpoints.empty()) {
+    nodes.push_back(
+        Empty("No breakpoints.", "The world pauses at the end of the tick in which what you wait for happens."));
+    return nodes;
+  }
+  using What = ChangeBreakRequest::What;
+  Table table;
+  table.key = "breakpoints";
+  table.columns = {{"On"}, {"When", false, false, true}, {"Hits", true}, {""}};
+  for (const debugger::Breakpoint& point : contents.breakpoints) {
+    TableRow row;
+    row.key = std::to_string(point.number);
+    const std::string what = point.what.empty() ? "" : ": " + point.what;
+    row.cells = {{{Span{point.enabled ? "on" : "off", Role::kTag,
+                        Action{ChangeBreakRequest{point.number, point.enabled ? What::kDisable : What::kEnable}},
+                        point.enabled ? "Switch it off" : "Switch it on"}}},
+                 TextCell((point.agent.empty() ? "any agent" : point.agent) + ": " +
+                              std::string(debugger::kBreakKinds[static_cast<std::size_t>(point.kind)].title) + what,
+                          point.enabled ? Role::kPlain : Role::kQuiet),
+                 CountCell(point.hits),
+                 {{Span{"\xc3\x97", Role::kTag, Action{ChangeBreakRequest{point.number, What::kClear}}, "Remove"}}}};
+    table.rows.push_back(std::move(row));
+  }
+  nodes.push_back(std::move(table));
+  return nodes;
+}
+
+}  // namespace soarbox::workbench::document

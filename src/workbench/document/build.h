@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "explain/memory_facts.h"
+#include "mind/facts.h"
+#include "workbench/contents.h"
+#include "workbench/document/document.h"
+
+namespace soarbox::workbench::document {
+
+// What the documents of several panels are made of.
+
+Node Text(std::string text, Role role = Role::kPlain);
+Node Text(Spans spans);
+Node Heading(std::string text, std::string hint = {});
+/// What an empty panel says: what is missing, and what to do about it.
+Node Empty(std::string what, std::string advice = {});
+
+Span Quiet(std::string text);
+Span Time(std::uint64_t tick);
+/// Leads to the rule in the panel Rules.
+Span RuleLink(const std::string& rule, Role role = Role::kName);
+/// Selects the agent.
+Span AgentLink(const std::string& agent);
+/// "(S1 ^io I1)"; leads to the element in the panel Memory.
+Span ElementLink(const mind::ElementFact& element);
+/// Leads to the file: into the panel Edit if it can be edited there, else into the user's editor.
+Span FileLink(const Contents& contents, const std::string& file, int line, std::string text);
+Action AskWhy(WhyRequest::About about, std::string what);
+
+/// "(S1 ^io I1 +)"
+std::string ElementText(const mind::ElementFact& element);
+/// "move-to (O3)"
+std::string NamedAs(const std::string& name, const std::string& id);
+/// "1 match", "2 matches"
+std::string Count(std::uint64_t count, std::string_view one, std::string_view many);
+/// A number without zeros at the end of its fraction: "39.5" for "39.500000"; other texts as they are.
+std::string ShortNumber(std::string_view text);
+/// "0:01.20"
+std::string ClockText(double seconds);
+/// With at most this many significant digits.
+std::string Rounded(double value, int digits = 4);
+/// Whether it is written as a number.
+bool IsNumber(std::string_view text);
+
+Cell TextCell(std::string text, Role role = Role::kPlain);
+Cell NumberCell(double value, std::string text, Role role = Role::kPlain);
+Cell CountCell(std::uint64_t count);
+Cell TimeCell(std::uint64_t tick);
+
+/// Why nothing of the selected agent's mind can be shown, and what to do; none: it can.
+std::optional<Nodes> WithoutMind(const Contents& contents);
+/// That what follows is as recorded; nothing in a live run.
+void NoteRecorded(const Contents& contents, Nodes& nodes);
+/// A tree of reasons, unfolded to this depth.
+Tree ReasonTree(const Contents& contents, const debugger::WhyNode& root, int open_to = 3);
+/// Toggles for the agents whose minds are shown side by side.
+Line BesideLine(const Contents& contents);
+
+}  // namespace soarbox::workbench::document

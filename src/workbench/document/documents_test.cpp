@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// What panels show, as text: tests/workbench/documents has a file for each panel, with the situations one after
+// another.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "workbench/document/curves.h"
+#include "workbench/document/filled_run_fixture.h"
+#include "workbench/document/panels.h"
+#include "workbench/requests_json.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+using testing::HasSubstr;
+
+struct Situation {
+  const char* title;
+  const char* agent;
+  std::function<void(Contents&)> change;
+};
+
+class Documents : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    run = std::make_unique<FilledRun>();
+    run->models.plots.Remove("walker", "decide_us");  // Real time.
+  }
+  static void TearDownTestSuite() { run.reset(); }
+
+  /// Without the folder that the run's files are in.
+  static std::string TextOf(PanelId panel) {
+    std::string text = ToText(DocumentOf(panel, run->contents), run->contents.moment.step_s);
+    const std::string folder = run->folder().string() + "/";
+    for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
+      text.erase(at, folder.size());
+    return text;
+  }
+
+  inline static std::unique_ptr<FilledRun> run;
+};
+
+/// Situations in which every panel is looked at.
+std::vector<Situation> Situations() {
+  const auto clear = [](Contents& contents) {
+    contents.agents.clear();
+    contents.agent_count = 0;
+    contents.soar_agents.clear();
+    contents.messages = nullptr;
+    contents.plots = nullptr;
+    contents.exercise.reset();
+    contents.breakpoints.clear();
+    contents.hits.clear();
+  };
+  return {
+      {"an agent that acts", "walker", {}},
+      {"an agent in an impasse", "listener-with-a-rather-long-name", {}},
+      {"nobody is selected", "", {}},
+      {"an empty world", "", clear},
+      {"scripts decide for everybody", "walker",
+       [](Contents& contents) {
+         contents.has_mind = false;
+         contents.soar_agents.clear();
+       }},
+      {"the agent has no mind, others have", "walker", [](Contents& contents) { contents.has_mind = false; }},
+      {"the mind cannot be looked into", "walker",
+       [](Contents& contents) { contents.not_available = "Its Soar kernel has gone."; }},
+      {"a recording", "walker",
+       [](Contents& contents) {
+         contents.moment.is_recording = true;
+         contents.past_note = "The minds of this moment are being simulated again: 40 %";
+         contents.not_recorded = "Working memory is not recorded at this level.";
+         contents.rules.clear();
+         contents.rule.reset();
+         contents.breakpoints.clear();
+       }},
+  };
+}
+
+TEST_F(Documents, AreAsExpected) {
+  for (const PanelInfo& info : kPanelInfos) {
+    if (!HasDocument(info.id)) continue;
+    std::string text;
+    for (const Situation& situation : Situations()) {
+      run->Fill(situation.agent);
+      for (debugger::AgentRow& agent : run->contents.agents) agent.decide_us = 0;  // Real time.
+      if (situation.change) situation.change(run->contents);
+      text += "# " + std::string(situation.title) + "\n\n" + TextOf(info.id) + "\n";
+    }
+    const std::string file =
+        std::string(SOARBOX_SOURCE_DIR) + "/tests/workbench/documents/" + std::string(info.word) + ".txt";
+    if (std::getenv("WRITE_EXPECTED") != nullptr) std::ofstream(file) << text;
+    std::ostringstream expected;
+    expected << std::ifstream(file).rdbuf();
+    EXPECT_EQ(expected.str(), text) << info.word << ": run this test with WRITE_EXPECTED=1 and read what it changed";
+  }
+}
+
+/// Calls `each` with all actions of a document in JSON: arrays that begin with an object with a request.
+void ForActions(const debugger::Json& json, const std::function<void(const debugger::Json&)>& each) {
+  if (json.is_array() && !json.empty() && json[0].is_object() && json[0].contains("request")) return each(json);
+  if (!json.is_structured()) return;
+  for (const auto& [key, value] : json.items()) ForActions(value, each);
+}
+
+TEST_F(Documents, HoldRequestsThatCanBeReadAndPanelsThatExist) {
+  std::set<std::string> requests;
+  for (const char* agent : {"walker", "listener-with-a-rather-long-name"}) {
+    run->Fill(agent);
+    run->contents.beside = {"walker"};
+    run->contents.watches = {{"S1.operator", {{"walker", "O1", true, false, 3}}}};
+    for (const PanelInfo& info : kPanelInfos) {
+      ForActions(ToJson(DocumentOf(info.id, run->contents)), [&](const debugger::Json& action) {
+        EXPECT_TRUE(ReadRequest(action[0])) << info.word << ": " << action.dump();
+        if (action.size() > 1) EXPECT_TRUE(FindPanel(action[1].get<std::string>())) << action.dump();
+        requests.insert(action[0]["request"].get<std::string>());
+      });
+    }
+  }
+  for (const char* request :
+       {"select", "seek", "ask", "rule", "object", "element", "search-memory", "break", "change-break", "watch",
+        "beside", "plot", "imagine", "coverage", "state", "edit", "search-known"})
+    EXPECT_TRUE(requests.contains(request)) << request;
+}
+
+TEST_F(Documents, KeepTheKeysOfRowsFromTickToTick) {
+  const auto keys = [] {
+    std::vector<std::string> found;
+    for (const Node& node : DocumentOf(PanelId::kMemory, run->contents))
+      if (const auto* tree = std::get_if<Tree>(&node.is))
+        for (const TreeRow& row : tree->rows)
+          for (const TreeRow& below : row.below) found.push_back(below.key);
+    return found;
+  };
+  run->Fill("walker");
+  const std::vector<std::string> before = keys();
+  EXPECT_GT(before.size(), 5u);
+  run->contents.moment.shown_tick += 1;
+  run->contents.objects["S1"].rows[0].element.value = "other";
+  EXPECT_EQ(keys(), before);
+}
+
+TEST_F(Documents, OfMemoryEndWhereObjectsLeadBackAndBeginWithWhatNothingLeadsTo) {
+  run->Fill("walker");
+  debugger::MemoryObject& top = run->contents.objects["S1"];
+  debugger::MemoryRow loop;
+  loop.element = {7, "S1", "self", "S1", false, true};
+  top.rows = {loop};
+  debugger::MemoryObject other;
+  other.id = "X9";
+  run->contents.objects["X9"] = other;
+  EXPECT_THAT(TextOf(PanelId::kMemory), HasSubstr("^self S1"));
+  EXPECT_THAT(TextOf(PanelId::kMemory), HasSubstr("There is no X9 in working memory now."));
+  EXPECT_LT(TextOf(PanelId::kMemory).find("X9"), TextOf(PanelId::kMemory).find("\nS1"));
+}
+
+TEST_F(Documents, OfMemorySayAllAboutAnElement) {
+  run->Fill("walker");
+  debugger::ElementStory story;
+  story.element = {12, "S1", "speed", "1.500000", false, false};
+  mind::MakerFact maker;
+  maker.rule = "walker*propose*seek";
+  maker.o_supported = true;
+  maker.elements = {{3, "S1", "io", "I1", false, true}};
+  story.makers = {maker};
+  story.testers = {{"walker*apply*seek", 1, false, true}};
+  run->contents.story = story;
+  const std::string text = TextOf(PanelId::kMemory);
+  for (const char* part :
+       {"(S1 ^speed 1.500000)", "[Why?]", "[Plot it]", "[Break on such an element]", "[Copy]", "[Close]", "time tag 12",
+        "walker*propose*seek, stays until it is removed", "(S1 ^io I1)", "walker*apply*seek, condition 2, in a match"})
+    EXPECT_THAT(text, HasSubstr(part));
+  run->contents.memory_search = "speed";
+  run->contents.found = {story.element};
+  EXPECT_THAT(TextOf(PanelId::kMemory), HasSubstr("1 element\n"));
+}
+
+TEST_F(Documents, OfMindsShowWhatAScriptShowsAlsoOfAnAgentWithoutAMind) {
+  run->Fill("walker");
+  run->contents.shown.rows = {{0, "behavior tree", "", false, 0}, {1, "chase", "yes", true, 12}};
+  EXPECT_THAT(TextOf(PanelId::kMind), AllOf(HasSubstr("chase"), HasSubstr("Goal stack")));
+  run->contents.has_mind = false;
+  const Nodes nodes = DocumentOf(PanelId::kMind, run->contents);
+  ASSERT_EQ(nodes.size(), 2u);
+  const TableRow& row = std::get<Table>(nodes[1].is).rows.at(1);
+  EXPECT_TRUE(row.is_chosen);
+  EXPECT_EQ(row.depth, 1);
+  EXPECT_EQ(row.hint, "since 0.40 s");
+}
+
+TEST_F(Documents, OfFuturesBeginWithWhoDecidedOtherwise) {
+  run->Fill("walker");
+  FuturesContents& futures = run->contents.futures.emplace();
+  futures.branch_tick = 30;
+  EXPECT_THAT(TextOf(PanelId::kFutures), HasSubstr("So far both futures are the same."));
+  futures.comparison.difference = record::Difference{31, "walker", "rules", "old text", "new text"};
+  futures.comparison.decision = record::Difference{33, "walker", "operator", "seek", ""};
+  futures.comparison.percepts = {"self.health 80, before 100"};
+  for (int i = 0; i < 3; ++i) {
+    record::Comparison::Moment moment;
+    moment.time_s = 1 + i;
+    moment.mean_distance_m = i;
+    futures.comparison.course.push_back(moment);
+  }
+  const std::string text = TextOf(PanelId::kFutures);
+  for (const char* part :
+       {"First other decision or command", "before: seek", "now: nothing", "perceived self.health 80",
+        "The run went back to 0:01.00 and went on from there.", "What differed first: walker rules", "How far apart",
+        "mean distance (m): 3 points, 0 to 2, last 2"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Curves, KeepTheirEndsAndTheirPeaksWhenTheyAreThinned) {
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 20'000; ++i) points.emplace_back(i, i == 7'777 ? 100 : i % 3);
+  const auto thinned = Thinned(points);
+  EXPECT_LE(thinned.size(), kMostPoints);
+  EXPECT_EQ(thinned.front(), points.front());
+  EXPECT_EQ(thinned.back(), points.back());
+  EXPECT_THAT(thinned, testing::Contains(points[7'777]));
+  EXPECT_TRUE(std::ranges::is_sorted(thinned));
+}
+
+}  // namespace
+}  // namespace soarbox::workbench::document

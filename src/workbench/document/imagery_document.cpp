@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Imagery: what the agent imagines, state by state: what its rules ask of the scene, the answers, and the nodes.
+#include <cstdio>
+#include <utility>
+
+#include "workbench/document/build.h"
+#include "workbench/document/panels.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+using debugger::SceneExtractRow;
+using debugger::SceneNodeRow;
+using debugger::SceneValueRow;
+using debugger::SceneView;
+
+/// What an answer is about: its nodes, or what the filter was given.
+std::string AboutOf(const SceneValueRow& value) {
+  std::string text;
+  for (const std::string& node : value.nodes) text += (text.empty() ? "" : ", ") + node;
+  if (!value.nodes.empty()) return text;
+  const std::string& why = value.why.text;
+  const std::size_t filter = why.find(": "), given = filter == std::string::npos ? filter : why.find(' ', filter + 2);
+  return given == std::string::npos ? text : why.substr(given + 1);
+}
+
+/// What of it is drawn over the world.
+Line DrawnLine(const Contents& contents) {
+  Line line{{Text("Draw", Role::kQuiet)}};
+  const auto add = [&](const std::string& state, std::string label, std::string hint) {
+    Button button{std::move(label), Action{ImagineRequest{state, contents.imagined_record}}, std::move(hint)};
+    button.is_on = contents.imagined_state == state;
+    line.nodes.push_back(std::move(button));
+  };
+  add({}, "made up", "Draw what the agent made up in any state: what does not come from the world");
+  for (const SceneView& scene : contents.imagery.scenes)
+    add(scene.state, "all of " + scene.state, "Draw the whole scene of this state over the world");
+  return line;
+}
+
+void AddQuestion(const Contents& contents, const SceneExtractRow& question, Nodes& nodes) {
+  Spans asked{{question.filter.empty() ? question.command : question.filter, Role::kNumber},
+              Quiet(" " + question.id + (question.rule.empty() ? "" : ", asked by "))};
+  if (!question.rule.empty()) asked.push_back(RuleLink(question.rule));
+  nodes.push_back(Text(std::move(asked)));
+  if (!question.problem.empty()) nodes.push_back(Text(question.problem + ": " + question.hint, Role::kBad));
+  Tree answers{"answers " + question.id, "Answers", {}};
+  for (const SceneValueRow& value : question.values) {
+    const bool is_shown = !value.record.empty() && contents.imagined_record == value.record;
+    TreeRow row;
+    row.key = value.record.empty() ? value.text : value.record;
+    Span text{ShortNumber(value.text), Role::kStrong};
+    if (!value.record.empty()) {
+      text.action = Action{ImagineRequest{contents.imagined_state, is_shown ? std::string() : value.record}};
+      text.hint = value.lines.empty() ? "What it was made from" : "Show it in the picture, and what it was made from";
+    }
+    row.spans = {std::move(text), Quiet(" " + AboutOf(value))};
+    row.folds = true;
+    row.is_open = is_shown;
+    row.below = ReasonTree(contents, value.why).rows;
+    answers.rows.push_back(std::move(row));
+  }
+  if (!answers.rows.empty()) nodes.push_back(std::move(answers));
+  if (!question.filter.empty() && question.count == 0) nodes.push_back(Text("no answer", Role::kQuiet));
+  if (question.count > question.values.size())
+    nodes.push_back(Text("and " + std::to_string(question.count - question.values.size()) + " more", Role::kQuiet));
+}
+
+Table NodesOf(const SceneView& scene) {
+  Table table;
+  table.key = "nodes " + scene.state;
+  table.columns = {{"Node"}, {"At"}, {"Tags"}};
+  for (const SceneNodeRow& node : scene.nodes) {
+    char at[96] = "";
+    if (node.depth > 0) std::snprintf(at, sizeof at, "%.2f, %.2f, %.2f", node.at[0], node.at[1], node.at[2]);
+    std::string tags = node.shape == "hull" || node.depth == 0 ? "" : node.shape;
+    for (const auto& [name, value] : node.tags) tags += (tags.empty() ? "^" : " ^") + name + " " + value;
+    TableRow row;
+    row.key = node.name;
+    row.depth = static_cast<int>(node.depth);
+    row.cells = {TextCell(node.name, node.tags.contains("solid") ? Role::kPlain : Role::kObject),
+                 TextCell(at, Role::kQuiet), TextCell(tags, Role::kQuiet)};
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+Nodes ImageryDocument(const Contents& contents) {
+  if (auto without = WithoutMind(contents)) return std::move(*without);
+  const debugger::ImageryView& view = contents.imagery;
+  if (view.scenes.empty()) return {Empty(view.note.empty() ? "It imagines nothing." : view.note)};
+  Nodes nodes;
+  NoteRecorded(contents, nodes);
+  nodes.push_back(DrawnLine(contents));
+  for (const SceneView& scene : view.scenes) {
+    nodes.push_back(Heading(scene.state));
+    if (scene.extracts.empty()) nodes.push_back(Text("No rule asks anything of this scene.", Role::kQuiet));
+    for (const SceneExtractRow& question : scene.extracts) AddQuestion(contents, question, nodes);
+    nodes.push_back(Section{"nodes " + scene.state,
+                            {{Count(scene.nodes.size(), "node", "nodes")}},
+                            {NodesOf(scene)},
+                            view.scenes.size() == 1});
+  }
+  return nodes;
+}
+
+}  // namespace soarbox::workbench::document

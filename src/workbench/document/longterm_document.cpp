@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Long-term memory: objects with their activation, what was recalled and why, episodes.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "workbench/document/build.h"
+#include "workbench/document/panels.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+using debugger::Recall;
+
+constexpr std::size_t kMostRecalls = 300;
+
+/// The object that was recalled last; 0: none was.
+std::uint64_t LastRecalled(const Contents& contents) {
+  if (contents.recalls == nullptr) return 0;
+  const auto& all = contents.recalls->recalls();
+  for (auto recall = all.rbegin(); recall != all.rend(); ++recall)
+    if (!recall->is_episode && recall->number != 0 && recall->tick <= contents.moment.shown_tick) return recall->number;
+  return 0;
+}
+
+Nodes Known(const Contents& contents) {
+  const debugger::LongTermView& view = contents.long_term;
+  Form search;
+  search.key = "known";
+  search.action.request = SearchKnownRequest{};
+  search.fields.push_back(
+      {Field::Kind::kLine, "text", "Search all that is known", "Filter by text", contents.known_search});
+  Nodes nodes{std::move(search)};
+  if (!view.note.empty()) nodes.push_back(Text(view.note, Role::kQuiet));
+  const auto& known = view.facts.known;
+  if (known.empty()) {
+    if (!contents.known_search.empty())
+      nodes.push_back(Empty("Nothing that is known has this text."));
+    else if (view.note.empty())
+      nodes.push_back(Empty("Nothing is known yet.",
+                            "Rules store objects with ^smem.command.store; smem --add adds some at once."));
+    return nodes;
+  }
+  if (contents.known_search.empty() && known.size() < view.facts.objects)
+    nodes.push_back(
+        Text("The " + std::to_string(known.size()) + " most active. The filter looks through all that is known.",
+             Role::kQuiet));
+  double most = 1e-9;
+  for (const mind::KnownObjectFact& object : known) most = std::max(most, std::abs(object.activation));
+  const std::uint64_t recalled = LastRecalled(contents);
+  Table table;
+  table.key = "objects";
+  table.columns = {{"Object"}, {"Activation", true}, {"Uses", true}, {"What is known of it"}};
+  table.is_sortable = true;
+  for (const mind::KnownObjectFact& object : known) {
+    TableRow row;
+    row.key = "@" + std::to_string(object.number);
+    char activation[32];
+    std::snprintf(activation, sizeof activation, "%.3f", object.activation);
+    Cell number = TextCell(row.key, object.number == recalled ? Role::kGood : Role::kObject);
+    if (object.number == recalled) number.spans[0].hint = "Recalled last";
+    row.cells = {std::move(number), NumberCell(object.activation, activation), CountCell(object.uses),
+                 TextCell(object.text)};
+    row.cells[1].bar = object.activation / most;
+    table.rows.push_back(std::move(row));
+  }
+  nodes.push_back(std::move(table));
+  return nodes;
+}
+
+Spans AnswerOf(const Recall& recall) {
+  if (recall.number == 0) return {{"nothing", Role::kBad}};
+  if (!recall.is_episode) return {{"@" + std::to_string(recall.number) + " " + recall.answer, Role::kObject}};
+  return {{"episode " + std::to_string(recall.number), Role::kName,
+           Action{EpisodeRequest{static_cast<std::size_t>(recall.number)}}, "Look at this episode"}};
+}
+
+Nodes Recalled(const Contents& contents) {
+  if (contents.recalls == nullptr || contents.recalls->recalls().empty())
+    return {
+        Empty("Nothing was asked yet.",
+              "Rules ask with ^smem.command.query or ^epmem.command.query. This panel shows what they got, and why.")};
+  Table table;
+  table.key = "recalled";
+  table.columns = {
+      {"When"}, {"Asked for", false, false, true}, {"Came", false, false, true}, {"Why", false, false, true}};
+  table.filter = "Filter by text";
+  table.none_fits = {"No recall has this text.", ""};
+  const auto& all = contents.recalls->recalls();
+  for (auto recall = all.rbegin(); recall != all.rend() && table.rows.size() < kMostRecalls; ++recall) {
+    TableRow row;
+    row.key = std::to_string(all.rend() - recall);
+    row.cells = {TimeCell(recall->tick),
+                 TextCell(recall->question),
+                 {AnswerOf(*recall)},
+                 TextCell(recall->reason, Role::kQuiet)};
+    // Later than the moment that is shown.
+    if (recall->tick > contents.moment.shown_tick) row.cells[0].spans[0].role = Role::kQuiet;
+    table.rows.push_back(std::move(row));
+  }
+  return {std::move(table)};
+}
+
+Nodes Episodes(const Contents& contents) {
+  const debugger::LongTermView& view = contents.long_term;
+  const std::size_t episodes = view.facts.episodes, chosen = contents.episode.number;
+  if (episodes == 0) {
+    if (!view.note.empty()) return {Text(view.note, Role::kQuiet)};
+    return {Empty("There are no episodes yet.", "epmem --enable takes one in each decision.")};
+  }
+  Line line;
+  const auto step = [&](const char* label, std::size_t to, const char* hint, bool is_there) {
+    Button button{label, Action{EpisodeRequest{to}}, hint};
+    button.is_enabled = is_there;
+    line.nodes.push_back(std::move(button));
+  };
+  step("<", chosen - 1, "The episode before", chosen > 1);
+  step(">", chosen + 1, "The next episode", chosen < episodes);
+  if (chosen != 0) step("Close", 0, "", true);
+  Strip strip{"episode", "Episode", episodes, chosen, {}, "recalled by rules", RowAction{{EpisodeRequest{}}, "number"}};
+  if (contents.recalls != nullptr)
+    for (const Recall& recall : contents.recalls->recalls())
+      if (recall.is_episode && recall.number > 0 && recall.number <= episodes &&
+          std::ranges::find(strip.marks, recall.number) == strip.marks.end())
+        strip.marks.push_back(static_cast<std::size_t>(recall.number));
+  Nodes nodes{std::move(line), std::move(strip)};
+  if (chosen == 0) {
+    nodes.push_back(Empty("Choose an episode on the strip: that world appears as ghosts.",
+                          "Marked episodes were recalled by rules; the page Recalled leads to them."));
+    return nodes;
+  }
+  std::string text = "Episode " + std::to_string(chosen) + " of " + std::to_string(episodes);
+  if (chosen <= view.facts.decisions.size()) {
+    const std::uint64_t decision = view.facts.decisions[chosen - 1];
+    text += decision == 0 ? ", from an earlier run" : ", taken in decision " + std::to_string(decision);
+  }
+  nodes.push_back(Text(text));
+  if (contents.episode.things.empty())
+    nodes.push_back(Text("Nothing in this episode has a ^position, so it has no ghosts.", Role::kQuiet));
+  std::string lines;
+  for (const std::string& line_text : contents.episode.lines) lines += (lines.empty() ? "" : "\n") + line_text;
+  nodes.push_back(Code{std::move(lines)});
+  return nodes;
+}
+
+}  // namespace
+
+Nodes LongTermDocument(const Contents& contents) {
+  if (auto without = WithoutMind(contents)) return std::move(*without);
+  const mind::LongTermFacts& facts = contents.long_term.facts;
+  Nodes nodes;
+  NoteRecorded(contents, nodes);
+  Tabs tabs{"pages", {}};
+  if (const std::size_t episode = contents.episode.number; episode != 0) {
+    tabs.first = 2;
+    tabs.reason = "episode " + std::to_string(episode);
+  }
+  tabs.pages.push_back(
+      {"Known " + std::to_string(facts.objects), "Objects of semantic memory, the most active first", Known(contents)});
+  tabs.pages.push_back({"Recalled " + std::to_string(contents.recalls == nullptr ? 0 : contents.recalls->count()),
+                        "What rules asked of long-term memory, what came, and why", Recalled(contents)});
+  tabs.pages.push_back(
+      {"Episodes " + std::to_string(facts.episodes), "What episodic memory holds", Episodes(contents)});
+  nodes.push_back(std::move(tabs));
+  return nodes;
+}
+
+}  // namespace soarbox::workbench::document

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+
+#include "debugger/json.h"
+#include "workbench/contents.h"
+#include "workbench/document/document.h"
+
+namespace soarbox::workbench::document {
+
+/// Whether the panel is described by a document.
+bool HasDocument(PanelId panel);
+/// What the panel shows; empty if it has no document.
+Nodes DocumentOf(PanelId panel, const Contents& contents);
+
+/// A document as JSON (docs/workbench.md).
+debugger::Json ToJson(const Nodes& nodes);
+/// A document as text, all of it; times count from tick 0.
+std::string ToText(const Nodes& nodes, double step_s);
+
+// The documents of the panels, each in a file of its name.
+Nodes AgentsDocument(const Contents& contents);
+Nodes MindDocument(const Contents& contents);
+Nodes MemoryDocument(const Contents& contents);
+Nodes RulesDocument(const Contents& contents);
+Nodes WhyDocument(const Contents& contents);
+Nodes LinksDocument(const Contents& contents);
+Nodes MessagesDocument(const Contents& contents);
+Nodes TraceDocument(const Contents& contents);
+Nodes PlotsDocument(const Contents& contents);
+Nodes BreakpointsDocument(const Contents& contents);
+Nodes FuturesDocument(const Contents& contents);
+Nodes WatchDocument(const Contents& contents);
+Nodes MindsDocument(const Contents& contents);
+Nodes LongTermDocument(const Contents& contents);
+Nodes LearningDocument(const Contents& contents);
+Nodes ExerciseDocument(const Contents& contents);
+Nodes ImageryDocument(const Contents& contents);
+
+struct PanelDocument {
+  PanelId panel;
+  Nodes (*build)(const Contents&);
+};
+inline constexpr PanelDocument kPanelDocuments[] = {
+    {PanelId::kAgents, AgentsDocument},     {PanelId::kMind, MindDocument},
+    {PanelId::kMemory, MemoryDocument},     {PanelId::kRules, RulesDocument},
+    {PanelId::kWhy, WhyDocument},           {PanelId::kLinks, LinksDocument},
+    {PanelId::kMessages, MessagesDocument}, {PanelId::kTrace, TraceDocument},
+    {PanelId::kPlots, PlotsDocument},       {PanelId::kBreakpoints, BreakpointsDocument},
+    {PanelId::kFutures, FuturesDocument},   {PanelId::kWatch, WatchDocument},
+    {PanelId::kMinds, MindsDocument},       {PanelId::kLongTerm, LongTermDocument},
+    {PanelId::kLearning, LearningDocument}, {PanelId::kExercise, ExerciseDocument},
+    {PanelId::kImagery, ImageryDocument},
+};
+
+}  // namespace soarbox::workbench::document

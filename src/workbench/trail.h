@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace soarbox::workbench {
+
+/// The numbers that a user has gone to, with a way back and forward, as in a browser. 0 is no number.
+class Trail {
+ public:
+  /// Goes to a number. The one before or after the current one moves along the trail; any other one replaces what
+  /// comes after the current one.
+  void GoTo(std::uint64_t number);
+  /// The number before the current one; 0: there is none.
+  std::uint64_t before() const { return at_ > 0 ? numbers_[at_ - 1] : 0; }
+  /// The number after the current one; 0: there is none.
+  std::uint64_t after() const { return at_ + 1 < numbers_.size() ? numbers_[at_ + 1] : 0; }
+
+ private:
+  std::vector<std::uint64_t> numbers_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace soarbox::workbench

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-2-Clause
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { textOf, type Child, type View } from "../dom/view";
+import type { PanelContext } from "../panels/panel";
+import { plainText, type Document, type Table, type Tree } from "./document";
+import { documentPanel } from "./document_panel";
+import { DocumentView } from "./document_view";
+import { columnsOf } from "./plot_view";
+
+const MARKUP = "<img onerror=alert(1)>";
+
+function made(answers = true): { view: DocumentView; asked: unknown[]; context: PanelContext } {
+  const asked: unknown[] = [];
+  const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), answers), contents: {} };
+  const context = { run, redraw: (word: string) => asked.push(`redraw ${word}`), reveal: (word: string) => asked.push(`reveal ${word}`), beforeEdit: () => asked.push("flush") } as unknown as PanelContext;
+  return { view: new DocumentView(context, "rules"), asked, context };
+}
+
+function all(child: Child): View[] {
+  if (Array.isArray(child)) return (child as readonly Child[]).flatMap(all);
+  return typeof child === "object" && child !== null ? [child as View, ...all((child as View).children)] : [];
+}
+function find(child: Child, label: string): View {
+  const found = all(child).find((one) => one.tag === "button" && (textOf(one) === label || one.props.attributes?.["aria-label"] === label));
+  assert.ok(found, `there is no button ${label} in ${textOf(child)}`);
+  return found;
+}
+const press = (child: Child, label: string): void => find(child, label).props.on!.click!({} as MouseEvent);
+const type = (child: Child, label: string, text: string): void => {
+  const field = all(child).find((one) => one.props.attributes?.["aria-label"] === label);
+  assert.ok(field, `there is no field ${label}`);
+  const event = { target: { value: text, checked: text !== "" } } as unknown as Event;
+  (field.props.on!.input ?? field.props.on!.change)!(event as never);
+};
+
+const TABLE: Table = {
+  is: "table", key: "rules", columns: [{ title: "Rule" }, { title: "Fired", number: true }], filter: "Filter by text", groups: ["all", "match now"], sorts: true, none: ["No rule is like this.", "Choose 'all'."],
+  press: { do: [{ request: "rule", rule: "" }], field: "rule" },
+  rows: [
+    { k: "seek", c: ["seek", { s: "2", n: 2 }], g: 3 }, { k: "flee", c: [[["flee", "good"]], { s: "10", n: 10 }], g: 1, chosen: true },
+    { k: MARKUP, c: [[[MARKUP, "quiet"]], { s: "0", n: 0 }], g: 1 },
+  ],
+};
+const firstCells = (view: Child): string[] => all(view).filter((one) => one.tag === "tr").slice(1).map((row) => textOf(all(row).find((one) => one.tag === "td")!));
+
+test("a panel without a document says what one sees in it, one with a document shows it", () => {
+  const panel = documentPanel(made().context, { word: "rules", title: "Rules", about: "The rules.", hasDocument: true });
+  assert.equal(textOf(panel.view({})), "The rules.");
+  assert.equal(textOf(panel.view({ rules: { document: [{ is: "empty", s: ["No rules. ", ["Write one.", "quiet"]] }] } })), "No rules. Write one.");
+});
+
+test("texts have roles, and lead on by requests; a text with markup is a text", () => {
+  const { view, asked } = made();
+  const shown = view.view([{ is: "title", s: MARKUP }, { is: "text", s: ["by ", ["my*rule", "name", [{ request: "rule", rule: "my*rule" }, "rules"], "Look at it"], " at ", [30], ["Edit", "tag", [{ request: "edit", file: "a.soar", line: 3 }, "edit"]]] }]);
+  assert.ok(all(shown).every((one) => one.tag !== "img"));
+  assert.equal(textOf(shown), `${MARKUP}by my*rule at 0:01.00Edit`);
+  press(shown, "my*rule");
+  press(shown, "0:01.00");
+  press(shown, "Edit");
+  assert.deepEqual(asked, [["rule", { rule: "my*rule" }], "reveal rules", ["seek", { tick: 30 }], "flush", ["edit", { file: "a.soar", line: 3 }], "reveal edit"]);
+});
+
+test("whoever only watches is led nowhere", () => {
+  const { view, asked } = made(false);
+  press(view.view([{ is: "button", label: "Why?", do: [{ request: "ask", about: "agent" }, "why"] }]), "Why?");
+  assert.deepEqual(asked, [["ask", { about: "agent" }]]);
+});
+
+test("a row of a table is pressed by its key, rows are filtered, grouped and sorted", () => {
+  const { view, asked } = made();
+  const shown = view.view([TABLE]);
+  press(shown, "seek");
+  assert.deepEqual(asked.splice(0), [["rule", { rule: "seek" }]]);
+  assert.ok(all(shown).some((one) => one.tag === "tr" && one.classes === "chosen"));
+  type(shown, "Filter by text", "FL");
+  assert.deepEqual(firstCells(view.view([TABLE])), ["flee"]);
+  type(shown, "Filter by text", "nothing like it");
+  assert.match(textOf(view.view([TABLE])), /No rule is like this/);
+  type(shown, "Filter by text", "");
+  type(shown, "Which rows are shown", "1");
+  assert.deepEqual(firstCells(view.view([TABLE])), ["seek"]);
+  type(shown, "Which rows are shown", "0");
+  press(shown, "Fired");
+  assert.deepEqual(firstCells(view.view([TABLE])), ["flee", "seek", MARKUP], "numbers begin with the greatest");
+  press(view.view([TABLE]), "Fired ▾");
+  assert.deepEqual(firstCells(view.view([TABLE])), [MARKUP, "seek", "flee"]);
+  press(view.view([TABLE]), "Fired ▴");
+  assert.deepEqual(firstCells(view.view([TABLE])), ["seek", "flee", MARKUP], "the first order is back");
+});
+
+test("deeper rows fold away with the row that they belong to", () => {
+  const { view } = made();
+  const table: Table = { is: "table", key: "operators", columns: [{ title: "Operator" }], rows: [{ k: "O1", c: ["seek"], open: false }, { k: "a", c: ["+ acceptable"], depth: 1 }, { k: "O2", c: ["rest"] }] };
+  assert.deepEqual(firstCells(view.view([table])).map((text) => text.replace(/^[▸▾]/, "")), ["seek", "rest"]);
+  press(view.view([table]), "Unfold seek");
+  assert.deepEqual(firstCells(view.view([table])).map((text) => text.replace(/^[▸▾]/, "")), ["seek", "+ acceptable", "rest"]);
+});
+
+test("a tree whose objects the run keeps unfolds by a request, another one by itself", () => {
+  const { view, asked } = made();
+  const memory: Tree = {
+    is: "tree", key: "memory", label: "Working memory", press: { do: [{ request: "element", timetag: 0 }], field: "timetag" }, unfold: { do: [{ request: "object", id: "", is_open: true }], field: "id", argument: 1 },
+    rows: [{ k: "S1", s: [["S1", "strong"]], a: ["S1"], open: true, below: [{ k: "9", s: [["+ ", "new"], ["^io", "name"], [" I1", "obj"]], a: ["I1"], open: false }] }],
+  };
+  const shown = view.view([memory]);
+  press(shown, "Unfold + ^io I1");
+  press(shown, "+ ^io I1");
+  assert.deepEqual(asked.splice(0), [["object", { id: "I1", is_open: true }], ["element", { timetag: 9 }]]);
+  assert.ok(all(shown).some((one) => one.tag === "li" && one.classes === "added"));
+  const reasons: Tree = { is: "tree", key: "reasons", label: "Reasons", filter: "Filter", rows: [{ k: "0", s: "command seek", open: true, below: [{ k: "1", s: "given by a rule" }] }] };
+  assert.match(textOf(view.view([reasons])), /given by a rule/);
+  press(view.view([reasons]), "Fold command seek");
+  assert.doesNotMatch(textOf(view.view([reasons])), /given by a rule/);
+  type(view.view([reasons]), "Filter", "given");
+  assert.match(textOf(view.view([reasons])), /command seek/, "what leads to a found row stays");
+  type(view.view([reasons]), "Filter", "absent");
+  assert.doesNotMatch(textOf(view.view([reasons])), /command seek/);
+});
+
+test("a form sends what was typed, and keeps it while the document says the same", () => {
+  const { view, asked } = made();
+  const nodes: Document = [{ is: "form", key: "new", do: [{ request: "break", kind: "fire", agent: "", what: "" }], button: "Add", clears: true, fields: [
+    { kind: "choice", name: "kind", label: "What", options: [["fire", "a rule fires"], ["match", "a rule matches"]] }, { kind: "check", name: "agent", label: "only", options: [["", ""], ["scout", "scout"]] }, { kind: "line", name: "what", label: "Which", needed: true },
+  ] }];
+  const submit = (): void => all(view.view(nodes)).find((one) => one.tag === "form")!.props.on!.submit!({ preventDefault: () => {} } as SubmitEvent);
+  submit();
+  assert.deepEqual(asked, [], "what is needed is missing");
+  type(view.view(nodes), "What", "match");
+  all(view.view(nodes)).find((one) => one.props.attributes?.["type"] === "checkbox")!.props.on!.change!({ target: { checked: true } } as unknown as Event);
+  type(view.view(nodes), "Which", " my*rule ");
+  submit();
+  assert.deepEqual(asked.splice(0), [["break", { kind: "match", agent: "scout", what: "my*rule" }], "redraw rules"]);
+  submit();
+  assert.deepEqual(asked, [], "the line is empty again");
+});
+
+test("a form without a button sends while one types; a number is sent as one", () => {
+  const { view, asked } = made();
+  const search: Document = [{ is: "form", key: "search", do: [{ request: "search-memory", text: "" }], fields: [{ kind: "line", name: "text", label: "Search" }] }];
+  type(view.view(search), "Search", "io");
+  const episode: Document = [{ is: "form", key: "episode", do: [{ request: "episode", number: 0 }], button: "Look", fields: [{ kind: "line", name: "number", label: "Episode" }] }];
+  type(view.view(episode), "Episode", "3");
+  all(view.view(episode)).find((one) => one.tag === "form")!.props.on!.submit!({ preventDefault: () => {} } as SubmitEvent);
+  assert.deepEqual(asked, [["search-memory", { text: "io" }], ["episode", { number: 3 }]]);
+});
+
+test("pages, stories, columns and facts are drawn; the page that was chosen stays", () => {
+  const { view } = made();
+  const nodes: Document = [
+    { is: "tabs", key: "pages", first: 1, pages: [{ title: "Rules 0", hint: "", nodes: [{ is: "text", s: "none yet" }] }, { title: "Values 2", hint: "", nodes: [{ is: "code", tokens: [["sp", "command"], " {x"] }] }] },
+    { is: "section", key: "rule", title: [["my*rule", "strong"]], story: true, nodes: [{ is: "facts", rows: [["before", [["nothing", "warn"]]]] }] },
+    { is: "columns", parts: [{ is: "section", key: "a", title: "scout", nodes: [{ is: "line", nodes: [{ is: "button", label: "scout", on: true }] }] }] },
+  ];
+  assert.match(textOf(view.view(nodes)), /sp \{x.*my\*rule.*before.*nothing.*scout/s);
+  press(view.view(nodes), "Rules 0");
+  assert.match(textOf(view.view(nodes)), /none yet/);
+});
+
+test("a strip of numbers chooses one and marks others", () => {
+  const { view, asked } = made();
+  const shown = view.view([{ is: "strip", key: "episode", label: "Episode", count: 4, chosen: 2, marks: [2, 4], mark: "recalled by rules", press: { do: [{ request: "episode", number: 0 }], field: "number" } }]);
+  const field = all(shown).find((one) => one.props.attributes?.["type"] === "range")!;
+  assert.equal(field.props.attributes!["aria-valuetext"], "Episode 2, recalled by rules");
+  field.props.on!.input!({ target: { value: "3" } } as unknown as Event as never);
+  assert.deepEqual(asked, [["episode", { number: 3 }]]);
+  assert.deepEqual(all(shown).filter((one) => one.tag === "i").map((one) => one.props.style!["left"]), ["37.5%", "87.5%"]);
+});
+
+test("curves share their times", () => {
+  const columns = columnsOf({ is: "plot", key: "p", title: "p", value: "", curves: [{ name: "a", points: [[0, 1], [30, 2]] }, { name: "b", points: [[15, 5]] }] }, 1 / 30);
+  assert.deepEqual(columns, [[0, 0.5, 1], [1, null, 2], [null, 5, null]]);
+  assert.equal(plainText(["a ", ["b", "good"], [30]]), "a b");
+});

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-2-Clause
+
+/** What a panel shows, as src/workbench/document/document_json.cpp writes it: roles and keys, no colours or sizes. */
+
+/** A request with its fields, and the panel that then comes to the front. */
+export type Action = readonly [{ readonly request: string } & Readonly<Record<string, unknown>>, string?];
+
+/** A plain text, or [text, role, action, hint]. Instead of a text a tick may be there: the time that leads to it. */
+export type Span = string | readonly [string | number, string?, (Action | null)?, string?];
+export type Spans = string | readonly Span[];
+
+/** An action of rows: the request's field is the row's key, or its n-th argument. */
+export interface RowAction { readonly do: Action; readonly field: string; readonly argument?: number }
+
+export interface Paragraph { readonly is: "text" | "heading" | "title" | "empty"; readonly s: Spans; readonly hint?: string }
+export interface Code { readonly is: "code"; readonly text?: string; readonly tokens?: readonly (string | readonly [string, string])[] }
+export interface Line { readonly is: "line"; readonly nodes: readonly DocumentNode[] }
+export interface Button {
+  readonly is: "button";
+  readonly label: string;
+  readonly do?: Action;
+  readonly hint?: string;
+  readonly copies?: string;
+  readonly on?: boolean;
+  readonly off?: boolean;
+}
+export interface Field {
+  readonly kind: "line" | "choice" | "check" | "suggested";
+  readonly name: string;
+  readonly label: string;
+  readonly placeholder?: string;
+  readonly value?: string;
+  readonly options?: readonly (readonly [string, string])[];
+  readonly needed?: boolean;
+}
+export interface Form {
+  readonly is: "form";
+  readonly key: string;
+  readonly do: Action;
+  readonly fields: readonly Field[];
+  readonly button?: string;
+  readonly hint?: string;
+  readonly refusal?: string;
+  readonly clears?: boolean;
+}
+export interface Column { readonly title: string; readonly number?: boolean; readonly wide?: boolean; readonly wraps?: boolean; readonly hint?: string }
+export type Cell = Spans | { readonly s: Spans; readonly n?: number; readonly bar?: number };
+export interface TableRow {
+  readonly k: string;
+  readonly c: readonly Cell[];
+  readonly hint?: string;
+  readonly a?: readonly string[];
+  /** Of a body: team, kind, whether another simulation moves it. */
+  readonly sign?: readonly [string, string, boolean];
+  readonly depth?: number;
+  /** A bit for each group that it belongs to. */
+  readonly g?: number;
+  readonly chosen?: boolean;
+  /** Its deeper rows can be folded. */
+  readonly open?: boolean;
+}
+export interface Table {
+  readonly is: "table";
+  readonly key: string;
+  readonly columns: readonly Column[];
+  readonly rows: readonly TableRow[];
+  readonly caption?: string;
+  readonly filter?: string;
+  readonly press?: RowAction;
+  readonly groups?: readonly string[];
+  readonly none?: readonly [string, string];
+  readonly sorts?: boolean;
+  readonly headless?: boolean;
+}
+export interface TreeRow {
+  readonly k: string;
+  readonly s: Spans;
+  readonly a?: readonly string[];
+  /** It can be unfolded; whether it is. */
+  readonly open?: boolean;
+  readonly below?: readonly TreeRow[];
+}
+export interface Tree {
+  readonly is: "tree";
+  readonly key: string;
+  readonly label: string;
+  readonly rows: readonly TreeRow[];
+  readonly press?: RowAction;
+  readonly unfold?: RowAction;
+  readonly filter?: string;
+}
+export interface Plot {
+  readonly is: "plot";
+  readonly key: string;
+  readonly title: string;
+  readonly value: string;
+  readonly range?: string;
+  readonly curves: readonly { readonly name: string; readonly points: readonly (readonly [number, number])[] }[];
+  readonly stepped?: boolean;
+  readonly button?: Button;
+}
+/** Numbers from 1 to count, of which one is chosen. */
+export interface Strip {
+  readonly is: "strip";
+  readonly key: string;
+  readonly label: string;
+  readonly count: number;
+  readonly chosen: number;
+  readonly marks: readonly number[];
+  readonly mark: string;
+  readonly press: RowAction;
+}
+export interface Section {
+  readonly is: "section";
+  readonly key: string;
+  readonly title: Spans;
+  readonly nodes: readonly DocumentNode[];
+  readonly open?: boolean;
+  readonly story?: boolean;
+}
+export interface Tabs {
+  readonly is: "tabs";
+  readonly key: string;
+  readonly first?: number;
+  /** When it becomes another one, the first page is shown again. */
+  readonly reason?: string;
+  readonly pages: readonly { readonly title: string; readonly hint: string; readonly nodes: readonly DocumentNode[] }[];
+}
+export interface Columns { readonly is: "columns"; readonly parts: readonly Section[] }
+export interface Facts { readonly is: "facts"; readonly rows: readonly (readonly [string, Spans])[] }
+export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Section | Tabs | Columns | Facts;
+export type Document = readonly DocumentNode[];
+
+/** The text of spans, without what they lead to; times are left out. */
+export function plainText(spans: Spans): string {
+  if (typeof spans === "string") return spans;
+  return spans.map((span) => (typeof span === "string" ? span : typeof span[0] === "string" ? span[0] : "")).join("");
+}
