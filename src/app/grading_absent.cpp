@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where there are no other processes (WebAssembly). If the JavaScript that runs this module has functions soarboxGrade(lesson,
-// from) and soarboxStopGrading(), another module grades, and what it prints comes by soarbox_graded(). Otherwise this one
-// grades, and the run waits meanwhile.
+// Where there are no other processes (WebAssembly). If the JavaScript that runs this module has functions
+// soarboxGrade(lesson, from) and soarboxStopGrading(), another module grades, and what it prints comes by
+// soarbox_graded(). Otherwise this one grades, and the run waits meanwhile.
 #include <emscripten.h>
 
 #include <iostream>

@@ -120,8 +120,8 @@ EMSCRIPTEN_KEEPALIVE int soarbox_step() {
   return wait_ms.value_or(-1);
 }
 
-/// Grades a learner's rules in this module, which has no run: what `soarbox learn check LESSON --progress` prints. `from`:
-/// the folder of the lessons. Returns an ExitCode.
+/// Grades a learner's rules in this module, which has no run: what `soarbox learn check LESSON --progress` prints.
+/// `from`: the folder of the lessons. Returns an ExitCode.
 EMSCRIPTEN_KEEPALIVE int soarbox_grade(const char* lesson, const char* from) {
   app::LearnOptions options;
   options.words = {"check", lesson};
