@@ -266,7 +266,8 @@ bool BeginRow(PanelFrame& frame, const doc::Table& table, const doc::TableRow& r
     const ImGuiTreeNodeFlags flags =
         ImGuiTreeNodeFlags_NoTreePushOnOpen | (row.is_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     is_open = ImGui::TreeNodeEx("fold", flags, "%s", "");
-    ImGui::SameLine(0, 0);
+    // Without a label the item is as wide as its arrow alone.
+    ImGui::SameLine(0, 2 * ImGui::GetStyle().FramePadding.x);
   }
   if (row.sign) DrawBodySign(*row.sign);
   return is_open;
