@@ -151,7 +151,7 @@ test("lists and trees are walked with arrow keys, bars between panels moved; zoo
   await page.keyboard.press("Home");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), await names.first().innerText());
   await show(page, "Senses");
-  const fold = page.locator(".panel.links button.fold").first();
+  const fold = page.locator(".panel.links button.fold:visible").first();
   await fold.focus();
   await page.keyboard.press("ArrowLeft");
   await page.waitForSelector(".panel.links button.fold[aria-expanded=false]:focus");
