@@ -410,7 +410,8 @@ export class App {
     if (isShown && !hello.what.startsWith("recording:")) {
       const when = address.seconds === null ? "" : ` at ${clock(address.seconds)}`;
       links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: this.api.pageAddress + formatAddress({ ...address, text: "" }) });
-      if (edit !== undefined && edit.file !== "") {
+      // A page without a server does not show the text of a link yet (docs/site.md).
+      if (edit !== undefined && edit.file !== "" && this.api.hasServer) {
         const text = await packText(this.runPage?.editorText ?? edit.text);
         links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: this.api.pageAddress + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
       }
