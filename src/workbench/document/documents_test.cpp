@@ -119,7 +119,9 @@ TEST_F(Documents, HoldRequestsThatCanBeReadAndPanelsThatExist) {
     for (const PanelInfo& info : kPanelInfos) {
       ForActions(ToJson(DocumentOf(info.id, run->contents)), [&](const debugger::Json& action) {
         EXPECT_TRUE(ReadRequest(action[0])) << info.word << ": " << action.dump();
-        if (action.size() > 1) EXPECT_TRUE(FindPanel(action[1].get<std::string>())) << action.dump();
+        if (action.size() > 1) {
+          EXPECT_TRUE(FindPanel(action[1].get<std::string>())) << action.dump();
+        }
         requests.insert(action[0]["request"].get<std::string>());
       });
     }
