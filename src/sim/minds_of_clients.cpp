@@ -12,6 +12,9 @@
 #endif
 
 namespace soarbox::sim {
+
+#ifdef SOARBOX_OWN_KERNEL
+
 namespace {
 
 constexpr float kBetweenBodies_m = 2;
@@ -44,8 +47,6 @@ bool Initializes(std::string_view line) {
 }
 
 }  // namespace
-
-#ifdef SOARBOX_OWN_KERNEL
 
 std::vector<std::string> PartsOfClientLine(std::string_view line) {
   return PartsOfClientAct(line);

@@ -279,7 +279,7 @@ void DocumentView::DrawLine(PanelFrame& frame, const doc::Line& line) {
   }
 }
 
-bool DocumentView::DrawField(PanelFrame& frame, const doc::Form& form, const doc::Field& field, float right) {
+bool DocumentView::DrawField(const doc::Form& form, const doc::Field& field, float right) {
   using Kind = doc::Field::Kind;
   FieldState& state = fields_[form.key + "/" + field.name];
   // What the document says counts until the user types, and again if it says something else.
@@ -369,7 +369,7 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
     const float button = form.button.empty() ? 0 : ButtonWidth(form.button.c_str()) + ImGui::GetStyle().ItemSpacing.x;
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) FocusNextField();
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) focused_form_.clear();
-    sends |= DrawField(frame, form, field, is_last ? button : 0);
+    sends |= DrawField(form, field, is_last ? button : 0);
   }
   if (!form.button.empty()) {
     FlowLine(ButtonWidth(form.button.c_str()));

@@ -46,8 +46,7 @@ class DocumentView {
   void DrawLine(PanelFrame& frame, const workbench::document::Line& line);
   void DrawButton(PanelFrame& frame, const workbench::document::Button& button);
   void DrawForm(PanelFrame& frame, const workbench::document::Form& form);
-  bool DrawField(PanelFrame& frame, const workbench::document::Form& form, const workbench::document::Field& field,
-                 float right);
+  bool DrawField(const workbench::document::Form& form, const workbench::document::Field& field, float right);
   static bool DrawSuggested(const workbench::document::Form& form, const workbench::document::Field& field,
                             FieldState& state, float right);
   void Send(PanelFrame& frame, const workbench::document::Form& form);
