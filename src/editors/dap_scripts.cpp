@@ -20,9 +20,15 @@ std::string TextOf(const std::filesystem::path& file) {
 }  // namespace
 
 std::optional<std::uint32_t> DapServer::ScriptOf(const Json& arguments) {
-  const auto number = arguments.value("threadId", std::uint32_t{1});
-  if (number < kFirstScriptThread) return std::nullopt;
-  return number - kFirstScriptThread;
+  const auto number = arguments.value("threadId", std::int64_t{1});
+  if (number >= 0 && number < kFirstScriptThread) return std::nullopt;
+  std::optional<std::uint32_t> owner;
+  Lua().With([&](script::ScriptDebugger& scripts) {
+    for (const script::ScriptView::Machine& machine : scripts.view().Machines())
+      if (kFirstScriptThread + std::int64_t{machine.owner} == number) owner = machine.owner;
+  });
+  if (!owner) throw DapRefusal{"there is no thread " + std::to_string(number)};
+  return owner;
 }
 
 ScriptDebuggee& DapServer::Lua() {

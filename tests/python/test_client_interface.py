@@ -414,7 +414,8 @@ class WrongTypes(WithKernel):
                 for count in range(3):
                     for arguments in itertools.product(values, repeat=count):
                         calls += 1
-                        with contextlib.suppress(TypeError, ValueError, OverflowError, ReferenceError):
+                        # A file that cannot be recorded to is an OSError.
+                        with contextlib.suppress(TypeError, ValueError, OverflowError, ReferenceError, OSError):
                             method(*arguments)
         self.assertGreater(calls, 30000)
         self.assertEqual(self.agent.GetAgentName(), "scout")
