@@ -64,7 +64,7 @@ class DapServer {
   /// The owner of the script that is paused in the middle of a tick.
   std::optional<std::uint32_t> PausedScript();
   /// The owner of a script's thread; nothing for threads of agents.
-  static std::optional<std::uint32_t> ScriptOf(const Json& arguments);
+  std::optional<std::uint32_t> ScriptOf(const Json& arguments);
 
   void Begin(std::unique_ptr<Debuggee> debuggee);
   void Event(const std::string& name, Json body);

@@ -152,7 +152,7 @@ class LuaDebugger(unittest.TestCase):
             seen.append(self.place(thread))
         self.assertEqual([("Walker.lua", 12, "Agent_Update"), ("Steps.lua", 2, "Step"), ("Steps.lua", 3, "Step"),
                           ("Walker.lua", 13, "Agent_Update"), ("Walker.lua", 14, "Agent_Update"), ("Walker.lua", 6, "Far"),
-                          ("Walker.lua", 17, "Agent_Update")], seen)
+                          ("Walker.lua", 14, "Agent_Update")], seen)
         # The end of the call leads to the next tick.
         self.mark(self.walker)
         self.go("stepOut", thread)
