@@ -152,7 +152,12 @@ export class Stage {
       if (scene.components.length > 0) this.tellSize();
     });
     this.run.on("printed", () => this.isEmpty && this.draw());
-    this.run.on("printed", (lines) => view.print(lines.map(({ agent, text, tick }) => ({ agent, text, time: tick * (this.run.hello?.step_s ?? 1 / 30) }))));
+    this.run.on("printed", () => view.wake());
+    view.printedBetween = (from, until) => {
+      const step = this.run.hello?.step_s ?? 1 / 30;
+      return this.run.printed.lines.filter((one) => one.isPrinted && one.tick * step > from && one.tick * step < until)
+        .map(({ agent, text, tick }) => ({ agent, text, time: tick * step }));
+    };
     const tellCovered = (): void => {
       const { offsetLeft: left, offsetTop: top, offsetWidth: width, offsetHeight: height } = this.tools;
       view.covered = [{ left, top, width, height }];

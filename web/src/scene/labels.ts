@@ -7,7 +7,9 @@ import { agentColor, cssColor, FOREIGN, type Rgb } from "./looks";
 import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 import { DOING_FONT, NAME_FONT, SPEECH_FONT, textWidth } from "./text_width";
 
-const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90, SPEECH_S = 3.5;
+const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90;
+/** So long is a text over its speaker's head. */
+export const SPEECH_S = 3.5;
 /** Names are shown up to this multiple of the distance to the camera's target. */
 const FURTHER = 2, MOST_COVERED = 0.5;
 /** More agents than these have a name alone, but for the one that is selected. */

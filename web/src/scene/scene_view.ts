@@ -13,7 +13,7 @@ import { Dots } from "./dots";
 import { boardOf, freeOf, hasWalls, sceneryAround, type FramedBody } from "./framing";
 import { FIRST_OF_PROCESSOR, Governor, SLOW_EVERY_MS } from "./governor";
 import type { Box } from "./label_layout";
-import { Labels } from "./labels";
+import { Labels, SPEECH_S } from "./labels";
 import { LineBatch } from "./line_batch";
 import { paintImagined } from "./imagined";
 import { lookOf } from "./looks";
@@ -28,8 +28,8 @@ import { length, minus, times } from "./vectors";
 
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
-/** Printed texts that are kept to be shown. */
-const MOST_PRINTED = 16;
+/** Seconds by which a picture may be older than what is printed in it. */
+const JUST_NOW_S = 0.1;
 /** A body that goes further between two moments was put there. */
 const JUMP_M = 3;
 /** In a world that runs faster than this, past positions predict future ones better than velocities. */
@@ -130,13 +130,15 @@ export class SceneView {
     return this.shapes.add(key, content);
   }
 
-  /** Agents printed these texts at these times of the world: they are shown over their heads for a while. */
-  print(texts: readonly { agent: string; text: string; time: number }[]): void {
-    const ids = new Map([...(this.scene?.agents ?? [])].map(([id, agent]) => [agent.name, id]));
-    this.printed = [...this.printed, ...texts.map(({ agent, text, time }) => ({ from: ids.get(agent) ?? 0, to: 0, text: text.trim(), time }))].slice(-MOST_PRINTED);
-    this.wake();
+  /** What agents have printed between two times of the world: it is shown over their heads for a while, also at a past moment. */
+  printedBetween: (from: number, until: number) => readonly { agent: string; text: string; time: number }[] = () => [];
+
+  private printedNow(scene: Scene): readonly Speech[] {
+    const now = this.playout.time, lines = this.printedBetween(now - SPEECH_S, now + JUST_NOW_S);
+    if (lines.length === 0) return [];
+    const ids = new Map([...scene.agents].map(([id, agent]) => [agent.name, id]));
+    return lines.map(({ agent, text, time }) => ({ from: ids.get(agent) ?? 0, to: 0, text: text.trim(), time }));
   }
-  private printed: readonly Speech[] = [];
 
   /** What the selected agent imagines or remembers, until the next call. */
   imagine(ghosts: Ghosts | null): void {
@@ -160,7 +162,6 @@ export class SceneView {
     this.scriptUi.clear();
     this.renderer.shadowMap.needsUpdate = true;
     this.placed.clear();
-    this.printed = [];
     this.isFramed = keepsCamera;
     this.around = null;
     this.recentGround.forget();
@@ -385,7 +386,7 @@ export class SceneView {
       ghosts = paintOverlays(this.lines, { scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, trails: this.trails });
       if (this.imagined !== null) ghosts = [...ghosts, ...paintImagined(this.lines, this.imagined)];
       const covered = [...this.covered, ...this.drawBoxes(scene)];
-      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered, printed: this.printed });
+      const dots = this.labels.draw({ scene, time: this.playout.time, placed: this.placed, selected: this.selectedId, on: this.on, ghosts, ...size, camera: this.rig.camera, away: this.rig.away, covered, printed: this.printedNow(scene) });
       this.dots.show(dots, this.renderer.getPixelRatio());
     }
     this.showGhosts(ghosts.filter((one) => one.radius > 0));
