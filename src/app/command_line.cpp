@@ -126,8 +126,12 @@ int Main(int argc, char** argv, const PageServer* server) {
   // A server's engine is called by the server; its recordings go to whoever asks for them.
   record::SetOrigin({Commit(), program.got_subcommand("engine") ? std::vector<std::string>()
                                                                 : std::vector<std::string>(argv, argv + argc)});
-  // Not in an engine: what strangers let it run leaves no files behind.
-  if (!program.got_subcommand("engine")) world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
+  // What strangers let an engine run leaves no files behind. But it begins the same world again and again.
+  if (program.got_subcommand("engine")) {
+    world::ShareNavigation();
+  } else {
+    world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
+  }
   if (const Result<sim::DataFolders> data = FindDataFolders()) record::SetDataFolders(*data);
   // It is for kernels of clients, not for those of our worlds.
   if (!program.got_subcommand("kernel")) unsetenv("SOARBOX_RECORD");
