@@ -77,7 +77,7 @@ class ClientLog : public testing::Test {
     EXPECT_TRUE(agent->LoadProductions(rules.c_str()));
     if (seed != nullptr) agent->ExecuteCommandLine(seed);
     Decisions decisions;
-    const std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
+    std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
     sml::IntElement* const turn = agent->CreateIntWME(agent->GetInputLink(), "turn", 0);
     sml::Identifier* const place = agent->CreateIdWME(agent->GetInputLink(), "place");
     sml::StringElement* const name = agent->CreateStringWME(place, "name", "gate\twith a tab");
@@ -88,6 +88,7 @@ class ClientLog : public testing::Test {
       if (i == turns / 2) agent->Update(name, "hall");
       agent->Update(turn, i);
     }
+    observation.reset();
     kernel->Shutdown();
     return decisions.names;
   }
@@ -100,7 +101,7 @@ class ClientLog : public testing::Test {
     kernel->FenceFiles({folder.string()});
     sml::Agent* const agent = kernel->CreateAgent("walker");
     Decisions decisions;
-    const std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
+    std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
       std::vector<std::string> parts = PartsOfClientAct(line);
@@ -109,6 +110,7 @@ class ClientLog : public testing::Test {
       if (parts.front() == "agent" || parts.front() == "gone") continue;
       if (std::string problem = PlayClientAct(*agent, parts); !problem.empty()) problems.push_back(std::move(problem));
     }
+    observation.reset();
     kernel->Shutdown();
     return decisions.names;
   }
