@@ -14,6 +14,7 @@
 #include "diagnostics/number_from_chars.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/wildcard.h"
+#include "explain/command_text.h"
 #include "tell/mind_words.h"
 #include "world/world.h"
 
@@ -33,12 +34,6 @@ std::optional<double> NumberOf(std::string_view text) {
   const auto [end, error] = NumberFromChars(text, number);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
   return number;
-}
-
-std::string_view Trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == std::string_view::npos ? std::string_view()
-                                         : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 std::optional<NumberTest> ReadNumberTest(std::string_view text) {
@@ -165,21 +160,21 @@ bool IsLike(const explain::ElementFact& element, std::string_view pattern) {
 }
 
 Result<int> Breakpoints::Set(BreakKind kind, std::string agent, std::string what) {
-  const bool is_blank = what.find_first_not_of(" \t") == std::string::npos;
-  if (is_blank && (kind == BreakKind::kFire || kind == BreakKind::kMatch))
+  what = explain::Trimmed(what);
+  if (what.empty() && (kind == BreakKind::kFire || kind == BreakKind::kMatch))
     return NewProblem("a breakpoint on a rule needs the rule's name", "for example: fire propose*move");
   if ((kind == BreakKind::kElement || kind == BreakKind::kRemoved) && what.find('^') == std::string::npos)
     return NewProblem("a breakpoint on an element needs an attribute", "for example: ^enemy *, or S1 ^operator O1 +");
   if (kind == BreakKind::kNumber && !ReadNumberTest(what))
     return NewProblem("a breakpoint on a number needs an attribute, a comparison and a number",
                       "for example: ^health < 20, or I3 ^x >= 1.5");
-  if (const auto second = NumberOf(Trimmed(what)); kind == BreakKind::kTime && (!second || *second <= 0))
+  if (const auto second = NumberOf(what); kind == BreakKind::kTime && (!second || *second <= 0))
     return NewProblem("a breakpoint on a time needs a second of the world's time", "for example: 12.5");
   Breakpoint& point = list_.emplace_back();
   point.number = ++last_number_;
   point.kind = kind;
   point.agent = std::move(agent);
-  point.what = is_blank ? std::string() : std::string(Trimmed(what));
+  point.what = std::move(what);
   return point.number;
 }
 
@@ -204,19 +199,22 @@ void Breakpoints::Prepare(sim::Simulation& simulation) {
   }
 }
 
-std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const std::string& agent,
-                                                    const mind::ElementChanged& element) {
-  const std::optional<NumberTest> test = ReadNumberTest(point.what);
-  if (!element.added || element.is_object || !IsLikePattern(element.attribute, test->attribute) ||
-      !IsLikePattern(element.id, test->id))
-    return std::nullopt;
-  const std::optional<double> number = NumberOf(element.value);
-  if (!number) return std::nullopt;
-  const std::string where = std::string(element.id) + " ^" + std::string(element.attribute);
-  bool& held = held_[{point.number, agent + ' ' + where}];
-  const bool holds = Holds(*test, *number);
-  if (std::exchange(held, holds) || !holds) return std::nullopt;
-  return where + " is " + std::string(element.value);
+std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const sim::MindReport& report) {
+  const NumberTest test = *ReadNumberTest(point.what);
+  std::optional<std::string> first;
+  // All of a tick are looked at: the next tick is compared with the last of them.
+  report.events.ForEachOf<mind::ElementChanged>([&](const mind::ElementChanged& element) {
+    if (!element.added || element.is_object || !IsLikePattern(element.attribute, test.attribute) ||
+        !IsLikePattern(element.id, test.id))
+      return;
+    const std::optional<double> number = NumberOf(element.value);
+    if (!number) return;
+    const std::string where = std::string(element.id) + " ^" + std::string(element.attribute);
+    const bool holds = Holds(test, *number);
+    const bool held = std::exchange(held_[{point.number, std::string(report.agent) + ' ' + where}], holds);
+    if (holds && !held && !first) first = where + " is " + std::string(element.value);
+  });
+  return first;
 }
 
 std::optional<std::string> Breakpoints::CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
@@ -228,21 +226,11 @@ std::optional<std::string> Breakpoints::CauseInMind(const Breakpoint& point, con
     const bool did = std::exchange(held_[{point.number, report.agent}], matches);
     return matches && !did ? std::optional("rule " + point.what + " matches") : std::nullopt;
   }
-  std::optional<std::string> first;
+  if (point.kind == BreakKind::kNumber) return NumberCause(point, report);
   mind::Event event;
-  for (std::size_t at = 0; report.events.Next(at, event);) {
-    const auto* element = std::get_if<mind::ElementChanged>(&event);
-    std::optional<std::string> cause;
-    if (point.kind != BreakKind::kNumber) {
-      cause = CauseIn(point, event);
-    } else if (element != nullptr) {
-      // All of a tick are looked at: the next tick is compared with the last of them.
-      cause = NumberCause(point, report.agent, *element);
-    }
-    if (cause && !first) first = std::move(cause);
-    if (first && point.kind != BreakKind::kNumber) break;
-  }
-  return first;
+  for (std::size_t at = 0; report.events.Next(at, event);)
+    if (std::optional<std::string> cause = CauseIn(point, event)) return cause;
+  return std::nullopt;
 }
 
 std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation, const sim::EventList& events) {

@@ -92,9 +92,8 @@ class Breakpoints {
  private:
   std::optional<std::string> CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
                                          const sim::MindReport& report);
-  /// A number of an element that has come: why it is a hit.
-  std::optional<std::string> NumberCause(const Breakpoint& point, const std::string& agent,
-                                         const mind::ElementChanged& element);
+  /// Why a number is a hit. Notes which numbers fulfil what is asked.
+  std::optional<std::string> NumberCause(const Breakpoint& point, const sim::MindReport& report);
 
   std::vector<Breakpoint> list_;
   int last_number_ = 0;

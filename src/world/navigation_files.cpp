@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "world/navigation_files.h"
 
-#include <DetourAlloc.h>
 #include <Recast.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
+#include "world/navigation_store.h"
 #include "world/shared_navigation.h"
 #include "world/state_hash.h"
 
@@ -54,12 +54,6 @@ fs::path FileOf(std::uint64_t source) {
   return ThePlace().folder / (std::to_string(source % kFiles) + ".mesh");
 }
 
-std::uint64_t HashOf(std::string_view bytes) {
-  StateHash hash;
-  hash.Add(bytes);
-  return hash.value();
-}
-
 /// The library that Recast comes from: another one may build another mesh.
 void AddRecast([[maybe_unused]] StateHash& hash) {
 #ifdef __linux__
@@ -90,16 +84,9 @@ std::optional<BuiltNavigation> FindKeptNavigation(std::uint64_t source) {
   const std::string_view data = std::string_view(*file).substr(sizeof head);
   if (head.magic != expected.magic || head.builder != ThePlace().builder || head.source != source ||
       head.tile_bytes > data.size() || head.triangles > data.size() / sizeof(Triangle) ||
-      head.tile_bytes + head.triangles * sizeof(Triangle) != data.size() || head.check != HashOf(data))
+      head.tile_bytes + head.triangles * sizeof(Triangle) != data.size() || head.check != CheckOfNavigation(data))
     return std::nullopt;
-  BuiltNavigation built;
-  built.tile = static_cast<unsigned char*>(dtAlloc(head.tile_bytes, DT_ALLOC_PERM));
-  if (built.tile == nullptr) return std::nullopt;
-  built.tile_size = static_cast<int>(head.tile_bytes);
-  std::memcpy(built.tile, data.data(), head.tile_bytes);
-  built.triangles.resize(head.triangles);
-  std::memcpy(built.triangles.data(), data.data() + head.tile_bytes, data.size() - head.tile_bytes);
-  return built;
+  return CopyNavigation(data, head.tile_bytes);
 }
 
 void KeepBuiltNavigation(std::uint64_t source, const BuiltNavigation& built) {
@@ -113,7 +100,7 @@ void KeepBuiltNavigation(std::uint64_t source, const BuiltNavigation& built) {
   head.source = source;
   head.tile_bytes = tile_bytes;
   head.triangles = built.triangles.size();
-  head.check = HashOf(data);
+  head.check = CheckOfNavigation(data);
   std::error_code error;
   fs::create_directories(ThePlace().folder, error);
   // Two programs may write at once: each writes a file of its own, and the last one stays.

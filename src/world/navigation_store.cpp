@@ -41,13 +41,28 @@ std::byte* DataOf(Head& head) {
   return reinterpret_cast<std::byte*>(&head) + sizeof(Head);
 }
 
-std::uint64_t CheckOf(const std::byte* data, std::size_t size) {
-  StateHash hash;
-  hash.Add(std::string_view(reinterpret_cast<const char*>(data), size));
-  return hash.value();
+std::string_view BytesOf(const std::byte* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
 }
 
 }  // namespace
+
+std::uint64_t CheckOfNavigation(std::string_view bytes) {
+  StateHash hash;
+  hash.Add(bytes);
+  return hash.value();
+}
+
+std::optional<BuiltNavigation> CopyNavigation(std::string_view bytes, std::size_t tile_bytes) {
+  BuiltNavigation built;
+  built.tile = static_cast<unsigned char*>(dtAlloc(tile_bytes, DT_ALLOC_PERM));
+  if (built.tile == nullptr) return std::nullopt;
+  built.tile_size = static_cast<int>(tile_bytes);
+  std::memcpy(built.tile, bytes.data(), tile_bytes);
+  built.triangles.resize((bytes.size() - tile_bytes) / sizeof(Triangle));
+  std::memcpy(built.triangles.data(), bytes.data() + tile_bytes, bytes.size() - tile_bytes);
+  return built;
+}
 
 void ShareNavigation() {
   if (shared != nullptr) return;
@@ -59,17 +74,9 @@ std::optional<BuiltNavigation> FindSharedNavigation(std::uint64_t source) {
   if (shared == nullptr) return std::nullopt;
   for (Slot& slot : shared->slot) {
     if (slot.is_whole.load(std::memory_order_acquire) == 0 || slot.source != source) continue;
-    const std::byte* data = DataOf(*shared) + slot.at;
-    const std::size_t triangle_bytes = slot.triangles * sizeof(Triangle);
-    if (CheckOf(data, slot.tile_bytes + triangle_bytes) != slot.check) continue;
-    BuiltNavigation built;
-    built.tile = static_cast<unsigned char*>(dtAlloc(slot.tile_bytes, DT_ALLOC_PERM));
-    if (built.tile == nullptr) return std::nullopt;
-    built.tile_size = static_cast<int>(slot.tile_bytes);
-    std::memcpy(built.tile, data, slot.tile_bytes);
-    built.triangles.resize(slot.triangles);
-    std::memcpy(built.triangles.data(), data + slot.tile_bytes, triangle_bytes);
-    return built;
+    const std::string_view bytes =
+        BytesOf(DataOf(*shared) + slot.at, slot.tile_bytes + slot.triangles * sizeof(Triangle));
+    if (CheckOfNavigation(bytes) == slot.check) return CopyNavigation(bytes, slot.tile_bytes);
   }
   return std::nullopt;
 }
@@ -89,7 +96,7 @@ void OfferNavigation(std::uint64_t source, const BuiltNavigation& built) {
   std::memcpy(data + tile_bytes, built.triangles.data(), triangle_bytes);
   Slot& slot = shared->slot[number];
   slot.source = source;
-  slot.check = CheckOf(data, tile_bytes + triangle_bytes);
+  slot.check = CheckOfNavigation(BytesOf(data, tile_bytes + triangle_bytes));
   slot.at = at;
   slot.tile_bytes = tile_bytes;
   slot.triangles = built.triangles.size();
