@@ -83,7 +83,7 @@ void RuleReader::Report(Severity severity, const RuleToken& token, std::string m
 
 /// Soar's text goes to the transcript; the diagnostic says in which rule what is missing, and what is still open there.
 bool RuleReader::Fail(std::string_view message, std::string_view hint) {
-  Say(std::string(message) + "\n");
+  if (!is_refused_) Say(std::string(message) + "\n");
   std::string text = out_.name.empty() ? std::string() : "rule " + out_.name + ": ";
   // Soar's own texts say error once more.
   constexpr std::string_view kError = "Error: ";

@@ -150,10 +150,13 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
     const std::size_t after = body_.find_first_of("()|\"^", name.offset + name.length);
     const bool is_word = name.kind == TokenKind::kString || name.kind == TokenKind::kIdentifier;
     const bool is_call = is_word && (after == std::string_view::npos || body_[after] != '^');
-    if (language_.version != SoarVersion::k963 && is_call && !is_registered) {
+    if (language_.version == SoarVersion::k963 || is_registered) {
+      InsertExec(name);
+    } else if (is_call) {
       return FailUnknown(name);
+    } else {
+      SayUnknown(name);
     }
-    InsertExec(name);
     value.index = FindBuiltinFunction("exec");
   } else {
     const BuiltinFunction& builtin = BuiltinFunctions()[value.index];
@@ -174,6 +177,9 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
     }
     value.arguments.Add(arena_.New(argument));
   }
+  if (is_refused_) {
+    return FailUnknown(name);
+  }
   const BuiltinFunction& builtin = BuiltinFunctions()[value.index];
   if (builtin.arguments >= 0 && value.arguments.Count() != static_cast<std::uint32_t>(builtin.arguments)) {
     return Fail("Wrong number of arguments to function " + std::string(builtin.name) + " (expected " +
@@ -188,13 +194,19 @@ std::string RuleReader::TextOf(const RuleToken& name) const {
   return std::string(name.kind == TokenKind::kString ? name.text : body_.substr(name.offset, name.length));
 }
 
+/// Prints what Soar prints of an unknown function. Nothing else is printed of the rule, whatever is found behind it.
+void RuleReader::SayUnknown(const RuleToken& name) {
+  if (!is_refused_) Say("There is no function named " + TextOf(name) + "\n");
+  is_refused_ = true;
+}
+
 bool RuleReader::FailUnknown(const RuleToken& name) {
   const std::string text = TextOf(name);
   const std::string_view near = NearestFunction(text);
   std::string hint = "(exec " + text + " ...) calls a function that a client registers later";
   if (text == "tcl") hint = "Soar has no Tcl any more: (write ...) prints, (cmd ...) gives a command";
   if (!near.empty()) hint = "did you mean " + std::string(near) + "? " + hint;
-  Say("There is no function named " + text + "\n");
+  SayUnknown(name);
   Report(Severity::kError, name, "rule " + out_.name + " calls the function " + text + ", which does not exist", hint);
   return false;
 }

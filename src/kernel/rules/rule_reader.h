@@ -102,6 +102,7 @@ class RuleReader {
   bool ReadPreferenceType(PreferenceType& type);
   bool StartsReferent() const;
   std::string TextOf(const RuleToken& name) const;
+  void SayUnknown(const RuleToken& name);
   bool FailUnknown(const RuleToken& name);
   void InsertExec(const RuleToken& name);
   std::string DescribeAction(const ActionDraft& action) const;
@@ -121,6 +122,7 @@ class RuleReader {
   std::vector<Symbol> disjuncts_;  ///< Scratch.
   std::string edited_;             ///< The text with `exec` inserted; empty until something is inserted.
   std::size_t inserted_ = 0;       ///< How many characters were inserted.
+  bool is_refused_ = false;        ///< An unknown function was named to the user.
 };
 
 }  // namespace soarbox::kernel
