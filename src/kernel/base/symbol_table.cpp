@@ -148,6 +148,9 @@ struct SymbolTable::Contents {
   static constexpr std::size_t kLeastRecent = 3, kMostRecent = 8;  ///< Lengths.
   std::array<RecentVariable, std::size_t{1} << kRecentBits> recent_variables;
 
+  /// Indices at which FindIdentifier last found a name, by letter and number. Each is checked before it is used.
+  std::array<std::uint32_t, 64> found_identifiers{};
+
   Contents() { RestartAboveBase(); }
 
   void RestartAboveBase() {
@@ -336,12 +339,19 @@ Symbol SymbolTable::NewIdentifier(char letter, std::uint64_t number) {
 }
 
 Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
-  for (std::size_t i = 0; i < identifiers_.size(); ++i) {
-    if (identifiers_[i].letter == letter && identifiers_[i].number == number && letter != 0) {
-      return Symbol(Symbol::Tag::kIdentifier, static_cast<std::uint32_t>(i));
-    }
+  if (letter == 0) return {};
+  const auto is_at = [&](std::size_t i) {
+    return identifiers_[i].letter == letter && identifiers_[i].number == number;
+  };
+  auto& found = contents_->found_identifiers;
+  std::uint32_t& at = found[(number + static_cast<unsigned char>(letter) * 7u) % found.size()];
+  if (at >= identifiers_.size() || !is_at(at)) {
+    std::uint32_t i = 0;
+    while (i < identifiers_.size() && !is_at(i)) ++i;
+    if (i == identifiers_.size()) return {};
+    at = i;
   }
-  return {};
+  return Symbol(Symbol::Tag::kIdentifier, at);
 }
 
 void SymbolTable::ResetIdentifierCounters() {

@@ -62,6 +62,8 @@ TEST(SymbolTable, IdentifiersCountPerLetterAndAreUsedAgain) {
   EXPECT_EQ(symbols.FindIdentifier('I', 1), i1);
   symbols.FreeIdentifier(i1);
   EXPECT_EQ(symbols.FindIdentifier('I', 1), Symbol());
+  EXPECT_EQ(symbols.FindIdentifier('S', 8).index(), 3u);
+  EXPECT_EQ(symbols.FindIdentifier('S', 72), Symbol());
   EXPECT_EQ(symbols.NewIdentifier('I').index(), i1.index()) << "indices are used again, numbers are not";
   EXPECT_EQ(symbols.IdentifierLimit(), 4u);
 }
