@@ -21,6 +21,7 @@
 #include "mission/sentences.h"
 #include "sim/check.h"
 #include "sim/scenario_file.h"
+#include "workbench/panel_id.h"
 
 namespace soarbox::app {
 namespace {
@@ -165,9 +166,21 @@ std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::
   return rules;
 }
 
+Diagnostic UnknownPanel(const std::string& title, const fs::path& file, const toml::node& at) {
+  std::vector<std::string_view> titles;
+  for (const workbench::PanelInfo& info : workbench::kPanelInfos) titles.push_back(info.title);
+  const std::string_view near = Suggest(title, titles);
+  Diagnostic problem = ProblemIn(file.string(), "there is no panel '" + title + "'",
+                                 near.empty() ? "write a title of docs/window.md, such as panel = \"Mind\""
+                                              : "did you mean '" + std::string(near) + "'?");
+  problem.line = static_cast<int>(at.source().begin.line);
+  problem.column = static_cast<int>(at.source().begin.column);
+  return problem;
+}
+
 /// How much a known mistake says. That something never happened, or went on for long, has many causes.
 mission::Cause CauseOf(const mission::Check& mistake) {
-  if (!mistake.written.empty()) return mission::Cause::kMistake;
+  if (!mistake.written.empty() || !mistake.unwritten.empty()) return mission::Cause::kMistake;
   const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
   // That an element is there for long is something that happened: an agent has made it.
   const bool is_made = std::ranges::any_of(mistake.conditions, [](const mission::Condition& condition) {
@@ -344,9 +357,15 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   lesson.title = root["title"].value_or(lesson.name);
   lesson.idea = root["idea"].value_or(std::string());
   lesson.task = root["task"].value_or(std::string());
-  lesson.panel = root["panel"].value_or(std::string());
+  const auto panel_named = [&](const toml::node& node) {
+    const std::string title = node.value_or(std::string());
+    if (workbench::FindPanelByTitle(title) == nullptr)
+      problems.push_back(UnknownPanel(title, folder / "lesson.toml", node));
+    return title;
+  };
+  if (const toml::node* panel = root.get("panel")) lesson.panel = panel_named(*panel);
   if (const toml::array* also = root["also"].as_array())
-    for (const toml::node& panel : *also) lesson.also.push_back(panel.value_or(std::string()));
+    for (const toml::node& panel : *also) lesson.also.push_back(panel_named(panel));
   lesson.rules = root["rules"].value_or(std::string());
   if (const toml::array* hints = root["hints"].as_array())
     for (const toml::node& hint : *hints) lesson.hints.push_back(hint.value_or(std::string()));

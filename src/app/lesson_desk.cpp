@@ -28,17 +28,11 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-const workbench::PanelInfo* PanelTitled(const std::string& title) {
-  const auto at = std::find_if(workbench::kPanelInfos.begin(), workbench::kPanelInfos.end(),
-                               [&](const workbench::PanelInfo& info) { return info.title == title; });
-  return at == workbench::kPanelInfos.end() ? nullptr : &*at;
-}
-
 /// The words of the panels that a lesson is about, the most important one first.
 std::vector<std::string> NewPanels(const Lesson& lesson) {
   std::vector<std::string> words;
   const auto add = [&](const std::string& title) {
-    if (const workbench::PanelInfo* panel = PanelTitled(title)) words.emplace_back(panel->word);
+    if (const workbench::PanelInfo* panel = workbench::FindPanelByTitle(title)) words.emplace_back(panel->word);
   };
   add(lesson.panel);
   for (const std::string& title : lesson.also) add(title);
@@ -47,7 +41,7 @@ std::vector<std::string> NewPanels(const Lesson& lesson) {
 
 /// "Memory: Working memory as a tree."
 std::string AboutPanel(const Lesson& lesson) {
-  const workbench::PanelInfo* panel = PanelTitled(lesson.panel);
+  const workbench::PanelInfo* panel = workbench::FindPanelByTitle(lesson.panel);
   return panel == nullptr ? "" : "\n\n" + std::string(panel->title) + ": " + std::string(panel->about);
 }
 

@@ -167,9 +167,14 @@ std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
     const std::size_t at = each.why.find(kMadeBy);
     if (at == std::string::npos || !each.why.starts_with(kRequires)) continue;
     const std::size_t begin = at + kMadeBy.size(), end = each.why.find(" makes it", begin);
-    if (end == std::string::npos || !fired.contains({each.agent, each.why.substr(begin, end - begin)})) continue;
+    if (end == std::string::npos) continue;
+    std::string maker = each.why.substr(begin, end - begin);
+    if (!fired.contains({each.agent, maker})) {
+      each.waits_for_others = true;  // That the maker never fired is nearer to the cause.
+      continue;
+    }
     each.wanted = each.why.substr(kRequires.size(), at - kRequires.size());
-    each.maker = each.why.substr(begin, end - begin);
+    each.maker = std::move(maker);
   }
   std::ranges::stable_sort(waiting, {}, [](const Waiting& each) { return each.waits_for_operator; });
   return waiting;

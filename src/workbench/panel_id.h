@@ -96,6 +96,14 @@ inline constexpr std::optional<PanelId> FindPanel(std::string_view word) {
   return std::nullopt;
 }
 
+/// The panel with this title; null if there is none.
+inline constexpr const PanelInfo* FindPanelByTitle(std::string_view title) {
+  for (const PanelInfo& info : kPanelInfos) {
+    if (info.title == title) return &info;
+  }
+  return nullptr;
+}
+
 /// Some of the panels.
 class PanelSet {
  public:
