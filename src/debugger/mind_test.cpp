@@ -315,6 +315,29 @@ TEST_F(Debugger, AnEditIsCheckedWithItsLinesAndTakesEffectInTheNextTick) {
   EXPECT_FALSE(edit->is_unsaved());
 }
 
+TEST_F(Debugger, AScenarioFileIsCheckedAsOneAndTakesEffectWhenTheWorldBeginsAgain) {
+  Start(kTwoOperators);
+  const std::vector<sim::WatchedFile> files = FilesOf(*simulation_, "hero");
+  ASSERT_FALSE(files.empty());
+  EXPECT_EQ(files.back().file, folder_ / "scenario.toml");
+  Result<Edit> edit = Edit::Open(files.back());
+  ASSERT_TRUE(edit.ok());
+  EXPECT_TRUE(edit->Check().empty());
+  const std::string good = edit->text();
+  edit->text() = good + "colour = 3\n";
+  const std::vector<Diagnostic> problems = edit->Apply(*simulation_);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].line, 6);
+  EXPECT_NE(problems[0].message.find("colour"), std::string::npos);
+  edit->text() = good + "# A comment.\n";
+  EXPECT_TRUE(edit->Apply(*simulation_).empty());
+  EXPECT_EQ(simulation_->waiting_inputs(), 0u);
+  ASSERT_TRUE(edit->Save().ok());
+  EXPECT_TRUE(edit->is_changed()) << "the world runs as it was built";
+  edit->BeginAgain();
+  EXPECT_FALSE(edit->is_changed());
+}
+
 TEST_F(Debugger, FilesThatRulesSourceAreEditedByThemselves) {
   Start(kTwoOperators);
   Write(rules_file_, "source more.soar\n" + std::string(kTwoOperators));

@@ -11,6 +11,7 @@
 #include "diagnostics/problem.h"
 #include "sim/check.h"
 #include "sim/live_edits.h"
+#include "sim/scenario_file.h"
 #include "sim/vet_rules.h"
 
 namespace soarbox::debugger {
@@ -29,6 +30,11 @@ Result<Edit> Edit::Open(const sim::WatchedFile& file) {
 
 std::vector<Diagnostic> Edit::Check() const {
   const std::string name = file_.file.string();
+  if (is_scenario()) {
+    std::vector<Diagnostic> problems;
+    sim::ParseScenarioFile(text_, file_.file, problems);
+    return problems;
+  }
   if (!file_.is_rules) return sim::CheckScriptText(text_, name);
   return sim::VetRuleFile(text_, file_.file);
 }
@@ -37,7 +43,7 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   std::vector<Diagnostic> problems = Check();
   if (sim::IsEmptied(running_, text_))
     problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to take everything out"));
-  if (sim::HasError(problems)) return problems;
+  if (sim::HasError(problems) || is_scenario()) return problems;
   std::vector<sim::WatchedFile> running;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
     if (file.file == file_.file && file.is_rules == file_.is_rules) running.push_back(file);
@@ -70,7 +76,7 @@ Result<void> Edit::Save() {
   }
   saved_ = text_;
   // A run in a window takes over what is saved, unless it has errors.
-  if (!sim::HasError(Check())) running_ = text_;
+  if (!is_scenario() && !sim::HasError(Check())) running_ = text_;
   written_ = fs::last_write_time(file_.file, ignored);
   return {};
 }
@@ -86,7 +92,7 @@ Edit::Disk Edit::LookAtDisk() {
   const bool is_own = is_unsaved();
   saved_ = now->text_;
   // What has errors does not run.
-  if (!sim::HasError(now->Check())) running_ = saved_;
+  if (!is_scenario() && !sim::HasError(now->Check())) running_ = saved_;
   if (is_own) return Disk::kDiffers;
   text_ = saved_;
   return Disk::kTaken;
@@ -114,6 +120,8 @@ std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_v
         std::ranges::any_of(files, [&](const sim::WatchedFile& known) { return known.file == file.file; });
     if (!is_there) files.push_back(std::move(file));
   }
+  if (const std::filesystem::path scenario = simulation.Definition(); !scenario.empty())
+    files.push_back({"", scenario, false});
   return files;
 }
 

@@ -22,6 +22,8 @@ class Edit {
   const sim::WatchedFile& file() const { return file_; }
   std::string& text() { return text_; }
   const std::string& text() const { return text_; }
+  /// It is a scenario file: the running world was built from it, and does not read it again.
+  bool is_scenario() const { return file_.file.extension() == ".toml"; }
   /// It differs from what runs.
   bool is_changed() const { return text_ != running_; }
   /// It differs from what is on the disk.
@@ -30,7 +32,7 @@ class Edit {
   /// What is wrong with the text, with lines; changes nothing.
   std::vector<Diagnostic> Check() const;
   /// Lets the text take effect in the next tick, through the simulation's door, for all agents that were made from this
-  /// file. An error among the problems: nothing is done. Returns what Check does.
+  /// file. An error among the problems: nothing is done. Returns what Check does. A scenario file is only checked.
   std::vector<Diagnostic> Apply(sim::Simulation& simulation);
   /// Writes the file.
   Result<void> Save();
@@ -56,8 +58,8 @@ class Edit {
   std::filesystem::file_time_type written_{};  ///< When the file was, last time that it was read.
 };
 
-/// The files that an agent was made from, those included that its rules source; an empty agent: those of all. Each
-/// once.
+/// The files that an agent was made from, with those that its rules source, and the scenario file last. An empty agent
+/// means the files of all agents. Each file occurs once.
 std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent);
 
 }  // namespace soarbox::debugger

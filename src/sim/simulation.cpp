@@ -646,6 +646,11 @@ std::vector<WatchedFile> Simulation::Files() {
   return files;
 }
 
+std::filesystem::path Simulation::Definition() const {
+  return impl_->scenario.definition.empty() ? std::filesystem::path()
+                                            : impl_->scenario.Original(impl_->scenario.definition);
+}
+
 std::optional<explain::WhyNode> Simulation::Why(std::string_view agent, bool with_operators) const {
   return impl_->minds->Why(agent, with_operators);
 }

@@ -113,6 +113,9 @@ class Simulation {
   /// What happened since the last call.
   EventList TakeEvents();
 
+  /// The scenario file (TOML) that the world was built from; empty if a script alone built it.
+  std::filesystem::path Definition() const;
+
   /// Takes an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
   /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next one. An event then reports
   /// what an input cannot do (no such agent).

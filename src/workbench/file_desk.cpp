@@ -68,9 +68,10 @@ void FileDesk::Apply(Open& file) {
   file.apply_at.reset();
   if (sim::Simulation* world = common_.Looked()) {
     file.contents.problems = file.edit.Apply(*world);
-    file.contents.notice = sim::HasError(file.contents.problems)
-                               ? "Nothing was changed: the previous version keeps running."
-                               : "Reloaded: it takes effect in the next tick.";
+    file.contents.notice =
+        sim::HasError(file.contents.problems) ? "Nothing was changed: the previous version keeps running."
+        : file.edit.is_scenario() ? "No errors. Save it and begin again: a world is built from this file only once."
+                                  : "Reloaded: it takes effect in the next tick.";
   } else {
     if (common_.past.rebuilt().IsPossible()) file.apply_at = common_.past.shown_tick();
     file.contents.notice = common_.past.rebuilt().Note();
