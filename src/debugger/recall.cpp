@@ -16,6 +16,27 @@ namespace {
 
 constexpr std::size_t kMostRecalls = 2000;
 
+/// By object and attribute: constants, and objects.
+using Values = std::map<std::uint32_t, std::map<std::string, std::string>>;
+using Links = std::map<std::uint32_t, std::map<std::string, std::uint32_t>>;
+
+/// The value of ^io.input-link.time in an episode.
+std::optional<double> TimeIn(const Values& values, const Links& links) {
+  std::uint32_t object = 0;
+  for (const char* attribute : {"io", "input-link"}) {
+    const auto from = links.find(object);
+    if (from == links.end()) return std::nullopt;
+    const auto to = from->second.find(attribute);
+    if (to == from->second.end()) return std::nullopt;
+    object = to->second;
+  }
+  const auto of = values.find(object);
+  if (of == values.end()) return std::nullopt;
+  const auto time = of->second.find("time");
+  if (time == of->second.end()) return std::nullopt;
+  return std::strtod(time->second.c_str(), nullptr);
+}
+
 }  // namespace
 
 void RecallLog::Add(std::uint64_t tick, const record::MindRecord& mind) {
@@ -67,8 +88,8 @@ EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number) {
   // Objects in the order in which they are reached; each has the path that led to it first.
   std::map<std::uint32_t, std::string> paths{{0, ""}};
   std::map<std::uint32_t, std::string> ways;  // The attribute that leads there.
-  std::map<std::uint32_t, std::map<std::string, std::string>> values;
-  std::map<std::uint32_t, std::map<std::string, std::uint32_t>> links;
+  Values values;
+  Links links;
   for (const explain::RememberedFact& fact : facts) {
     const auto path = paths.find(fact.object);
     const std::string here = (path == paths.end() ? std::string("?.") : path->second) + fact.attribute;
@@ -82,6 +103,7 @@ EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number) {
     }
   }
   std::ranges::sort(view.lines);
+  view.time_s = TimeIn(values, links);
   for (const auto& [object, way] : ways) {
     const auto position = links[object].find("position");
     if (position == links[object].end()) continue;
@@ -159,6 +181,7 @@ std::string ToText(const EpisodeView& view) {
 Json ToJson(const EpisodeView& view) {
   Json json;
   json["episode"] = view.number;
+  if (view.time_s) json["time"] = *view.time_s;
   json["elements"] = view.lines;
   json["things"] = Json::array();
   for (const RememberedThing& thing : view.things) {

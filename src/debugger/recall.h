@@ -62,7 +62,8 @@ LongTermView LookAtLongTerm(explain::Inspector& mind, const std::string& text = 
 
 /// An episode as lines: "self.position.x 3", and the things in it that have a place.
 struct EpisodeView {
-  std::size_t number = 0;  ///< 0: there is no such episode.
+  std::size_t number = 0;                       ///< 0: there is no such episode.
+  std::optional<double> time_s = std::nullopt;  ///< What the agent perceived as ^io.input-link.time, if it did.
   std::vector<std::string> lines;
   std::vector<RememberedThing> things;
 };

@@ -74,6 +74,16 @@ TEST_F(Recalling, ShowsWhatIsKnownAndRemembered) {
   ASSERT_FALSE(episode.things.empty());
   EXPECT_EQ(episode.things[0].name, "self");
   EXPECT_EQ(LookAtEpisode(*mind, 100000).number, 0u);
+  ASSERT_TRUE(episode.time_s.has_value());
+  EXPECT_NEAR(*episode.time_s, simulation_->time_s(), 0.05);
+  // Which episodes may differ from the one before; the others are alike.
+  const std::vector<std::size_t>& changed = view.facts.changed;
+  ASSERT_FALSE(changed.empty());
+  EXPECT_EQ(changed.front(), 1u);
+  EXPECT_LT(changed.size(), view.facts.episodes);
+  for (std::size_t n = 2; n <= view.facts.episodes; ++n)
+    if (!std::ranges::binary_search(changed, n))
+      EXPECT_EQ(LookAtEpisode(*mind, n).lines, LookAtEpisode(*mind, n - 1).lines) << n;
 
   const record::TickRecord& last = record_;
   ViewSource source;

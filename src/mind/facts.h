@@ -186,6 +186,7 @@ struct LongTermFacts {
   std::vector<KnownObjectFact> known;  ///< The most active first; no more than were asked for.
   std::size_t episodes = 0;
   std::vector<std::uint64_t> decisions;  ///< By episode, from 1: in which it was taken; 0: in an earlier run.
+  std::vector<std::size_t> changed;      ///< The first episode, and those that differ from the one before; ascending.
 };
 
 }  // namespace soarbox::mind

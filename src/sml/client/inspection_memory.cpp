@@ -78,7 +78,10 @@ mind::LongTermFacts InspectLongTerm(kernel::Agent& agent, std::size_t most, std:
   if (const EpisodicMemory* memory = EpisodicMemory::Find(std::as_const(agent.long_term()))) {
     to.episodic = memory->settings().learning;
     to.episodes = memory->store().last();
-    for (kernel::EpisodeNumber n = 1; n <= memory->store().last(); ++n) to.decisions.push_back(memory->DecisionOf(n));
+    for (kernel::EpisodeNumber n = 1; n <= memory->store().last(); ++n) {
+      to.decisions.push_back(memory->DecisionOf(n));
+      if (n == 1 || !memory->store().ChangesOf(n).empty()) to.changed.push_back(n);
+    }
   }
   return to;
 }

@@ -219,6 +219,28 @@ TEST_F(Documents, OfFuturesBeginWithWhoDecidedOtherwise) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST_F(Documents, OfLongTermMemoryTakeAlikeEpisodesTogether) {
+  run->Fill("walker");
+  Contents& contents = run->contents;
+  contents.long_term.note.clear();
+  contents.long_term.facts.episodic = true;
+  contents.long_term.facts.episodes = 60;
+  for (std::uint64_t n = 1; n <= 60; ++n) contents.long_term.facts.decisions.push_back(n < 3 ? 0 : 100 + n);
+  contents.long_term.facts.changed = {1, 31, 46, 47};
+  contents.episode.number = 40;
+  contents.episode.time_s = 2.1;
+  contents.episode.lines = {"io.input-link.time 2.1"};
+  const auto told = [](std::size_t number) {
+    run->contents.episode.number = number;
+    return TextOf(PanelId::kLongTerm);
+  };
+  EXPECT_THAT(told(40), HasSubstr("Episodes 31 to 45 of 60, all alike, at 2.10 s, taken in decisions 131 to 145"));
+  EXPECT_THAT(told(46), HasSubstr("Episode 46 of 60, at 2.10 s, taken in decision 146"));
+  EXPECT_THAT(told(60), HasSubstr("Episodes 47 to 60 of 60, all alike, at 2.10 s, taken in decisions 147 to 160"));
+  EXPECT_THAT(told(1), HasSubstr("Episodes 1 to 30 of 60, all alike, at 2.10 s, from an earlier run"));
+  contents.episode = {};
+}
+
 TEST(Curves, KeepTheirEndsAndTheirPeaksWhenTheyAreThinned) {
   std::vector<std::pair<double, double>> points;
   for (int i = 0; i < 20'000; ++i) points.emplace_back(i, i == 7'777 ? 100 : i % 3);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Long-term memory: objects with their activation, what was recalled and why, episodes.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "workbench/document/build.h"
@@ -102,6 +105,31 @@ Nodes Recalled(const Contents& contents) {
   return {std::move(table)};
 }
 
+/// The episodes from the first to the last that are like this one; nothing happened between them.
+std::pair<std::size_t, std::size_t> AlikeAround(const mind::LongTermFacts& facts, std::size_t episode) {
+  if (facts.changed.empty()) return {episode, episode};
+  const auto after = std::ranges::upper_bound(facts.changed, episode);
+  const std::size_t first = after == facts.changed.begin() ? episode : *std::prev(after);
+  return {first, after == facts.changed.end() ? facts.episodes : *after - 1};
+}
+
+/// "Episodes 31 to 45 of 73518, all alike, at 2.10 s, taken in decisions 31 to 45"
+std::string WhichEpisode(const Contents& contents) {
+  const mind::LongTermFacts& facts = contents.long_term.facts;
+  const std::size_t chosen = contents.episode.number;
+  const auto [first, last] = AlikeAround(facts, chosen);
+  const auto range = [](std::size_t from, std::size_t to) {
+    return from == to ? " " + std::to_string(from) : "s " + std::to_string(from) + " to " + std::to_string(to);
+  };
+  std::string text = "Episode" + range(first, last) + " of " + std::to_string(facts.episodes);
+  if (first != last) text += ", all alike";
+  if (contents.episode.time_s) text += fmt::format(", at {:.2f} s", *contents.episode.time_s);
+  if (last > facts.decisions.size()) return text;
+  if (facts.decisions[chosen - 1] == 0) return text + ", from an earlier run";
+  const std::size_t from = facts.decisions[first - 1] == 0 ? facts.decisions[chosen - 1] : facts.decisions[first - 1];
+  return text + ", taken in decision" + range(from, facts.decisions[last - 1]);
+}
+
 Nodes Episodes(const Contents& contents) {
   const debugger::LongTermView& view = contents.long_term;
   const std::size_t episodes = view.facts.episodes, chosen = contents.episode.number;
@@ -115,8 +143,10 @@ Nodes Episodes(const Contents& contents) {
     button.is_enabled = is_there;
     line.nodes.push_back(std::move(button));
   };
-  step("<", chosen - 1, "The episode before", chosen > 1);
-  step(">", chosen + 1, "The next episode", chosen < episodes);
+  const auto [first, last] = AlikeAround(view.facts, chosen);
+  const std::size_t before = first > 1 ? AlikeAround(view.facts, first - 1).first : 0;
+  step("<", before, "The episode before that differs", chosen != 0 && first > 1);
+  step(">", last + 1, "The next episode that differs", last < episodes);
   if (chosen != 0) step("Close", 0, "", true);
   Strip strip{"episode", "Episode", episodes, chosen, {}, "recalled by rules", RowAction{{EpisodeRequest{}}, "number"}};
   if (contents.recalls != nullptr)
@@ -130,12 +160,7 @@ Nodes Episodes(const Contents& contents) {
                           "Marked episodes were recalled by rules; the page Recalled leads to them."));
     return nodes;
   }
-  std::string text = "Episode " + std::to_string(chosen) + " of " + std::to_string(episodes);
-  if (chosen <= view.facts.decisions.size()) {
-    const std::uint64_t decision = view.facts.decisions[chosen - 1];
-    text += decision == 0 ? ", from an earlier run" : ", taken in decision " + std::to_string(decision);
-  }
-  nodes.push_back(Text(text));
+  nodes.push_back(Text(WhichEpisode(contents)));
   if (contents.episode.things.empty())
     nodes.push_back(Text("Nothing in this episode has a ^position, so it has no ghosts.", Role::kQuiet));
   std::string lines;
