@@ -30,8 +30,8 @@ export async function closeBrowser() {
 }
 
 /** A new page, with the errors in it. `size`: width and height in pixels; `passed`: expected errors. */
-export async function openPage(path = "/", { size = [1280, 800], scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
-  const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, hasTouch: touch });
+export async function openPage(path = "/", { size = [1280, 800], zoom = 1, scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
+  const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, deviceScaleFactor: zoom, colorScheme: scheme, hasTouch: touch });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
   const troubles = [], isExpected = (text) => passed.test(text) || (!draws && /WebGL/.test(text));
