@@ -93,6 +93,8 @@ Diagnostic UnknownArgument(const CLI::App& program, const CLI::App& command, con
   if (!argument.starts_with('-')) {
     problem.message = name + " takes no further argument " + Quoted(argument);
     problem.hint = name + " --help lists what it takes";
+    if (const CLI::Option* view = command.get_option_no_throw("--view"); view != nullptr && view->count() > 0)
+      problem.hint = "a view of two words is one argument: --view \"" + view->as<std::string>() + " " + argument + "\"";
     return problem;
   }
   const std::string option = argument.substr(0, argument.find('='));

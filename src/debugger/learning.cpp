@@ -165,7 +165,8 @@ std::string ToText(const LearningView& view) {
     text += fmt::format("{:>12} {:>8}  {}\n", "number", "updates", "rule");
   }
   for (const explain::NumberFact& number : view.numbers) {
-    text += fmt::format("{:>12.6f} {:>8}  {}\n", number.value, number.updates, number.rule);
+    text += fmt::format("{:>12.6f} {:>8}  {}{}\n", number.value, number.updates, number.rule,
+                        number.when.empty() ? "" : "  if " + number.when);
   }
   if (!view.rules.empty()) text += fmt::format("{:>12} {:>8}  {}\n", "", "firings", "learned rule");
   for (const LearnedRuleRow& rule : view.rules) {
@@ -187,6 +188,7 @@ Json ToJson(const LearningView& view) {
   for (const explain::NumberFact& number : view.numbers) {
     Json one;
     one["rule"] = number.rule;
+    one["when"] = number.when;
     one["value"] = number.value;
     one["current"] = number.current;
     one["future"] = number.future;

@@ -12,6 +12,7 @@
 namespace soarbox::debugger {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
@@ -40,6 +41,7 @@ TEST_F(LearningPanel, ShowsWhatRewardHasTaughtTheHighestFirst) {
   EXPECT_EQ(view.last_reward, 10);
   ASSERT_EQ(view.numbers.size(), 2u);
   EXPECT_EQ(view.numbers[0].rule, "hero*value*go");
+  EXPECT_EQ(view.numbers[0].when, "^name go");
   EXPECT_GT(view.numbers[0].updates, 0u);
   EXPECT_GT(view.numbers[0].value, 3);
   EXPECT_DOUBLE_EQ(view.numbers[0].value, view.numbers[0].current + view.numbers[0].future);
@@ -51,6 +53,17 @@ TEST_F(LearningPanel, ShowsWhatRewardHasTaughtTheHighestFirst) {
   EXPECT_EQ(ToJson(view)["numbers"][0]["rule"], "hero*value*go");
   EXPECT_TRUE(LookAtLearning(*mind, "stay").rules.empty());
   EXPECT_EQ(LookAtLearning(*mind, "stay").learners, 2u);
+}
+
+TEST_F(LearningPanel, SaysWhatEachRuleOfATemplateIsAbout) {
+  Start(std::string(kLearner) +
+        "sp {hero*each :template (state <s> ^operator <o> + ^turn <n>) (<o> ^name <name>)\n"
+        "--> (<s> ^operator <o> = 0.0)}\n");
+  Tick(4);
+  const LearningView view = LookAtLearning(*Mind(), "rl*hero*each");
+  ASSERT_FALSE(view.numbers.empty());
+  EXPECT_THAT(view.numbers[0].when, AnyOf(HasSubstr("^turn "), HasSubstr("^name ")));
+  EXPECT_THAT(ToText(view), HasSubstr("if ^"));
 }
 
 TEST_F(LearningPanel, SaysWhyNothingIsLearned) {

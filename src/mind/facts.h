@@ -118,6 +118,7 @@ struct MindFacts {
 /// The number of a rule that learns by reward: what it expects at once (`current`) and of what follows (`future`).
 struct NumberFact {
   std::string rule;
+  std::string when;  ///< Constants that the rule tests: "^name move ^row 3".
   double value = 0, current = 0, future = 0;
   std::uint64_t updates = 0;
 };

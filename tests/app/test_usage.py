@@ -42,6 +42,7 @@ class Usage(ScenarioCase):
         for command in SUB_COMMANDS:
             self.assertIn(f"soarbox {command} has no option --zzzzzz", self.refused(command, "--zzzzzz"))
         self.assertIn("takes no further argument 'other'", self.refused("list", "other"))
+        self.assertIn('--view "memory S2"', self.refused("inspect", "soar_flee", "--view", "memory", "S2"))
 
     def test_says_what_a_value_may_be(self):
         for arguments, said in ((("--seconds", "abc"), "--seconds takes a number from 0 to 10000000, not 'abc'"),

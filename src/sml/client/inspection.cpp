@@ -188,6 +188,7 @@ class LocalInspection final : public MindInspection {
       if (!production.is_rl) continue;
       mind::NumberFact& number = learning.numbers.emplace_back();
       number.rule = cli::RuleName(agent_, production);
+      number.when = ConstantsOf(agent_, production);
       if (const kernel::RlValue* const learned = agent_.LearnedValue(id)) {
         number.value = agent_.symbols().NumberValue(learned->value);
         number.current = learned->current;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/client/inspection_learning.h"
 
+#include "cli/object_printer.h"
 #include "cli/stack_printer.h"
 #include "kernel/learn/explanation_log.h"
 #include "kernel/rules/print_production.h"
@@ -43,7 +44,33 @@ void ReadTriples(const std::vector<ExplainedRule::Condition>& conditions,
   for (const ExplainedRule::Action& action : actions) to_actions.push_back(ReadAction(action));
 }
 
+/// The constant that a test asks for; none if it asks for a variable or for several things.
+kernel::Symbol ConstantIn(const kernel::Test& test) {
+  const auto of = [](const kernel::Test& one) {
+    const bool is_constant = one.kind == kernel::TestKind::kEqual && !one.referent().IsVariable();
+    return is_constant ? one.referent() : kernel::Symbol();
+  };
+  for (const kernel::Test& part : test.parts())
+    if (const kernel::Symbol constant = of(part)) return constant;
+  return of(test);
+}
+
 }  // namespace
+
+std::string ConstantsOf(const kernel::Agent& agent, const kernel::Production& production) {
+  std::string text;
+  int count = 0;
+  for (const kernel::Condition& condition : production.conditions) {
+    if (condition.kind != kernel::ConditionKind::kPositive) continue;
+    const kernel::Symbol attribute = ConstantIn(condition.attribute), value = ConstantIn(condition.value);
+    if (!attribute || !value) continue;
+    const std::string name = cli::SymbolText(agent, attribute);
+    if (name == "type" || name == "impasse" || name == "superstate") continue;
+    if (++count > kMostConstants) return text + " ...";
+    text += (text.empty() ? "^" : " ^") + name + " " + cli::SymbolText(agent, value);
+  }
+  return text;
+}
 
 std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
   std::vector<mind::LessonFact> lessons;

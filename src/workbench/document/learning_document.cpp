@@ -108,7 +108,7 @@ Nodes Values(const Contents& contents) {
   for (const mind::NumberFact& number : view.numbers) most = std::max(most, std::abs(number.value));
   Table table;
   table.key = "numbers";
-  table.columns = {{"Value", true}, {"Updates", true}, {"Rule"}, {""}};
+  table.columns = {{"Value", true}, {"Updates", true}, {"Rule"}, {"If"}, {""}};
   table.filter = "Filter by text";
   table.none_fits = {"No rule with a number has this text.", ""};
   table.is_sortable = true;
@@ -119,6 +119,7 @@ Nodes Values(const Contents& contents) {
     row.cells = {NumberCell(number.value, Rounded(number.value)),
                  CountCell(number.updates),
                  {{RuleLink(number.rule)}},
+                 TextCell(number.when, Role::kQuiet),
                  {{Span{is_drawn ? "\xc3\x97" : "+", Role::kTag, Action{CurveRequest{number.rule, !is_drawn}},
                         is_drawn ? "No longer draw its curve" : "Draw its curve"}}}};
     row.cells[0].bar = number.value / most;
