@@ -2,6 +2,12 @@
 #include "world/navigation.h"
 
 #include <algorithm>
+#include <future>
+#include <memory>
+#include <system_error>
+#include <thread>
+#include <type_traits>
+#include <utility>
 
 #include "diagnostics/problem.h"
 #include "world/navigation_build.h"
@@ -30,6 +36,30 @@ void AddMesh(const NavigationMesh& mesh, auto& out) {
   }
 }
 
+/// Joins its thread when it is destroyed.
+struct Builder {
+  ~Builder() {
+    if (thread.joinable()) thread.join();
+  }
+  std::thread thread;
+};
+
+/// Runs `build` on another thread. If no thread can be started, it runs when the result is asked for. A single call of
+/// std::async would do the same, but libc++ waits without end after it failed to start a thread (WebAssembly).
+template <typename Build>
+std::future<std::invoke_result_t<Build>> StartBuild(const Build& build) {
+  std::packaged_task<std::invoke_result_t<Build>()> task(build);
+  auto built = task.get_future();
+  auto builder = std::make_unique<Builder>();
+  try {
+    builder->thread = std::thread(std::move(task));
+  } catch (const std::system_error&) {
+    return std::async(std::launch::deferred, build);
+  }
+  return std::async(std::launch::deferred,
+                    [builder = std::move(builder), built = std::move(built)]() mutable { return built.get(); });
+}
+
 }  // namespace
 
 Navigation::Navigation() = default;
@@ -52,9 +82,7 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
   const auto build = [geometry = std::make_shared<const NavigationGeometry>(std::move(geometry)), config] {
     return NavigationMesh::Build(*geometry, config);
   };
-  // If no thread can be started, the mesh is built when it is needed. `build` is copied, because std::async may take it
-  // twice: for the thread, and again for the later call.
-  entry.building = std::async(std::launch::async | std::launch::deferred, build);
+  entry.building = StartBuild(build);
   return farthest > NavigationMesh::kHalfExtent_m;
 }
 

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { apply, closeBrowser, openPage, openWorld, picture, show, typeRules, until } from "../../web/e2e/browser.mjs";
+import { apply, closeBrowser, openLesson, openPage, openWorld, picture, show, typeRules, until } from "../../web/e2e/browser.mjs";
 
 after(closeBrowser);
 
@@ -35,6 +35,27 @@ test("a world runs, its minds say why, its past is shown, and new rules take eff
   await apply(page);
   await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "the rules are reloaded");
   await picture(page, "site_edit");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("a lesson is solved and graded, and its progress is there the next time", async () => {
+  const { page, troubles, close } = await openPage(SITE, { draws: false });
+  await openLesson(page, 1);
+  await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
+  await page.waitForSelector(".panel.mission .grade p");
+  await page.waitForSelector(".panel.mission button:has-text('Grade'):enabled");
+  assert.equal(await page.locator(".panel.mission .passed").count(), 0, "nothing is solved yet");
+  await typeRules(page, textOf("lessons/01-a-rule/solution/porter.soar"));
+  await apply(page);
+  await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "the rules are reloaded");
+  await page.locator(".panel.edit button", { hasText: /^Save$/ }).click().catch(() => undefined);
+  await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
+  await page.waitForSelector(".panel.mission .passed");
+  await picture(page, "site_lesson");
+  await page.waitForTimeout(2500);  // Files are kept a second after each change.
+  await page.reload();
+  await until(async () => /porter\*greet/.test(await page.locator(".cm-content").innerText()), "the rules are there again");
   assert.deepEqual(troubles, []);
   await close();
 });
