@@ -15,6 +15,18 @@
 #include "sim/vet_rules.h"
 
 namespace soarbox::debugger {
+namespace {
+
+bool IsScenario(const sim::WatchedFile& file) {
+  return file.file.extension() == ".toml";
+}
+
+}  // namespace
+
+bool Edit::is_scenario() const {
+  return IsScenario(file_);
+}
+
 Result<Edit> Edit::Open(const sim::WatchedFile& file) {
   std::ifstream in(file.file, std::ios::binary);
   std::ostringstream text;
@@ -112,16 +124,16 @@ int Edit::LineOf(std::string_view rule) const {
 }
 
 std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent) {
-  std::vector<sim::WatchedFile> own = simulation.Files();
-  if (!agent.empty()) std::erase_if(own, [&](const sim::WatchedFile& file) { return file.agent != agent; });
+  constexpr bool kWithScenario = true;
+  std::vector<sim::WatchedFile> own = simulation.Files(kWithScenario);
+  if (!agent.empty())
+    std::erase_if(own, [&](const sim::WatchedFile& file) { return file.agent != agent && !IsScenario(file); });
   std::vector<sim::WatchedFile> files;
   for (sim::WatchedFile& file : sim::WithSourced(own)) {
     const bool is_there =
         std::ranges::any_of(files, [&](const sim::WatchedFile& known) { return known.file == file.file; });
     if (!is_there) files.push_back(std::move(file));
   }
-  if (const std::filesystem::path scenario = simulation.Definition(); !scenario.empty())
-    files.push_back({"", scenario, false});
   return files;
 }
 

@@ -23,7 +23,7 @@ class Edit {
   std::string& text() { return text_; }
   const std::string& text() const { return text_; }
   /// It is a scenario file: the running world was built from it, and does not read it again.
-  bool is_scenario() const { return file_.file.extension() == ".toml"; }
+  bool is_scenario() const;
   /// It differs from what runs.
   bool is_changed() const { return text_ != running_; }
   /// It differs from what is on the disk.

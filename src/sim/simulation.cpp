@@ -626,7 +626,7 @@ std::size_t Simulation::waiting_inputs() const {
   return impl_->door.waiting();
 }
 
-std::vector<WatchedFile> Simulation::Files() {
+std::vector<WatchedFile> Simulation::Files(bool with_scenario) {
   std::vector<WatchedFile> files;
   std::map<std::string, std::filesystem::path, std::less<>> found;  // The agents of a crowd share their scripts.
   const auto add_scripts = [&](world::EntityId id, const std::string& agent) {
@@ -642,13 +642,9 @@ std::vector<WatchedFile> Simulation::Files() {
     add_scripts(id, name);
     if (const Minds::Mind* mind = impl_->minds->Find(id)) files.push_back({name, mind->rules, true});
   }
+  if (with_scenario && !impl_->scenario.definition.empty()) files.push_back({"", impl_->scenario.definition, false});
   for (WatchedFile& file : files) file.file = impl_->scenario.Original(file.file);
   return files;
-}
-
-std::filesystem::path Simulation::Definition() const {
-  return impl_->scenario.definition.empty() ? std::filesystem::path()
-                                            : impl_->scenario.Original(impl_->scenario.definition);
 }
 
 std::optional<explain::WhyNode> Simulation::Why(std::string_view agent, bool with_operators) const {

@@ -113,9 +113,6 @@ class Simulation {
   /// What happened since the last call.
   EventList TakeEvents();
 
-  /// The scenario file (TOML) that the world was built from; empty if a script alone built it.
-  std::filesystem::path Definition() const;
-
   /// Takes an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
   /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next one. An event then reports
   /// what an input cannot do (no such agent).
@@ -132,10 +129,11 @@ class Simulation {
   /// Inputs that wait for later ticks.
   std::size_t waiting_inputs() const;
 
-  /// The files that its minds and scripts were made from.
-  std::vector<WatchedFile> Files();
-  /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  /// `with_operators`: with the operators that are selected now, in the words of any kernel's commands.
+  /// The files that its minds and scripts were made from. `with_scenario`: the scenario file (TOML), too, as the last
+  /// one; it belongs to no agent.
+  std::vector<WatchedFile> Files(bool with_scenario = false);
+  /// Explains the present behaviour of an agent; nothing if there is no such agent with a mind.
+  /// `with_operators`: include the operators that are selected now, as reported by commands of any kernel.
   std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true) const;
   /// Why it does or does not give this command, select this operator or match this rule now.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);

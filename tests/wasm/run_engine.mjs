@@ -114,20 +114,19 @@ async function solveLesson(page, name) {
   return page.contents.mission.lesson.grade[0];
 }
 
-const page = new Page();
-const info = await page.api.json("/api/p/local");
+const info = await new Page().api.json("/api/p/local");
 const all = [...info.scenarios.map(({ name }) => ({ name, run: runWorld })), ...info.lessons.map(({ name }) => ({ name, run: solveLesson }))];
 assert.ok(info.scenarios.length >= 29 && info.lessons.length >= 23, `${info.scenarios.length} worlds, ${info.lessons.length} lessons`);
 let failed = 0, done = 0;
 for (const { name, run } of all.filter((one) => names.length === 0 || names.includes(one.name))) {
   const start = Date.now();
   try {
-    const told = await run(page, name);
+    // A place has room for the files of some lessons only.
+    const told = await run(new Page(), name);
     console.log(`good     ${name}: ${told}; ${((Date.now() - start) / 1000).toFixed(1)} s`);
   } catch (error) {
     failed += 1;
     console.log(`FAILED   ${name}: ${error.message}`);
-    page.ended = "";
   }
   done += 1;
 }
