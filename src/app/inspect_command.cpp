@@ -63,7 +63,9 @@ void Plot(const InspectOptions& options, Inspected& run, const std::string& agen
 /// The agent that is meant: the first one with a mind if none was named.
 std::string AgentOf(const InspectOptions& options, const sim::Simulation& simulation) {
   if (!options.agent.empty()) return options.agent;
-  return simulation.soar_agents() == 0 ? std::string() : simulation.Mind(0).agent;
+  for (std::size_t i = 0; i < simulation.soar_agents(); ++i)
+    if (simulation.HasMind(simulation.AgentOfMind(i))) return simulation.AgentOfMind(i);
+  return {};
 }
 
 Result<void> RunScenario(const InspectOptions& options, const sim::DataFolders& data, Inspected& run) {

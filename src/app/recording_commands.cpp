@@ -305,6 +305,7 @@ int Resume(const RecordingOptions& options) {
   if (!rules.empty()) {
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
       const std::string agent = simulation.Mind(i).agent;
+      if (!simulation.HasMind(agent)) continue;
       const bool wanted = options.agents.empty() ||
                           std::find(options.agents.begin(), options.agents.end(), agent) != options.agents.end();
       if (wanted) simulation.Submit(sim::Input{0, sim::CommandInput{agent, rules}, true});

@@ -243,7 +243,7 @@ int RunSession::Finish() {
   footer.time_s = simulation_->time_s();
   footer.state_hash = simulation_->StateHash();
   footer.agents = simulation_->Snapshot().agents.size();
-  footer.soar_agents = simulation_->soar_agents();
+  footer.soar_agents = simulation_->present_soar_agents();
   footer.problems = problems_;
   footer.findings = findings_.Ranked();
   printer_->End(footer);

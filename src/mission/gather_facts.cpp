@@ -128,8 +128,11 @@ void FactGatherer::GatherBodies() {
     facts.events.clear();
     const world::EntityId id{ids_[i]};
     const world::Agent* body = world.FindAgent(id);
-    if (body == nullptr) {
+    if (body == nullptr || body->IsGone()) {
       facts.alive = false;
+      facts.speed = 0;
+      facts.sees.clear();
+      facts.carried.clear();
       continue;
     }
     facts.name = body->name();

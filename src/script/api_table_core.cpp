@@ -5,6 +5,13 @@ namespace soarbox::script {
 namespace {
 
 constexpr ApiFunction kCoreFunctions[] = {
+    {"Core.AddHinge",
+     "object: Object, point: Vector -1e6..1e6 [m], axis: Vector, other: value = none, settings: table = none", "",
+     "Lets an object turn about an axis through the point only, like a door. The axis stays where it is, or moves with "
+     "another object. Settings: low and high, the limits of the angle in degrees from the present orientation, and "
+     "friction, the maximum torque in N m that brakes it. The hinge goes with the object, and with the other one.",
+     R"(Core.AddHinge(object, Vector.new(4, 1, 5), Vector.new(0, 1, 0), nil, {low = -90, high = 90, friction = 2}))",
+     true},
     {"Core.ApplyAngularImpulse", "object: Object, impulse: Vector -1e12..1e12 [N m s]", "",
      "Changes the object's angular velocity at once.", R"(Core.ApplyAngularImpulse(object, Vector.new(0, 10, 0)))"},
     {"Core.ApplyForce", "object: Object, force: Vector -1e12..1e12 [N]", "",
@@ -80,6 +87,9 @@ print(string.format("%.0f", Core.GetRotation(object).y))  --> 30)"},
     {"Core.Remove", "node: Node", "",
      "Removes a node from the scene, with everything attached to it. For objects, use Sandbox.RemoveObject.",
      R"(Core.Remove(node))"},
+    {"Core.RemoveHinges", "object: Object", "",
+     "Removes the hinges that were added for this object: it moves freely again.", R"(Core.RemoveHinges(object))",
+     true},
     {"Core.ResetParticle", "effect: Thing", "", "Plays a particle effect from its start.",
      R"(Core.ResetParticle(effect))"},
     {"Core.SetAxis", "thing: Placed, x: Vector, y: Vector, z: Vector", "",

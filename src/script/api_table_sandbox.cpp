@@ -54,6 +54,18 @@ Core.SetMaterial(ground, "Ground2"))"},
     {"Sandbox.CreateSkyBox", "sandbox: Sandbox, material: string, rotation: Vector [deg] = none", "",
      "Puts a sky around the world and replaces the previous one.",
      R"(Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0)))"},
+    {"Sandbox.CreateSensor",
+     "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
+     "0.001..100000 [m]",
+     "Object",
+     "Creates an invisible box that nothing collides with. It notices which agents and movable objects come in and "
+     "leave, and sends the event \"SensorEntered\" or \"SensorLeft\" to all listeners (Sandbox.AddEventCallback). The "
+     "event has the fields sensor, and agent or object: who came or left. Agents without physics are not noticed.",
+     R"(local goal = Sandbox.CreateSensor(sandbox, 4, 3, 4)
+Sandbox.AddEventCallback(sandbox, goal, function(sandbox, goal, type, event)
+  if type == "SensorEntered" and event.sensor == goal then print("goal!") end
+end))",
+     true},
     {"Sandbox.CreateSoarAgent", "sandbox: Sandbox, script: value, rules: string = none, options: table = none", "Agent",
      "Creates an agent whose body is a script and whose mind is a file of Soar rules. Agent_Update(agent, "
      "milliseconds, command, parameters) runs once for each command of its mind, or over several ticks if it returns "
@@ -127,6 +139,10 @@ print(now)  --> 0)"},
      "starts inside a body does not hit that body.",
      R"(local hit = Sandbox.RayCastToObject(sandbox, Vector.new(5, 10, 5), Vector.new(5, -1, 5))
 print(hit.result, hit.hitPoint.y)  --> true	1)"},
+    {"Sandbox.RemoveAgent", "sandbox: Sandbox, agent: value", "",
+     "Removes an agent, with everything attached to it, at the beginning of the next step. Until then it acts as "
+     "before; then Agent_Cleanup of its script is called and its mind ends. Calling it again is harmless.",
+     R"(Sandbox.RemoveAgent(sandbox, agent))", true},
     {"Sandbox.RemoveObject", "sandbox: Sandbox, object: value", "",
      "Removes an object from the world at the beginning of the next step. Calling it again is harmless.",
      R"(Sandbox.RemoveObject(sandbox, object))"},

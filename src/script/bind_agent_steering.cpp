@@ -68,6 +68,12 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
 std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
   if (lua_isnoneornil(state, index)) return ContextOf(state).world.AgentIds();
   luaL_checktype(state, index, LUA_TTABLE);
+  const auto everybody = ContextOf(state).world.AgentIds();
+  LuaMachine& machine = LuaMachine::Of(state);
+  if (machine.agent_lists.Holds(state, index, everybody)) {
+    machine.Charge(everybody.size());
+    return everybody;
+  }
   buffer.clear();
   if (!ReadInPlainOrder(state, index, buffer)) {
     buffer.clear();
@@ -81,9 +87,8 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vecto
     }
     lua_pop(state, 1);
   }
-  LuaMachine::Of(state).Charge(buffer.size());
-  const auto all = ContextOf(state).world.AgentIds();
-  return std::ranges::equal(buffer, all) ? all : std::span<const EntityId>(buffer);
+  machine.Charge(buffer.size());
+  return std::ranges::equal(buffer, everybody) ? everybody : std::span<const EntityId>(buffer);
 }
 
 /// (agent, distance [, team]): those within the distance, in creation order, without the agent itself.

@@ -39,7 +39,7 @@ bool SandboxArgument(lua_State* state, int index) {
 world::Agent& AgentArgument(lua_State* state, int index) {
   const world::EntityId id{CheckHandle(state, index, ValueKind::kAgent)};
   world::Agent* agent = ContextOf(state).world.FindAgent(id);
-  if (!agent) RaiseGone(state, index, "agent");
+  if (!agent || agent->IsGone()) RaiseGone(state, index, "agent");
   return *agent;
 }
 
@@ -69,7 +69,8 @@ world::NodeId NodeArgument(lua_State* state, int index, bool agents_too) {
     return world::NodeId::kNone;
   }
   const world::NodeId node = world.NodeOf(world::EntityId{handle->number});
-  if (node == world::NodeId::kNone) RaiseGone(state, index, "sandbox object");
+  if (node == world::NodeId::kNone)
+    RaiseGone(state, index, handle->kind == ValueKind::kAgent ? "agent" : "sandbox object");
   return node;
 }
 

@@ -170,15 +170,29 @@ int CreatePlane(lua_State* state) {
   return MakeObject(state, [&](world::World& world) { return world.CreatePlane(length, width); });
 }
 
+int CreateSensor(lua_State* state) {
+  const float width = CheckFloat(state, 2), height = CheckFloat(state, 3), length = CheckFloat(state, 4);
+  return MakeObject(state, [&](world::World& world) { return world.CreateSensor(width, height, length); });
+}
+
 /// Harmless when asked again, also in later steps: collision callbacks do that.
 int RemoveObject(lua_State* state) {
   if (!SandboxArgument(state, 1)) return 0;
   const Handle* handle = ToHandle(state, 2);
   if (handle && handle->kind == ValueKind::kObject) {
     ContextOf(state).world.RemoveObject(EntityId{handle->number});
+  } else if (handle && handle->kind == ValueKind::kAgent) {
+    WarnIgnored(state, "argument 2 is an agent, which Sandbox.RemoveAgent removes");
   } else {
     WarnIgnored(state, "argument 2 is not a sandbox object");
   }
+  return 0;
+}
+
+/// Harmless when called again, as RemoveObject.
+int RemoveAgent(lua_State* state) {
+  if (!SandboxArgument(state, 1)) return 0;
+  ContextOf(state).world.RemoveAgent(EntityId{CheckHandle(state, 2, ValueKind::kAgent)});
   return 0;
 }
 
@@ -227,6 +241,7 @@ constexpr Binding kSandboxCreateBindings[] = {
     {"CreatePhysicsCapsule", CreatePhysicsCapsule, 3, 3, WrongCount::kIgnored},
     {"CreatePhysicsSphere", CreatePhysicsSphere, 2, 2, WrongCount::kIgnored},
     {"CreatePlane", CreatePlane, 3, 3, WrongCount::kIgnored},
+    {"CreateSensor", CreateSensor, 4, 4, WrongCount::kError},
     {"CreateSoarAgent", CreateSoarAgent, 2, 4, WrongCount::kError},
     {"CreateSoarFollowerAgent", CreateSoarFollowerAgent, 2, 4, WrongCount::kIgnored},
     {"CreateSoarSeekingAgent", CreateSoarSeekingAgent, 2, 4, WrongCount::kIgnored},
@@ -234,6 +249,7 @@ constexpr Binding kSandboxCreateBindings[] = {
     {"GetAgents", GetAgents, 1, 1, WrongCount::kIgnored},
     {"GetObjects", GetObjects, 1, 1, WrongCount::kIgnored},
     {"RayCastToObject", RayCastToObject, 3, 3, WrongCount::kError},
+    {"RemoveAgent", RemoveAgent, 2, 2, WrongCount::kError},
     {"RemoveObject", RemoveObject, 2, 2, WrongCount::kIgnored},
 };
 

@@ -50,6 +50,7 @@ int AddEventCallback(lua_State* state) {
     return 0;
   }
   if (target->kind == ValueKind::kObject) ObjectArgument(state, 2);
+  if (target->kind == ValueKind::kAgent) AgentArgument(state, 2);
   LuaMachine& machine = LuaMachine::Of(state);
   CheckCallbacks(state);
   lua_pushvalue(state, 3);

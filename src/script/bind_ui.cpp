@@ -117,6 +117,11 @@ int SetVisible(lua_State* state) {
   return 0;
 }
 
+int Remove(lua_State* state) {
+  UiOf(state).Remove(UiArgument(state, 1));
+  return 0;
+}
+
 /// Components on the screen have no place in the world.
 void WarnUnlessInWorld(lua_State* state, bool is_in_world) {
   if (!is_in_world)
@@ -146,6 +151,7 @@ constexpr Binding kUiBindings[] = {
     {"GetText", GetText<&Ui::Text>, 1, 1, WrongCount::kIgnored},
     {"GetTextMargin", GetPoint<&Ui::TextMargin>, 1, 1, WrongCount::kIgnored},
     {"IsVisible", IsVisible, 1, 1, WrongCount::kIgnored},
+    {"Remove", Remove, 1, 1, WrongCount::kError},
     {"SetBackgroundColor", SetBackgroundColor, 4, 9, WrongCount::kError},
     {"SetDimensions", SetPoint<&Ui::SetDimensions>, 3, 3, WrongCount::kError},
     {"SetFont", SetFont, 2, 2, WrongCount::kError},

@@ -45,6 +45,16 @@ void CollisionCallbacks::RemoveObject(world::EntityId object) {
   callbacks_.erase(it);
 }
 
+void CollisionCallbacks::RemoveMachine(LuaMachine& machine) {
+  for (auto& [object, callbacks] : callbacks_) {
+    size_ -= std::erase_if(callbacks, [&](const Callback& callback) {
+      if (callback.machine != &machine) return false;
+      machine.Release(callback.function);
+      return true;
+    });
+  }
+}
+
 void CollisionCallbacks::Deliver(std::span<const world::Collision> collisions,
                                  const std::function<bool(world::EntityId)>& is_agent,
                                  const std::function<bool(const LuaMachine&)>& may_run,

@@ -18,6 +18,8 @@ class CollisionCallbacks {
   void Add(world::EntityId object, LuaMachine& machine, int function);
   std::size_t size() const { return size_; }
   void RemoveObject(world::EntityId object);
+  /// Drops all callbacks that this machine keeps: it is about to go.
+  void RemoveMachine(LuaMachine& machine);
 
   /// For each collision: the callbacks of a, then those of b with everything swapped. An object that asked for its
   /// removal in an earlier callback still hears of the rest of the step's collisions.

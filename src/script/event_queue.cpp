@@ -102,6 +102,14 @@ void EventQueue::RemoveTarget(std::uint32_t number) {
   callbacks_.erase(it);
 }
 
+void EventQueue::RemoveMachine(LuaMachine& machine) {
+  std::erase_if(callbacks_, [&](const auto& entry) {
+    if (entry.second.machine != &machine) return false;
+    machine.Release(entry.second.function);
+    return true;
+  });
+}
+
 void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnResult& on_result) {
   const std::vector<ScriptEvent> events = std::exchange(waiting_, {});
   waiting_bytes_ = 0;

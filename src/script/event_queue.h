@@ -45,8 +45,10 @@ class EventQueue {
   /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces an earlier
   /// one.
   void SetCallback(Handle target, LuaMachine& machine, int function);
-  /// Drops the callback of an object that is gone.
+  /// Drops the callback of an agent or object that is gone.
   void RemoveTarget(std::uint32_t number);
+  /// Drops all callbacks that this machine keeps: it is about to go.
+  void RemoveMachine(LuaMachine& machine);
 
   /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending
   /// number of their target. Events that are added meanwhile wait for the next step. `may_run` skips machines.

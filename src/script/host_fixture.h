@@ -86,7 +86,7 @@ class HostTest : public testing::Test {
 
   /// One tick as the simulation sequences it.
   void Tick() {
-    host_->BeginTick(world_->BeginTick());
+    host_->BeginTick();
     host_->DeliverEvents();
     const auto ids = world_->AgentIds();
     for (const world::EntityId id : std::vector(ids.begin(), ids.end())) {

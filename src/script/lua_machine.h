@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "script/agent_lists.h"
 #include "script/script_error.h"
 #include "script/script_memory.h"
 #include "script/world_budget.h"
@@ -199,6 +200,8 @@ class LuaMachine {
     int own_handle = 0;  ///< Of the machine's own agent; 0: not made yet.
   };
   ValueReferences values;
+  AgentLists agent_lists;
+  ScriptMemory& memory() { return memory_; }
   const ScriptMemory& memory() const { return memory_; }
 
  private:

@@ -68,7 +68,7 @@ void InstallHandleMetatable(lua_State* state, ValueKind kind) {
   KeepMetatable(state, kind);
 }
 
-/// Agents never go, so one handle for each serves: scripts ask for all agents in every step.
+/// No agent gets the id of another one, so one handle for each serves: scripts ask for all agents in every step.
 bool PushKnownAgent(lua_State* state, std::uint32_t number) {
   const LuaMachine& machine = LuaMachine::Of(state);
   if (number == machine.owner() && machine.values.own_handle != 0) {
@@ -139,18 +139,9 @@ void PushHandle(lua_State* state, Handle handle) {
 }
 
 void PushAgents(lua_State* state, std::span<const world::EntityId> ids) {
-  LuaMachine::Of(state).Charge(ids.size());
-  lua_createtable(state, static_cast<int>(ids.size()), 0);
-  PushAgentHandles(state);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    lua_rawgeti(state, -1, static_cast<int>(Number(ids[i])));
-    if (lua_isnil(state, -1)) {
-      lua_pop(state, 1);
-      PushAgent(state, ids[i]);
-    }
-    lua_rawseti(state, -3, static_cast<int>(i + 1));
-  }
-  lua_pop(state, 1);
+  LuaMachine& machine = LuaMachine::Of(state);
+  machine.Charge(ids.size());
+  machine.agent_lists.Push(state, ids);
 }
 
 world::Vec3* ToVector(lua_State* state, int index) {

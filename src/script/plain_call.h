@@ -24,11 +24,12 @@ void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector)
 
 // Arguments: each of these refuses everything that is not exactly so.
 
-/// The agent at `index`; null for everything else.
+/// The agent at `index`; null for everything else, also for a removed agent.
 inline world::Agent* PlainAgent(lua_State* state, const LuaMachine& machine, int index) {
   const auto* handle = static_cast<const Handle*>(lua_touserdata(state, index));
   if (!handle || handle->kind != ValueKind::kAgent) return nullptr;
-  return machine.context()->world.FindAgent(world::EntityId{handle->number});
+  world::Agent* agent = machine.context()->world.FindAgent(world::EntityId{handle->number});
+  return agent != nullptr && !agent->IsGone() ? agent : nullptr;
 }
 
 /// The number at `index`, if there is one.

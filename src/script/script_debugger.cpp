@@ -94,6 +94,12 @@ void ScriptDebugger::OnMachine(LuaMachine& machine) {
   view_.machines_.push_back(&machine);
 }
 
+void ScriptDebugger::OnGone(LuaMachine& machine) {
+  if (step_machine_ == &machine) EndStep();
+  std::erase_if(hits_, [&](const Place& hit) { return hit.machine == &machine; });
+  view_.Forget(machine);
+}
+
 const std::vector<ScriptBreakpoint>* ScriptDebugger::MarksOf(const LuaMachine& machine, std::string_view script) const {
   const auto known = marks_by_script_.find(script);
   if (known != marks_by_script_.end()) return known->second;

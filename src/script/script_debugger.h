@@ -60,6 +60,7 @@ class ScriptDebugger final : public ScriptObserver {
  private:
   void OnWorld() override;
   void OnMachine(LuaMachine& machine) override;
+  void OnGone(LuaMachine& machine) override;
   Wants WantsOf(const LuaMachine& machine) override;
   void OnLine(LuaMachine& machine, lua_State* state, lua_Debug& frame) override;
   void OnError(LuaMachine& machine, lua_State* state) override;

@@ -200,6 +200,23 @@ TEST(LinesOfScript, AreThoseOfAllFunctions) {
   EXPECT_TRUE(LinesOfScript("not Lua").empty());
 }
 
+TEST_F(ScriptDebuggerTest, TheScriptOfARemovedAgentIsNoLongerListed) {
+  Debug(kAgent, {{8, ""}});
+  steps_ = {ScriptStep::kOver, ScriptStep::kGo};
+  Tick();
+  ASSERT_EQ(View().Machines().size(), 2u);
+  int memory = 0;
+  for (const ScriptVariable& global : View().Globals(1))
+    if (global.name == "Memory") memory = global.reference;
+  EXPECT_EQ(View().Fields(memory).size(), 2u);
+  world_->RemoveAgent(EntityId{1});
+  const std::size_t pauses = places_.size();
+  Ticks(2);
+  EXPECT_EQ(View().Machines().size(), 1u);
+  EXPECT_TRUE(View().Fields(memory).empty());
+  EXPECT_EQ(places_.size(), pauses);
+}
+
 TEST_F(ScriptDebuggerTest, TheProfilerCountsCalls) {
   Write("A.lua", kAgent);
   ScriptProfiler profiler;

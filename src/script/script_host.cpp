@@ -126,7 +126,7 @@ std::optional<ScriptError> RunTyped(LuaMachine& machine, std::string_view text, 
   });
 }
 
-/// An agent's script: its machine lives as long as the host, so that callbacks stay valid.
+/// An agent's script: its machine lives until the agent is removed, and its callbacks with it.
 struct ScriptHost::AgentScript {
   EntityId id;
   AgentCreationRequest request;
@@ -183,13 +183,38 @@ bool ScriptHost::Initialize() {
   return NoteResult(EntityId::kSandbox, "Sandbox_Initialize", error);
 }
 
-void ScriptHost::BeginTick(std::span<const EntityId> removed_objects) {
+std::vector<EntityId> ScriptHost::BeginTick() {
   budget_.BeginTick();
   CountOthers();
-  for (const EntityId id : removed_objects) {
+  std::vector<EntityId> removed = world_.BeginTick([this](EntityId agent) {
+    if (const AgentScript* script = Find(agent)) CleanUpAgent(*script);
+  });
+  for (const EntityId id : removed) {
     context_.events.RemoveTarget(Number(id));
     context_.collisions.RemoveObject(id);
+    EndScript(id);
   }
+  return removed;
+}
+
+void ScriptHost::CleanUpAgent(const AgentScript& script) {
+  if (!script.runs) return;
+  const auto error = script.machine->CallGlobal("Agent_Cleanup", [&](lua_State* state) {
+    PushAgent(state, script.id);
+    return 1;
+  });
+  NoteResult(script.id, "Agent_Cleanup", error);
+}
+
+void ScriptHost::EndScript(EntityId agent) {
+  AgentScript* script = Find(agent);
+  if (!script) return;
+  LuaMachine& machine = *script->machine;
+  context_.events.RemoveMachine(machine);
+  context_.collisions.RemoveMachine(machine);
+  if (machine.observer() != nullptr) machine.observer()->OnGone(machine);
+  by_id_[Number(agent)] = nullptr;
+  std::erase_if(agents_, [&](const auto& other) { return other.get() == script; });
 }
 
 void ScriptHost::HandleInput(const InputEvent& event) {
@@ -416,6 +441,20 @@ void ScriptHost::HandleCollisions() {
       [this](LuaMachine& machine, const ScriptError* error) {
         NoteResult(EntityId{machine.owner()}, "the collision callback", error);
       });
+  FileSensorEvents();
+}
+
+void ScriptHost::FileSensorEvents() {
+  if (context_.events.callbacks() == 0) return;
+  for (const world::SensorChange& change : world_.SensorChanges()) {
+    if (context_.events.waiting() >= settings_.world_limits.waiting_events) return;
+    ScriptEvent event{change.entered ? "SensorEntered" : "SensorLeft", {}};
+    const bool is_agent = world_.FindAgent(change.other) != nullptr;
+    event.fields["sensor"] = Handle{ValueKind::kObject, Number(change.sensor)};
+    event.fields[is_agent ? "agent" : "object"] =
+        Handle{is_agent ? ValueKind::kAgent : ValueKind::kObject, Number(change.other)};
+    context_.events.Add(std::move(event));
+  }
 }
 
 void ScriptHost::UpdateSandbox() {
@@ -423,14 +462,7 @@ void ScriptHost::UpdateSandbox() {
 }
 
 void ScriptHost::Cleanup() {
-  for (const auto& script : agents_) {
-    if (!script->runs) continue;
-    const auto error = script->machine->CallGlobal("Agent_Cleanup", [&](lua_State* state) {
-      PushAgent(state, script->id);
-      return 1;
-    });
-    NoteResult(script->id, "Agent_Cleanup", error);
-  }
+  for (const auto& script : agents_) CleanUpAgent(*script);
   CallSandbox("Sandbox_Cleanup", false);
 }
 

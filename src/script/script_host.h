@@ -38,7 +38,7 @@ struct ScriptHostSettings {
 /// hands their commands to UpdateAgent.
 ///
 /// One tick, in the sandbox's order:
-///   host.BeginTick(world.BeginTick());   // objects that went lose their callbacks
+///   host.BeginTick();                    // and the world's: removed agents and objects go
 ///   host.HandleInput(event) ...          // keys and mouse
 ///   host.DeliverEvents();                // custom events
 ///   for each agent, in creation order (a copy of world.AgentIds(): scripts may create more):
@@ -65,7 +65,9 @@ class ScriptHost final : private AgentMaker {
   /// Calls Sandbox_Initialize. False if it failed; what it made before that stays.
   bool Initialize();
 
-  void BeginTick(std::span<const world::EntityId> removed_objects);
+  /// Begins the world's tick. Agent_Cleanup is called for agents that are removed; then their scripts end. Returns the
+  /// agents and objects that went, in ascending id.
+  std::vector<world::EntityId> BeginTick();
   /// First the sandbox, then each agent hears of it.
   void HandleInput(const InputEvent& event);
   /// Files a custom event of the type "Order" with the fields `agent` and `order`: what a user asks an agent to do.
@@ -94,6 +96,7 @@ class ScriptHost final : private AgentMaker {
   std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
   /// Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
   GameAnswer CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
+  /// Also files the events "SensorEntered" and "SensorLeft" of the last step.
   void HandleCollisions();
   /// Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();
@@ -131,6 +134,10 @@ class ScriptHost final : private AgentMaker {
   /// Counts what minds and bodies take now.
   void CountOthers();
   void InitializeAgent(AgentScript& script);
+  void CleanUpAgent(const AgentScript& script);
+  void FileSensorEvents();
+  /// Ends the script of an agent that was removed.
+  void EndScript(world::EntityId agent);
   AgentScript* Find(world::EntityId agent);
   /// Hands a command to Agent_Update. `kept`: where its table of parameters is kept; LUA_NOREF: nowhere yet.
   CommandAnswer AskForCommand(AgentScript& script, std::string_view command, const Table* parameters, int& kept);

@@ -141,6 +141,7 @@ ScriptMemory::~ScriptMemory() {
 
 void* ScriptMemory::Reallocate(void* block, std::size_t old_size, std::size_t new_size) {
   if (!block) old_size = 0;
+  if (block == watched_) watched_ = nullptr;
   if (new_size == 0) {
     if (block && old_size > 0) {
       GiveBack(block, ClassOf(old_size));
@@ -162,6 +163,10 @@ void* ScriptMemory::Reallocate(void* block, std::size_t old_size, std::size_t ne
     block = moved;
   }
   used_bytes_ += new_size - old_size;
+  if (old_size == 0) {
+    last_block_ = block;
+    last_size_ = new_size;
+  }
   return block;
 }
 

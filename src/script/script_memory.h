@@ -45,6 +45,12 @@ class ScriptMemory {
   /// more is refused. Resets the answer.
   bool TakeNearRefusal() { return std::exchange(near_refusal_, false); }
 
+  /// The block that was taken last, and its size as it was asked for.
+  std::pair<void*, std::size_t> last_block() const { return {last_block_, last_size_}; }
+  /// Notices when this block is freed, moved or resized; watched() is null from then on.
+  void Watch(const void* block) { watched_ = block; }
+  const void* watched() const { return watched_; }
+
   std::size_t used_bytes() const { return used_bytes_; }
   std::size_t limit_bytes() const { return limit_bytes_; }
   /// True if the last refusal was the world's: this memory is below its own limit.
@@ -79,6 +85,9 @@ class ScriptMemory {
   bool world_refused_ = false;
   bool near_refusal_ = false;
   std::size_t used_bytes_ = 0;
+  void* last_block_ = nullptr;
+  std::size_t last_size_ = 0;
+  const void* watched_ = nullptr;
   bool collecting_ = false;
   std::array<FreeBlock*, kClasses> free_{};
   std::array<FreeBlock*, kClasses> waiting_{};  ///< Freed in the present collection.

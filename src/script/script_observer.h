@@ -21,8 +21,10 @@ class ScriptObserver {
   virtual ~ScriptObserver() = default;
   /// The scripts of another world begin: machines that it knows of are about to go.
   virtual void OnWorld() {}
-  /// A machine of this world has been made; it lives as long as the world.
+  /// A machine of this world has been made; it lives as long as the world, or until OnGone.
   virtual void OnMachine(LuaMachine&) {}
+  /// The agent of this machine was removed: the machine is about to go. No call into it is under way.
+  virtual void OnGone(LuaMachine&) {}
   /// What it wants of a machine. Asked when a call from outside begins, and when the machine loads a file.
   virtual Wants WantsOf(const LuaMachine& machine) = 0;
   /// A line is about to be executed: frame.currentline.

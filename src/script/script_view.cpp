@@ -321,6 +321,7 @@ std::vector<ScriptVariable> ScriptView::Fields(int reference) {
   std::vector<ScriptVariable> list;
   if (reference < 1 || static_cast<std::size_t>(reference) > references_.size()) return list;
   const Reference held = references_[static_cast<std::size_t>(reference) - 1];
+  if (held.machine == nullptr) return list;
   const auto collect = [&](lua_State* state) {
     lua_rawgeti(state, LUA_REGISTRYINDEX, held.kept);
     list = FieldsAt(*held.machine, state, lua_gettop(state));
@@ -433,8 +434,15 @@ void ScriptView::EndPause() {
   calls_->list.clear();
 }
 
+void ScriptView::Forget(LuaMachine& machine) {
+  std::erase(machines_, &machine);
+  for (Reference& held : references_)
+    if (held.machine == &machine) held.machine = nullptr;
+}
+
 void ScriptView::DropReferences() {
-  for (const Reference& held : references_) held.machine->Release(held.kept);
+  for (const Reference& held : references_)
+    if (held.machine != nullptr) held.machine->Release(held.kept);
   references_.clear();
 }
 

@@ -81,6 +81,8 @@ class ScriptView {
   /// `first_level`: of the innermost call that is shown.
   void BeginPause(LuaMachine& machine, lua_State* state, int first_level, std::string reason, std::string error);
   void EndPause();
+  /// The machine is about to go; references to its values lead to nothing from now on.
+  void Forget(LuaMachine& machine);
   /// Evaluates a condition in the innermost call; also true if it cannot be evaluated, so that the user notices.
   static bool Holds(LuaMachine& machine, lua_State* state, const std::string& condition);
   /// The level of a call inside of a protected call of our own, where Lua finds its local variables.
@@ -97,7 +99,7 @@ class ScriptView {
   std::string reason_, error_;
   std::unique_ptr<Calls> calls_;
   struct Reference {
-    LuaMachine* machine;
+    LuaMachine* machine;  ///< Null: it has gone.
     int kept;
   };
   std::vector<Reference> references_;

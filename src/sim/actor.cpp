@@ -282,7 +282,7 @@ void Actor::Notice(Happening happening) {
 
 std::optional<Actor::Sighting> Actor::Find(world::EntityId agent, std::string_view& reason) const {
   const world::Agent* other = world_.FindAgent(agent);
-  if (other == nullptr) {
+  if (other == nullptr || other->IsGone()) {
     reason = "no-such-agent";
     return std::nullopt;
   }

@@ -32,6 +32,8 @@ std::string_view KindOf(world::ObjectKind kind) {
       return "plane";
     case world::ObjectKind::kMesh:
       return "mesh";
+    case world::ObjectKind::kSensor:
+      return "sensor";
   }
   return "thing";
 }
@@ -52,6 +54,12 @@ Actor& Arena::Add(world::EntityId agent, const BodyKind& kind, bool is_scripted)
   body.SetHealth(kind.health);
   GiveLooks(*actors_.back());
   return *actors_.back();
+}
+
+void Arena::Remove(world::EntityId agent) {
+  Tell(agent, "leaves", "a script removed it");
+  std::erase_if(actors_, [&](const auto& actor) { return actor->id() == agent; });
+  std::erase_if(touching_, [&](const auto& pair) { return pair.first == agent || pair.second == agent; });
 }
 
 /// A person that walks as the body moves, with a rifle if it is armed; or a plain capsule.

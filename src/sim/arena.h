@@ -31,6 +31,8 @@ class Arena {
   /// Gives an agent of the world a body of this kind, with its looks. An agent whose body is a script gets only the
   /// senses of the kind: it carries out no commands.
   Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
+  /// Removes an agent that has gone from the world, with what it carries, and reports that it leaves.
+  void Remove(world::EntityId agent);
   /// Null for agents that were not added.
   Actor* Find(world::EntityId agent);
   const Actor* Find(world::EntityId agent) const { return const_cast<Arena*>(this)->Find(agent); }

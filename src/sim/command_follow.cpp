@@ -113,7 +113,9 @@ std::optional<Vec3> FindCover(Actor& actor, Vec3 menace, world::EntityId menace_
   const world::World& world = actor.world();
   for (const world::EntityId id : world.ObjectIds()) {
     const world::Object& object = *world.FindObject(id);
-    if (object.kind() == world::ObjectKind::kPlane || object.Radius() > 20) continue;
+    if (object.kind() == world::ObjectKind::kPlane || object.kind() == world::ObjectKind::kSensor ||
+        object.Radius() > 20)
+      continue;
     const Vec3 center = object.Position();
     const Vec3 behind = world::Normalized(Flat(center - menace));
     for (const float turn : {0.0f, 25.0f, -25.0f}) {

@@ -138,13 +138,22 @@ void Minds::HaltForMemory(Mind& mind) {
 }
 
 void Minds::Halt(Mind& mind, RunEvent reason) {
+  End(mind);
+  report_(std::move(reason));
+}
+
+void Minds::End(Mind& mind) {
   memory_bytes_ -= mind.memory_bytes;
   mind.memory_bytes = 0;
   mind.lost = mind.gone = true;
   mind.decided = false;
   mind.soar.Forget();
   host_.DestroyAgent(world_.FindAgent(mind.agent)->name());
-  report_(std::move(reason));
+}
+
+void Minds::EndRemoved(world::EntityId agent) {
+  Mind* mind = Find(agent);
+  if (mind != nullptr && !mind->gone && !mind->by_client) End(*mind);
 }
 
 }  // namespace soarbox::sim

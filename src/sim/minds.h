@@ -153,6 +153,8 @@ class Minds final : public script::MindFactory {
   Mind* Find(world::EntityId agent);
   /// By the name of its body; null if there is none.
   Mind* FindNamed(std::string_view agent);
+  /// Ends the mind of an agent that was removed from the world. A mind that a client drives ends with its client.
+  void EndRemoved(world::EntityId agent);
   std::span<Mind> all() { return minds_; }
   std::size_t size() const { return minds_.size(); }
 
@@ -195,6 +197,8 @@ class Minds final : public script::MindFactory {
   void HaltForMemory(Mind& mind);
   /// Ends its program and reports why.
   void Halt(Mind& mind, RunEvent reason);
+  /// Removes it from the kernel; from then on it is gone.
+  void End(Mind& mind);
   void TellMemory(Mind& mind);
   void TellLearned(Mind& mind);
   void TellGap(Mind& mind, const world::Agent& body);

@@ -72,6 +72,10 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
   const auto add = [&root](std::string line) -> explain::WhyNode& {
     return root.below.emplace_back(explain::WhyNode{std::move(line), WhyKind::kReason, "", {}});
   };
+  if (body.IsGone()) {
+    add("is no longer there: a script removed it");
+    return root;
+  }
   if (at->gone) {
     add(std::string(kHaltedForMemory));
     return root;

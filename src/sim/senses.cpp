@@ -390,7 +390,7 @@ void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const Fie
     }
     const world::Agent& other = *world.FindAgent(id);
     const Vec3 place = other.Position();
-    const bool seen = view.Holds(place) && SeesAgent(actor.body(), other, around);
+    const bool seen = !other.IsGone() && view.Holds(place) && SeesAgent(actor.body(), other, around);
     // Who runs is heard at the full range, who walks at a part of it.
     const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
     const bool heard = !seen && other.Health() > 0 && FlatDistance(here, place) <= senses.hearing_m * loudness;
@@ -425,7 +425,8 @@ void NoticeThings(Actor& actor, const FieldOfView& view, const world::BodiesArou
   for (auto& [id, thing] : things) thing.visible = false;
   for (const world::EntityId id : world.ObjectIds()) {
     const world::Object& object = *world.FindObject(id);
-    if (object.kind() == world::ObjectKind::kPlane || id == actor.arena().ground() || object.removal_requested())
+    if (object.kind() == world::ObjectKind::kPlane || object.kind() == world::ObjectKind::kSensor ||
+        id == actor.arena().ground() || object.removal_requested())
       continue;
     const Vec3 center = object.Position();
     if (!view.Holds(center) || !HasLineOfSight(world, actor.body(), center, id, around)) continue;

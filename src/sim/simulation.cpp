@@ -87,6 +87,8 @@ struct Simulation::Impl final : script::ScriptListener {
   void ServeClients();
   void ApplyInputs();
   void ReportNewAgents();
+  /// Ends the minds and bodies of the agents among these.
+  void EndRemoved(std::span<const world::EntityId> removed);
   void ReportWarningsOfWorld();
   void ReportEnd(const std::string& reached);
   void ReportEndOfScripts();
@@ -117,7 +119,7 @@ struct Simulation::Impl final : script::ScriptListener {
   std::vector<world::EntityId> order;                                  ///< Scratch: agents to update in this tick.
   EventList events;
   TickCosts costs;
-  std::size_t agents_reported = 0;
+  world::EntityId last_reported = world::EntityId::kSandbox;
   bool connected = true;
   bool finished = false;
 };
@@ -276,15 +278,25 @@ void Simulation::Impl::ReportEndOfScripts() {
 }
 
 void Simulation::Impl::ReportNewAgents() {
+  // Their numbers ascend; those that have gone are no longer listed.
   const std::span<const world::EntityId> ids = world.AgentIds();
-  for (; agents_reported < ids.size(); ++agents_reported) {
-    const world::Agent& body = *world.FindAgent(ids[agents_reported]);
+  for (auto next = std::ranges::upper_bound(ids, last_reported); next != ids.end(); ++next) {
+    last_reported = *next;
+    const world::Agent& body = *world.FindAgent(*next);
     RunEvent event;
     event.kind = EventKind::kAgentCreated;
     event.agent = body.name();
     event.text = body.kind();
     if (!body.script().empty()) event.text += ", " + body.script();
     Report(std::move(event));
+  }
+}
+
+void Simulation::Impl::EndRemoved(std::span<const world::EntityId> removed) {
+  for (const world::EntityId id : removed) {
+    if (world.FindAgent(id) == nullptr) continue;
+    arena->Remove(id);
+    minds->EndRemoved(id);
   }
 }
 
@@ -478,7 +490,7 @@ void Simulation::Tick() {
                                                          s.world.ObjectIds().size() * script::kObjectBodyBytes);
 
   // Events.
-  s.scripts->BeginTick(s.world.BeginTick());
+  s.EndRemoved(s.scripts->BeginTick());
   s.door.BeginTick(s.world.tick());
   s.ApplyInputs();
   s.scripts->DeliverEvents();
@@ -566,6 +578,10 @@ std::uint64_t Simulation::StateHash() const {
 std::size_t Simulation::soar_agents() const {
   return impl_->minds->size();
 }
+std::size_t Simulation::present_soar_agents() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      impl_->minds->all(), [this](const Minds::Mind& mind) { return !impl_->world.FindAgent(mind.agent)->IsGone(); }));
+}
 MindReport Simulation::Mind(std::size_t index) const {
   const Minds::Mind& mind = impl_->minds->all()[index];
   return {AgentOfMind(index), mind.soar.log().events(), mind.decide_s};
@@ -574,7 +590,8 @@ const std::string& Simulation::AgentOfMind(std::size_t index) const {
   return impl_->world.FindAgent(impl_->minds->all()[index].agent)->name();
 }
 bool Simulation::HasMind(std::string_view agent) const {
-  return impl_->minds->FindNamed(agent) != nullptr;
+  const Minds::Mind* mind = impl_->minds->FindNamed(agent);
+  return mind != nullptr && !impl_->world.FindAgent(mind->agent)->IsGone();
 }
 std::unique_ptr<explain::Inspector> Simulation::Inspect(std::string_view agent) const {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);

@@ -96,11 +96,14 @@ class Simulation {
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
   /// Hash of all that decides the world's future (World::Hash, and what the bodies are doing).
   std::uint64_t StateHash() const;
+  /// How many minds there are, those of removed agents included.
   std::size_t soar_agents() const;
+  /// The same without those of removed agents.
+  std::size_t present_soar_agents() const;
   /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
   MindReport Mind(std::size_t index) const;
   const std::string& AgentOfMind(std::size_t index) const;
-  /// Whether there is an agent of this name with a Soar mind.
+  /// Whether there is an agent of this name with a Soar mind. False if it was removed.
   bool HasMind(std::string_view agent) const;
   /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid
   /// until the next tick.

@@ -33,10 +33,10 @@ struct AgentDef {
 
 /// One agent: an upright capsule that physics moves but never turns, and the properties that scripts read and write.
 ///
-/// Owned by the World and never destroyed before it; found by id (World::FindAgent). Position is the centre of the
-/// capsule: the feet are at y - height / 2. All getters are current, also in the middle of a tick. Values that are not
-/// finite are refused (the setter returns false and changes nothing); sizes and positions are limited to what the
-/// physics can bear. Owned and touched by the simulation's thread only.
+/// Owned by the World and destroyed with it, even if it was removed earlier; found by id (World::FindAgent).
+/// Position is the centre of the capsule: the feet are at y - height / 2. All getters are current, also in the middle
+/// of a tick. Values that are not finite are refused (the setter returns false and changes nothing); sizes and
+/// positions are limited to what the physics can bear. Owned and touched by the simulation's thread only.
 class Agent {
  public:
   Agent(const Agent&) = delete;
@@ -128,6 +128,9 @@ class Agent {
   bool Failed() const { return failed_; }
   void SetFailed(bool failed) { failed_ = failed; }
 
+  /// It was removed (World::RemoveAgent): it has no body, no node and no health, and World::AgentIds leaves it out.
+  bool IsGone() const { return motion().gone; }
+
   // Path.
   /// The tube's radius is the agent's radius at this moment. Points that are not finite are skipped.
   void SetPath(std::span<const Vec3> points, bool cyclic);
@@ -211,6 +214,7 @@ class Agent {
   ShownState shown_;
   std::uint32_t texts_ = 1;  ///< Changes with name, team, last command and what is shown.
   bool failed_ = false;
+  bool removal_requested_ = false;
   bool has_path_ = false;
   bool is_node_placed_ = false;  ///< Where the body is now.
   Path path_;

@@ -15,10 +15,10 @@ namespace soarbox::world {
 /// Finds the agents near a place: a grid over the ground plane, sorted by counting. Its cells lie row by row, so that a
 /// query reads each row at once; where agents stand too far apart for that, cells are hashed.
 ///
-/// Invariant: every agent is either in the cell of its position, with that position beside it, or on the list of
-/// strays, which every query looks at. Moved() puts an agent on that list; when it grows long, the next query rebuilds
-/// the grid. Queries may find agents beyond the range too; callers test the distance themselves. Several threads may
-/// ask at a time, after Update.
+/// Invariant: every agent that has not gone is either in the cell of its position, with that position beside it, or on
+/// the list of strays, which every query looks at. Moved() puts an agent on that list; when it grows long, the next
+/// query rebuilds the grid. Queries may find agents beyond the range too; callers test the distance themselves. Several
+/// threads may ask at a time, after Update.
 class AgentGrid {
  public:
   /// The number of agents or all their positions have changed.
@@ -62,7 +62,7 @@ class AgentGrid {
   std::vector<Entry> entries_;              ///< Sorted by bucket.
   std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; one more than there are buckets.
   std::vector<std::uint32_t> strays_;
-  std::vector<std::uint32_t> places_;  ///< Of each agent in entries_.
+  std::vector<std::uint32_t> places_;  ///< Of each agent in entries_; kNoPlace for those that have gone.
 };
 
 template <class Visitor>

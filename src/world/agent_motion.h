@@ -16,6 +16,7 @@ struct alignas(64) AgentMotion {
   float speed = 0;    ///< m/s
   float radius = 0;   ///< m
   bool alive = true;  ///< Health above 0.
+  bool gone = false;  ///< It was removed; no query returns it.
   Vec3 left{1, 0, 0};
   Vec3 up{0, 1, 0};
   Quat orientation;

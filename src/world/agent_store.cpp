@@ -43,6 +43,22 @@ Agent& AgentStore::Create(EntityId id, NodeId node, const AgentDef& def) {
   return *agents_.back();
 }
 
+void AgentStore::Remove(Agent& agent) {
+  agent.RemovePhysics();
+  scene_.RemoveOwned(agent.node_);
+  agent.node_ = NodeId::kNone;
+  agent.health_ = 0;
+  AgentMotion& motion = motions_[agent.index_];
+  motion.velocity = {};
+  motion.speed = motion.radius = 0;
+  motion.alive = false;
+  motion.gone = true;
+  std::erase(ids_, agent.id_);
+  for (const auto& other : agents_)
+    if (other->Leader() == agent.id_) other->SetLeader(kNoEntity);
+  grid_.Invalidate();
+}
+
 Agent* AgentStore::Find(EntityId id) const {
   if (Number(id) >= index_by_id_.size()) return nullptr;
   const std::uint32_t index = index_by_id_[Number(id)];
@@ -93,9 +109,8 @@ std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_
 std::span<const std::uint32_t> AgentStore::Indices(std::span<const EntityId> ids) {
   scratch_.clear();
   for (const EntityId id : ids) {
-    if (Number(id) < index_by_id_.size() && index_by_id_[Number(id)] != kNoIndex) {
-      scratch_.push_back(index_by_id_[Number(id)]);
-    }
+    const std::uint32_t index = Number(id) < index_by_id_.size() ? index_by_id_[Number(id)] : kNoIndex;
+    if (index != kNoIndex && !motions_[index].gone) scratch_.push_back(index);
   }
   return scratch_;
 }

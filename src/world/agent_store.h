@@ -18,8 +18,8 @@ namespace soarbox::world {
 
 /// All agents of one world, their motions side by side for steering, and the index that finds neighbours.
 ///
-/// Invariants: agent i (in creation order), motion i and id i belong together; a motion equals its body's state at
-/// all times; max_speed and max_radius are upper bounds.
+/// Invariants: agent i (in creation order) and motion i belong together; a motion equals its body's state at all times;
+/// max_speed and max_radius are upper bounds; ids are those of the agents that have not gone, in creation order.
 class AgentStore {
  public:
   AgentStore(const WorldSettings& settings, PhysicsWorld& physics, Scene& scene)
@@ -29,6 +29,8 @@ class AgentStore {
   static AgentStore& Of(const Agent& agent) { return agent.store_; }
 
   Agent& Create(EntityId id, NodeId node, const AgentDef& def);
+  /// Removes its body and its node. From now on no query returns the agent. It keeps its index.
+  void Remove(Agent& agent);
   /// Null for ids that are not agents'.
   Agent* Find(EntityId id) const;
   std::span<const EntityId> ids() const { return ids_; }

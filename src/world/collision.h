@@ -16,6 +16,21 @@ struct Collision {
   Vec3 normal_on_b;  ///< Unit; from b towards a.
 };
 
+/// A body came into a sensor or left it in the last step.
+struct SensorChange {
+  EntityId sensor = kNoEntity;
+  EntityId other = kNoEntity;  ///< An agent or an object; of one that leaves, it may have been removed.
+  bool entered = false;
+};
+
+/// How an object turns about an axis that stays where it is, or that stays at the same place of another object.
+struct HingeDef {
+  Vec3 point;                       ///< On the axis.
+  Vec3 axis;                        ///< Not zero.
+  float low_deg = 1, high_deg = 0;  ///< How far it may turn from its present orientation; low > high: without limits.
+  float friction_nm = 0;            ///< Maximum torque that brakes it.
+};
+
 /// What a ray met first.
 struct RayHit {
   EntityId entity = kNoEntity;  ///< An agent or an object.

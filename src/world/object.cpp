@@ -89,4 +89,20 @@ bool Object::ApplyAngularImpulse(Vec3 impulse) {
   return true;
 }
 
+bool Object::AddHinge(const HingeDef& hinge, const Object* other) {
+  const bool is_finite = IsFinite(hinge.point) && IsFinite(hinge.axis) && IsFinite(hinge.low_deg) &&
+                         IsFinite(hinge.high_deg) && IsFinite(hinge.friction_nm);
+  if (!is_finite || LengthSquared(hinge.axis) == 0 || other == this) return false;
+  if (kind_ == ObjectKind::kSensor || (other != nullptr && other->kind_ == ObjectKind::kSensor)) return false;
+  HingeDef limited = hinge;
+  limited.point = LimitPosition(hinge.point);
+  limited.axis = Normalized(hinge.axis);
+  physics_.AddHinge(body_, limited, other == nullptr ? BodyId::kNone : other->body_);
+  return true;
+}
+
+void Object::RemoveHinges() {
+  physics_.RemoveHinges(body_);
+}
+
 }  // namespace soarbox::world

@@ -10,12 +10,13 @@
 
 namespace soarbox::world {
 
+struct HingeDef;
 class PhysicsWorld;
 class Scene;
 enum class BodyId : std::uint32_t;
 
 /// Shapes that objects come in. Sizes: see World::Create*.
-enum class ObjectKind : std::uint8_t { kBox, kCapsule, kPlane, kMesh, kPhysicsCapsule, kPhysicsSphere };
+enum class ObjectKind : std::uint8_t { kBox, kCapsule, kPlane, kMesh, kPhysicsCapsule, kPhysicsSphere, kSensor };
 
 /// One sandbox object: a body and a scene node that wears its looks (empty for the physics-only kinds).
 ///
@@ -56,6 +57,11 @@ class Object {
   bool ApplyImpulse(Vec3 force_n) { return ApplyForce(force_n); }
   /// N m s; changes the angular velocity at once.
   bool ApplyAngularImpulse(Vec3 impulse);
+
+  /// From now on it turns about an axis only. `other`: the object that has the axis; null: the axis stays where it is.
+  bool AddHinge(const HingeDef& hinge, const Object* other);
+  /// Removes the hinges that were added for this object.
+  void RemoveHinges();
 
   /// Half the diagonal of the body's axis-aligned bounding box, collision margins included; huge for a plane.
   float Radius() const;

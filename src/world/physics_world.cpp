@@ -15,6 +15,7 @@
 #include "world/physics_dispatch.h"
 #include "world/physics_dynamics.h"
 #include "world/physics_lift.h"
+#include "world/physics_sensor.h"
 #include "world/physics_shape.h"
 #include "world/physics_sight.h"
 #include "world/physics_ways.h"
@@ -80,6 +81,8 @@ struct PhysicsWorld::Body {
   std::unique_ptr<btRigidBody> rigid;
   Vec3 gravity;
   bool upright = false;
+  bool sensor = false;
+  std::vector<EntityId> inside;  ///< Of a sensor, after the last step, in ascending order.
   BodyId id = BodyId::kNone;
   std::uint64_t hash = 0;  ///< Its part of the hash of all; 0 until it is known.
   static constexpr std::size_t kKnown = ~std::size_t{0};
@@ -95,6 +98,7 @@ struct PhysicsWorld::Body {
     made.Add(static_cast<float>(rigid->getInvMass()));
     made.Add(gravity);
     made.Add(static_cast<float>(rigid->getLinearDamping()), static_cast<float>(rigid->getAngularDamping()));
+    for (const EntityId id_inside : inside) made.Add(static_cast<std::uint64_t>(Number(id_inside)));
     return made.value();
   }
 };
@@ -130,6 +134,7 @@ struct PhysicsWorld::Impl {
   }
 
   void AddToWorld(Body& body) {
+    if (body.sensor) return;
     field.Forget();
     crowd.Forget(*body.rigid);
     world.addRigidBody(body.rigid.get());
@@ -141,6 +146,7 @@ struct PhysicsWorld::Impl {
   void Moved(Body& body) {
     field.Forget();
     body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
+    if (body.sensor) return HashAnew(body);
     world.updateSingleAabb(body.rigid.get());
     crowd.Check(*body.rigid);
     Wake(body);
@@ -172,6 +178,10 @@ struct PhysicsWorld::Impl {
 
   void KeepInRange();
   void GatherCollisions();
+  void GatherSensorChanges();
+  /// Removes the hinges for which `is_meant` holds.
+  template <class IsMeant>
+  void RemoveHingesIf(const IsMeant& is_meant);
   void LiftSunken();
 
   btDefaultCollisionConfiguration configuration{SmallPools()};
@@ -189,6 +199,13 @@ struct PhysicsWorld::Impl {
   std::vector<std::unique_ptr<Body>> bodies{1};  // Index 0 is BodyId::kNone.
   std::vector<BodyId> free;
   std::vector<Collision> collisions;
+  std::vector<BodyId> sensors;  ///< By ascending owner.
+  std::vector<SensorChange> sensor_changes;
+  struct Hinge {
+    BodyId body = BodyId::kNone, other = BodyId::kNone;
+    std::unique_ptr<btHingeConstraint> joint;
+  };
+  std::vector<Hinge> hinges;
   std::vector<Push> pushes, last_pushes;
   std::vector<BodyId> moved;
   std::uint64_t hash_sum = 0;  ///< Of the parts of all bodies.
@@ -228,8 +245,9 @@ bool PhysicsWorld::IsCrowded() const {
 }
 
 PhysicsWorld::~PhysicsWorld() {
+  impl_->RemoveHingesIf([](const auto&) { return true; });
   for (const auto& body : impl_->bodies) {
-    if (body) impl_->world.removeRigidBody(body->rigid.get());
+    if (body && !body->sensor) impl_->world.removeRigidBody(body->rigid.get());
   }
 }
 
@@ -244,8 +262,9 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
   body->shape = MakeShape(def);
   body->gravity = impl_->gravity;
   body->upright = def.upright;
+  body->sensor = def.sensor;
 
-  const float mass = def.shape == BodyShape::kPlane ? 0.0f : std::clamp(def.mass_kg, 0.0f, kMaxMass_kg);
+  const float mass = def.shape == BodyShape::kPlane || def.sensor ? 0.0f : std::clamp(def.mass_kg, 0.0f, kMaxMass_kg);
   btVector3 inertia(0, 0, 0);
   if (mass > 0) body->shape.shape->calculateLocalInertia(mass, inertia);
   btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, body->shape.shape.get(), inertia);
@@ -277,6 +296,7 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
     impl_->free.pop_back();
   }
   body->id = id;
+  if (def.sensor) impl_->sensors.push_back(id);
   impl_->HashAnew(*body);
   impl_->bodies[static_cast<std::size_t>(id)] = std::move(body);
   return id;
@@ -284,6 +304,14 @@ BodyId PhysicsWorld::Add(const BodyDef& def) {
 
 void PhysicsWorld::Remove(BodyId id) {
   Body& body = Get(id);
+  if (body.sensor) {
+    impl_->ForgetHash(body);
+    std::erase(impl_->sensors, id);
+    impl_->bodies[static_cast<std::size_t>(id)].reset();
+    impl_->free.push_back(id);
+    return;
+  }
+  impl_->RemoveHingesIf([id](const auto& hinge) { return hinge.body == id || hinge.other == id; });
   // What leaned on it must not go on sleeping in the air.
   for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold* manifold = impl_->dispatcher.getManifoldByIndexInternal(i);
@@ -374,7 +402,7 @@ void PhysicsWorld::SetAngularVelocity(BodyId id, Vec3 velocity) {
 
 void PhysicsWorld::SetMass(BodyId id, float mass_kg) {
   Body& body = Get(id);
-  if (body.shape.shape->getShapeType() == STATIC_PLANE_PROXYTYPE) return;
+  if (body.sensor || body.shape.shape->getShapeType() == STATIC_PLANE_PROXYTYPE) return;
   const float mass = std::clamp(mass_kg, 0.0f, kMaxMass_kg);
   const bool was_fixed = body.rigid->isStaticObject();
   const bool fixed = mass == 0;
@@ -450,6 +478,7 @@ void PhysicsWorld::Step(float step_s, const Workers& workers) {
   impl_->crowd.CheckAll();
   impl_->GatherCollisions();
   impl_->LiftSunken();
+  impl_->GatherSensorChanges();
   ++impl_->changes;
 }
 
@@ -512,8 +541,69 @@ void PhysicsWorld::Impl::LiftSunken() {
   }
 }
 
+void PhysicsWorld::Impl::GatherSensorChanges() {
+  sensor_changes.clear();
+  std::vector<EntityId> now;
+  for (const BodyId id : sensors) {
+    Body& body = *bodies[static_cast<std::size_t>(id)];
+    FindInside(world, all, *body.rigid, now);
+    if (now == body.inside) continue;
+    const auto sensor = static_cast<EntityId>(body.rigid->getUserIndex());
+    for (const EntityId other : body.inside)
+      if (!std::ranges::binary_search(now, other)) sensor_changes.push_back({sensor, other, false});
+    for (const EntityId other : now)
+      if (!std::ranges::binary_search(body.inside, other)) sensor_changes.push_back({sensor, other, true});
+    body.inside.swap(now);
+    HashAnew(body);
+  }
+}
+
 const std::vector<Collision>& PhysicsWorld::Collisions() const {
   return impl_->collisions;
+}
+
+const std::vector<SensorChange>& PhysicsWorld::SensorChanges() const {
+  return impl_->sensor_changes;
+}
+
+void PhysicsWorld::AddHinge(BodyId id, const HingeDef& hinge, BodyId other) {
+  Body& body = Get(id);
+  const btVector3 point = ToBullet(hinge.point), axis = ToBullet(hinge.axis).normalized();
+  const auto local_point = [&](const Body& of) { return of.rigid->getWorldTransform().invXform(point); };
+  const auto local_axis = [&](const Body& of) { return of.rigid->getWorldTransform().getBasis().transpose() * axis; };
+  std::unique_ptr<btHingeConstraint> joint;
+  if (other == BodyId::kNone) {
+    joint = std::make_unique<btHingeConstraint>(*body.rigid, local_point(body), local_axis(body));
+  } else {
+    const Body& holder = Get(other);
+    joint = std::make_unique<btHingeConstraint>(*body.rigid, *holder.rigid, local_point(body), local_point(holder),
+                                                local_axis(body), local_axis(holder));
+  }
+  constexpr btScalar kRadians = SIMD_PI / 180;
+  if (hinge.low_deg <= hinge.high_deg) joint->setLimit(hinge.low_deg * kRadians, hinge.high_deg * kRadians);
+  if (hinge.friction_nm > 0) joint->enableAngularMotor(true, 0, hinge.friction_nm * impl_->step_s);
+  impl_->world.addConstraint(joint.get(), true);
+  impl_->hinges.push_back({id, other, std::move(joint)});
+  impl_->Wake(body);
+}
+
+template <class IsMeant>
+void PhysicsWorld::Impl::RemoveHingesIf(const IsMeant& is_meant) {
+  std::erase_if(hinges, [&](const Hinge& hinge) {
+    if (!is_meant(hinge)) return false;
+    for (const BodyId end : {hinge.body, hinge.other})
+      if (end != BodyId::kNone) Wake(*bodies[static_cast<std::size_t>(end)]);
+    world.removeConstraint(hinge.joint.get());
+    return true;
+  });
+}
+
+void PhysicsWorld::RemoveHinges(BodyId body) {
+  impl_->RemoveHingesIf([body](const auto& hinge) { return hinge.body == body; });
+}
+
+std::size_t PhysicsWorld::hinge_count() const {
+  return impl_->hinges.size();
 }
 
 namespace {
@@ -623,6 +713,10 @@ void PhysicsWorld::AddDebugLines(std::vector<LineSnapshot>& lines) {
   PhysicsLineCollector collector(lines);
   impl_->world.setDebugDrawer(&collector);
   impl_->world.debugDrawWorld();
+  for (const BodyId sensor : impl_->sensors) {
+    const Body& body = Get(sensor);
+    impl_->world.debugDrawObject(body.rigid->getWorldTransform(), body.shape.shape.get(), btVector3(0, 1, 1));
+  }
   impl_->world.setDebugDrawer(nullptr);
 }
 

@@ -38,6 +38,7 @@ struct BodyDef {
   bool doorway = false;  ///< kMesh only: the wall has an opening at its foot (modular_meshes.h).
   float mass_kg = 1;     ///< 0 = fixed.
   bool upright = false;  ///< Contacts never turn it, and it may not be an obstacle: an agent.
+  bool sensor = false;   ///< Fixed. Meets nothing and is met by nothing, rays included; see SensorChanges.
   Vec3 position;
   Quat orientation;
   EntityId owner = kNoEntity;
@@ -80,6 +81,12 @@ class PhysicsWorld {
   void ApplyForce(BodyId body, Vec3 force_n);
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);
 
+  /// `other`: the body that has the axis; kNone: the axis stays where it is. The hinge goes with either body.
+  void AddHinge(BodyId body, const HingeDef& hinge, BodyId other);
+  /// Removes the hinges that were added for this body.
+  void RemoveHinges(BodyId body);
+  std::size_t hinge_count() const;
+
   /// One step. Bodies that leave the range of the numbers are put back at its edge, at rest.
   void Step(float step_s, const Workers& workers = {});
   /// Those that may have moved by themselves in the last step: those that could move and did not sleep. In a fixed
@@ -99,6 +106,9 @@ class PhysicsWorld {
   EntityId OwnerOf(BodyId body) const;
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
+  /// Which bodies that can move came into sensors and left them in the last step. Sorted by sensor; those that left
+  /// come first, each kind in ascending order.
+  const std::vector<SensorChange>& SensorChanges() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
   /// Makes the questions above and below cheaper until a body moves, comes or goes. Pays off for some for each body.
   void PrepareRays();

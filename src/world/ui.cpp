@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "world/refill.h"
@@ -90,6 +91,17 @@ UiId Ui::CreateChild(UiId parent) {
   component.view.layer = above->view.layer;
   component.view.in_world = above->view.in_world;
   return Add(std::move(component));
+}
+
+bool Ui::Remove(UiId id) {
+  if (components_.erase(id) == 0) return false;
+  ++changes_;
+  // Ids ascend from parents to children, so one pass finds all descendants.
+  for (auto next = components_.begin(); next != components_.end();) {
+    const UiId parent{next->second.view.parent_id};
+    next = parent != UiId::kNone && !Contains(parent) ? components_.erase(next) : std::next(next);
+  }
+  return true;
 }
 
 UiPoint Ui::Position(UiId id) const {

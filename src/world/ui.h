@@ -31,6 +31,8 @@ class Ui {
   UiId CreateInWorld(Vec3 position);
   /// Same layer; placed relative to the parent, whose visibility it does not share.
   UiId CreateChild(UiId parent);
+  /// Removes the component and all its children. False if there is no such component.
+  bool Remove(UiId id);
   bool Contains(UiId id) const { return components_.count(id) != 0; }
 
   /// Relative to the parent.

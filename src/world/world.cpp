@@ -95,14 +95,24 @@ std::uint64_t World::time_millis() const {
   return impl_->tick * static_cast<std::uint64_t>(step_millis());
 }
 
-std::vector<EntityId> World::BeginTick() {
+std::vector<EntityId> World::BeginTick(const std::function<void(EntityId)>& before) {
   ++impl_->tick;
   impl_->debug.Clear();
   impl_->physics_lines.clear();
   std::vector<EntityId> removed = std::move(impl_->to_remove);
   impl_->to_remove.clear();
   std::sort(removed.begin(), removed.end());
-  for (const EntityId id : removed) impl_->DeleteObject(id);
+  if (before) {
+    for (const EntityId id : removed)
+      if (impl_->agents.Find(id) != nullptr) before(id);
+  }
+  for (const EntityId id : removed) {
+    if (Agent* agent = impl_->agents.Find(id)) {
+      impl_->agents.Remove(*agent);
+    } else {
+      impl_->DeleteObject(id);
+    }
+  }
   return removed;
 }
 
@@ -127,6 +137,12 @@ void World::Step(const Workers& workers) {
 
 std::span<const Collision> World::Collisions() const {
   return impl_->physics.Collisions();
+}
+std::span<const SensorChange> World::SensorChanges() const {
+  return impl_->physics.SensorChanges();
+}
+std::size_t World::hinge_count() const {
+  return impl_->physics.hinge_count();
 }
 RandomStream& World::random() {
   return impl_->random;
@@ -161,6 +177,14 @@ const Object* World::FindObject(EntityId id) const {
 
 std::span<const EntityId> World::ObjectIds() const {
   return impl_->object_ids;
+}
+
+bool World::RemoveAgent(EntityId id) {
+  Agent* agent = FindAgent(id);
+  if (!agent) return false;
+  if (!agent->removal_requested_) impl_->to_remove.push_back(id);
+  agent->removal_requested_ = true;
+  return true;
 }
 
 bool World::RemoveObject(EntityId id) {

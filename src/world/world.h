@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,25 +63,32 @@ class World {
   std::uint64_t time_millis() const;
   /// Physical time: tick() times the step. The scripts' clock falls behind it by 1 % at 1/30 s.
   double time_s() const;
-  /// Returns the objects that went, in ascending id, so that callers can drop what they keep about them.
-  std::vector<EntityId> BeginTick();
+  /// Removes what has been asked to go, and returns it in ascending id, so that callers can drop what they keep about
+  /// it. Calls `before` for each agent of these while all of them are still there.
+  std::vector<EntityId> BeginTick(const std::function<void(EntityId agent)>& before = {});
   /// The agent's node follows its body.
   void SyncAgent(EntityId agent);
   /// The same on any number of threads.
   void Step(const Workers& workers = {});
   /// The collisions of the last step.
   std::span<const Collision> Collisions() const;
+  /// Which agents and objects came into sensors and left them in the last step (PhysicsWorld::SensorChanges).
+  std::span<const SensorChange> SensorChanges() const;
+  std::size_t hinge_count() const;
   /// Hash of all that decides the future of the bodies, agents and random streams. The same on every run of one build.
   std::uint64_t Hash() const;
   RandomStream& random();
 
-  // Agents: never destroyed.
+  // Agents. A removed one is still found by its id (Agent::IsGone), but it has no body, and nobody perceives it.
   /// Made at the origin with a capsule body, half inside a floor at y = 0; physics lifts it.
   EntityId CreateAgent(const AgentDef& def);
   /// Null for unknown ids and ids of objects. Stays valid for the life of the world.
   Agent* FindAgent(EntityId id);
   const Agent* FindAgent(EntityId id) const;
-  /// In creation order. The span is invalid after the next CreateAgent.
+  /// The agent goes at the next BeginTick, with everything attached to it. Calling this again is harmless. False if
+  /// unknown.
+  bool RemoveAgent(EntityId id);
+  /// Those that have not gone, in creation order. The span is invalid after the next CreateAgent or BeginTick.
   std::span<const EntityId> AgentIds() const;
 
   // Objects.
@@ -93,6 +101,8 @@ class World {
   /// Bodies without looks.
   EntityId CreatePhysicsCapsule(float height_m, float radius_m);
   EntityId CreatePhysicsSphere(float radius_m);
+  /// A box without looks that meets nothing. It notices which bodies that can move are inside (SensorChanges).
+  EntityId CreateSensor(float width_m, float height_m, float length_m);
   /// Null for unknown ids, ids of agents and objects that are gone.
   Object* FindObject(EntityId id);
   const Object* FindObject(EntityId id) const;

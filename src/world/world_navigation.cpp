@@ -32,6 +32,7 @@ NavigationGeometry World::Impl::FixedGeometry() const {
       case ObjectKind::kPlane:
       case ObjectKind::kPhysicsCapsule:
       case ObjectKind::kPhysicsSphere:
+      case ObjectKind::kSensor:
         break;
     }
   }

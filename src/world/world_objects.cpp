@@ -86,4 +86,15 @@ EntityId World::CreatePhysicsSphere(float radius_m) {
   return id;
 }
 
+EntityId World::CreateSensor(float width_m, float height_m, float length_m) {
+  const EntityId id = impl_->NextEntity();
+  const NodeId node = impl_->scene.CreateEmpty(NodeId::kRoot, id, false);
+  BodyDef def;
+  def.shape = BodyShape::kBox;
+  def.size = {width_m, height_m, length_m};
+  def.sensor = true;
+  impl_->AddObject(id, node, ObjectKind::kSensor, def);
+  return id;
+}
+
 }  // namespace soarbox::world

@@ -16,6 +16,7 @@ std::uint64_t World::Hash() const {
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
     Agent& agent = impl_->agents.agent(i);
     const AgentMotion& motion = impl_->agents.motion(i);
+    if (motion.gone) continue;
     hash.Add(motion.position);
     hash.Add(motion.velocity);
     hash.Add(motion.orientation);
@@ -69,8 +70,9 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   snapshot.camera_moves = impl_->camera.moves();
   snapshot.camera_is_fixed = impl_->camera.is_fixed();
 
-  Refill<AgentSnapshot> agents(snapshot.agents, impl_->agents.size());
+  Refill<AgentSnapshot> agents(snapshot.agents, impl_->agents.ids().size());
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
+    if (impl_->agents.motion(i).gone) continue;
     const Agent& agent = impl_->agents.agent(i);
     AgentSnapshot& seen = agents.Next();
     if (!is_known || seen.id != Number(agent.id()) || seen.texts != agent.texts_) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "world/ids.h"
+
+struct lua_State;
+
+namespace soarbox::script {
+
+class LuaMachine;
+
+/// Arrays of all agents, for one machine. The scripts of a flock ask for one in each step and hand it to several
+/// steering forces, so making and reading such an array element by element takes most of the time of a large flock.
+///
+/// LuaJIT keeps the elements of a long array in one block of our memory (ScriptMemory). A new array is a copy of that
+/// block of a template that no script can reach, and an array that a script hands back is compared with it in one
+/// piece. Where blocks do not have the size that this needs, as in other implementations of Lua, elements are used one
+/// by one.
+class AgentLists {
+ public:
+  /// Pushes a new array of the handles of these agents.
+  void Push(lua_State* state, std::span<const world::EntityId> ids);
+  /// True if the table at `index` is the array that was pushed last, and it holds just the handles of these agents in
+  /// this order. False if that is not known.
+  bool Holds(lua_State* state, int index, std::span<const world::EntityId> ids) const;
+
+ private:
+  /// The block of the array that has just been made; null if it is not as expected.
+  static void* BlockOfNewArray(LuaMachine& machine, std::size_t count);
+  void MakeTemplate(lua_State* state, std::span<const world::EntityId> ids);
+
+  std::vector<world::EntityId> ids_;  ///< Those in the template.
+  int template_ = 0;                  ///< Where it is kept; 0: nowhere.
+  const void* template_block_ = nullptr;
+  const void* last_ = nullptr;  ///< The table that was pushed last; its block is the one that the memory watches.
+};
+
+}  // namespace soarbox::script

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "script/host_fixture.h"
+#include "script/lua_machine.h"
+#include "script/lua_values.h"
+#include "script/script_path.h"
+
+namespace soarbox::script {
+namespace {
+
+using world::EntityId;
+
+/// Neither prints nor draws random numbers.
+class Nothing final : public RandomSource, public PrintSink {
+ public:
+  double Unit() override { return 0; }
+  void Reseed(std::int64_t) override {}
+  void OnPrint(std::string_view, std::string_view text) override { printed = text; }
+  std::string printed;
+};
+
+TEST(AgentLists, AnArrayIsKnownUntilAScriptChangesIt) {
+  ScriptPath path(std::vector<std::filesystem::path>{});
+  Nothing nothing;
+  MachineSetup setup;
+  setup.script = "test.lua";
+  setup.path = &path;
+  setup.random = &nothing;
+  setup.print = &nothing;
+  LuaMachine machine(std::move(setup));
+  std::vector<EntityId> ids;
+  for (std::uint32_t number = 1; number <= 100; ++number) ids.push_back(EntityId{number});
+  int kept = 0;
+  const auto push = [&] {
+    const auto error = machine.Protected([&](lua_State* state) {
+      machine.agent_lists.Push(state, ids);
+      kept = machine.Keep(-1);
+    });
+    EXPECT_FALSE(error);
+  };
+  const auto holds = [&] {
+    bool result = false;
+    const auto error = machine.Protected([&](lua_State* state) {
+      LuaMachine::PushKept(state, kept);
+      result = machine.agent_lists.Holds(state, 1, ids);
+    });
+    EXPECT_FALSE(error);
+    return result;
+  };
+  const auto run = [&](std::string_view text) {
+    EXPECT_FALSE(machine.RunText("function change(agents) " + std::string(text) + " end", "test.lua"));
+    EXPECT_FALSE(machine.CallGlobal("change", [&](lua_State* state) {
+      LuaMachine::PushKept(state, kept);
+      return 1;
+    }));
+  };
+  ASSERT_FALSE(machine.Protected([](lua_State* state) { InstallValues(state); }));
+
+  push();
+  EXPECT_TRUE(holds());
+  run("local n = 0 for i, a in ipairs(agents) do if a == agents[i] then n = n + 1 end end\n"
+      "print(#agents, n, agents[1] == agents[2], agents[0], agents[101])");
+  EXPECT_EQ(nothing.printed, "100\t100\tfalse\tnil\tnil");
+  EXPECT_TRUE(holds());
+  run("local a = agents[3] agents[3] = agents[4] agents[3] = a collectgarbage()");
+  EXPECT_TRUE(holds());
+  for (const char* change : {"agents[3] = agents[4]", "table.remove(agents)", "table.remove(agents, 1)",
+                             "agents[101] = agents[1]", "agents.name = 1", "agents[50] = nil", "agents[0] = agents[1]",
+                             "for i = 101, 500 do agents[i] = agents[1] end"}) {
+    push();
+    run(change);
+    EXPECT_FALSE(holds()) << change;
+  }
+  push();
+  ids.pop_back();
+  EXPECT_FALSE(holds());
+  push();
+  EXPECT_TRUE(holds());
+  run("print(#agents)");
+  EXPECT_EQ(nothing.printed, "99");
+}
+
+TEST_F(HostTest, AForceOfAFlockIsTheSameWithTheListOfAllAgentsAndFollowsItsChanges) {
+  Write("A.lua",
+        "function Agent_Initialize(a) local i = a:GetId() a:SetPosition(Vector.new(i % 7, 1, math.floor(i / 7))) end");
+  StartWith(
+      "function Sandbox_Initialize(s) for i = 1, 60 do Sandbox.CreateAgent(s, 'A.lua') end\n"
+      "  all = Sandbox.GetAgents(s) me = all[20] end\n"
+      "function force(list) return tostring(me:ForceToSeparate(4, 180, list)) end\n"
+      "function copy(list) local c = {} for i, a in ipairs(list) do c[i] = a end return c end");
+  EXPECT_EQ(Run("print(force(all) == force(), force(copy(all)) == force())"), "true\ttrue");
+  for (const char* change : {"table.remove(all, 19)", "all[19] = nil", "all[19] = all[60]", "table.remove(all)"}) {
+    Run("all = Sandbox.GetAgents(sandbox) " + std::string(change));
+    EXPECT_EQ(Run("print(force(all) == force(copy(all)))"), std::string(change) == "all[19] = nil" ? "false" : "true")
+        << change;
+  }
+  EXPECT_EQ(Run("all = Sandbox.GetAgents(sandbox) table.remove(all, 19) print(force(all) == force())"), "false");
+  Run("all = Sandbox.GetAgents(sandbox) Sandbox.RemoveAgent(sandbox, all[19])");
+  Tick();
+  EXPECT_EQ(Run("print(#all, #Sandbox.GetAgents(sandbox), force(all) == force())"), "60\t59\ttrue");
+}
+
+}  // namespace
+}  // namespace soarbox::script
