@@ -4,13 +4,13 @@
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/interpreter.h"
-#include "cli/version.h"
+#include "kernel/agent.h"
 
 namespace soarbox::cli {
 namespace {
 
 void List(CommandCall& call) {
-  std::string text = fmt::format("Soar {} Command List:\n\n", kSoarVersion);
+  std::string text = fmt::format("Soar {} Command List:\n\n", TextOf(call.agent().settings().like));
   for (const CommandInfo& command : Commands()) {
     if (command.name == "learn") continue;
     text += fmt::format("{}\n", command.name);

@@ -292,7 +292,7 @@ bool CommandEcho(CommandCall& call) {
   std::string text;
   for (std::size_t i = first; i < call.words.size(); ++i) {
     const std::string& word = call.words[i].text;
-    if (word == "-n") {
+    if (word == "-n" || word == "--nonewline") {
       newline = false;
       continue;
     }

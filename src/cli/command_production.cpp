@@ -387,16 +387,19 @@ bool Matches(CommandCall& call) {
   if (parsed.arguments.size() > 1) return call.Fail("Error.");
   if (!parsed.arguments.empty() && (parsed.Has('a') || parsed.Has('r'))) return call.Fail("Error.");
   WmeDetail detail = WmeDetail::kNone;
+  bool assertions = true, retractions = true;  // Of both options the last one counts.
   for (const ParsedOption& option : parsed.options) {
+    if (option.letter == 'a' || option.letter == 'r') {
+      assertions = option.letter == 'a';
+      retractions = !assertions;
+    }
     if (option.letter == 'n' || option.letter == 'c') detail = WmeDetail::kNone;
     if (option.letter == 't') detail = WmeDetail::kTimetags;
     if (option.letter == 'w') detail = WmeDetail::kFull;
   }
   PrintStream::Capture capture(call.stream(), &call.result.text);
   if (parsed.arguments.empty()) {
-    const bool both = parsed.Has('a') == parsed.Has('r');
-    PrintMatchSet(call.stream(), call.agent(), both || parsed.Has('a'), both || parsed.Has('r'), detail,
-                  call.result.structured);
+    PrintMatchSet(call.stream(), call.agent(), assertions, retractions, detail, call.result.structured);
     return true;
   }
   const std::string& word = parsed.arguments.front().text;

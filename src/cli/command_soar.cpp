@@ -134,7 +134,8 @@ bool SoarOverview(CommandCall& call) {
   }
   Summary summary(55);
   summary.Rule('=');
-  summary.Text(fmt::format("-                   Soar {} Summary                -\n", kSoarVersion)).Rule('=');
+  summary.Text(fmt::format("-                   Soar {} Summary                -\n", TextOf(agent.settings().like)))
+      .Rule('=');
   const SettingStore& store = call.session.settings();
   const kernel::Imagery* const imagery = std::as_const(call.agent()).find_imagery();
   // In Soar's order; the last never is.
@@ -189,10 +190,11 @@ bool Stop(CommandCall& call) {
 }
 
 bool Version(CommandCall& call) {
-  call.Out(fmt::format("{}\nSoarbox {}", kSoarVersion, kSoarboxVersion));
+  const std::string_view version = TextOf(call.agent().settings().like);
+  call.Out(fmt::format("{}\nSoarbox {}", version, kSoarboxVersion));
   call.AddArgument("versionmajor", "int", "9");
   call.AddArgument("versionminor", "int", "6");
-  call.AddArgument("versionmicro", "int", "3");
+  call.AddArgument("versionmicro", "int", std::string(version.substr(version.rfind('.') + 1)));
   call.AddArgument("builddate", "string", "Soarbox " + std::string(kSoarboxVersion));
   return true;
 }

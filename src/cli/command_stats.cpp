@@ -85,7 +85,7 @@ void System(CommandCall& call) {
   if (times.on() && !times.measures_phases()) {
     call.Hint("only whole runs are timed", "'soar timers on' times phases and decision cycles too");
   }
-  std::string text = fmt::format("Soar {} (Soarbox {})\n\n", kSoarVersion, kSoarboxVersion);
+  std::string text = fmt::format("Soar {} (Soarbox {})\n\n", TextOf(agent.settings().like), kSoarboxVersion);
   text += RuleCountsText(agent);
   text += TimesText(times);
   const double spent = times.kernel_seconds();

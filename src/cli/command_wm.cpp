@@ -27,6 +27,7 @@ constexpr std::uint64_t kMostOfName = 1'000'000'000'000;
 /// The attribute or value that a word of `wm add` stands for; the none symbol after saying what is wrong. Each `*` is a
 /// new identifier; it takes its letter from Soar's habit for input.
 /// An identifier in `parent`'s place that is not there yet is made; without a parent, it must be there.
+/// Only an attribute has no parent. Unless it is quoted or a number, it has no dots: `wm add` makes one element.
 Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field, Symbol parent) {
   kernel::Agent& agent = call.agent();
   if (word == "*") return agent.NewIdentifier('I');
@@ -49,11 +50,16 @@ Symbol ReadField(CommandCall& call, const std::string& word, std::string_view fi
     return {};
   }
   const bool quoted = word.size() > 1 && word.front() == '|' && word.back() == '|';
-  if (!quoted && (word.empty() || word.find_first_of(" \t\n\"(){}^~@&") != std::string::npos)) {
+  if (!quoted && (word.empty() || word.find_first_of(" \t\n\"(){}^~&") != std::string::npos)) {
     call.Fail(fmt::format("Unknown {} type.", field));
     return {};
   }
-  return MakeConstant(agent, word);
+  const Symbol constant = MakeConstant(agent, word);
+  if (!parent && !quoted && !constant.IsNumber() && word.find('.') != std::string::npos) {
+    call.Fail(fmt::format("Unknown {} type.", field));
+    return {};
+  }
+  return constant;
 }
 
 bool Add(CommandCall& call) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/interpreter.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -101,6 +102,101 @@ TEST_F(InterpreterTest, AnAgentMayBehaveLikeAnotherVersion) {
   EXPECT_TRUE(Do("sp {ff (state <s> ^superstate nil) --> (<s> ^x (unheard <s>))}").ok);
   EXPECT_FALSE(Do("soar like 9.5").ok);
   EXPECT_EQ(Do("soar like").text, "like is 9.6.3\n");
+}
+
+TEST_F(InterpreterTest, TheVersionIsTheOneWhoseBehaviourTheAgentHas) {
+  EXPECT_THAT(Do("soar version").text, StartsWith("9.6.5\nSoarbox "));
+  EXPECT_THAT(Do("soar").text, HasSubstr("Soar 9.6.5 Summary"));
+  EXPECT_THAT(Do("help").text, StartsWith("Soar 9.6.5 Command List"));
+  Do("soar like 9.6.3");
+  EXPECT_THAT(Do("version").text, StartsWith("9.6.3\n"));
+  EXPECT_THAT(Do("stats --system").text, HasSubstr("Soar 9.6.3 (Soarbox "));
+}
+
+TEST_F(InterpreterTest, TheStarsOfGeneratedRulesBeginALineThatRulesAfterThemContinue) {
+  Write("stars.soar",
+        "sp {aa (state <s> ^superstate nil) --> (<s> ^a 1)}\n"
+        "gp {bb (state <s> ^v [1 2]) --> (<s> ^b 1)}\n"
+        "sp {cc (state <s> ^superstate nil) --> (<s> ^c 1)}\n"
+        "gp {dd (state <s> ^v [1 2 3 4 5]) --> (<s> ^d 1)}\n");
+  EXPECT_THAT(Do("source " + (folder_ / "stars.soar").string()).text, StartsWith("* \n*** \n*****\n"));
+}
+
+TEST_F(InterpreterTest, AnElementOfARuleThatIsTakenAwayByHandComesBackWhenItsSlotIsDecidedAgain) {
+  Do("sp {make (state <s> ^superstate nil) --> (<s> ^size 3)}");
+  Do("sp {more (state <s> ^grow yes) --> (<s> ^size 4)}");
+  Do("run 1");
+  const kernel::Symbol state = agent_.goals().at(1).id;
+  const auto tag = [&](std::int64_t size) {
+    for (const kernel::WmeId wme : agent_.memory().WmesOf(state)) {
+      if (agent_.memory().wme(wme).value == agent_.mutable_symbols().Integer(size))
+        return agent_.memory().wme(wme).timetag;
+    }
+    return std::uint64_t{0};
+  };
+  ASSERT_NE(tag(3), 0u);
+  EXPECT_TRUE(Do(fmt::format("wm remove {}", tag(3))).ok);
+  EXPECT_EQ(tag(3), 0u);
+  EXPECT_THAT(Do("preferences s1 size").text, HasSubstr("S1 ^size 3"));
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+  Do("run 1");
+  EXPECT_EQ(tag(3), 0u);
+  Do("wm add s1 ^grow yes");
+  Do("run 1");
+  EXPECT_NE(tag(3), 0u);
+  EXPECT_NE(tag(4), 0u);
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+}
+
+TEST_F(InterpreterTest, AGoalThatGoesTakesTheElementAlongThatWasTakenAwayByHand) {
+  Do("sp {top (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name a)}");
+  Do("sp {local (state <s> ^impasse no-change -^done) --> (<s> ^operator <o> +) (<o> ^name b)}");
+  Do("sp {apply (state <s> ^operator.name b ^superstate <ss> ^impasse <i>) --> (<s> ^done <i>)}");
+  Do("run 4");
+  const kernel::Symbol state = agent_.goals().at(2).id;
+  for (const kernel::WmeId wme : agent_.memory().WmesOf(state)) {
+    if (agent_.memory().wme(wme).attribute != agent_.mutable_symbols().String("impasse")) continue;
+    EXPECT_TRUE(Do(fmt::format("wm remove {}", agent_.memory().wme(wme).timetag)).ok);
+    break;
+  }
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+  Do("run 3");
+  EXPECT_EQ(agent_.CheckInvariants(), "");
+}
+
+TEST_F(InterpreterTest, TheTraceShowsWhatResultsRestOn) {
+  Do("chunk always");
+  Do("trace --backtracing");
+  Do("sp {pa (state <s> ^superstate nil) --> (<s> ^operator <o> + ^size 7) (<o> ^name a)}");
+  Do("sp {pb (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name b)}");
+  Do("sp {copy (state <s> ^superstate.size <n>) --> (<s> ^n <n>)}");
+  Do("sp {pick (state <s> ^impasse tie ^item <i> ^superstate <ss> ^n <n> -^blocked yes) (<i> ^name a)"
+     " --> (<ss> ^operator <i> >)}");
+  printed_.clear();
+  Do("run 2");
+  EXPECT_THAT(printed_,
+              HasSubstr("For result preference (S1 ^operator O2 >) [level 2]\n ... BT through instantiation of "
+                        "pick\n  -->Grounds:\n     ("));
+  EXPECT_THAT(printed_, HasSubstr("^blocked yes"));
+  EXPECT_THAT(printed_, HasSubstr(": S2 ^n 7)\n ... BT through instantiation of copy\n  -->Grounds:\n     ("));
+  EXPECT_THAT(printed_, HasSubstr(": S2 ^item O2)\n ... BT through the proposal of the item\n"));
+  EXPECT_THAT(printed_, HasSubstr(": S2 ^superstate S1)\n ...no trace, can't BT\n"));
+  EXPECT_THAT(Do("print --chunks").text, HasSubstr("chunk*pick"));
+  Do("trace --backtracing off");
+  Do("init-soar");
+  printed_.clear();
+  Do("run 2");
+  EXPECT_THAT(printed_, Not(HasSubstr("Grounds")));
+}
+
+TEST_F(InterpreterTest, AnAttributeWithDotsIsRefused) {
+  for (const char* attribute : {"foo.x", "^foo.y", "^a.b.c"}) {
+    EXPECT_THAT(Do(fmt::format("wm add s1 {} 2", attribute)).text, HasSubstr("Unknown attribute type."));
+  }
+  EXPECT_TRUE(Do("wm add s1 ^|foo.z| 2").ok);
+  EXPECT_TRUE(Do("wm add s1 ^3.5 2").ok);
+  EXPECT_TRUE(Do("wm add s1 ^@1 2").ok);
+  EXPECT_TRUE(Do("wm add s1 ^host www.example.org").ok);
 }
 
 TEST_F(InterpreterTest, ObjectsOfLongTermMemoryAreShownByTheirNames) {
@@ -420,7 +516,7 @@ TEST_F(InterpreterTest, ARunThatARuleInterruptsInItsLastCycleIsNotCalledStopped)
 }
 
 TEST_F(InterpreterTest, SettingsOfSoarTakeOneValue) {
-  EXPECT_THAT(Do("soar wait-snc on off").text, HasSubstr("Soar 9.6.3 Summary"));
+  EXPECT_THAT(Do("soar wait-snc on off").text, HasSubstr("Soar 9.6.5 Summary"));
   EXPECT_THAT(Do("soar init now").text, StartsWith("Invalid argument."));
   EXPECT_THAT(Do("decide indifferent-selection first").text, StartsWith("Too many args."));
   EXPECT_THAT(Do("decide indifferent-selection -f -l").text, HasSubstr("only one option at a time"));

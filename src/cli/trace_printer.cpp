@@ -89,6 +89,7 @@ void TracePrinter::Update() {
   want(trace.On(TraceFlag::kAssertions), Event::kAssertion);
   want(trace.learning() > 0, Event::kLearning);
   want(trace.On(TraceFlag::kChunkWarnings), Event::kNotLearned);
+  backtrace_.Listen(trace.On(TraceFlag::kBacktracing));
   want(trace.On(TraceFlag::kIndifferent), Event::kExploration);
   want(trace.On(TraceFlag::kRl), Event::kReinforcement);
   want(trace.On(TraceFlag::kWma), Event::kActivation);
@@ -351,7 +352,7 @@ void TracePrinter::OnRuleInterrupt(const Agent& agent, kernel::ProductionId rule
   Print(
       fmt::format("\n*** Production match-time interrupt (:interrupt), probably from {}\n"
                   "    [Phase] (Interrupt, Stop) is [{}] ({},1)\n",
-                  agent.production(rule).name, static_cast<int>(agent.next_phase()), count + 1));
+                  RuleName(agent, agent.production(rule).name), static_cast<int>(agent.next_phase()), count + 1));
 }
 
 void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
@@ -461,19 +462,7 @@ void TracePrinter::OnNotLearned(const Agent& agent, kernel::NotLearned why, cons
 
 void TracePrinter::OnLocalNegation(const Agent& agent, const kernel::Production& negation) {
   std::string text = "\n*** Rule learned that used negative reasoning about local sub-state.***\n";
-  const kernel::Condition& condition = negation.conditions.front();
-  if (condition.kind == kernel::ConditionKind::kConjunctiveNegation) {
-    std::string_view before = "  -{ ";
-    for (const kernel::Condition& inner : condition.conditions()) {
-      text += before;
-      kernel::AppendCondition(text, agent.symbols(), inner);
-      before = "\n   ";
-    }
-    text += "}";
-  } else {
-    text += "   ";
-    kernel::AppendCondition(text, agent.symbols(), condition);
-  }
+  AppendNegation(text, agent, negation.conditions.front());
   Print(text + "\n");
 }
 

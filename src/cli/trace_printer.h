@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/backtrace_printer.h"
 #include "cli/trace_settings.h"
 #include "kernel/agent.h"
 
@@ -17,7 +18,7 @@ TraceFlag FlagOf(const kernel::FiringInfo& info);
 /// that the settings need. Owned by the session.
 class TracePrinter : public kernel::Observer {
  public:
-  explicit TracePrinter(Session& session) : session_(session) {}
+  explicit TracePrinter(Session& session) : session_(session), backtrace_(session) {}
   ~TracePrinter() override;
 
   /// Subscribes to the events that the settings need now.
@@ -78,6 +79,7 @@ class TracePrinter : public kernel::Observer {
                              std::string_view remark = {});
 
   Session& session_;
+  BacktracePrinter backtrace_;
   bool retracting_ = false;  ///< The preferences that leave now belong to a firing that is shown in detail.
 };
 

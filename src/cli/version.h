@@ -5,8 +5,6 @@
 
 namespace soarbox::cli {
 
-/// The release of Soar whose commands, texts and behaviour these are.
-inline constexpr std::string_view kSoarVersion = "9.6.3";
 inline constexpr std::string_view kSoarboxVersion = SOARBOX_VERSION;
 
 }  // namespace soarbox::cli

@@ -504,6 +504,15 @@ Symbol Agent::NewIdentifier(char letter, std::uint64_t number, Symbol parent) {
                                        engine_->memory.identifier(parent).level);
 }
 
+/// The preferences for a value that rules made stay: its element comes back when the slot is decided again. Then all
+/// values are looked at, not only those that have changed.
+static void NoteLostByHand(WorkingMemory& memory, SlotId id) {
+  Slot& slot = memory.mutable_slot(id);
+  slot.lost_by_hand = true;
+  if (slot.is_operator) return;
+  if (LargeSlot* const large = memory.Large(id)) large->all_changed = true;
+}
+
 Result<void> Agent::RemoveWme(WmeId wme) {
   if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
   WorkingMemory& memory = engine_->memory;
@@ -514,16 +523,8 @@ Result<void> Agent::RemoveWme(WmeId wme) {
   const bool removed = Guarded([&] {
     if (record.kind == WmeKind::kSlot && memory.slot(record.slot()).is_operator) {
       engine_->preferences.RemoveSelected(record.slot());  // The states below stay.
-    } else if (record.preference != PreferenceId::kNone) {
-      // A value that rules made goes with the preferences for it.
-      const SlotId slot = record.slot();
-      const Symbol value = memory.wme(wme).value;
-      PreferenceId next;
-      for (PreferenceId p = memory.slot(slot).acceptable; p != PreferenceId::kNone; p = next) {
-        next = memory.preference(p).next_in_slot;
-        if (memory.preference(p).value == value) engine_->preferences.Retract(p);
-      }
     } else {
+      if (record.preference != PreferenceId::kNone) NoteLostByHand(memory, record.slot());
       engine_->changes.Lose(wme);
     }
     engine_->elaboration.ApplyWorkingMemoryChanges();

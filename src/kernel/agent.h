@@ -249,7 +249,8 @@ class Agent {
   Symbol NewIdentifier(char letter);
   /// A new identifier with a name that no identifier has, on the level of `parent`, an identifier in working memory.
   Symbol NewIdentifier(char letter, std::uint64_t number, Symbol parent);
-  /// `wm remove`: any element, at once.
+  /// `wm remove`: any element, at once. Preferences stay: the element of a rule comes back when another preference
+  /// enters or leaves its slot, and the operator whose proposal goes stays selected.
   Result<void> RemoveWme(WmeId wme);
 
   /// Functions of the host that rules call with (exec name ...) or (name ...). The argument is what the rule gave,

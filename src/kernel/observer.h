@@ -43,6 +43,7 @@ enum class Event : std::uint32_t {
   kNotLearned = 1u << 17,     ///< Why results get no rule.
   kActivation = 1u << 18,     ///< Elements whose activation is followed.
   kDecisionTrace = 1u << 19,  ///< Operators removed. With kDecision: each decision, also of an agent that rests.
+  kBacktrace = 1u << 20,      ///< What results rest on, step by step, as learning follows it.
 };
 
 using EventMask = std::uint32_t;
@@ -128,6 +129,29 @@ struct RlUpdate {
   double new_current = 0, new_future = 0;
 };
 
+/// One step of learning as it follows what results rest on. Which fields are set depends on `kind`. Valid during the
+/// callback only.
+struct BacktraceStep {
+  enum class Kind : std::uint8_t {
+    kResult,       ///< A result is to be traced: `preference`.
+    kSelection,    ///< A preference that decided the selection of an operator is to be traced: `preference`.
+    kFiring,       ///< A firing with the elements that it tested: `firing`, `grounds`, `locals`, `negated`.
+    kKnownFiring,  ///< A firing that was traced before: `firing`.
+    kLocals,       ///< The elements of the substate that firings tested are traced from here on.
+    kLocal,        ///< One of them is to be traced: `local`.
+    kNoMaker,      ///< No rule made it: there is nothing to trace.
+    kItem,         ///< It is an item of the impasse and rests on a proposal in the superstate: `grounds`.
+    kEnd,          ///< All is traced.
+  };
+  Kind kind = Kind::kEnd;
+  PreferenceId preference = PreferenceId::kNone;
+  WmeId local = WmeId::kNone;
+  std::string_view firing = {};         ///< The name of the rule.
+  std::span<const WmeId> grounds = {};  ///< Elements of higher states, in the order of the conditions.
+  std::span<const WmeId> locals = {};   ///< Elements of the substate, in the same order.
+  const Production* negated = nullptr;  ///< A rule whose conditions are the negated ones of the firing; null: none.
+};
+
 /// What semantic or episodic memory answered to a command that rules put on its link. The texts are valid during the
 /// callback only.
 struct RecallInfo {
@@ -139,13 +163,18 @@ struct RecallInfo {
   std::string_view reason;    ///< Why that came, or why nothing did.
 };
 
+/// Sees what learning traces back, if it listens to kBacktrace.
+class BacktraceObserver {
+ public:
+  virtual ~BacktraceObserver() = default;
+  virtual void OnBacktrace(const Agent&, const BacktraceStep& step) { (void)step; }
+};
+
 /// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the
 /// cycle; they may read everything and change nothing, except that they may request a stop. Each callback belongs to
 /// the event named in its comment and is called only if that bit is in the observer's mask.
-class Observer {
+class Observer : public BacktraceObserver {
  public:
-  virtual ~Observer() = default;
-
   // kPhase
   virtual void OnPhaseBegin(const Agent&, Phase) {}
   virtual void OnPhaseEnd(const Agent&, Phase) {}

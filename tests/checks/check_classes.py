@@ -17,7 +17,7 @@ ALLOWED = {
     "kernel/agent.h Agent": 90,
     "world/agent.h Agent": 71,
     "kernel/match/rete_state.h ReteState": 65,
-    "kernel/observer.h Observer": 55,
+    "kernel/observer.h Observer": 54,
     "kernel/longterm/semantic_memory.h SemanticMemory": 54,
     "sml/server/kernel_host.h KernelHost": 46,
     "kernel/memory/working_memory.h WorkingMemory": 46,

@@ -46,7 +46,7 @@ std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
     if (preference == PreferenceId::kNone || slot.is_operator || slot.changed) continue;
     if (!memory.preference(preference).in_slot) return "no preference supports " + Name(engine, wme);
   }
-  if (slot.is_operator || slot.changed) return {};
+  if (slot.is_operator || slot.changed || slot.lost_by_hand) return {};
   for (std::vector<std::uint32_t>* some : {&rejected, &values}) std::sort(some->begin(), some->end());
   for (const std::uint32_t value : accepted) {
     const auto is_among = [value](const std::vector<std::uint32_t>& sorted) {

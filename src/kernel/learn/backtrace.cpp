@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
+#include "kernel/decide/descriptions.h"
 #include "kernel/decide/firing.h"
 #include "kernel/decide/goal_changes.h"
 #include "kernel/decide/goal_stack.h"
@@ -23,6 +24,7 @@ namespace soarbox::kernel {
 void Backtracer::Trace(Explanation& out, bool every_condition) {
   out_ = &out;
   every_condition_ = every_condition;
+  is_told_ = uses_.observers.Wants(Event::kBacktrace);
   out.firings.clear();
   out.grounds.clear();
   out.links.clear();
@@ -36,21 +38,28 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   out.drafts.Clear();
   queue_.clear();
   selected_proposal_ = SelectedProposal();
+  using Kind = BacktraceStep::Kind;
   for (auto result = out.results.rbegin(); result != out.results.rend(); ++result) {
+    Tell({.kind = Kind::kResult, .preference = *result});
     VisitFiring(uses_.memory.preference(*result).instantiation);
   }
-  VisitFiring(out.base);
+  if (uses_.instantiations[out.base].backtrace != out.trace_number) VisitFiring(out.base);
+  Tell({.kind = Kind::kLocals});
   // The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
   while (!queue_.empty()) {
     const Open open = queue_.back();
     queue_.pop_back();
+    if (open.local != WmeId::kNone) Tell({.kind = Kind::kLocal, .local = open.local});
     if (open.firing != InstantiationId::kNone) {
       if (open.link.maker != PreferenceId::kNone) out.links.push_back(open.link);
       VisitFiring(open.firing);
-    } else {
+    } else if (open.item != WmeId::kNone) {
       VisitItem(open.item);
+    } else {
+      Tell({.kind = Kind::kNoMaker});
     }
   }
+  Tell({.kind = Kind::kEnd});
   // What was found last is tested first.
   std::ranges::reverse(out.grounds);
   std::ranges::reverse(out.negations);
@@ -73,7 +82,9 @@ void Backtracer::VisitSelection(std::uint32_t selection) {
     // (What a higher state's rules prohibit has no part in the substate: it is traced where it is.)
     const bool is_higher = uses_.memory.preference(p).level < out_->level;
     const PreferenceId local = is_higher ? p : uses_.firing.CloneAtLevel(p, out_->level);
-    if (local != PreferenceId::kNone) VisitFiring(uses_.memory.preference(local).instantiation);
+    if (local == PreferenceId::kNone) continue;
+    Tell({.kind = BacktraceStep::Kind::kSelection, .preference = local});
+    VisitFiring(uses_.memory.preference(local).instantiation);
   }
 }
 
@@ -88,8 +99,14 @@ InstantiationId Backtracer::SelectedProposal() const {
 
 void Backtracer::VisitFiring(InstantiationId firing) {
   Instantiation& instantiation = uses_.instantiations[firing];
-  if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) return;
+  if (std::exchange(instantiation.backtrace, out_->trace_number) == out_->trace_number) {
+    if (is_told_)
+      Tell({.kind = BacktraceStep::Kind::kKnownFiring, .firing = uses_.descriptions.ProductionName(firing)});
+    return;
+  }
   out_->firings.push_back(firing);
+  if (is_told_) [[unlikely]]
+    TellOfFiring(firing);
   if (instantiation.justification != Instantiation::kNoJustification) {
     out_->quiescence |= uses_.justifier.record(instantiation.justification).quiescence;
   } else if (instantiation.production == ProductionId::kNone) {
@@ -122,7 +139,9 @@ inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& 
 void Backtracer::VisitItem(WmeId item) {
   const WmeId proposal = uses_.goal_changes.ProposalOfItem(item);
   out_->items.push_back(item);
-  if (proposal != WmeId::kNone) AddGround({InstantiationId::kNone, 0, proposal, item}, uses_.memory.wme(proposal));
+  if (proposal == WmeId::kNone) return;
+  Tell({.kind = BacktraceStep::Kind::kItem, .grounds = {&proposal, 1}});
+  AddGround({InstantiationId::kNone, 0, proposal, item}, uses_.memory.wme(proposal));
 }
 
 inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace) {
@@ -136,22 +155,57 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   if (trace.preference != PreferenceId::kNone) {
     const InstantiationId maker = memory.preference(trace.preference).instantiation;
     if (every_condition_) {
-      queue_.push_back({maker, WmeId::kNone, {firing, condition, trace.preference}});
-    } else if (uses_.instantiations[maker].backtrace != out_->trace_number) {
-      queue_.push_back({maker, WmeId::kNone, {}});
+      queue_.push_back({maker, WmeId::kNone, {firing, condition, trace.preference}, trace.wme});
+    } else if (is_told_ || uses_.instantiations[maker].backtrace != out_->trace_number) {
+      queue_.push_back({maker, WmeId::kNone, {}, trace.wme});
     }
     return;
   }
+  const bool is_item = uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone;
+  if (is_told_ && !is_item) queue_.push_back({InstantiationId::kNone, WmeId::kNone, {}, trace.wme});
   // Of the architecture: it came with the substate.
   if (out_->level < 2 || out_->level > uses_.goals.depth() || wme.id != uses_.goals.at(out_->level).id) return;
   if (wme.attribute == words::kQuiescence) {
     out_->quiescence = true;
   } else if (wme.attribute == words::kSuperstate) {
     if (every_condition_) out_->superstate_links.push_back({firing, condition, PreferenceId::kNone});
-  } else if (uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone) {
+  } else if (is_item) {
     if (every_condition_) out_->item_tests.push_back({firing, condition, trace.wme});
-    if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme, {}});
+    if (Mark(trace.wme)) queue_.push_back({InstantiationId::kNone, trace.wme, {}, trace.wme});
   }
+}
+
+// Telling -------------------------------------------------------------------------------------------------------------
+
+void Backtracer::Tell(const BacktraceStep& step) const {
+  uses_.observers.Notify(Event::kBacktrace, [&](Observer& o) { o.OnBacktrace(uses_.agent, step); });
+}
+
+void Backtracer::TellOfFiring(InstantiationId firing) {
+  std::vector<WmeId> grounds, locals;
+  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
+  for (const ConditionTrace& trace : traces) {
+    const Symbol object = uses_.memory.wme(trace.wme).id;
+    (uses_.memory.known_identifier(object).level < out_->level ? grounds : locals).push_back(trace.wme);
+  }
+  Arena drafts;
+  RuleDraft negations;
+  const ProductionId production = uses_.instantiations[firing].production;
+  const ProductionPtr rule = production == ProductionId::kNone ? nullptr : uses_.rete.production(production);
+  std::vector<ConditionDraft> negated;
+  if (rule != nullptr) {
+    for (const Condition& condition : rule->conditions) {
+      if (condition.kind == ConditionKind::kPositive) continue;
+      negated.push_back(InstantiateNegation(condition, *rule, traces, uses_.memory, drafts));
+    }
+  }
+  for (ConditionDraft& condition : negated) negations.conditions.Add(&condition);
+  const ProductionPtr shown = negated.empty() ? nullptr : Production::Make(negations);
+  Tell({.kind = BacktraceStep::Kind::kFiring,
+        .firing = uses_.descriptions.ProductionName(firing),
+        .grounds = grounds,
+        .locals = locals,
+        .negated = shown.get()});
 }
 
 // Negated conditions --------------------------------------------------------------------------------------------------

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "kernel/learn/explanation.h"
+#include "kernel/observer.h"
 
 namespace soarbox::kernel {
 
 class Agent;
 struct ConditionTrace;
+class Descriptions;
 class Firing;
 class GoalChanges;
 class GoalStack;
@@ -42,6 +44,7 @@ class Backtracer {
     const SelectionKnowledge& selections;
     const Justifier& justifier;
     const Observers& observers;
+    const Descriptions& descriptions;
     const LearnSettings& learn;
     LearnStatistics& statistics;
   };
@@ -53,6 +56,10 @@ class Backtracer {
 
  private:
   void VisitFiring(InstantiationId firing);
+  /// Tells observers of a step, if there are any.
+  void Tell(const BacktraceStep& step) const;
+  /// Tells of a firing with all that it tested.
+  void TellOfFiring(InstantiationId firing);
   void VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace);
   /// What made the local operator that a firing tests, or that it proposed, better than the others.
   void VisitSelection(std::uint32_t selection);
@@ -76,11 +83,13 @@ class Backtracer {
   Uses uses_;
   Explanation* out_ = nullptr;
   bool every_condition_ = false;
+  bool is_told_ = false;  ///< Somebody listens to the steps.
   /// Still to be followed: a firing, or else an item of the impasse.
   struct Open {
     InstantiationId firing = InstantiationId::kNone;
     WmeId item = WmeId::kNone;
-    Explanation::Link link;  ///< That leads to the firing, if links are wanted.
+    Explanation::Link link;      ///< That leads to the firing, if links are wanted.
+    WmeId local = WmeId::kNone;  ///< The element that leads here, for observers.
   };
   std::vector<Open> queue_;
   InstantiationId selected_proposal_ = InstantiationId::kNone;

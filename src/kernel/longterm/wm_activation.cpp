@@ -7,6 +7,7 @@
 
 #include "kernel/decide/agent_counters.h"
 #include "kernel/decide/elaboration.h"
+#include "kernel/decide/goal_changes.h"
 #include "kernel/decide/instantiation_table.h"
 #include "kernel/decide/observers.h"
 #include "kernel/decide/preference_changes.h"
@@ -180,7 +181,11 @@ void WmActivation::Follow(WmeId wme, std::uint64_t uses) {
 
 void WmActivation::Use(WmeId wme) {
   const WmeRecord& record = uses_.memory.record(wme);
-  if (record.preference == PreferenceId::kNone) return;
+  if (record.preference == PreferenceId::kNone) {
+    const WmeId proposal = uses_.goal_changes.ProposalOfItem(wme);
+    if (proposal != WmeId::kNone) Use(proposal);
+    return;
+  }
   if (!uses_.memory.preference(record.preference).o_supported) {
     UseWhatHolds(wme);
     return;
@@ -222,7 +227,12 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
     open_.pop_back();
     const WmeRecord& record = memory.record(next);
     if (record.preference == PreferenceId::kNone) {
-      other(next);
+      const WmeId proposal = uses_.goal_changes.ProposalOfItem(next);
+      if (proposal == WmeId::kNone) {
+        other(next);
+      } else if (std::exchange(seen_[Index(proposal)], pass_) != pass_) {
+        open_.push_back(proposal);
+      }
       continue;
     }
     if (!memory.wme(next).live) {

@@ -35,9 +35,10 @@ struct WmaSettings {
 /// o-supported ones of these rested on. That strength is the sum of uses * age^decay_rate for o-supported elements, and
 /// e for elements that no rule made; i-supported ones are replaced by what they rest on. Each match that waits to fire
 /// when rules fire uses the elements that it tests, and each preference of a rule uses an existing element that it
-/// makes again. A use of an i-supported element is a use of the o-supported ones on which it rests. An i-supported
-/// element that becomes o-supported begins its history at its next use. Uses of a cycle are entered in its output
-/// phase. The activation is ln of the sum of uses * age^decay_rate. All other elements show 1.
+/// makes again. A use of an i-supported element is a use of the o-supported ones on which it rests; a use of an item of
+/// an impasse is a use of the operator's proposal. An i-supported element that becomes o-supported begins its history
+/// at its next use. Uses of a cycle are entered in its output phase. The activation is ln of the sum of uses *
+/// age^decay_rate. All other elements show 1.
 ///
 /// At the end of the output phase, forgetting retracts the preferences of elements whose activation is below the
 /// threshold.

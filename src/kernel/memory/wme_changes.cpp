@@ -44,7 +44,11 @@ void WmeChanges::Record(WmeId wme, WmeKind kind, Symbol id, Symbol attribute, Sy
 }
 
 void WmeChanges::Lose(WmeId wme) {
-  if (memory_.record(wme).gds != 0) listener_.DependencyLost(wme);
+  if (memory_.record(wme).gds != 0) {
+    listener_.DependencyLost(wme);
+    // An element of the goal itself has gone with it.
+    if (!memory_.wme(wme).live) return;
+  }
   Remove(wme);
 }
 

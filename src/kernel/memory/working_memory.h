@@ -81,7 +81,8 @@ struct Slot {
   bool is_large : 1 = false;             ///< See large_slots.h.
   bool acceptables_changed : 1 = false;  ///< Is on the list of slots whose acceptable preferences changed.
   bool changed_since_selected : 1 =
-      false;  ///< ^operator of a goal: preferences changed after its operator was selected.
+      false;                      ///< ^operator of a goal: preferences changed after its operator was selected.
+  bool lost_by_hand : 1 = false;  ///< An element was taken away although there are preferences for its value.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< Of these the o-supported ones that a substate's rule made.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.

@@ -266,7 +266,7 @@ bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePla
   }
   if (rule.type == ProductionType::kTemplate && !IsTemplate(rule)) {
     const std::string name = ToString(symbols, symbols.String(rule.name));
-    out.late_messages.push_back({"Invalid Soar-RL template (" + name + ")\n\n", true, false});
+    out.late_messages.push_back({"Invalid Soar-RL template (" + name + ")\n\n", false, false});
     out.is_told = true;
     AddTrap(out, place, Severity::kError, name + " is a template, but has other actions than one numeric preference",
             "give it one action: (<s> ^operator <o> = 0.0)");
