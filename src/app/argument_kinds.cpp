@@ -58,6 +58,7 @@ constexpr Row kRows[] = {
     {"", "--plots", kFolder},
     {"", "--video", {"FILE", Offers::kFiles, ".gif .mp4 .webm"}},
     {"", "--screenshot", {"FILE", Offers::kFiles, ".png"}},
+    {"watch", "address", kAddress},
     {"kernel", "--record", kFile},
     {"kernel", "--secret-file", kFile},
     {"", "--record", kRecording},

@@ -75,6 +75,9 @@ int FollowedByOthers(int code, const RunOptions& first) {
   return code;
 }
 
+/// Where Soar kernels listen unless they are told otherwise.
+constexpr const char* kUsualKernel = "127.0.0.1:12121";
+
 /// Shows pages in browsers; where this program has no server, as the one that has.
 int WithServer(const PageServer* server, char** argv, const CommandOptions& options, bool is_replay) {
   if (server == nullptr) {
@@ -83,8 +86,9 @@ int WithServer(const PageServer* server, char** argv, const CommandOptions& opti
                   "./dev serve builds it, which puts soarbox-serve beside this program");
   }
   if (options.run.browser)
-    return server->Show({options.run.scenario, {}, options.run.seed, options.run.page, options.run.dis});
-  if (is_replay) return server->Show({{}, options.recording.file, {}, options.recording.page, {}});
+    return server->Show(
+        {options.run.scenario, {}, options.run.seed, options.run.page, options.run.dis, options.run.follow});
+  if (is_replay) return server->Show({{}, options.recording.file, {}, options.recording.page, {}, {}});
   return server->Serve(options.serve);
 }
 
@@ -136,15 +140,16 @@ int Main(int argc, char** argv, const PageServer* server) {
   // It is for kernels of clients, not for those of our worlds.
   if (!program.got_subcommand("kernel")) unsetenv("SOARBOX_RECORD");
   const bool is_replay = program.got_subcommand("replay");
+  if (program.got_subcommand("watch") && options.run.follow.empty()) options.run.follow = kUsualKernel;
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
     return WithServer(server, argv, options, is_replay);
   // Before anything is done that would be done twice.
-  if ((program.got_subcommand("run") && !options.run.headless) ||
-      (program.got_subcommand("learn") && !options.learn.headless) ||
+  const bool is_run = program.got_subcommand("run") || program.got_subcommand("watch");
+  if ((is_run && !options.run.headless) || (program.got_subcommand("learn") && !options.learn.headless) ||
       (is_replay && !NeedsNoWindow(options.recording))) {
     GoOnInWindow(argv);
   }
-  if (program.got_subcommand("run")) return FollowedByOthers(Run(options.run), options.run);
+  if (is_run) return FollowedByOthers(Run(options.run), options.run);
   if (program.got_subcommand("inspect")) return Inspect(options.inspect);
   if (program.got_subcommand("soar")) return RunSoarShell(options.soar);
   if (is_replay) {

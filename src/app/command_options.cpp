@@ -133,6 +133,20 @@ void AddRun(CLI::App& program, RunOptions& options) {
       ->check(NumberIn(0.01, 3600.0));
 }
 
+void AddWatch(CLI::App& program, RunOptions& options) {
+  CLI::App* watch =
+      program.add_subcommand("watch", "Show the agents of a Soar kernel that another program drives, with all panels");
+  watch->add_option("address", options.follow, "Where the kernel listens: HOST:PORT, HOST or, on this machine, :PORT")
+      ->default_str("127.0.0.1:12121");
+  AddBrowser(*watch, options);
+  AddWindow(*watch, options);
+  watch->add_flag("--headless", options.headless, "Print what the agents do, without a window, until the kernel ends");
+  watch->add_option("--seconds", options.seconds, "End after this many simulated seconds; a decision takes 1/30 s")
+      ->check(NumberIn(0, kLongest_s));
+  watch->add_option("--select", options.select, "Select this agent from the start");
+  watch->add_flag("--json", options.json, "Print events as lines of JSON");
+}
+
 void AddSoar(CLI::App& program, SoarShellOptions& options) {
   CLI::App* soar = program.add_subcommand("soar", "The interactive shell of the Soar command language");
   soar->add_option("files", options.files, "Files to source first, in order");
@@ -267,6 +281,8 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
       ->check(NumberIn(0, 65535));
   kernel->add_option("--record", options.record,
                      "Record what clients do to the agents, for `soarbox replay`, `why` and the like");
+  kernel->add_flag("--no-log", options.no_log,
+                   "Keep no log of what clients do: `soarbox watch` cannot show the agents");
   kernel->add_option("--secret-file", options.secret_file,
                      "Serve only clients that show the secret in the first line of this file");
 }
@@ -327,6 +343,7 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   runs->add_option("--world", engine.world);
   runs->add_option("--from", engine.from);
   runs->add_option("--run", engine.run);
+  runs->add_option("--follow", engine.follow);
   runs->add_option("--seed", engine.seed);
   runs->add_option("--lesson", engine.lesson);
   runs->add_option("--recording", engine.recording);
@@ -425,6 +442,7 @@ void AddCommands(CLI::App& program, CommandOptions& options) {
   AddRun(program, options.run);
   AddSoar(program, options.soar);
   AddKernel(program, options.kernel);
+  AddWatch(program, options.run);
   AddNew(program, options.made);
   AddRecordings(program, options.recording);
   AddLooks(program, options.check, options.why);

@@ -56,12 +56,16 @@ bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<s
 }
 
 /// What is wrong with the recording; empty: nothing.
-std::string Record([[maybe_unused]] sml::Kernel& kernel, const std::filesystem::path& file) {
-  if (file.empty()) return {};
+std::string Record([[maybe_unused]] sml::Kernel& kernel, const KernelServerOptions& options) {
 #ifdef SOARBOX_OWN_KERNEL
-  return RecordClients(kernel, std::filesystem::absolute(file).string());
+  if (!options.record.empty()) return RecordClients(kernel, std::filesystem::absolute(options.record).string());
+  const char* const named = std::getenv("SOARBOX_RECORD");
+  const bool is_recorded = named != nullptr && *named != '\0';
+  // Whoever watches later finds all from the beginning. A kernel that cannot keep that works as well.
+  if (!options.no_log && !is_recorded) static_cast<void>(RecordClients(kernel, {}));
+  return {};
 #else
-  return "only Soarbox's own kernel records its clients";
+  return options.record.empty() ? "" : "only Soarbox's own kernel records its clients";
 #endif
 }
 
@@ -87,7 +91,7 @@ int ServeKernel(const KernelServerOptions& options) {
                       (why == nullptr ? "" : std::string(" (") + why + ")"),
                   "another program holds it; choose another with --port N, or any free one with --port 0");
   }
-  if (const std::string problem = Record(*kernel, options.record); !problem.empty()) return Refuse(problem);
+  if (const std::string problem = Record(*kernel, options); !problem.empty()) return Refuse(problem);
   if (kernel->GetListenerPort() == 0)
     return Refuse("this build has no sockets", "use the native soarbox for connections to other programs");
   std::set<std::string> names;

@@ -12,6 +12,7 @@ struct KernelServerOptions {
   std::vector<std::filesystem::path> agents;  ///< One agent per file of rules, named after it.
   /// What clients do is recorded to this file; empty: to what $SOARBOX_RECORD names, if anything.
   std::filesystem::path record;
+  bool no_log = false;  ///< Keep no log for `soarbox watch`.
   /// The file with the secret that clients must show. Empty: what the environment names (sml/wire/secret.h).
   std::filesystem::path secret_file;
 };

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "sim/commands_elsewhere.h"
+
 namespace soarbox::app {
 namespace {
 
@@ -36,6 +38,10 @@ std::string SaidIn(const sim::Simulation& simulation, const std::string& agent) 
 std::string StepDecision(RunSession& session, const std::string& agent) {
   constexpr const char* kBudget = "soar max-nil-output-cycles";
   sim::Simulation& simulation = session.simulation();
+  if (sim::SendsCommandsElsewhere(simulation)) {
+    const Result<std::string> ran = simulation.Command(agent, "run --decision 1 --self");
+    return ran ? agent + ": one decision" : ran.error().message;
+  }
   const Result<std::string> budget = simulation.Command(agent, kBudget);
   if (!budget) return budget.error().message;
   std::string number;

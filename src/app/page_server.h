@@ -36,6 +36,7 @@ struct BrowserOptions {
   std::optional<std::uint64_t> seed;
   std::filesystem::path page;  ///< As for `soarbox serve`.
   std::string dis;             ///< As for `soarbox run`.
+  std::string follow;          ///< Or the address of a kernel whose agents are watched.
 };
 
 /// Serves pages to browsers. Like the window (window.h) it belongs to a program of its own, soarbox-serve, as which

@@ -14,6 +14,7 @@
 #include "app/editor_commands.h"
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
+#include "app/kernel_watch.h"
 #include "app/mission_watch.h"
 #include "app/record_run.h"
 #include "app/refuse.h"
@@ -28,6 +29,7 @@
 #include "record/manifest.h"
 #include "record/recorder.h"
 #include "script/script_profiler.h"
+#include "sim/client_world.h"
 #include "sim/input_text.h"
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
@@ -98,6 +100,16 @@ bool IsOfThisMachine(const dis::Settings& settings) {
   return (is_group ? settings.interface : settings.address).starts_with(kLoopback) || settings.address == "localhost";
 }
 
+/// A run that follows a kernel is a copy: the kernel has the recording, if there is one, and the debuggers.
+void CompleteToFollow(RunOptions& options) {
+  constexpr double kLong_s = 1e9;
+  options.scenario = sim::kClientWorld;
+  options.port = 0;
+  options.threads = 1;
+  options.no_record = true;
+  if (options.headless && !options.seconds) options.seconds = kLong_s;
+}
+
 /// Prints a remark on the run; nothing if it is empty.
 void Note(const std::string& remark) {
   if (!remark.empty()) std::cerr << "soarbox: " << remark << '\n';
@@ -111,10 +123,20 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
   setup->data = *data;
+  std::unique_ptr<KernelWatch> followed;
+  if (!options.follow.empty()) {
+    Result<std::unique_ptr<KernelWatch>> connected = KernelWatch::Connect(options.follow);
+    if (!connected) return Refuse(connected.error());
+    followed = std::move(*connected);
+    CompleteToFollow(options);
+    options.warning = followed->Remark();
+  }
   const Result<std::filesystem::path> rules = RulesOfProject(options.scenario);
   if (!rules) return Refuse(rules.error());
   options.scenario = rules->string();
-  Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data.value(), options.extra_folders);
+  Result<sim::Scenario> scenario = followed != nullptr
+                                       ? followed->World(data.value())
+                                       : sim::FindScenario(options.scenario, data.value(), options.extra_folders);
   if (!scenario) return Refuse(scenario.error());
   if (const Result<void> replaced = sim::ReplaceRules(*scenario, options.rules); !replaced) {
     std::cerr << Format(replaced.error());
@@ -184,6 +206,10 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     settings.soar.port = options.port.value_or(options.headless ? 0 : kDefaultPort);
   }
 
+  if (followed != nullptr) {
+    followed->Prepare(settings.soar);
+    Note(followed->Remark());
+  }
   Result<std::optional<dis::Settings>> exercise = ExerciseOf(options, *scenario, *data);
   if (!exercise) return Refuse(exercise.error());
   std::optional<dis::Settings> joins = *std::move(exercise);
@@ -235,7 +261,8 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   std::unique_ptr<EventPrinter> printer =
       options.json ? EventPrinter::MakeJson(std::cout) : EventPrinter::MakeText(std::cout, std::cerr);
   printer->Begin({scenario.value().name, seed, options.headless});
-  RunSession& session = setup->session.emplace(std::move(*simulation), std::move(printer), options);
+  RunSession& session =
+      setup->session.emplace(std::move(*simulation), std::move(printer), options, std::move(followed));
   session.SetMission(std::move(mission));
   if (joins) {
     Result<std::unique_ptr<dis::Gateway>> gateway = dis::Gateway::Open(*joins);

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 class Progress {
  public:
   explicit Progress(const RunOptions& options)
-      : shown_(isatty(STDERR_FILENO) != 0 && !options.json), total_s_(*options.seconds) {}
+      : shown_(isatty(STDERR_FILENO) != 0 && !options.json && options.follow.empty()), total_s_(*options.seconds) {}
   ~Progress() {
     if (written_) std::fputs("\r\033[K", stderr);
   }

@@ -30,6 +30,7 @@ struct RunOptions : WindowWishes {
   std::string select;                      ///< Name of the agent that is selected from the start.
   std::string camera;                      ///< "map", "follow"; empty: all agents are framed.
   std::optional<int> port;                 ///< For debuggers; none: 12121 with a window if it is free, closed without.
+  std::string follow;                      ///< HOST:PORT of a Soar kernel whose agents are watched; empty: none.
   std::string kernel;                      ///< HOST:PORT of a Soar kernel in another process; empty: our own.
   std::string input;                       ///< File of inputs with ticks; empty: none.
   int threads = 0;                         ///< For the minds; 0: one per core.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "sim/commands_elsewhere.h"
 #include "sim/foreign_bodies.h"
 #include "world/world.h"
 
@@ -53,13 +54,15 @@ bool WasInterrupted() {
 }
 
 RunSession::RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
-                       const RunOptions& options)
+                       const RunOptions& options, std::unique_ptr<KernelWatch> followed)
     : simulation_(std::move(simulation)),
       printer_(std::move(printer)),
+      followed_(std::move(followed)),
       lesson_(options.lesson),
       end_s_(options.seconds.value_or(std::numeric_limits<double>::infinity())),
       ends_with_scenario_(options.headless),
       report_every_s_(options.report_s.value_or(0)) {
+  SendCommandsToFollowed();
   if (options.watch) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
   PrintEvents();
 }
@@ -81,6 +84,23 @@ void RunSession::SetMission(std::unique_ptr<MissionWatch> mission) {
 
 void RunSession::Join(std::unique_ptr<dis::Gateway> gateway) {
   gateway_ = std::move(gateway);
+}
+
+void RunSession::SendCommandsToFollowed() {
+  if (followed_ == nullptr) return;
+  sim::SendCommandsElsewhere(*simulation_, [this](const std::string& agent, const std::string& line) {
+    return followed_->Command(agent, line);
+  });
+}
+
+bool RunSession::TakeFollowed() {
+  const std::string* const acts = followed_->After(simulation_->tick());
+  if (acts != nullptr) {
+    simulation_->Submit(sim::CommandInput{"", *acts});
+    return true;
+  }
+  if (const std::string news = followed_->TakeNews(); !news.empty()) std::cerr << "soarbox: " << news << '\n';
+  return false;
 }
 
 std::optional<workbench::ExerciseContents> RunSession::Exercise() {
@@ -115,6 +135,10 @@ std::optional<workbench::ExerciseContents> RunSession::Exercise() {
 void RunSession::Tick() {
   if (gateway_ != nullptr && gateway_->IsFrozen()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return Idle();
+  }
+  if (followed_ != nullptr && !TakeFollowed()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return Idle();
   }
   TakeEdits();
@@ -176,6 +200,7 @@ Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint
   Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);
   if (!made) return made.error();
   simulation_ = std::move(*made);
+  SendCommandsToFollowed();
   if (watches) edits_ = std::make_unique<sim::LiveEdits>(*simulation_);
   next_report_s_ = 0;
   findings_.Clear();
@@ -222,7 +247,8 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
 }
 
 bool RunSession::IsOver() const {
-  return WasInterrupted() || simulation_->time_s() >= end_s_ || (ends_with_scenario_ && simulation_->HasEnded());
+  return WasInterrupted() || simulation_->time_s() >= end_s_ ||
+         (ends_with_scenario_ && (simulation_->HasEnded() || (followed_ != nullptr && followed_->HasEnded())));
 }
 
 int RunSession::Finish() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/event_printer.h"
+#include "app/kernel_watch.h"
 #include "app/mission_watch.h"
 #include "app/run_options.h"
 #include "dis/gateway.h"
@@ -24,8 +25,10 @@ namespace soarbox::app {
 /// One run under way: the simulation and what is told about it. The headless loop and the window's loop drive it.
 class RunSession final : public workbench::LiveRun {
  public:
+  /// `followed`: the run does what the agents of another kernel did; it has a tick whenever they have gone on. Null: it
+  /// follows nobody.
   RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
-             const RunOptions& options);
+             const RunOptions& options, std::unique_ptr<KernelWatch> followed = nullptr);
 
   /// Advances one tick and prints what happened.
   void Tick();
@@ -74,6 +77,10 @@ class RunSession final : public workbench::LiveRun {
  private:
   void PrintEvents();
   void RecordTick();
+  /// Submits what the followed agents did in the next tick. False: nothing has happened.
+  bool TakeFollowed();
+  /// Command lines of this simulation go to the kernel that is followed.
+  void SendCommandsToFollowed();
   /// Reloads files that were edited, twice per second of real time.
   void TakeEdits();
 
@@ -81,6 +88,7 @@ class RunSession final : public workbench::LiveRun {
   std::unique_ptr<EventPrinter> printer_;
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<dis::Gateway> gateway_;
+  std::unique_ptr<KernelWatch> followed_;
   std::filesystem::path lesson_;
   std::unique_ptr<record::Recorder> recorder_;
   OnTick on_tick_;

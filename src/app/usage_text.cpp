@@ -28,6 +28,7 @@ constexpr ExampleRow kExamples[] = {
     {"run", {"soarbox run scout --headless --seed 7 --rules scout=scout/scout.soar", "With other rules for one agent"}},
     {"soar", {"soarbox soar scout/scout.soar", "Load these rules, then type commands"}},
     {"kernel", {"soarbox kernel --port 12121 scout/scout.soar", "One agent, on the port at which debuggers look"}},
+    {"watch", {"soarbox watch 127.0.0.1:12121", "The agents of the kernel that listens there"}},
     {"replay", {"soarbox replay hallway.soarrec", "Watch it again, forwards and backwards"}},
     {"replay", {"soarbox replay hallway.soarrec --headless --from 2 --to 3", "Print one second of it"}},
     {"verify", {"soarbox verify hallway.soarrec", "Is the run still the same?"}},
@@ -73,7 +74,7 @@ struct StatusRow {
 
 constexpr StatusRow kStatuses[] = {
     {"", {"0", "It ran, and nothing was wrong"}},
-    {"run resume", {"1", "It ran to the end, but scripts or rules had errors; each is reported"}},
+    {"run watch resume", {"1", "It ran to the end, but scripts or rules had errors; each is reported"}},
     {"soar", {"1", "A command of a script failed"}},
     {"check", {"1", "There are errors or warnings"}},
     {"verify compare", {"1", "They differ"}},

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "debugger/facts_text.h"
+#include "sim/input_text.h"
 #include "tell/mind_words.h"
 
 namespace soarbox::debugger {
@@ -103,7 +104,7 @@ void Trace::Add(const record::TickRecord& tick) {
     revision_ = NewRevision();
   }
   Writer writer{lines_, tick.tick, tick.scene.time_s};
-  for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", input);
+  for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", sim::ShownInput(input));
   for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
   for (const sim::RunEvent& event : tick.events) {
     // Commands stand with their minds already.

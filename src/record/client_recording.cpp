@@ -9,14 +9,13 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "diagnostics/number_from_chars.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
+#include "record/client_ticks.h"
 #include "record/header.h"
 #include "record/manifest.h"
 #include "record/recorder.h"
@@ -38,92 +37,10 @@ sim::DataFolders& TheDataFolders() {
   return data;
 }
 
-/// Phases as the log numbers them. A decision is made when the apply phase comes next.
-constexpr std::uint64_t kApply = 3;
-
-/// How often an agent has decided when it is there.
-std::uint64_t DecisionsAt(std::uint64_t cycles, std::uint64_t phase) {
-  return cycles + (phase >= kApply ? 1 : 0);
-}
-
-std::uint64_t CountIn(const std::string& text) {
-  std::uint64_t number = 0;
-  (void)NumberFromChars(text, number);
-  return number;
-}
-
-/// Deals the lines of a log out to ticks, so that no agent decides twice in one. A tick begins with what the client did
-/// since the decisions of the previous one.
-class TickPlan {
- public:
-  void Add(std::string_view line) {
-    const std::vector<std::string> parts = sim::PartsOfClientLine(line);
-    const std::string& kind = parts.front();
-    if (parts.size() < 2) return;
-    if (kind == "file") {
-      if (parts.size() > 2) files_[parts[1]] = parts[2];
-    } else if (kind == "function") {
-      functions_.push_back(parts[1]);
-      for (const auto& [agent, decisions] : decided_) TellFunction(agent, parts[1]);
-    } else if (kind == "go") {
-      if (parts.size() > 5) Go(line, parts);
-    } else {
-      Put(line);
-      if (kind == "gone") decided_.erase(parts[1]);
-      if (kind != "agent") return;
-      decided_[parts[1]] = 0;
-      for (const std::string& function : functions_) TellFunction(parts[1], function);
-    }
-  }
-  /// After the last line.
-  void End() {
-    if (!before_next_.empty()) ticks_.push_back(std::move(before_next_));
-  }
-
-  const std::vector<std::string>& ticks() const { return ticks_; }
-  const std::map<std::string, std::string>& files() const { return files_; }
-
- private:
-  /// What follows a decision belongs to the next one.
-  void Put(std::string_view line) { (in_this_tick_.empty() ? ticks_.back() : before_next_).append(line).append("\n"); }
-  void PutDecision(const std::string& agent, std::string_view line) {
-    const bool is_next = !in_this_tick_.insert(agent).second;
-    if (is_next) {
-      ticks_.emplace_back();
-      in_this_tick_ = {agent};
-    }
-    ticks_.back().append(std::exchange(before_next_, {})).append(line).append("\n");
-  }
-
-  /// Agents may be in kernels of their own.
-  void TellFunction(const std::string& agent, const std::string& function) {
-    Put(sim::ClientLine({"function", agent, function}));
-  }
-
-  void Go(std::string_view line, const std::vector<std::string>& parts) {
-    const std::string& agent = parts[1];
-    const std::uint64_t goal = DecisionsAt(CountIn(parts[2]), CountIn(parts[3]));
-    std::uint64_t& decided = decided_[agent];
-    if (goal < decided) decided = goal;  // init-soar.
-    // Each decision but the last ends a tick.
-    for (; decided + 1 < goal; ++decided)
-      PutDecision(agent,
-                  sim::ClientLine({"go", agent, std::to_string(decided), std::to_string(kApply), "0", "-", "0"}));
-    if (decided == goal) return Put(line);
-    ++decided;
-    PutDecision(agent, line);
-  }
-
-  std::vector<std::string> ticks_ = {{}};
-  std::set<std::string> in_this_tick_;  ///< Agents that have decided.
-  std::string before_next_;             ///< Lines for the tick of the next decision.
-  std::map<std::string, std::uint64_t> decided_;
-  std::map<std::string, std::string> files_;
-  std::vector<std::string> functions_;
-};
+using Files = std::map<std::string, std::string>;
 
 /// The folder that all files lie below.
-fs::path CommonFolder(const std::map<std::string, std::string>& files) {
+fs::path CommonFolder(const Files& files) {
   if (files.empty()) return {};
   fs::path common = fs::path(files.begin()->first).parent_path();
   for (const auto& [file, content] : files) {
@@ -156,7 +73,7 @@ class Scratch {
   fs::path path_;
 };
 
-Result<void> WriteFiles(const std::map<std::string, std::string>& files, const fs::path& common, const fs::path& to) {
+Result<void> WriteFiles(const Files& files, const fs::path& common, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to, error);
   for (const auto& [file, content] : files) {
@@ -171,13 +88,13 @@ Result<void> WriteFiles(const std::map<std::string, std::string>& files, const f
   return {};
 }
 
-Result<sim::Scenario> FindWorld(const TickPlan& plan, const fs::path& common, const fs::path& copies) {
+Result<sim::Scenario> FindWorld(const Files& files, const fs::path& common, const fs::path& copies) {
   std::vector<fs::path> extra;
   if (!common.empty()) extra.push_back(copies);
   Result<sim::Scenario> scenario = sim::FindScenario(sim::kClientWorld, TheDataFolders(), extra);
   if (!scenario || common.empty()) return scenario;
   scenario->stand_ins.emplace_back(copies, common);
-  if (const Result<void> written = WriteFiles(plan.files(), common, copies); !written) return written.error();
+  if (const Result<void> written = WriteFiles(files, common, copies); !written) return written.error();
   return scenario;
 }
 
@@ -198,21 +115,22 @@ bool IsClientLog(const fs::path& file) {
 Result<void> RecordClientLog(const fs::path& log, const fs::path& recording) {
   const std::optional<std::string> text = ReadText(log);
   if (!text || !text->starts_with(kFirstWord)) return ProblemIn(log, "this is no log of a client of Soar agents");
-  TickPlan plan;
+  Files files;
+  ClientTicks ticks([&files](const std::string& path, const std::string& content) { files[path] = content; });
   // A line without an end was being written when the program was killed.
   for (std::size_t begin = text->find('\n') + 1, end = 0; (end = text->find('\n', begin)) != std::string::npos;
        begin = end + 1)
-    plan.Add(std::string_view(*text).substr(begin, end - begin));
-  plan.End();
-  if (plan.ticks().front().empty())
+    ticks.Add(std::string_view(*text).substr(begin, end - begin));
+  ticks.Flush();
+  if (ticks.complete() == 0)
     return ProblemIn(log, "nothing is recorded: the program created no agent",
                      "start the recording before the first agent is created");
 
   const Scratch scratch;
-  const fs::path common = CommonFolder(plan.files());
-  Result<sim::Scenario> scenario = FindWorld(plan, common, scratch.path() / "files");
+  const fs::path common = CommonFolder(files);
+  Result<sim::Scenario> scenario = FindWorld(files, common, scratch.path() / "files");
   if (!scenario) return scenario.error();
-  const Level level = plan.ticks().size() <= kMostTicksInDetail ? Level::kAll : Level::kDecisions;
+  const Level level = ticks.complete() <= kMostTicksInDetail ? Level::kAll : Level::kDecisions;
   sim::SimulationSettings settings;
   settings.mind_detail = DetailOf(level);
   settings.soar.threads = 1;
@@ -228,8 +146,8 @@ Result<void> RecordClientLog(const fs::path& log, const fs::path& recording) {
   if (!writer) return writer.error();
   Recorder recorder(std::move(*writer), level);
   if (const Result<void> taken = recorder.Take(simulation, simulation.TakeEvents()); !taken) return taken;
-  for (const std::string& acts : plan.ticks()) {
-    simulation.Submit(sim::CommandInput{"", acts});
+  for (std::size_t tick = 0; tick < ticks.complete(); ++tick) {
+    simulation.Submit(sim::CommandInput{"", ticks.At(tick)});
     simulation.Tick();
     if (const Result<void> taken = recorder.Take(simulation, simulation.TakeEvents()); !taken) return taken;
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "record/export.h"
+#include "sim/input_text.h"
 #include "tell/mind_words.h"
 
 namespace soarbox::record {
@@ -36,7 +37,7 @@ void PrintMind(const MindRecord& mind, std::ostream& out) {
 Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
   return ForEachTick(recording, range, [&](const TickRecord& record) {
     out << fmt::format("{:9.3f} s  tick {}  state {:016x}\n", record.scene.time_s, record.tick, record.state_hash);
-    for (const std::string& input : record.inputs) out << "    input  " << input << '\n';
+    for (const std::string& input : record.inputs) out << "    input  " << sim::ShownInput(input) << '\n';
     for (const MindRecord& mind : record.minds) PrintMind(mind, out);
     for (const sim::RunEvent& event : record.events) {
       // Commands stand with their minds already.

@@ -104,6 +104,16 @@ TEST(InputDoor, InputsComeInByTickThenInTheOrderOfTheirCalls) {
   EXPECT_EQ(door.waiting(), 0u);
 }
 
+TEST(InputText, WhatAClientDidIsCountedForPeople) {
+  const auto shown = [](std::string acts) { return ShownInput(WriteInput({7, CommandInput{"", std::move(acts)}})); };
+  EXPECT_EQ(
+      shown("agent\trobot one\nline\trobot one\tsource a\nadd\trobot one\t1\nset\trobot one\t1\ngo\trobot one\t1\n"),
+      "7 client: agent robot one, 1 command line, 2 changes of input");
+  EXPECT_EQ(shown("go\trobot\t1\t0\t0\t1\n"), "7 client: runs the agents");
+  EXPECT_EQ(ShownInput("7 command robot print"), "7 command robot print");
+  EXPECT_EQ(ShownInput("7 key a_key down"), "7 key a_key down");
+}
+
 TEST(InputDoor, WhatWasNotedStandsBeforeWhatWaited) {
   InputDoor door;
   door.Submit({1, KeyInput{"a_key", true}});

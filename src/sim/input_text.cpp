@@ -360,4 +360,32 @@ std::string WriteInput(const Input& input) {
   return std::to_string(input.tick) + " " + std::visit(Writer{}, input.value);
 }
 
+std::string ShownInput(const std::string& line) {
+  constexpr std::string_view kOfClient = " command \"\" ";
+  const std::size_t number_end = line.find_first_not_of("0123456789");
+  if (number_end == std::string::npos || line.compare(number_end, kOfClient.size(), kOfClient) != 0) return line;
+  const InputText read = ReadInputs(line, {});
+  const auto* const acts = read.inputs.size() == 1 ? std::get_if<CommandInput>(&read.inputs.front().value) : nullptr;
+  if (acts == nullptr) return line;
+  std::string shown;
+  const auto add = [&shown](const std::string& text) { shown += (shown.empty() ? "" : ", ") + text; };
+  std::size_t lines = 0, changes = 0, answers = 0;
+  for (std::size_t begin = 0, end = 0; (end = acts->line.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const std::string_view act = std::string_view(acts->line).substr(begin, end - begin);
+    const std::string_view kind = act.substr(0, act.find('\t'));
+    if (kind == "agent" || kind == "attach") add("agent " + std::string(act.substr(kind.size() + 1)));
+    if (kind == "gone") add("end of agent " + std::string(act.substr(kind.size() + 1)));
+    lines += kind == "line" ? 1 : 0;
+    answers += kind == "answer" ? 1 : 0;
+    changes += kind == "add" || kind == "set" || kind == "remove" || kind == "drop" || kind == "scene" ? 1 : 0;
+  }
+  const auto count = [&add](std::size_t number, const char* what) {
+    if (number > 0) add(std::to_string(number) + " " + what + (number == 1 ? "" : "s"));
+  };
+  count(lines, "command line");
+  count(answers, "answer");
+  if (changes > 0) add(std::to_string(changes) + (changes == 1 ? " change of input" : " changes of input"));
+  return line.substr(0, number_end) + " client: " + (shown.empty() ? "runs the agents" : shown);
+}
+
 }  // namespace soarbox::sim

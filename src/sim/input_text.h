@@ -39,4 +39,8 @@ InputText ReadInputs(std::string_view text, const std::string& file);
 /// The line that ReadInputs reads this input from, without a line feed.
 std::string WriteInput(const Input& input);
 
+/// Such a line for people: what the client of recorded agents did in a tick is counted, "3 client: 2 command lines, 12
+/// changes of input"; other lines are returned unchanged.
+std::string ShownInput(const std::string& line);
+
 }  // namespace soarbox::sim

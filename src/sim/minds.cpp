@@ -245,6 +245,10 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
 void Minds::Restore() {
   for (Mind& mind : minds_) {
     if (world_.FindAgent(mind.agent)->IsGone()) continue;
+    if (mind.by_client) {
+      mind.lost = true;  // Agents of another program do not come back.
+      continue;
+    }
     const std::string& name = world_.FindAgent(mind.agent)->name();
     Result<SoarHost::Loaded> loaded = Load(name, mind.rules, mind.settings, mind.is_scripted);
     mind.lost = !loaded;

@@ -36,6 +36,7 @@ class MindReasons;
 namespace soarbox::sim {
 
 class ClientPercepts;
+class ClientScene;
 
 /// The Soar minds of a world: makes them when scripts or scenario files ask for agents that have one, and lets them
 /// perceive and decide once per tick.
@@ -148,6 +149,7 @@ class Minds final : public script::MindFactory {
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.
     std::shared_ptr<ClientPercepts> percepts = {};  ///< What its client has told it, if a client drives it.
+    std::shared_ptr<ClientScene> scene = {};        ///< The picture that its client describes.
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
@@ -168,6 +170,10 @@ class Minds final : public script::MindFactory {
   void PlayClientActs();
   void PlayClientAct(const std::vector<std::string>& parts);
   void MakeClientMind(const std::string& name);
+  /// An agent of a kernel elsewhere, which its own client lets run (`soarbox watch`): it is only looked into.
+  void AttachMind(const std::string& name);
+  /// Gives a mind that a client drives a body in the row of such bodies.
+  void AddClientMind(const std::string& name, world::Agent& body, sml::Agent& agent, std::size_t thread);
   void EndClientMind(const std::string& name);
   /// After it has run: what it commands is reported.
   void ReportClientCommands(Mind& mind);

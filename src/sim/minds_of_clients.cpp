@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/client_percepts.h"
+#include "sim/client_scene.h"
 #include "sim/client_world.h"
 #include "sim/minds.h"
 #include "sml_Client.h"
@@ -59,13 +60,15 @@ std::string ClientLine(std::initializer_list<std::string_view> parts) {
 }
 
 void Minds::PlayClientActs() {
-  if (client_acts.empty()) return;
+  if (client_acts.empty() && by_client_.empty()) return;
   const std::string acts = std::exchange(client_acts, {});
   for (std::size_t begin = 0; begin < acts.size();) {
     const std::size_t end = std::min(acts.find('\n', begin), acts.size());
     PlayClientAct(PartsOfClientAct(std::string_view(acts).substr(begin, end - begin)));
     begin = end + 1;
   }
+  for (Mind& mind : minds_)
+    if (mind.by_client && !mind.gone) mind.scene->Show(world_);
   for (Mind& mind : minds_) {
     if (!mind.by_client || !mind.decided || mind.gone) continue;
     const world::Agent& body = *world_.FindAgent(mind.agent);
@@ -80,6 +83,7 @@ void Minds::PlayClientAct(const std::vector<std::string>& parts) {
   const std::string& kind = parts.front();
   if (parts.size() < 2) return;
   if (kind == "agent") return MakeClientMind(parts[1]);
+  if (kind == "attach") return AttachMind(parts[1]);
   const auto found = by_client_.find(parts[1]);
   if (found == by_client_.end()) {
     RunEvent event;
@@ -89,13 +93,24 @@ void Minds::PlayClientAct(const std::vector<std::string>& parts) {
   }
   if (kind == "gone") return EndClientMind(parts[1]);
   Mind& mind = minds_[found->second];
+  if (kind == "look") {
+    // An attached agent has run.
+    if (mind.lost) return;
+    mind.decided = true;
+    mind.soar.agent().SynchronizeOutputLink();
+    return ReportClientCommands(mind);
+  }
+  const std::string input_link = NameOfInputLink(mind.soar.agent());
+  mind.scene->Note(parts, input_link);
   mind::EventLog* const log = mind.soar.is_logged() ? &mind.soar.log().events() : nullptr;
   std::vector<std::string> act = parts;
   if (kind == "line" && act.size() > 2) {
-    if (Initializes(act[2])) mind.percepts->Clear();
+    if (Initializes(act[2])) {
+      mind.percepts->Clear();
+      mind.scene->Clear();
+    }
     act[2] = WithCopies(mind, act[2]);
-  } else if (!mind.percepts->Note(act, NameOfInputLink(mind.soar.agent()), log) && kind == "add" && act.size() > 7 &&
-             act[5] == "status") {
+  } else if (!mind.percepts->Note(act, input_link, log) && kind == "add" && act.size() > 7 && act[5] == "status") {
     if (sml::Identifier* const command = CommandOf(mind.soar.agent(), act[4])) {
       mind.last_answer = std::string(command->GetAttribute()) + " " + act[7];
       if (log != nullptr) log->Add(mind::CommandEnded{command->GetAttribute(), StatusNamed(act[7]), {}});
@@ -157,19 +172,36 @@ void Minds::MakeClientMind(const std::string& name) {
     if (id == world::kNoEntity) event.diagnostic.message = "the world cannot take another agent";
     return report_(std::move(event));
   }
-  world::Agent& body = *world_.FindAgent(id);
+  AddClientMind(name, *world_.FindAgent(id), *loaded->agent, loaded->thread);
+  soarbox::PlayClientAct(*loaded->agent, {"agent", name, {}});
+}
+
+void Minds::AddClientMind(const std::string& name, world::Agent& body, sml::Agent& agent, std::size_t thread) {
   body.RemovePhysics();
   body.SetPosition({kBetweenBodies_m * static_cast<float>(by_client_.size()), body.Height() / 2, 0});
   MindSettings settings;
   settings.has_distance = settings.blinks = false;
   settings.detail = detail_;
-  Mind mind{id, settings, false, true, true, true, {}, SoarMind(*loaded->agent, settings), loaded->thread};
-  soarbox::PlayClientAct(*loaded->agent, {"agent", name, {}});
+  const world::EntityId id = body.id();
+  Mind mind{id, settings, false, true, true, true, {}, SoarMind(agent, settings), thread};
   mind.percepts = std::make_shared<ClientPercepts>();
+  mind.scene = std::make_shared<ClientScene>();
   minds_.push_back(std::move(mind));
   by_client_[name] = minds_.size() - 1;
   if (place_by_id_.size() <= Number(id)) place_by_id_.resize(Number(id) + std::size_t{1});
   place_by_id_[Number(id)] = static_cast<std::uint32_t>(minds_.size());
+}
+
+void Minds::AttachMind(const std::string& name) {
+  if (by_client_.contains(name)) return;
+  // Without rules, the host looks for an agent that is there.
+  const Result<SoarHost::Loaded> found = host_.CreateAgent(name, {});
+  if (!found) return;
+  world::AgentDef def;
+  def.name = name;
+  def.kind = "soar";
+  const world::EntityId id = world_.CreateAgent(def);
+  if (id != world::kNoEntity) AddClientMind(name, *world_.FindAgent(id), *found->agent, 0);
 }
 
 void Minds::EndClientMind(const std::string& name) {

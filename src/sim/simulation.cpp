@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "script/script_host.h"
 #include "sim/apply_input.h"
 #include "sim/arena.h"
+#include "sim/commands_elsewhere.h"
 #include "sim/foreign_bodies.h"
 #include "sim/input_door.h"
 #include "sim/minds.h"
@@ -46,6 +48,23 @@ Diagnostic WithCallers(const script::ScriptError& error) {
   if (const std::string callers = script::CallersIn(error.traceback); !callers.empty())
     diagnostic.hint += (diagnostic.hint.empty() ? "" : "; ") + callers;
   return diagnostic;
+}
+
+/// Simulations whose commands go elsewhere: next to none.
+struct Redirections {
+  std::mutex mutex;
+  std::map<const Simulation*, CommandsElsewhere> by_simulation;
+};
+Redirections& AllRedirections() {
+  static Redirections redirections;
+  return redirections;
+}
+
+CommandsElsewhere ElsewhereOf(const Simulation& simulation) {
+  Redirections& all = AllRedirections();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.by_simulation.find(&simulation);
+  return found == all.by_simulation.end() ? CommandsElsewhere() : found->second;
 }
 
 /// Whether a script refused a command. An error in the script has been reported as such.
@@ -430,7 +449,22 @@ void Simulation::Impl::Act(world::EntityId id) {
 }
 
 Simulation::Simulation(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Simulation::~Simulation() = default;
+Simulation::~Simulation() {
+  SendCommandsElsewhere(*this, {});
+}
+
+bool SendsCommandsElsewhere(const Simulation& simulation) {
+  return static_cast<bool>(ElsewhereOf(simulation));
+}
+
+void SendCommandsElsewhere(const Simulation& simulation, CommandsElsewhere elsewhere) {
+  Redirections& all = AllRedirections();
+  const std::lock_guard lock(all.mutex);
+  if (elsewhere)
+    all.by_simulation[&simulation] = std::move(elsewhere);
+  else
+    all.by_simulation.erase(&simulation);
+}
 
 Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario, const SimulationSettings& settings) {
   auto impl = std::make_unique<Impl>(scenario, settings);
@@ -619,6 +653,11 @@ void Simulation::EndScripts() {
 }
 
 void Simulation::Submit(Input input) {
+  const auto* const line = std::get_if<CommandInput>(&input.value);
+  if (line != nullptr && !line->agent.empty()) {
+    if (const CommandsElsewhere elsewhere = ElsewhereOf(*this))
+      return impl_->ReportAnswer(*line, elsewhere(line->agent, line->line));
+  }
   if (impl_->door.Submit(std::move(input))) return;
   Diagnostic warning;
   warning.severity = Severity::kWarning;
@@ -629,6 +668,7 @@ void Simulation::Submit(Input input) {
 }
 
 Result<std::string> Simulation::Command(const std::string& agent, const std::string& line) {
+  if (const CommandsElsewhere elsewhere = ElsewhereOf(*this)) return elsewhere(agent, line);
   Result<std::string> answer = impl_->soar->Execute(agent, line, impl_->settings.typed_by_strangers);
   impl_->answered.emplace_back(CommandInput{agent, line}, answer);
   impl_->door.Note(impl_->answered.back().first);

@@ -77,6 +77,22 @@ const char* LoadWarnings(const Agent& agent) {
   return "";
 }
 
+/// Agents that other programs have made since.
+template <typename Kernel>
+void FindNewAgents(Kernel& kernel) {
+  if constexpr (requires { kernel.UpdateAgentList(); }) kernel.UpdateAgentList();
+}
+
+/// An agent that another program made and lets run. It is none of the host's: it stays when the host goes.
+template <typename Kernel>
+Result<SoarHost::Loaded> Attach(Kernel& kernel, const std::string& name) {
+  FindNewAgents(kernel);
+  SoarHost::Loaded loaded;
+  loaded.agent = kernel.IsRemoteConnection() ? kernel.GetAgent(name.c_str()) : nullptr;
+  if (loaded.agent == nullptr) return NewProblem("the kernel has no agent named " + name);
+  return loaded;
+}
+
 /// Never null; asks for HadError().
 std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
   std::unique_ptr<::sml::Kernel> kernel(
@@ -175,6 +191,7 @@ SoarHost::~SoarHost() {
 
 Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const std::filesystem::path& rules,
                                                const char* first, bool beside_world) {
+  if (rules.empty()) return Attach(*kernel_, name);
   const std::string file = rules.string();
   if (std::error_code error; fs::exists(rules, error) && !fs::is_regular_file(rules, error)) {
     Diagnostic problem = NewProblem("the rules of " + name + " are no plain file", "name a file of rules");

@@ -76,6 +76,35 @@ class Environments(unittest.TestCase):
         with hallway(seed=5) as fresh:
             self.assertEqual(episode(fresh, actions), second)
 
+    def test_many_take_their_steps_at_once_as_each_alone(self):
+        actions = [2, 2, 3]
+        with soarbox.VectorEnvironment(lambda: hallway(most_steps=2), 3) as many:
+            observations, infos = many.reset(seed=5)
+            self.assertEqual((len(many), many.num_envs, infos["tick"]), (3, 3, [1, 1, 1]))
+            seen = [observations]
+            for action in actions:
+                observations, rewards, terminated, truncated, infos = many.step([action] * 3)
+                seen.append(observations)
+                self.assertEqual(list(rewards), [0, 0, 0])
+                self.assertEqual(list(terminated), [False] * 3)
+            # The third step began the next episodes.
+            self.assertEqual((list(truncated), infos["tick"]), ([False] * 3, [1, 1, 1]))
+            self.assertEqual(many.single_action_space, soarbox.Discrete(4))
+            with self.assertRaisesRegex(ValueError, "2 actions for 3 environments"):
+                many.step([0, 0])
+            with self.assertRaisesRegex(ValueError, "1 seeds for 3"):
+                many.reset(seed=[1])
+        for i in range(3):
+            with hallway() as alone:
+                expected = episode(alone, actions[:2], seed=5 + i)
+            self.assertEqual([tuple(observations[i]) for observations in seen[:3]], [step[0] for step in expected])
+
+    def test_many_refuse_what_one_refuses(self):
+        with self.assertRaisesRegex(ValueError, "self.helth"):
+            soarbox.VectorEnvironment(lambda: hallway(observe=["self.helth"]), 2)
+        with self.assertRaisesRegex(TypeError, "whole number"):
+            soarbox.VectorEnvironment(hallway, 0)
+
     def test_a_world_begins_again(self):
         with soarbox.World("soar_hallway", seed=3) as world:
             world.step(40)

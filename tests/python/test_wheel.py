@@ -12,6 +12,14 @@ import zipfile
 TOOL = pathlib.Path(__file__).parents[2] / "bindings/python/wheel.py"
 
 
+def unpack(wheel, place):
+    """As pip does: programs can be executed."""
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(place)
+        for entry in archive.infolist():
+            (place / entry.filename).chmod(entry.external_attr >> 16 & 0o777)
+
+
 class Wheel(unittest.TestCase):
     def test_its_modules_work_from_where_it_is_unpacked(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -19,8 +27,7 @@ class Wheel(unittest.TestCase):
             [wheel] = pathlib.Path(folder).glob("soarbox-*.whl")
             self.assertRegex(wheel.name, rf"^soarbox-[\d.]+-cp3{sys.version_info.minor}-cp3\d+-linux_\w+\.whl$")
             place = pathlib.Path(folder) / "unpacked"
-            with zipfile.ZipFile(wheel) as archive:
-                archive.extractall(place)
+            unpack(wheel, place)
             [record] = place.glob("*.dist-info/RECORD")
             with open(record, encoding="utf-8") as rows:
                 listed = {row[0] for row in csv.reader(rows)}
@@ -29,10 +36,25 @@ class Wheel(unittest.TestCase):
             code = ("import soar_sml, soarbox\n"
                     "kernel = soar_sml.Kernel.CreateKernelInNewThread(0)\n"
                     "print(kernel.CreateAgent('scout').GetAgentName())\n"
-                    "print(next(line.split()[-1] for line in open('/proc/self/maps') if 'libsoarbox-sml' in line))\n")
-            said = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": str(place)}, capture_output=True,
-                                  text=True, check=True).stdout.splitlines()
-            self.assertEqual(said, ["scout", str(place / "libsoarbox-sml.so.0")])
+                    "world = soarbox.World('soar_hallway', seed=3)\n"
+                    "world.step(30)\n"
+                    "print(world.tick, [agent.name for agent in world])\n"
+                    "for who, process in (('python', 'self'), ('engine', world._engine._process.pid)):\n"
+                    "    for line in open(f'/proc/{process}/maps'):\n"
+                    "        if '.so' in line: print(who, line.split()[-1])\n")
+            # Nothing but the wheel: no command on the path, no library of the build.
+            done = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": str(place), "PATH": "/usr/bin:/bin"},
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            said = done.stdout.splitlines()
+            self.assertEqual(said[:2], ["scout", "30 ['anna', 'bert']"])
+            self.assertIn(f"python {place / 'libsoarbox-sml.so.0'}", said)
+            self.assertTrue(any(line.startswith(f"python {place}") and "libsqlite3" in line for line in said))
+            loaded = {line.removeprefix("engine ") for line in said if line.startswith("engine ")}
+            ours = {pathlib.Path(file).name.split(".so")[0] for file in loaded if file.startswith(str(place))}
+            self.assertLessEqual({"libsqlite3", "libBulletDynamics", "libluajit-5.1"}, ours)
+            system = {pathlib.Path(file).name.split(".so")[0] for file in loaded if not file.startswith(str(place))}
+            self.assertFalse(system & ours, "a library comes from the system, too")
 
     def test_a_build_without_the_binding_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -14,11 +14,13 @@ from .command import CommandError
 from .environment import Environment
 from .reports import Run, record, report
 from .rules import Diagnostic, RuleError, check, check_text
+from .scene import Scene, Shape
 from .spaces import Box, Discrete
 from .tables import Table, recording, sweep, tables
 from .values import Command, Node, Reason
+from .vector import VectorEnvironment
 from .world import Agent, World, WorldEnded, WorldError
 
 __all__ = ["Agent", "Box", "Command", "CommandError", "Diagnostic", "Discrete", "Environment", "Node", "Reason", "RuleError",
-           "Run", "Table", "World", "WorldEnded", "WorldError", "check", "check_text", "record", "recording", "report",
+           "Run", "Scene", "Shape", "Table", "VectorEnvironment", "World", "WorldEnded", "WorldError", "check", "check_text", "record", "recording", "report",
            "sweep", "tables"]

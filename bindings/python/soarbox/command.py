@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pathlib
 import shutil
+import sys
 
 
 class CommandError(RuntimeError):
@@ -12,7 +13,7 @@ class CommandError(RuntimeError):
 
 
 def find_command() -> str:
-    """The command's path: $SOARBOX, the one that was built with this package, or the first on $PATH."""
+    """The command's path: $SOARBOX, the one that was built with this package or that is in its wheel, or the first on $PATH."""
     named = os.environ.get("SOARBOX")
     if named:
         if not os.access(named, os.X_OK):
@@ -21,7 +22,18 @@ def find_command() -> str:
     built = pathlib.Path(__file__).resolve().parents[2] / "bin" / "soarbox"
     if os.access(built, os.X_OK):
         return str(built)
+    in_wheel = pathlib.Path(__file__).resolve().parent / "_program" / "bin" / "soarbox"
+    if os.access(in_wheel, os.X_OK):
+        return str(in_wheel)
     found = shutil.which("soarbox")
     if not found:
         raise CommandError("there is no soarbox on $PATH; install it, or set $SOARBOX to its path")
     return found
+
+
+def main() -> None:
+    """The command `soarbox` of the wheel."""
+    command = find_command()
+    if pathlib.Path(command).resolve() == pathlib.Path(sys.argv[0]).resolve():
+        raise SystemExit("this wheel has no program; install it again")
+    os.execv(command, [command, *sys.argv[1:]])

@@ -22,6 +22,7 @@
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "serve/wall.h"
+#include "sim/commands_elsewhere.h"
 #include "sim/scenario_file.h"
 #include "vocabulary/vocabulary.h"
 #include "workbench/desk.h"
@@ -101,6 +102,11 @@ class LiveEngine {
         lessons_(run.scenario, session.lesson()),
         surroundings_(page, pace_, &lessons_, options.home),
         panels_(page) {
+    // What a kernel does is shown as soon as it is known; its first agents are there from the start.
+    if (sim::SendsCommandsElsewhere(session.simulation())) {
+      pace_.Obey(Flow::kUnlimited);
+      session.Tick();
+    }
     desk_.emplace(session, run.header, run.scenario, run.settings, surroundings_);
     Hello();
     // Somebody new sees at once what the panels are for.
@@ -276,6 +282,9 @@ class ReplayEngine {
         panels_(page),
         step_s_(recording.header().step_s),
         turn_ticks_(record::TurnTicks(recording.header())) {
+    // A recorded client makes its agents in the first tick.
+    if (desk_.PastScene()->agents.empty() && desk_.past().first_tick() < desk_.past().last_tick())
+      desk_.Show(desk_.past().first_tick() + 1);
     const world::SceneSnapshot& scene = *desk_.PastScene();
     nlohmann::ordered_json minds = nlohmann::ordered_json::array();
     for (const world::AgentSnapshot& agent : scene.agents)
@@ -437,6 +446,8 @@ Result<RunOptions> RunOf(const EngineOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return data.error();
   run.seed = options.seed;
+  run.follow = options.follow;
+  if (!options.follow.empty()) return run;
   if (!options.run.empty()) {
     run.scenario = options.run;
   } else if (options.lesson.empty()) {

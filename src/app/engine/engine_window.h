@@ -15,6 +15,7 @@ struct EngineOptions {
   std::string world;           ///< A scenario of the program; the learner gets a copy of it, and keeps it.
   std::filesystem::path from;  ///< Where the world is copied from, if it is none of the program's.
   std::string run;             ///< Or what `soarbox run` takes, as it is.
+  std::string follow;          ///< Or the address of a kernel whose agents are watched.
   std::optional<std::uint64_t> seed;
   std::string lesson;               ///< Or a lesson, whose files are put into the learner's folder.
   std::filesystem::path recording;  ///< Or a recording.

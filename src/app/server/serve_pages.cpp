@@ -245,11 +245,15 @@ int ShowInBrowser(const BrowserOptions& shown) {
   Result<serve::Settings> settings = SettingsFor(options, *data);
   if (!settings) return Refuse(settings.error());
   settings->ends_when_alone = true;
-  settings->opens = shown.run.empty() ? "recording:" + shown.recording.filename().string() : "run:" + shown.run;
+  settings->opens = !shown.follow.empty() ? "run:kernel"
+                    : shown.run.empty()   ? "recording:" + shown.recording.filename().string()
+                                          : "run:" + shown.run;
   std::error_code error;
-  const fs::path folder = FolderOf(shown.run);
+  const fs::path folder = shown.follow.empty() ? FolderOf(shown.run) : fs::path();
   std::vector<std::string> words = {*program, "engine", "--home", folder.empty() ? "/nowhere" : folder.string()};
-  if (shown.run.empty()) {
+  if (!shown.follow.empty()) {
+    words.insert(words.end(), {"--follow", shown.follow});
+  } else if (shown.run.empty()) {
     if (!fs::is_regular_file(shown.recording, error))
       return Refuse("there is no such recording", {}, shown.recording.string());
     words.insert(words.end(), {"--recording", fs::absolute(shown.recording, error).string()});

@@ -8,6 +8,7 @@
 #include "app/exit_codes.h"
 #include "app/next_run.h"
 #include "app/window/run_commands.h"
+#include "sim/commands_elsewhere.h"
 #include "sim/scenario_file.h"
 #include "world/world.h"
 
@@ -66,6 +67,11 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       pace_(options.speed.value_or(1)),
       lessons_(scenario_, session.lesson()),
       window_desk_(viewer, pace_, &lessons_) {
+  // What a kernel does is shown as soon as it is known; its first agents are there from the start.
+  if (sim::SendsCommandsElsewhere(session.simulation())) {
+    pace_.Obey(workbench::Flow::kUnlimited);
+    session.Tick();
+  }
   desk_.emplace(session, header_, scenario_, settings_, window_desk_);
   if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
   // A lesson stands beside the scene, and so does the panel that it is about.

@@ -36,6 +36,8 @@ class ReplayWindow {
 
   /// The agent that is selected from the start: this one, or else one that has a mind. False if it is not there.
   bool Select(const std::string& wanted) {
+    // A recorded client makes its agents in the first tick.
+    if (desk_.PastScene()->agents.empty()) Move(1);
     const world::SceneSnapshot& scene = *desk_.PastScene();
     viewer_.Show(scene);
     for (const world::AgentSnapshot& agent : scene.agents) {

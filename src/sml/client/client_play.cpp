@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
+#include <mutex>
+
 #include "sml/client/agent_data.h"
 #include "sml/client/hold.h"
+#include "sml/client/kernel_data.h"
 #include "sml/client/local_agent_link.h"
 #include "sml/server/client_log.h"
 #include "soarbox_ClientLog.h"
@@ -13,6 +16,18 @@ std::vector<std::string> PartsOfClientAct(std::string_view line) {
 
 std::string EscapedForClientAct(std::string_view part) {
   return server::EscapedForLog(part);
+}
+
+std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem) {
+  sml::KernelData& data = sml::KernelData::Of(kernel);
+  if (!data.link) {
+    problem = "there is no kernel any more";
+    return std::nullopt;
+  }
+  const std::lock_guard lock(data.link->mutex());
+  std::optional<std::string> text = data.link->ReadLog(from, problem);
+  if (text) text = server::PartsOfLogLine(*text).front();
+  return text;
 }
 
 std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts) {

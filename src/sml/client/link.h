@@ -199,6 +199,13 @@ class KernelLink {
                                                        const std::string& message) = 0;
   virtual bool FireSystem(int event) = 0;
   virtual bool SuppressSystemStop(bool on) = 0;
+  /// What clients did to the agents of a kernel elsewhere, from this byte of its log on; empty: no more at present.
+  /// Nothing, and the reason, if the kernel keeps no log.
+  virtual std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) {
+    static_cast<void>(from);
+    problem = "the kernel is in this process";
+    return std::nullopt;
+  }
   virtual bool SetInterruptCheckRate(int rate) = 0;
   virtual std::vector<soarbox::server::ConnectionInfo> Connections() = 0;
   virtual bool SetConnectionInfo(const std::string& name, const std::string& status,

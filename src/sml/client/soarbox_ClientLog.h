@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +18,14 @@ namespace soarbox {
 
 /// Records what clients do to the agents of a kernel in this process from now on, before there is any agent: the file
 /// is a recording for `soarbox replay`, `why` and the like. Returns what is wrong, or an empty text. The environment
-/// variable SOARBOX_RECORD=FILE does the same for each kernel.
+/// variable SOARBOX_RECORD=FILE does the same for each kernel. Without a file, only ReadClientLog finds what is
+/// recorded.
 std::string EXPORT RecordClients(sml::Kernel& kernel, const std::string& file);
+
+/// What clients did to the agents of a kernel in another process, from this byte of its log on
+/// (sml/server/client_log.h); empty: no more at present. Nothing, and the reason, if the kernel keeps no log or does
+/// not answer. `soarbox kernel` keeps one, and so does every kernel that is recorded.
+std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem);
 
 /// The parts of a line of a client's log (sml/server/client_log.h).
 std::vector<std::string> PartsOfClientAct(std::string_view line);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sml/server/client_log.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -108,34 +111,51 @@ std::vector<std::string> PartsOfLogLine(std::string_view line) {
 }
 
 Result<std::unique_ptr<ClientLog>> ClientLog::Create(const std::string& file, std::string_view build) {
-  std::FILE* const opened = std::fopen(file.c_str(), "wbe");
+  std::FILE* const opened = file.empty() ? std::tmpfile() : std::fopen(file.c_str(), "w+be");
   if (opened == nullptr)
     return ProblemIn(file, std::string("the recording cannot be written: ") + std::strerror(errno),
                      "name a file in a folder that you may write");
-  std::unique_ptr<ClientLog> log(new ClientLog(opened));
+  std::unique_ptr<ClientLog> log(new ClientLog(opened, !file.empty()));
   log->Write(LineOf("soarbox-client", {"1", build}));
   log->Flush();
   return log;
 }
 
-ClientLog::ClientLog(std::FILE* file) : file_(file), began_ms_(Now_ms()) {}
+ClientLog::ClientLog(std::FILE* file, bool is_named)
+    : file_(file), readable_(dup(fileno(file))), is_named_(is_named), began_ms_(Now_ms()) {}
 
 ClientLog::~ClientLog() {
   for (auto& [number, seen] : seen_)
     for (const std::string& line : seen.waiting) Write(line);
   if (file_ != nullptr) std::fclose(file_);
+  if (readable_ >= 0) close(readable_);
+}
+
+void ClientLog::End(const char* reason) {
+  std::fprintf(stderr, "soarbox: %s ends here: %s\n", is_named_ ? "the recording" : "the log for soarbox watch",
+               reason);
+  std::fclose(std::exchange(file_, nullptr));
+  end_ = written_;
 }
 
 void ClientLog::Write(const std::string& line) {
-  if (file_ == nullptr || std::fwrite(line.data(), 1, line.size(), file_) == line.size()) return;
-  std::fprintf(stderr, "soarbox: the recording ends here: %s\n", std::strerror(errno));
-  std::fclose(std::exchange(file_, nullptr));
+  if (file_ == nullptr) return;
+  if (!is_named_ && written_ + line.size() > kMostUnnamed) return End("it has reached 256 MB");
+  if (std::fwrite(line.data(), 1, line.size(), file_) != line.size()) return End(std::strerror(errno));
+  written_ += line.size();
 }
 
 void ClientLog::Flush() {
-  if (file_ == nullptr || std::fflush(file_) == 0) return;
-  std::fprintf(stderr, "soarbox: the recording ends here: %s\n", std::strerror(errno));
-  std::fclose(std::exchange(file_, nullptr));
+  if (file_ != nullptr && std::fflush(file_) != 0) End(std::strerror(errno));
+}
+
+std::string ClientLog::Text(std::uint64_t from, std::size_t most) {
+  Flush();
+  if (from >= written_ || readable_ < 0) return {};
+  std::string text(std::min<std::uint64_t>(most, written_ - from), '\0');
+  const ssize_t got = pread(readable_, text.data(), text.size(), static_cast<off_t>(from));
+  text.resize(got < 0 ? 0 : static_cast<std::size_t>(got));
+  return text;
 }
 
 void ClientLog::WriteGo(const std::string& agent, const RunPosition& at, const std::string& firings) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +45,7 @@ RunPosition PositionOf(const HostedAgent& hosted);
 ///     answer AGENT FUNCTION ARGUMENT VALUE            what a client returned for a function that a rule called
 ///     go AGENT CYCLES PHASE ELABORATIONS FIRINGS MS   the agent ran to this position (RunPosition); how often rules
 ///                                 have fired by then, and the time since the log began. FIRINGS is - if not known.
+///                                 MS is for people: ticks of recordings leave it out (record/client_ticks.h).
 ///
 /// Each act comes after the `go` of the position at which it happened. An act in the middle of a phase counts as
 /// happening at its end: input and commands reach the agent no earlier. Answers come before the `go` that needs them.
@@ -51,8 +54,10 @@ RunPosition PositionOf(const HostedAgent& hosted);
 /// on standard error and ends.
 class ClientLog {
  public:
-  /// Creates the file, replacing an old one. `build` identifies the program.
+  /// Creates the file, replacing an old one. `build` identifies the program. Without a name, the file is a temporary
+  /// one that nobody else can open, of at most kMostUnnamed bytes: for Text().
   static Result<std::unique_ptr<ClientLog>> Create(const std::string& file, std::string_view build);
+  static constexpr std::uint64_t kMostUnnamed = std::uint64_t{256} << 20;
   ~ClientLog();
   ClientLog(const ClientLog&) = delete;
   ClientLog& operator=(const ClientLog&) = delete;
@@ -73,6 +78,12 @@ class ClientLog {
   /// Hands what was written to the operating system: a program that is killed loses nothing before this.
   void Flush();
 
+  /// What was written from this byte on, at most `most` bytes of it.
+  std::string Text(std::uint64_t from, std::size_t most);
+  /// The log has ended, because it could not be written or became too long: Text() has nothing after this byte. Nothing
+  /// while it goes on.
+  std::optional<std::uint64_t> end() const { return end_; }
+
  private:
   struct Seen {
     RunPosition at;                    ///< The position of the last `go`.
@@ -80,14 +91,19 @@ class ClientLog {
     std::vector<std::string> waiting;  ///< Lines of acts in the middle of a phase.
   };
 
-  explicit ClientLog(std::FILE* file);
+  ClientLog(std::FILE* file, bool is_named);
   void Act(HostedAgent& hosted, std::string line);
   void WriteGo(const std::string& agent, const RunPosition& at, const std::string& firings);
   /// Writes the acts of a phase that is over.
   void Settle(const std::string& agent, Seen& seen, const RunPosition& now);
   void Write(const std::string& line);
+  void End(const char* reason);
 
   std::FILE* file_;
+  int readable_;  ///< Another descriptor of the file; -1: none.
+  bool is_named_;
+  std::uint64_t written_ = 0;
+  std::optional<std::uint64_t> end_;
   std::map<std::uint64_t, Seen> seen_;  ///< By the agent's number.
   std::int64_t began_ms_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sml/server/answers.h"
+#include "sml/server/client_log.h"
 #include "sml/server/decision_facts.h"
 #include "sml/server/kernel_host.h"
 #include "sml/server/listing.h"
@@ -325,6 +326,20 @@ void SvsQuery(Request& request) {
   request.Raw(QueryScene(*request.agent, *line));
 }
 
+/// Whoever watches must find the log without gaps: nothing is left out.
+void ReadLog(Request& request) {
+  constexpr std::size_t kMostAtOnce = 512 * 1024;
+  ClientLog* const log = request.host.log.get();
+  if (log == nullptr) return request.Fail("this kernel keeps no log of what its clients do");
+  for (HostedAgent* const agent : request.host.agents())
+    if (!agent->agent().running()) log->Went(*agent);
+  const std::string* const from = request.Arg(wire::kLogFrom);
+  const std::uint64_t begin = from == nullptr ? 0 : std::strtoull(from->c_str(), nullptr, 10);
+  const std::string text = log->Text(begin, kMostAtOnce);
+  if (text.empty() && log->end()) return request.Fail("the log of this kernel has ended");
+  request.Raw(EscapedForLog(text));
+}
+
 enum class NeedsAgent { kNo, kYes };
 
 struct Entry {
@@ -355,6 +370,7 @@ constexpr std::array kEntries = {
     Entry{"last_run_result", NeedsAgent::kYes, LastRunResult},
     Entry{"on_run_list", NeedsAgent::kYes, OnRunList},
     Entry{"register_for_event", NeedsAgent::kNo, RegisterForEvent},
+    Entry{wire::kLogCall, NeedsAgent::kNo, ReadLog},
     Entry{"send_client_message", NeedsAgent::kNo, SendClientMessage},
     Entry{"set_connection_info", NeedsAgent::kNo, SetConnectionInfo},
     Entry{"set_interrupt_check_rate", NeedsAgent::kNo, SetInterruptCheckRate},

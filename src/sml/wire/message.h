@@ -19,6 +19,11 @@ inline constexpr const char* kFenceCall = "soarbox_fence";
 inline constexpr const char* kFenceFolders = "folders";
 inline constexpr const char* kFenced = "fenced";
 
+/// A call that Soar 9.6.3 does not have: what clients did to the agents (sml/server/client_log.h), from a byte on. The
+/// answer is a part of the log; an empty one: there is no more at present. An error: no log is kept, or it has ended.
+inline constexpr const char* kLogCall = "soarbox_log";
+inline constexpr const char* kLogFrom = "from";
+
 enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
 
 /// A document: a call, the response to one, or a notice that nobody answers.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "diagnostics/result.h"
+#include "sim/scenario.h"
+#include "sim/simulation.h"
+
+namespace soarbox::app {
+
+/// A Soar kernel in another process whose agents a run follows (`soarbox watch`).
+///
+/// Our kernel keeps a log of what its clients do (sml/server/client_log.h). A thread reads the log as it grows. The
+/// agents of the run execute the same, tick by tick, as the agents of a recorded client do: all panels and the past
+/// work without asking the kernel. Command lines for the agents go to the kernel; they come back in its log.
+///
+/// Other kernels, and ours without a log, are asked for what panels show: the present only, as far as the client API of
+/// Soar reports it. A tick passes when an agent has decided.
+class KernelWatch {
+ public:
+  /// Connects, and reads what the log holds so far. `address`: HOST:PORT. Fails if no kernel answers there.
+  static Result<std::unique_ptr<KernelWatch>> Connect(const std::string& address);
+  virtual ~KernelWatch() = default;
+
+  /// Completes how the run's agents reach their kernel.
+  virtual void Prepare(sim::SoarSettings& settings) const { static_cast<void>(settings); }
+  /// What this kernel does not tell; empty: it tells all.
+  [[nodiscard]] virtual std::string Remark() const { return {}; }
+
+  /// The world in which the agents execute what the log says. It finds copies of the client's files while this lives.
+  virtual Result<sim::Scenario> World(const sim::DataFolders& data) = 0;
+
+  /// What takes effect in the tick after this one: the same each time it is asked for. Null if that has not happened
+  /// yet. Valid until the next call.
+  virtual const std::string* After(std::uint64_t tick) = 0;
+
+  /// The kernel has gone, and After() has no more ticks than it has now.
+  [[nodiscard]] virtual bool HasEnded() const = 0;
+  /// Why, once; empty at all other times.
+  virtual std::string TakeNews() = 0;
+
+  /// Lets the kernel carry out a command line for an agent.
+  virtual Result<std::string> Command(const std::string& agent, const std::string& line) = 0;
+
+ protected:
+  KernelWatch() = default;
+  KernelWatch(const KernelWatch&) = delete;
+  KernelWatch& operator=(const KernelWatch&) = delete;
+};
+
+}  // namespace soarbox::app
