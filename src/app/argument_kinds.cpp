@@ -69,6 +69,7 @@ constexpr Row kRows[] = {
     {"", "--junit", kFile},
     {"", "--tap", kFile},
     {"", "--class", kFile},
+    {"", "--lti", kFile},
     {"", "--memory", kMegabytes},
     {"", "--record-limit", kMegabytes},
     {"", "--detail", {"DETAIL", Offers::kWords, "auto low full"}},

@@ -316,6 +316,8 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_flag("--open", options.open, "Serve anybody who reaches the address")->excludes(token);
   serve->add_option("--class", options.class_list,
                     "Names of learners, one a line: each gets a link, and the teacher one");
+  serve->add_option("--lti", options.lti,
+                    "Learning platforms (Moodle, Canvas) that may open lessons and get grades (docs/lti.md)");
   serve->add_option("--sessions", options.sessions, "Runs at a time")->capture_default_str()->check(NumberIn(1, 10000));
   serve->add_option("--each", options.each, "Runs at a time of one address (default: 3/4 of --sessions)")
       ->check(NumberIn(1, 10000));

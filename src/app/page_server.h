@@ -26,6 +26,7 @@ struct ServeOptions {
   bool dis = false;             ///< Worlds may join exercises of other simulations.
   std::filesystem::path state;  ///< Empty: where the user's other state is.
   std::filesystem::path class_list;
+  std::filesystem::path lti;   ///< Learning platforms that may open lessons; empty: none.
   std::filesystem::path page;  ///< Empty: the one that comes with the program.
 };
 

@@ -75,6 +75,16 @@ Result<ClassList> ClassList::Read(const fs::path& names, const fs::path& state, 
   return list;
 }
 
+ClassList ClassList::WithKey(std::string key) {
+  ClassList list;
+  list.key_ = std::move(key);
+  return list;
+}
+
+void ClassList::Remove(std::string_view place) {
+  std::erase_if(learners_, [&](const Learner& learner) { return learner.place == place; });
+}
+
 bool ClassList::IsKey(std::string_view given) const {
   return !key_.empty() && SameSecret(given, key_);
 }

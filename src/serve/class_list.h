@@ -21,6 +21,10 @@ class ClassList {
   static Result<ClassList> Read(const std::filesystem::path& names, const std::filesystem::path& state, Places& places);
   /// Without learners, there is no class.
   ClassList() = default;
+  /// A class without learners, which come one by one.
+  static ClassList WithKey(std::string key);
+  void Add(Learner learner) { learners_.push_back(std::move(learner)); }
+  void Remove(std::string_view place);
 
   const std::vector<Learner>& learners() const { return learners_; }
   const std::string& key() const { return key_; }

@@ -153,6 +153,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     web.authorization = Text(request[http::field::authorization]);
     web.protocols = Text(request[http::field::sec_websocket_protocol]);
     web.tag = Text(request[http::field::if_none_match]);
+    web.cookies = Text(request[http::field::cookie]);
     web.takes_gzip = request[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
     web.body = request.body();
     web.address = address_;

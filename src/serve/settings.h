@@ -85,6 +85,7 @@ struct Settings {
   std::filesystem::path state;         ///< Where places are kept.
   std::filesystem::path page;          ///< The folder of the built page.
   std::filesystem::path class_list;    ///< Names of learners, one a line; empty: no class.
+  std::filesystem::path lti;           ///< Learning platforms that may open lessons (docs/lti.md); empty: none.
   std::vector<std::string> embedders;  ///< Sites that may show worlds in their pages: "https://school.example".
   std::string opens;                   ///< What a new place opens at once: "scenario:scout"; empty: nothing.
   /// The program of an engine with its arguments, for what a page wants to see: "lesson:...", "scenario:...", or

@@ -95,6 +95,13 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
     if (!desk) return desk.error();
     site->desk_ = std::move(*desk);
   }
+  if (!site->settings_.lti.empty()) {
+    Result<std::unique_ptr<lti::Tool>> tool =
+        lti::Tool::Make({io, site->work_, site->settings_, *site->catalog_, site->places_});
+    if (!tool) return tool.error();
+    site->lti_ = std::move(*tool);
+    site->settings_.hosts.push_back(site->lti_->host());
+  }
   Result<std::unique_ptr<Arena>> arena = Arena::Make(io, site->work_, site->settings_, site->catalog_->Games());
   if (!arena) return arena.error();
   site->arena_ = std::move(*arena);
@@ -186,11 +193,35 @@ void Site::Answer(const WebRequest& request, std::function<void(WebResponse)> do
       done(std::move(response));
     });
   }
+  if (parts.size() == 2 && parts.front() == "lti") return AnswerPlatform(request, parts, std::move(done));
   if (request.method != "GET" && request.method != "HEAD") return done(Refusal(405, "a page can only be read"));
   const std::string first = parts.empty() ? "" : parts.front();
   if (parts.size() == 1 && (first == "embed" || first == "embed.js")) return done(Embedded(request, first));
   const bool is_page = parts.empty() || (parts.size() == 2 && (first == "p" || first == "class" || first == "w"));
   done(Page(request, is_page ? "index.html" : JoinedFrom(parts, 0)));
+}
+
+void Site::AnswerPlatform(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
+  constexpr double kPoints = 2;
+  if (lti_ == nullptr)
+    return done(Refusal(404, "no learning platform may open lessons here",
+                        "whoever runs the server can name platforms with --lti FILE"));
+  if (!IsOurHost(request.host)) return done(Refusal(421, "this server does not go by the name that your browser used"));
+  if (!address_costs_.MayBegin(request.address))
+    return done(Refusal(429, "you ask for more than this server allows", "wait a moment"));
+  address_costs_.Charge(request.address, kPoints);
+  lti_->Answer(request, parts[1], std::move(done));
+}
+
+std::string Site::LearnerOf(std::string_view place) const {
+  std::string name = class_.NameOf(place);
+  if (name.empty() && lti_ != nullptr) name = lti_->NameOf(place);
+  return name;
+}
+
+const ClassList* Site::ClassOf(std::string_view key) const {
+  if (class_.IsKey(key)) return &class_;
+  return lti_ == nullptr ? nullptr : lti_->FindByKey(key);
 }
 
 WebResponse Site::Embedded(const WebRequest& request, const std::string& what) const {
@@ -209,12 +240,12 @@ WebResponse Site::Embedded(const WebRequest& request, const std::string& what) c
 
 bool Site::MayBegin(const std::string& place, const std::string& address) {
   // Learners of the class may all sit behind one address: each pays with the own place alone.
-  return place_costs_.MayBegin(place) && (!class_.NameOf(place).empty() || address_costs_.MayBegin(address));
+  return place_costs_.MayBegin(place) && (!LearnerOf(place).empty() || address_costs_.MayBegin(address));
 }
 
 void Site::Charge(const std::string& place, const std::string& address, double points) {
   if (!place.empty()) place_costs_.Charge(place, points);
-  if (class_.NameOf(place).empty()) address_costs_.Charge(address, points);
+  if (LearnerOf(place).empty()) address_costs_.Charge(address, points);
 }
 
 void Site::AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
@@ -266,7 +297,7 @@ void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>
       PlaceRequest{request.method,
                    parts,
                    request.body,
-                   {class_.NameOf(id), settings_.opens, session != sessions_.end() && session->second->is_running()}});
+                   {LearnerOf(id), settings_.opens, session != sessions_.end() && session->second->is_running()}});
   Charge(id, request.address, CostBefore(*asked));
   const std::string what = parts.size() > 3 ? parts[3] : "";
   if (what == "hand" || what == "notes" || what == "arena") return AnswerLearner(request, parts, std::move(done));
@@ -285,7 +316,7 @@ void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>
 
 Result<void> Site::MayStart(const Session& session) const {
   std::size_t all = 0, of_address = 0;
-  const auto is_of_class = [&](const Session& each) { return !class_.NameOf(each.place().id()).empty(); };
+  const auto is_of_class = [&](const Session& each) { return !LearnerOf(each.place().id()).empty(); };
   for (const auto& [id, each] : sessions_) {
     if (!each->is_running()) continue;
     ++all;
@@ -309,8 +340,7 @@ std::shared_ptr<Session> Site::SessionOf(const Place& place, const std::string& 
   auto session =
       std::make_shared<Session>(io_, work_, settings_, place, [this](const Session& each) { return MayStart(each); });
   session->set_address(address);
-  if (!class_.NameOf(place.id()).empty())
-    session->SetGreeting([this, id = place.id()] { return desk_.MessageFor(id); });
+  if (!LearnerOf(place.id()).empty()) session->SetGreeting([this, id = place.id()] { return desk_.MessageFor(id); });
   return sessions_.emplace(place.id(), std::move(session)).first->second;
 }
 
@@ -328,7 +358,7 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
     return refuse(Refusal(404, "there is no run of this name"));
   if (WebResponse refusal; !IsWelcome(request, refusal)) return refuse(std::move(refusal));
   if (!IsId(parts[2])) return refuse(Refusal(404, places_.Find(parts[2]).error()));
-  if (watches && !by_link && !class_.IsKey(QueryOf(request.target, "key")))
+  if (watches && !by_link && ClassOf(QueryOf(request.target, "key")) == nullptr)
     return refuse(Refusal(403, "only the teacher of the class may watch", "use a link of the class's table"));
   admission.may_ask = may_ask;
   admission.address = request.address;
@@ -365,11 +395,18 @@ void Site::CleanUp() {
   for (auto& [id, session] : sessions_) {
     session->EndIfIdle();
     // Since when somebody has had a mistake is known only if somebody looks.
-    if (!class_.NameOf(id).empty()) session->Standing();
+    if (!LearnerOf(id).empty()) session->Standing();
   }
   std::erase_if(sessions_, [](const auto& each) { return !each.second->is_running() && each.second->viewers() == 0; });
   for (const auto& [id, session] : sessions_) kept.push_back(id);
   for (const ClassList::Learner& learner : class_.learners()) kept.push_back(learner.place);
+  if (lti_ != nullptr) {
+    std::vector<std::string> running;
+    for (const auto& [id, session] : sessions_)
+      if (session->is_running()) running.push_back(id);
+    lti_->CleanUp(running);
+    for (std::string& place : lti_->Places()) kept.push_back(std::move(place));
+  }
   if (work_.Waiting("clean-up") > 0) return;
   work_.Do(
       "clean-up", [this, kept = std::move(kept)] { places_.RemoveOlderThan(settings_.limits.kept_days, kept); }, [] {});

@@ -15,6 +15,7 @@
 #include "serve/arena.h"
 #include "serve/class_desk.h"
 #include "serve/class_list.h"
+#include "serve/lti/tool.h"
 #include "serve/place_answers.h"
 #include "serve/session.h"
 #include "serve/settings.h"
@@ -27,7 +28,7 @@ namespace soarbox::serve {
 /// A request over HTTP, as far as the site needs it. All of it comes from strangers.
 struct WebRequest {
   std::string method, target;
-  std::string host, origin, authorization, protocols, tag;
+  std::string host, origin, authorization, protocols, tag, cookies;
   bool takes_gzip = false;
   std::string body;
   std::string address;  ///< Who asks.
@@ -84,13 +85,19 @@ class Site {
   void AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   /// The page for a frame in a page of another site, and the script that such a page includes.
   WebResponse Embedded(const WebRequest& request, const std::string& what) const;
+  /// A request on the way from a learning platform.
+  void AnswerPlatform(const WebRequest& request, const std::vector<std::string>& parts, Done done);
+  /// The name of the learner of a class or course whose place this is; empty: it is nobody's.
+  std::string LearnerOf(std::string_view place) const;
+  /// The class or course whose teachers have this key; null: there is none.
+  const ClassList* ClassOf(std::string_view key) const;
   /// What only the teacher may see and do (site_class.cpp).
   void AnswerClass(const WebRequest& request, const std::vector<std::string>& parts, Done done);
-  void AnswerTable(const std::string& form, Done done);
+  void AnswerTable(const ClassList& list, const std::string& form, Done done);
   /// A raised hand, a message that was read, and the arena, of a learner.
   void AnswerLearner(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   void HandIn(const std::string& game, const std::string& place, const std::string& body, Done done);
-  WebResponse WriteNote(const std::string& body);
+  WebResponse WriteNote(const ClassList& list, const std::string& body);
   std::filesystem::path DeskFile() const { return settings_.state / "class_desk.json"; }
   void SaveDesk();
   /// Tells the learner's pages what has changed.
@@ -108,8 +115,9 @@ class Site {
     std::optional<std::int64_t> hand_since = {};
     std::vector<ClassDesk::Note> notes = {};
   };
-  WebResponse Table(const std::map<std::string, Doing>& doing) const;
-  WebResponse TableAsCsv(bool is_long) const;
+  WebResponse Table(const ClassList& list, const lti::ScoreCount& scores,
+                    const std::map<std::string, Doing>& doing) const;
+  WebResponse TableAsCsv(const ClassList& list, bool is_long) const;
   std::shared_ptr<Session> SessionOf(const Place& place, const std::string& address);
   Result<void> MayStart(const Session& session) const;
 
@@ -134,7 +142,8 @@ class Site {
   // A place may keep a tenth of a core busy, an address half of one.
   Costs place_costs_{100, 1'000}, address_costs_{500, 5'000};
   std::unique_ptr<Arena> arena_;
-  Work work_;  ///< Last: its jobs use all of the above.
+  std::unique_ptr<lti::Tool> lti_;  ///< Null: no learning platform may open lessons here.
+  Work work_;                       ///< Last: its jobs use all of the above.
 };
 
 }  // namespace soarbox::serve

@@ -71,13 +71,14 @@ void Site::AnswerClass(const WebRequest& request, const std::vector<std::string>
       form = ending;
       key.resize(key.size() - form.size());
     }
-  if (!class_.IsKey(key))
+  const ClassList* const list = ClassOf(key);
+  if (list == nullptr)
     return done(Refusal(404, "there is no class by this link", "the server printed the link when it began"));
   const std::string what = parts.size() > 3 ? parts[3] : "";
   const bool is_post = request.method == "POST";
-  if (what.empty() && request.method == "GET") return AnswerTable(form, std::move(done));
+  if (what.empty() && request.method == "GET") return AnswerTable(*list, form, std::move(done));
   if (what == "arena" && parts.size() == 4 && request.method == "GET") return done(Good(arena_->ToJson({})));
-  if (what == "message" && is_post) return done(WriteNote(request.body));
+  if (what == "message" && is_post) return done(WriteNote(*list, request.body));
   const ClassJson body = ClassJson::parse(request.body, nullptr, false);
   if (what == "arena" && parts.size() == 5 && is_post) {
     const Result<void> played = arena_->Play(parts[4], FieldInt(body, "seeds"));
@@ -93,21 +94,21 @@ void Site::AnswerClass(const WebRequest& request, const std::vector<std::string>
   done(Refusal(404, "a class has nothing of this name"));
 }
 
-WebResponse Site::WriteNote(const std::string& body) {
+WebResponse Site::WriteNote(const ClassList& list, const std::string& body) {
   const ClassJson json = ClassJson::parse(body, nullptr, false);
   const std::string to = FieldText(json, "to");
-  if (!to.empty() && class_.NameOf(to).empty())
+  if (!to.empty() && list.NameOf(to).empty())
     return Refusal(400, "nobody of the class has this place",
                    "`to` is the id of a learner's place; without it, all get it");
   const std::string file = FieldText(json, "file");
   ClassDesk::Note note{0, FieldText(json, "text"), file.substr(file.rfind('/') + 1), FieldInt(json, "line"),
                        EpochSeconds()};
-  for (const ClassList::Learner& learner : class_.learners()) {
+  for (const ClassList::Learner& learner : list.learners()) {
     if (!to.empty() && learner.place != to) continue;
     if (const Result<void> wrote = desk_.Write(learner.place, note); !wrote) return Refusal(400, wrote.error());
   }
   SaveDesk();
-  for (const ClassList::Learner& learner : class_.learners())
+  for (const ClassList::Learner& learner : list.learners())
     if (to.empty() || learner.place == to) GreetAgain(learner.place);
   return Good({{"done", true}});
 }
@@ -135,7 +136,7 @@ void Site::SaveDesk() {
 
 void Site::AnswerLearner(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
   const std::string &id = parts[2], &what = parts[3];
-  if (class_.NameOf(id).empty())
+  if (LearnerOf(id).empty())
     return done(Refusal(404, "this place belongs to nobody in a class",
                         "the server has a class if it was started with --class"));
   const bool is_post = request.method == "POST";
@@ -172,7 +173,7 @@ void Site::HandIn(const std::string& game, const std::string& place, const std::
       place, [this, found, place] { *found = places_.Find(place); },
       [this, found, game, file, place, done = std::move(done)] {
         if (!*found) return done(Refusal(404, found->error()));
-        arena_->HandIn(game, **found, class_.NameOf(place), file, [this, place, done](const Result<void>& result) {
+        arena_->HandIn(game, **found, LearnerOf(place), file, [this, place, done](const Result<void>& result) {
           done(result ? Good(arena_->ToJson(place)) : Refusal(400, result.error()));
         });
       });
@@ -207,7 +208,7 @@ void Site::AnswerWatch(const std::string& link, Done done) {
           lessons.push_back(
               {{"name", lesson.name}, {"title", lesson.title}, {"course", lesson.course}, {"is_passed", false}});
         return Good({{"place", ""},
-                     {"learner", class_.NameOf(*id)},
+                     {"learner", LearnerOf(*id)},
                      {"opens", ""},
                      {"lessons", std::move(lessons)},
                      {"scenarios", none},
@@ -219,30 +220,34 @@ void Site::AnswerWatch(const std::string& link, Done done) {
       std::move(done));
 }
 
-void Site::AnswerTable(const std::string& form, Done done) {
+void Site::AnswerTable(const ClassList& list, const std::string& form, Done done) {
+  // A course of a learning platform may get a learner meanwhile.
+  const auto copy = std::make_shared<const ClassList>(list);
   if (!form.empty()) {
     return Do(
-        "class", [this, is_long = form != ".csv"] { return TableAsCsv(is_long); }, std::move(done));
+        "class", [this, copy, is_long = form != ".csv"] { return TableAsCsv(*copy, is_long); }, std::move(done));
   }
   const auto doing = std::make_shared<std::map<std::string, Doing>>();
   for (const auto& [id, session] : sessions_)
     if (session->is_running()) (*doing)[id] = {session->what(), session->viewers() > 0, session->Standing()};
-  for (const ClassList::Learner& learner : class_.learners()) {
+  for (const ClassList::Learner& learner : list.learners()) {
     Doing& each = (*doing)[learner.place];
     each.hand_since = desk_.HandSince(learner.place);
     each.notes = desk_.NotesOf(learner.place);
   }
+  const lti::ScoreCount scores = lti_ != nullptr && &list != &class_ ? lti_->ScoresOf(list) : lti::ScoreCount();
   Do(
-      "class", [this, doing] { return Table(*doing); }, std::move(done));
+      "class", [this, copy, scores, doing] { return Table(*copy, scores, *doing); }, std::move(done));
 }
 
-WebResponse Site::Table(const std::map<std::string, Doing>& doing) const {
+WebResponse Site::Table(const ClassList& list, const lti::ScoreCount& scores,
+                        const std::map<std::string, Doing>& doing) const {
   const std::vector<Lesson> lessons = catalog_->Lessons();
   const std::int64_t now = EpochSeconds();
   ClassJson titles = ClassJson::array(), learners = ClassJson::array();
   for (const Lesson& lesson : lessons)
     titles.push_back({{"name", lesson.name}, {"title", lesson.title}, {"course", lesson.course}});
-  for (const ClassList::Learner& learner : class_.learners()) {
+  for (const ClassList::Learner& learner : list.learners()) {
     const Result<Place> place = places_.Find(learner.place);
     if (!place) continue;
     const Doing& does = doing.at(learner.place);
@@ -261,7 +266,7 @@ WebResponse Site::Table(const std::map<std::string, Doing>& doing) const {
     learners.push_back({{"name", learner.name},
                         {"place", learner.place},
                         {"place_link", "/p/" + learner.place + "/"},
-                        {"watch_link", "/p/" + learner.place + "/#watch=" + class_.key()},
+                        {"watch_link", "/p/" + learner.place + "/#watch=" + list.key()},
                         {"done", std::move(done)},
                         {"last_hint", last_hint},
                         {"doing", does.what},
@@ -272,10 +277,14 @@ WebResponse Site::Table(const std::map<std::string, Doing>& doing) const {
                         {"hand_s", does.hand_since ? ClassJson(now - *does.hand_since) : ClassJson()},
                         {"notes", ToJson(does.notes)}});
   }
-  return Good({{"lessons", std::move(titles)}, {"learners", std::move(learners)}});
+  ClassJson told = {{"lessons", std::move(titles)}, {"learners", std::move(learners)}};
+  if (scores.sent + scores.waiting + scores.refused > 0)
+    told["scores"] = {
+        {"sent", scores.sent}, {"waiting", scores.waiting}, {"refused", scores.refused}, {"trouble", scores.trouble}};
+  return Good(told);
 }
 
-WebResponse Site::TableAsCsv(bool is_long) const {
+WebResponse Site::TableAsCsv(const ClassList& list, bool is_long) const {
   const std::vector<Lesson> lessons = catalog_->Lessons();
   const auto title = [](const Lesson& lesson) {
     return lesson.course.empty() ? lesson.title : lesson.course + ": " + lesson.title;
@@ -284,7 +293,7 @@ WebResponse Site::TableAsCsv(bool is_long) const {
   if (!is_long)
     for (const Lesson& lesson : lessons) csv += "," + CsvCell(title(lesson));
   csv += is_long ? "\r\n" : ",last hint\r\n";
-  for (const ClassList::Learner& learner : class_.learners()) {
+  for (const ClassList::Learner& learner : list.learners()) {
     const Result<Place> place = places_.Find(learner.place);
     if (!place) continue;
     int passed = 0, tries = 0, hints = 0;

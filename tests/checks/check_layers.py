@@ -75,7 +75,7 @@ ONLY_IN = {
     re.compile(r"^(Recast|Detour)"): {"world"},
     re.compile(r"^(lua|lauxlib|lualib)"): {"script"},
     re.compile(r"^asio"): {"sml"},
-    re.compile(r"^boost/"): {"serve"},
+    re.compile(r"^(boost|openssl)/"): {"serve"},
     re.compile(r"^sqlite3"): {"journal", "sweep"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

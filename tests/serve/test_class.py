@@ -153,11 +153,13 @@ class Tournament(ClassCase):
         viewer.ask(request="open", what=f"match:{match['replay']}")
         hello = viewer.until(lambda message: message["message"] in ("hello", "error", "ended"))
         self.assertEqual((hello["message"], hello.get("is_recording"), hello.get("minds"), hello.get("seed")), ("hello", True, ["ada", "bob"], match["seed"]))
-        viewer.ask(request="look", panels=["why"])
+        viewer.ask(request="look", panels=["why", "memory"])
         viewer.ask(request="seek", tick=60)
         viewer.ask(request="select", agent="ada")
         viewer.ask(request="ask", about="doing")
         viewer.until_contents("why", lambda why: any(node["is"] == "tree" for node in why["document"]))
+        # The working memory of that moment is recorded, too.
+        viewer.until_contents("memory", lambda memory: any(node["is"] == "tree" and node["key"] == "memory" and node["rows"] for node in memory["document"]))
         viewer.ask(request="open", what="match:" + "0" * 26)
         self.assertIn("nothing called", viewer.until_message("error")["error"])
         # The same matches have the same scores. Entries and matches are still there after a restart.

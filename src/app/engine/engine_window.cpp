@@ -412,6 +412,7 @@ int PlayMatch(const EngineOptions& options) {
   run.seed = options.seed;
   run.seconds = options.match_s;
   run.record = fs::path(state != nullptr ? state : ".") / "match.soarrec";
+  run.record_level = "all";  // A replay shows working memory, too.
   constexpr double kRecording_mb = 16;
   run.record_limit_mb = kRecording_mb;
   const int code = Run(run);

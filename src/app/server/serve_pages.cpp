@@ -144,6 +144,7 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
   settings.page = options.page.empty() ? PageFolder(data) : options.page;
   settings.class_list = options.class_list;
+  settings.lti = options.lti;
   settings.limits.sessions = options.sessions;
   settings.limits.idle_min = options.idle_min;
   settings.limits.hang_s = options.hang_s;

@@ -21,6 +21,15 @@ export interface PlaceInfo {
 export interface ClassInfo {
   lessons: readonly { name: string; title: string; course?: string }[];
   learners: readonly Learner[];
+  /** Scores for a learning platform, if the class is a course of one. */
+  scores?: ScoreInfo;
+}
+export interface ScoreInfo {
+  sent: number;
+  waiting: number;
+  refused: number;
+  /** Of one that waits or was refused. */
+  trouble: string;
 }
 export interface Learner {
   name: string;

@@ -6,7 +6,7 @@ import { textOf } from "../dom/view";
 import { recordingText } from "../lesson/start_page";
 import { worldMap } from "../lesson/world_map";
 import { learnersArena, tournamentView } from "./arena_view";
-import { coursesOf, duration, now, standing } from "./class_table";
+import { coursesOf, duration, now, scoreText, standing } from "./class_table";
 
 const learner = { name: "Ada", place: "x", place_link: "/p/x/", watch_link: "/p/x/", is_here: true, done: { a: { is_done: true, tries: 3, hints: 1 }, b: { is_done: false, tries: 2, hints: 0 }, c: { is_done: false, tries: 0, hints: 0 }, d: { is_done: false, passed: 2, of: 3, tries: 1 } } };
 
@@ -29,6 +29,11 @@ test("who is stuck is said with the cause and since when, and the lesson has its
 test("lessons are in columns of their courses", () => {
   const courses = coursesOf({ lessons: [{ name: "01", title: "One", course: "" }, { name: "e1", title: "Hello", course: "eaters" }, { name: "02", title: "Two" }], learners: [] });
   assert.deepEqual(courses.map((one) => [one.title, one.lessons.map((lesson) => lesson.name)]), [["Lessons", ["01", "02"]], ["Eaters", ["e1"]]]);
+});
+
+test("the teacher sees which scores did not reach the learning platform", () => {
+  assert.equal(scoreText(undefined) + scoreText({ sent: 3, waiting: 0, refused: 0, trouble: "" }), "");
+  assert.equal(scoreText({ sent: 0, waiting: 2, refused: 1, trouble: "Moodle did not take a score: status 503" }), "Scores for your learning platform: 2 not sent yet, 1 refused. Moodle did not take a score: status 503.");
 });
 
 const game: GameInfo = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, type Child, type View } from "../dom/view";
-import type { Api, ArenaInfo, ClassInfo, Learner } from "../app/api";
+import type { Api, ArenaInfo, ClassInfo, Learner, ScoreInfo } from "../app/api";
 import { icon } from "../app/icons";
 import { isDark, switchTheme } from "../app/theme";
 import { arenaView } from "./arena_view";
@@ -32,6 +32,13 @@ export function now(learner: Learner, titleOf: (lesson: string) => string): { wh
   if (kind === "mistake") return { what, state: `${trouble} (for ${duration(lasts)})`, isStuck: false };
   if (kind === "idle") return { what, state: `Nothing done for ${duration(lasts)}`, isStuck: false };
   return { what, state: "", isStuck: false };
+}
+
+/** How scores for a learning platform fare; empty: all were sent, or there are none. */
+export function scoreText(scores: ScoreInfo | undefined): string {
+  if (scores === undefined || scores.waiting + scores.refused === 0) return "";
+  const counts = [scores.waiting > 0 ? `${scores.waiting} not sent yet` : "", scores.refused > 0 ? `${scores.refused} refused` : ""].filter((one) => one !== "").join(", ");
+  return `Scores for your learning platform: ${counts}.${scores.trouble === "" ? "" : ` ${scores.trouble}.`}`;
 }
 
 interface Course { name: string; title: string; lessons: ClassInfo["lessons"] }
@@ -107,6 +114,7 @@ export class ClassTable {
         button(icon("sun"), switchTheme, { attributes: { "aria-label": isDark() ? "Light colours" : "Dark colours" } }, "button.tool")),
       this.trouble !== "" && h("p.warn.trouble", { attributes: { role: "alert" } }, this.trouble),
       h("p.good.trouble", { attributes: { role: "status" } }, this.told),
+      scoreText(this.info?.scores) !== "" && h("p.warn.trouble", { attributes: { role: "status" } }, scoreText(this.info?.scores)),
       this.writesTo !== "" && this.writer(),
       h("main", { attributes: { tabindex: 0, "aria-label": "Learners by lessons" } }, this.table(),
         this.arena !== null && this.info !== null && this.info.learners.length > 0 && arenaView(this.arena, this.seeds, (seeds) => {
@@ -140,7 +148,7 @@ export class ClassTable {
   private table(): Child {
     const info = this.info;
     if (info === null) return this.trouble === "" && h("div.empty", null, h("p", null, "The table is loaded …"));
-    if (info.learners.length === 0) return h("div.empty", null, h("p", null, "The class has no learners. The file that soarbox serve --class reads has one name on each line."));
+    if (info.learners.length === 0) return h("div.empty", null, h("p", null, "Nobody is here yet. Learners of a learning platform appear when they open a lesson from the course. A class of your own has a file with one name on each line: soarbox serve --class."));
     const courses = coursesOf(info);
     return h("table.class", null, h("thead", null, h("tr", null, h("th", { attributes: { scope: "col" } }, "Learner"), h("th.now", { attributes: { scope: "col" } }, "Now"), courses.map((one) => this.headings(one)))),
       h("tbody", null, info.learners.map((learner) => this.row(learner, courses))));

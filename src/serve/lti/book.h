@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "diagnostics/result.h"
+#include "serve/class_list.h"
+#include "serve/lti/launch.h"
+#include "serve/lti/platform_file.h"
+#include "serve/settings.h"
+
+namespace soarbox::lti {
+
+/// What is kept of learning platforms: courses, whose place is whose, and scores that were sent or wait. Times are
+/// seconds since 1970. It belongs to one thread.
+class Book {
+ public:
+  struct Course {
+    std::string issuer, client_id, id, title;
+    serve::ClassList list;                                   ///< Its learners, and the key of its teachers.
+    std::map<std::string, std::string, std::less<>> places;  ///< By the person's id on the platform.
+  };
+  enum class ScoreState : std::uint8_t { kNone, kWaits, kSent, kRefused };
+  /// A lesson whose scores of one learner go to a line item of the platform.
+  struct Link {
+    std::string issuer, client_id, subject, place, lesson, line_item;
+    int tries = 0;           ///< Of the learner, as they were last seen.
+    bool is_passed = false;  ///< Likewise.
+    ScoreState state = ScoreState::kNone;
+    std::int64_t graded_ms = 0;  ///< When the score that waits was reached; it grows with each score.
+    std::string comment = {}, trouble = {};
+    int failures = 0;           ///< How often sending it failed in a row. Not kept.
+    std::int64_t next_s = 0;    ///< It is not sent before then. Not kept.
+    bool is_under_way = false;  ///< Not kept.
+  };
+
+  /// From what ToText has written; without a file it is empty. The error says that the file is damaged.
+  static Result<Book> Read(const std::filesystem::path& file);
+  std::string ToText() const;
+
+  /// The course of a launch; it is added if it is new.
+  Course& CourseOf(const Platform& platform, const Launch& launch);
+  /// Adds a learner with a place to a course. People who share a name get a number; those without get one, too.
+  void Add(Course& course, const std::string& subject, const std::string& place, std::string name);
+  /// Notes where scores of this lesson go.
+  void AddLink(const Platform& platform, const Launch& launch, const std::string& place);
+  /// Notes how far a learner is with the lesson of a link. Whether there is a score to send.
+  bool Note(Link& link, const serve::Progress& progress, std::int64_t now_ms);
+
+  /// Courses keep their addresses.
+  const std::deque<Course>& courses() const { return courses_; }
+  std::vector<Link>& links() { return links_; }
+  const std::vector<Link>& links() const { return links_; }
+  /// The name of the learner whose place this is; empty: it is nobody's.
+  std::string NameOf(std::string_view place) const;
+  /// The course with this key; null: none.
+  const serve::ClassList* FindByKey(std::string_view key) const;
+
+ private:
+  std::deque<Course> courses_;
+  std::vector<Link> links_;
+  std::map<std::string, std::string, std::less<>> names_;  ///< By place.
+};
+
+}  // namespace soarbox::lti
