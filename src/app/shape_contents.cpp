@@ -17,6 +17,7 @@
 #include "viewer/drawable_mesh.h"
 #include "viewer/figure_meshes.h"
 #include "viewer/shape_meshes.h"
+#include "world/asset_store.h"
 
 namespace soarbox::app {
 namespace {
@@ -167,6 +168,17 @@ std::string ShapeKey(const DrawableSnapshot& drawable, bool agent_body) {
   return text + (material.starts_with("Soarbox/") ? material : std::string());
 }
 
+void ShapeContents::AddAssets(const world::SceneSnapshot& scene, std::vector<Told>& found) {
+  const auto add = [&](const std::string& key) {
+    if (world::AssetName(key).empty() || told_.size() >= kMost || !told_.insert(key).second) return;
+    const auto file = world::FindAsset(key);
+    // A recording of a world whose files were too large to be kept: nothing is shown or played.
+    if (file != nullptr) found.push_back({"assets:" + key, Json{{"bytes", Base64(*file)}}});
+  };
+  for (const world::UiSnapshot& panel : scene.ui) add(panel.material);
+  for (const world::SoundSnapshot& sound : scene.sounds) add(sound.file);
+}
+
 std::vector<ShapeContents::Told> ShapeContents::New(const world::SceneSnapshot& scene) {
   std::vector<Told> found;
   const auto is_new = [&](const std::string& key) { return told_.size() < kMost && told_.insert(key).second; };
@@ -196,6 +208,7 @@ std::vector<ShapeContents::Told> ShapeContents::New(const world::SceneSnapshot& 
       tell("backdrop/fence", PlainContent(viewer::FenceMesh()));
     }
   }
+  AddAssets(scene, found);
   return found;
 }
 

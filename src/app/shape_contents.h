@@ -11,15 +11,15 @@
 
 namespace soarbox::app {
 
-/// What bodies and things look like, as contents for pages: the window's own shapes, each told once when a scene first
-/// shows it (docs/dev/stream.md#shapes).
+/// What bodies and things look like, and the images and sounds that scripts show and play (as "assets:KEY"), as
+/// contents for pages: the window's own shapes, each told once when a scene first shows it (docs/dev/stream.md#shapes).
 class ShapeContents {
  public:
   struct Told {
-    std::string name;  ///< "shapes:KEY"
+    std::string name;  ///< "shapes:KEY" or "assets:KEY"
     nlohmann::ordered_json content;
   };
-  /// Shapes that the scene shows and that were not told yet.
+  /// Shapes and files that the scene shows or plays and that were not told yet.
   std::vector<Told> New(const world::SceneSnapshot& scene);
 
   /// Of so many shapes a page is told: scripts may change the size of a box in each tick. What comes later is not
@@ -27,6 +27,8 @@ class ShapeContents {
   static constexpr std::size_t kMost = 4000;
 
  private:
+  void AddAssets(const world::SceneSnapshot& scene, std::vector<Told>& found);
+
   std::unordered_set<std::string> told_;
 };
 

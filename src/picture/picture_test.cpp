@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "picture/drawing.h"
 #include "picture/gif.h"
 #include "picture/png.h"
+#include "picture/png_reader.h"
 #include "picture/stroke_font.h"
 
 namespace soarbox::picture {
@@ -223,6 +225,39 @@ TEST(Picture, EachCharacterHasStrokesOfItsOwnWithinItsWidth) {
     EXPECT_EQ(std::ranges::find(seen, image.rgb), seen.end()) << c << " looks like another one";
     seen.push_back(image.rgb);
   }
+}
+
+TEST(Png, WhatIsWrittenReadsAsTheSamePixels) {
+  Image image(5, 3, {0.2f, 0.4f, 0.6f, 1});
+  image.At(4, 2)[0] = 255;
+  const std::string file = PngOf(image);
+  const PngRead read = picture::ReadPng(std::string_view(file));
+  ASSERT_EQ(read.problem, "");
+  ASSERT_EQ(read.pixels.width, 5);
+  ASSERT_EQ(read.pixels.height, 3);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 5; ++x)
+      for (std::size_t channel = 0; channel < 4; ++channel)
+        EXPECT_EQ(read.pixels.rgba[4 * static_cast<std::size_t>(5 * y + x) + channel],
+                  channel == 3 ? 255 : image.At(x, y)[channel]);
+  for (std::size_t length = 0; length + 12 < file.size(); ++length)
+    EXPECT_NE(picture::ReadPng(std::string_view(file).substr(0, length)).problem, "") << length;
+}
+
+TEST(Png, SaysWhyAFileIsNotRead) {
+  std::string file = PngOf(Image(2, 2));
+  EXPECT_EQ(picture::ReadPng(std::string_view()).problem, "this is no PNG file");
+  const auto with = [&](std::size_t at, char value) {
+    std::string changed = file;
+    changed[at] = value;
+    return picture::ReadPng(std::string_view(changed)).problem;
+  };
+  EXPECT_EQ(with(24, 16), "16 bits per channel are not read: save it with 8");
+  EXPECT_EQ(with(28, 1), "interlaced images are not read: save it without");
+  EXPECT_EQ(with(16, 1), "an image has 1 to 4096 pixels on each side");
+  EXPECT_EQ(with(19, 3), "its pixels are damaged");
+  EXPECT_EQ(with(25, 7), "its colours are of no known kind");
+  EXPECT_EQ(with(25, 3), "it has no palette");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "record/header.h"
+#include "world/asset_store.h"
 #include "world/state_hash.h"
 
 namespace soarbox::record {
@@ -27,19 +27,21 @@ constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kMostLookedAt = 20'000;  // The folder may be somebody's home.
 constexpr int kDeepest = 8;
 
-/// The scripts, rules and scenario files below a folder, in order of their names. Links that lead out of all folders of
-/// the run are not followed: a recording goes to others.
-std::vector<fs::path> FilesBelow(const fs::path& folder, const std::vector<fs::path>& all_folders) {
-  constexpr std::array<std::string_view, 3> kEndings = {".lua", ".soar", ".toml"};
+bool IsScriptName(std::string_view name) {
+  return name.ends_with(".lua") || name.ends_with(".soar") || name.ends_with(".toml");
+}
+
+/// The files below a folder that are wanted by their names, in order of their names. Links that lead out of all folders
+/// of the run are not followed: a recording goes to others.
+std::vector<fs::path> FilesBelow(const fs::path& folder, const std::vector<fs::path>& all_folders,
+                                 bool (*is_wanted)(std::string_view name)) {
   std::vector<fs::path> files;
   std::error_code error;
   std::size_t looked_at = 0;
   for (fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && it != end && ++looked_at <= kMostLookedAt; it.increment(error)) {
     if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    const std::string ending = it->path().extension().string();
-    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() &&
-        IsPlainFileBelow(it->path(), all_folders))
+    if (is_wanted(it->path().filename().string()) && IsPlainFileBelow(it->path(), all_folders))
       files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());
@@ -133,7 +135,7 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
     all_folders.insert(all_folders.end(), more->begin(), more->end());
   for (std::uint32_t folder = 0; folder < scenario.rule_folders.size(); ++folder) {
     const fs::path& root = scenario.rule_folders[folder];
-    for (const fs::path& file : FilesBelow(root, all_folders)) {
+    for (const fs::path& file : FilesBelow(root, all_folders, IsScriptName)) {
       KeptFile kept{folder, file.lexically_relative(root).generic_string(), {}};
       std::error_code error;
       const std::uintmax_t size = fs::file_size(file, error);
@@ -145,6 +147,20 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
     }
   }
   if (bytes > kMostKeptBytes) all.files.clear();
+  // Images, models and sounds as far as there is room: without them a recording can be run again, but shows less.
+  for (std::uint32_t folder = 0; folder < scenario.rule_folders.size() && bytes <= kMostKeptBytes; ++folder) {
+    const fs::path& root = scenario.rule_folders[folder];
+    for (const fs::path& file : FilesBelow(root, all_folders, world::IsAssetName)) {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(file, error);
+      if (error || size > world::kLargestAsset || bytes + size > kMostKeptBytes || all.files.size() >= kMostFiles)
+        continue;
+      KeptFile kept{folder, file.lexically_relative(root).generic_string(), ReadText(file).value_or("")};
+      bytes += size;
+      AddTo(hash, folder, kept.name, kept.content);
+      all.files.push_back(std::move(kept));
+    }
+  }
   AddNamedFiles(scenario, hash);
   all.digest = hash.value();
   return all;

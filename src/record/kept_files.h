@@ -31,7 +31,8 @@ struct ScenarioFiles {
 inline constexpr std::size_t kMostKeptBytes = 16u << 20;
 
 /// Reads the .lua, .soar and .toml files that a run of the scenario may read: those in its own folder and in the added
-/// folders, with their subfolders. Files that come with the program (the Lua library) are not included.
+/// folders, with their subfolders; then images, models and sounds, as far as they fit. Files that come with the program
+/// (the Lua library) are not included.
 ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario);
 
 /// Whether files have changed or disappeared since `then`. New files do not count.

@@ -12,6 +12,7 @@
 #include "bytes/byte_stream.h"
 #include "diagnostics/problem.h"
 #include "record/client_recording.h"
+#include "record/kept_assets.h"
 #include "record/tick_codec.h"
 
 namespace soarbox::record {
@@ -102,6 +103,7 @@ Result<void> Reader::ReadFrames() {
         Result<Header> header = DecodeHeader(*payload);
         if (!header) return Damaged(block.payload_at, header.error().message);
         header_ = std::move(*header);
+        StoreAssets(header_.files);
         has_header = true;
         break;
       }

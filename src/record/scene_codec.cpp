@@ -506,6 +506,7 @@ void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world
   });
   WriteList(out, before.ui, now.ui);
   WriteList(out, before.particles, now.particles);
+  WriteList(out, before.sounds, now.sounds);
   WritePlain(out, before.lines, now.lines);
   WritePlain(out, before.triangles, now.triangles);
   WritePlain(out, before.circles, now.circles);
@@ -520,6 +521,7 @@ void ReadScene(ByteReader& in, world::SceneSnapshot& scene) {
   ReadList(in, scene.agents);
   ReadList(in, scene.ui);
   ReadList(in, scene.particles);
+  ReadList(in, scene.sounds);
   ReadPlain(in, scene.lines);
   ReadPlain(in, scene.triangles);
   ReadPlain(in, scene.circles);

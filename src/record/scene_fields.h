@@ -35,7 +35,12 @@ constexpr auto FieldsOf(const world::UiSnapshot&) {
   return std::tuple(&T::parent_id, &T::layer, &T::x, &T::y, &T::width, &T::height, &T::margin_left, &T::margin_top,
                     &T::visible, &T::has_gradient, &T::gradient_is_vertical, &T::gradient_from, &T::gradient_to,
                     &T::font, &T::text_color, &T::is_markup, &T::text, &T::material, &T::caption,
-                    &T::gradient_is_diagonal, &T::in_world, &T::world_position, &T::world_orientation);
+                    &T::gradient_is_diagonal, &T::in_world, &T::world_position, &T::world_orientation, &T::button,
+                    &T::has_bar, &T::bar, &T::bar_color);
+}
+constexpr auto FieldsOf(const world::SoundSnapshot&) {
+  using T = world::SoundSnapshot;
+  return std::tuple(&T::file, &T::time_s, &T::volume, &T::in_world, &T::position);
 }
 /// The members that a scene has once.
 constexpr auto FieldsOf(const world::SceneSnapshot&) {

@@ -30,6 +30,8 @@ finds scripts of the scenario and of the library. `os` has `clock`, `time`, `dat
 simulation; it starts at midnight on 1 January 2000. `os.exit([code])` ends all scripts: a headless run ends with that
 exit code, and a window stays open. Random numbers come from the run's seed.
 
+[Models, images and sounds](models.md) come from files of the world.
+
 [The Lua library](library.md) is made of these functions and saves you much of the work.
 
 In the examples, `sandbox` is the sandbox, `agent` and `other` are agents that do not move, and `object` is a box of 1 m. `node`,

@@ -90,7 +90,10 @@ std::span<const ApiGroup> ApiGroups() {
        CoreApi()},
       {"Sandbox", "The world: objects, agents, events, camera, time, panels, navigation meshes and the influence map.",
        kSandbox},
-      {"UI", "Panels of text on the screen or in the world. Only the sandbox's own scripts have this table.", UiApi()},
+      {"UI",
+       "Panels of text, images, bars and buttons on the screen or in the world. Only the sandbox's own scripts have "
+       "this table.",
+       UiApi()},
       {"Vector",
        "Points, directions, colours and rotations. You can add, subtract, multiply and divide vectors by components, "
        "with a vector or a number on the right, and read and set `v.x`, `v.y` and `v.z`. A variable refers to a "

@@ -48,7 +48,9 @@ Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9)))"},
      "A thin line between two points in the parent's space. It stays until you remove it.",
      R"(local line = Core.CreateLine(sandbox, Vector.new(), Vector.new(0, 5, 0)))"},
     {"Core.CreateMesh", "parent: Thing, mesh: string", "Node",
-     "A mesh of the media library. An unknown name gives a box of 1 m and a warning.",
+     "A mesh of the media library, or a model from a .glb or .gltf file of the scenario's folder (docs/lua/models.md). "
+     "An "
+     "unknown name gives a box of 1 m and a warning; a file that cannot be read is an error that says why.",
      R"(Core.CreateMesh(agent, "models/nobiax_modular/modular_block.mesh"))"},
     {"Core.CreateParticle", "parent: Thing, effect: string", "Node", "Starts a particle effect at the node's origin.",
      R"(local smoke = Core.CreateParticle(sandbox, "BulletImpact")

@@ -38,7 +38,8 @@ Core.SetPosition(floor, Vector.new(0, -0.5, 0)))"},
      "Object", "An upright capsule with a body of 1 kg at the origin; the height includes the caps.",
      R"(local pillar = Sandbox.CreateCapsule(sandbox, 3, 0.5))"},
     {"Sandbox.CreateObject", "sandbox: Sandbox, mesh: string", "Object",
-     "A mesh of the media library with a body of 1 kg at the origin.",
+     "A mesh of the media library, or a model from a .glb or .gltf file of the scenario's folder (docs/lua/models.md), "
+     "with a box-shaped body of 1 kg at the origin.",
      R"(local block = Sandbox.CreateObject(sandbox, "models/nobiax_modular/modular_block.mesh"))"},
     {"Sandbox.CreatePhysicsCapsule",
      "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]", "Object",
@@ -134,6 +135,12 @@ print(now)  --> 0)"},
      R"(print(Sandbox.GetTimeInSeconds(sandbox))  --> 0)"},
     {"Sandbox.GetTotalSimulationTime", "sandbox: Sandbox", "number [us]", "The time between the last two steps.",
      R"(print(Sandbox.GetTotalSimulationTime(sandbox) > 0)  --> true)"},
+    {"Sandbox.PlaySound", "sandbox: Sandbox, file: string, volume: number 0..1 = 1, position: Vector [m] = everywhere",
+     "",
+     "Plays a sound in the window and in pages: a WAV file of the scenario's folder with 8 or 16 bits, one or two "
+     "channels and up to 8 MB. With a position it is softer from afar and comes from its side. Nothing in the world "
+     "depends on sounds. A file that cannot be used is an error that says why.",
+     R"(Sandbox.PlaySound(sandbox, "bell.wav", 0.5, agent:GetPosition()))", true},
     {"Sandbox.RayCastToObject", "sandbox: Sandbox, from: Vector [m], to: Vector [m]", "table",
      "Finds the first body on a line: {result, hitPoint, object}, the last two only if result is true. A ray that "
      "starts inside a body does not hit that body.",

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "picture/png.h"
 #include "script/host_fixture.h"
 
 // The table of the API against what is registered, and its examples against a world.
@@ -42,6 +43,8 @@ class ApiTableTest : public HostTest {
  protected:
   ApiTableTest() {
     Write("Quiet.lua", "");
+    Write("badge.png", picture::PngOf(picture::Image(4, 4, {1, 0, 0, 1})));
+    Write("bell.wav", ShortWav());
     StartWith(kWorld);
   }
 };

@@ -8,6 +8,14 @@ constexpr ApiFunction kUiFunctions[] = {
     {"UI.CreateChild", "ui: UI", "UI", "A panel in the same layer, with a position relative to its parent.",
      R"(local child = UI.CreateChild(ui)
 UI.SetPosition(child, 10, 10))"},
+    {"UI.GetBar", "ui: UI", "number", "How much of its width the panel's bar fills, 0 to 1; nil without a bar.",
+     R"(UI.SetBar(ui, 0.25)
+print(UI.GetBar(ui))  --> 0.25)",
+     true},
+    {"UI.GetButton", "ui: UI", "string", "The name of the button that the panel is; nil if it is none.",
+     R"(UI.SetButton(ui, "start", function(sandbox, ui) end)
+print(UI.GetButton(ui))  --> start)",
+     true},
     {"UI.GetDimensions", "ui: UI", "table [px]", "The size: {x, y} by name.",
      R"(print(UI.GetDimensions(ui).x)  --> 100)"},
     {"UI.GetFont", "ui: UI", "string", "The font of the plain text.", R"(print(UI.GetFont(ui))  --> small)"},
@@ -31,8 +39,25 @@ print(UI.GetTextMargin(ui).x)  --> 10)"},
     {"UI.IsVisible", "ui: UI", "boolean", "Whether the panel itself is shown, regardless of its parent.",
      R"(print(UI.IsVisible(ui))  --> true)"},
     {"UI.Remove", "ui: UI", "", "Removes the panel and all its children.", R"(UI.Remove(ui))", true},
+    {"UI.RemoveBar", "ui: UI", "", "Removes the panel's bar.", R"(UI.RemoveBar(ui))", true},
+    {"UI.RemoveButton", "ui: UI", "", "The panel is no button any more.", R"(UI.RemoveButton(ui))", true},
+    {"UI.RemoveImage", "ui: UI", "", "Removes the panel's image.", R"(UI.RemoveImage(ui))", true},
     {"UI.SetBackgroundColor", "ui: UI, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
      "", "Colours the background; 0 to 1 per channel.", R"(UI.SetBackgroundColor(ui, 0, 0, 0.5, 0.8))"},
+    {"UI.SetBar",
+     "ui: UI, fraction: number 0..1, red: number 0..1 = 0.3, green: number 0..1 = 0.69, blue: number 0..1 = 0.31, "
+     "alpha: number 0..1 = 1",
+     "", "Shows a bar that fills this part of the panel's width, over its background and under its text.",
+     R"(UI.SetBar(ui, agent:GetHealth() / 100, 0.8, 0.2, 0.1))", true},
+    {"UI.SetButton", "ui: UI, name: string, callback: function", "",
+     "Makes the panel a button: a click in the window or a page calls callback(sandbox, ui) in the next tick. The name "
+     "is unique in the world; recordings and files of inputs use it (docs/lua/names.md). A second call replaces the "
+     "first. A panel that is hidden cannot be pressed.",
+     R"(UI.SetText(ui, "Start")
+UI.SetButton(ui, "start", function(sandbox, ui)
+  UI.SetText(ui, "Running")
+end))",
+     true},
     {"UI.SetDimensions", "ui: UI, width: number 0..1e6 [px], height: number 0..1e6 [px]", "", "Changes the size.",
      R"(UI.SetDimensions(ui, 300, 120))"},
     {"UI.SetFont", "ui: UI, font: string", "",
@@ -45,6 +70,11 @@ print(UI.GetTextMargin(ui).x)  --> 10)"},
      "red2: number 0..1, green2: number 0..1, blue2: number 0..1, alpha2: number 0..1",
      "", "Colours the background from one colour to another: north_south, west_east or diagonal.",
      R"(UI.SetGradientColor(ui, "north_south", 0, 0, 0, 0.75, 0, 0, 0, 0.35))"},
+    {"UI.SetImage", "ui: UI, file: string", "",
+     "Fills the panel with an image: a PNG file of the scenario's folder with 8 bits per channel, not interlaced, up "
+     "to "
+     "4096 px on each side and 8 MB. A file that cannot be used is an error that says why.",
+     R"(UI.SetImage(ui, "badge.png"))", true},
     {"UI.SetMarkupText", "ui: UI, text: string", "",
      "Shows text with markup: %0 to %9 change the colour; %@9%, %@14% and %@24% change the font (91, 141 and 241 have "
      "a fixed width); %M toggles fixed width; %% is a percent sign.",

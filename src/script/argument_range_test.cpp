@@ -38,7 +38,7 @@ std::string RightValue(const ApiFunction& function, const ApiArgument& argument)
       {"Agent.SetLeader leader", "other"},          {"UI.SetWorldPosition ui", "panel"},
       {"UI.SetWorldRotation ui", "panel"},          {"UI.SetGradientColor direction", "'north_south'"},
       {"Animation.AttachToBone bone", "'b_Head1'"}, {"Sandbox.CreateSkyBox material", "'ThickCloudsWaterSkyBox'"},
-      {"Core.SetLineStartEnd line", "line"},
+      {"Core.SetLineStartEnd line", "line"},        {"Sandbox.PlaySound file", "'bell.wav'"},
   };
   const std::string whole = std::string(function.name) + " " + std::string(argument.name);
   if (const auto own = kByName.find(whole); own != kByName.end()) return own->second;
@@ -91,6 +91,7 @@ class ArgumentRangeTest : public HostTest {
  protected:
   ArgumentRangeTest() {
     Write("Quiet.lua", "");
+    Write("bell.wav", ShortWav());
     StartWith(kRangesWorld);
   }
 

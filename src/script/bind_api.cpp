@@ -44,7 +44,11 @@ void BindApi(lua_State* state, ApiSide side) {
   BindAgentStride(state);
   BindAnimation(state);
   BindAnimationBones(state);
-  if (side == ApiSide::kSandbox) BindUi(state);
+  BindSandboxSound(state);
+  if (side == ApiSide::kSandbox) {
+    BindUi(state);
+    BindUiParts(state);
+  }
   KeepAgentMethods(state);
 
   const char* kind = side == ApiSide::kSandbox ? "Sandbox" : "Agent";

@@ -21,7 +21,9 @@ void BindAgentSteering(lua_State* state);
 void BindAgentStride(lua_State* state);
 void BindAnimation(lua_State* state);
 void BindAnimationBones(lua_State* state);
+void BindSandboxSound(lua_State* state);
 void BindUi(lua_State* state);
+void BindUiParts(lua_State* state);
 
 /// Which machine the API is for: only the sandbox's own has the table UI.
 enum class ApiSide { kSandbox, kAgent };

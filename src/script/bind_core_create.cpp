@@ -4,6 +4,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/script_asset.h"
 
 // Core.Create...: a new scene node under the node of the first argument. Nothing is returned if that has none.
 
@@ -61,7 +62,7 @@ int CreateLine(lua_State* state) {
 }
 
 int CreateMesh(lua_State* state) {
-  const std::string_view mesh = TextArgument(state, 2);
+  const std::string_view mesh = MeshArgument(state, 2);
   return MakeNode(state, [&](world::Scene& scene, world::NodeId parent) { return scene.CreateMesh(parent, mesh); });
 }
 

@@ -6,6 +6,7 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
+#include "script/script_asset.h"
 #include "script/script_error.h"
 
 // Sandbox: making and finding agents and objects.
@@ -150,7 +151,7 @@ int CreateCapsule(lua_State* state) {
 }
 
 int CreateObject(lua_State* state) {
-  const std::string_view mesh = TextArgument(state, 2);
+  const std::string_view mesh = MeshArgument(state, 2);
   return MakeObject(state, [&](world::World& world) { return world.CreateObject(mesh); });
 }
 

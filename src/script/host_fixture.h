@@ -50,6 +50,13 @@ class FixedMinds final : public MindFactory {
   std::vector<std::pair<world::EntityId, AgentCreationRequest>> made;
 };
 
+/// A sound of two samples.
+inline std::string ShortWav() {
+  static constexpr char kBytes[] =
+      "RIFF\x26\0\0\0WAVEfmt \x10\0\0\0\1\0\1\0\x40\x1f\0\0\x40\x1f\0\0\1\0\x08\0data\2\0\0\0\x80\x80";
+  return {kBytes, sizeof kBytes - 1};
+}
+
 /// A world with scripts in a folder of its own, before our library.
 class HostTest : public testing::Test {
  protected:

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
+
 #include "diagnostics/result.h"
+#include "script/button_callbacks.h"
 #include "script/collision_callbacks.h"
 #include "script/event_queue.h"
 #include "script/mind_factory.h"
@@ -25,6 +30,8 @@ struct ScriptContext {
   WorldBudget& budget;
   EventQueue events{};
   CollisionCallbacks collisions{};
+  ButtonCallbacks buttons{};
+  std::map<std::string, std::string, std::less<>> assets{};  ///< By the name of a file its key (script_asset.h).
 };
 
 /// The context of the machine that a state belongs to. The API is bound only in machines that have one.

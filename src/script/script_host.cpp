@@ -60,14 +60,20 @@ void PushInput(lua_State* state, const InputEvent& event, const world::World& wo
     lua_setfield(state, -2, name);
   };
   const bool is_key = event.source == InputEvent::Source::kKeyboard;
-  set_text("source", is_key ? "keyboard" : "mouse");
+  const bool is_pad = event.source == InputEvent::Source::kGamepad;
+  set_text("source", is_key ? "keyboard" : is_pad ? "gamepad" : "mouse");
   if (is_key) set_text("key", event.key);
   if (!event.button.empty()) set_text("button", event.button);
   if (is_key || !event.button.empty()) {
     lua_pushboolean(state, event.pressed);
     lua_setfield(state, -2, "pressed");
   }
-  if (is_key) return;
+  if (is_pad) {
+    set_number("pad", event.pad);
+    if (!event.axis.empty()) set_text("axis", event.axis);
+    if (!event.axis.empty()) set_number("value", event.value);
+  }
+  if (is_key || is_pad) return;
   set_number("width", world.screen_width());
   set_number("height", world.screen_height());
   set_number("x", event.x);
@@ -237,6 +243,16 @@ void ScriptHost::HandleInput(const InputEvent& event) {
     });
     NoteResult(script.id, "Agent_HandleEvent", error);
   }
+}
+
+bool ScriptHost::PressButton(std::string_view name) {
+  const world::UiId panel = world_.ui().FindButton(name);
+  if (panel == world::UiId::kNone) return false;
+  if (!world_.ui().IsVisible(panel)) return true;
+  context_.buttons.Press(panel, [this](LuaMachine& machine, const std::optional<ScriptError>& error) {
+    NoteResult(EntityId{machine.owner()}, "the function of a button", error);
+  });
+  return true;
 }
 
 void ScriptHost::AddOrder(EntityId agent, const std::string& order) {

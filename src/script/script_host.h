@@ -70,6 +70,8 @@ class ScriptHost final : private AgentMaker {
   std::vector<world::EntityId> BeginTick();
   /// First the sandbox, then each agent hears of it.
   void HandleInput(const InputEvent& event);
+  /// Calls the function of the button with this name, if the button is shown. False if there is no such button.
+  bool PressButton(std::string_view name);
   /// Files a custom event of the type "Order" with the fields `agent` and `order`: what a user asks an agent to do.
   void AddOrder(world::EntityId agent, const std::string& order);
   void DeliverEvents();

@@ -51,6 +51,10 @@ std::string OtherThan(const fs::path& place) {
   return fs::is_directory(place, error) ? "a folder" : "no plain file";
 }
 
+std::string WithArticle(const std::string& noun) {
+  return (noun.starts_with('i') ? "an " : "a ") + noun;
+}
+
 bool MentionsTick(std::string_view content) {
   return content.find("Agent_Tick") != std::string_view::npos;
 }
@@ -67,17 +71,15 @@ bool ScriptPath::LinksOutside(const fs::path& file) const {
   });
 }
 
-Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
-  if (const auto it = cache_.find(name); it != cache_.end()) return &it->second;
-
+Result<fs::path> ScriptPath::Locate(std::string_view name, const std::string& kind, std::uintmax_t largest) const {
   Diagnostic error;
   if (name.size() > kLongestName) {
-    error.message = "a script's name has " + std::to_string(kLongestName) + " bytes at most";
+    error.message = WithArticle(kind) + "'s name has " + std::to_string(kLongestName) + " bytes at most";
     return error;
   }
   error.file = std::string(name);
   if (name.empty() || name.find('\0') != std::string_view::npos || LeadsOutside(fs::path(name))) {
-    error.message = "a script is named relative to the scenario's folder, without \"..\"";
+    error.message = WithArticle(kind) + " is named relative to the scenario's folder, without \"..\"";
     return error;
   }
   std::optional<fs::path> found;
@@ -86,22 +88,23 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     if (found) break;
   }
   if (found && LinksOutside(*found)) {
-    error.message = "this script is a link that leads out of the scenario's folder";
+    error.message = "this " + kind + " is a link that leads out of the scenario's folder";
     return error;
   }
   for (const fs::path& folder : folders_) {
     if (found) break;
     if (const std::string other = OtherThan(folder / fs::path(name)); !other.empty()) {
-      error.message = "the script \"" + std::string(name) + "\" is " + other;
+      error.message = "the " + kind + " \"" + std::string(name) + "\" is " + other;
       return error;
     }
   }
   if (!found) {
-    error.message = "no such script file: \"" + std::string(name) + "\"";
+    error.message = "no such " + kind + " file: \"" + std::string(name) + "\"";
     std::vector<std::string> names;
     std::string searched;
+    const fs::path below = fs::path(name).parent_path();
     for (const fs::path& folder : folders_) {
-      for (std::string& candidate : FileNames(folder)) names.push_back(std::move(candidate));
+      for (const std::string& candidate : FileNames(folder / below)) names.push_back((below / candidate).string());
       searched += (searched.empty() ? "" : ", ") + folder.string();
     }
     std::string_view near = Suggest(name, {names.begin(), names.end()});
@@ -111,10 +114,35 @@ Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
     return error;
   }
   std::error_code unknown;
-  if (const std::uintmax_t size = fs::file_size(*found, unknown); !unknown && size > kLargestScript) {
-    error.message = "the script \"" + std::string(name) + "\" is too large: " + std::to_string(size >> 20) + " MB";
+  if (const std::uintmax_t size = fs::file_size(*found, unknown); !unknown && size > largest) {
+    error.message =
+        "the " + kind + " \"" + std::string(name) + "\" is too large: " + std::to_string(size >> 20) + " MB";
     return error;
   }
+  return *found;
+}
+
+Result<std::string> ScriptPath::ReadBytes(std::string_view name, const std::string& kind,
+                                          std::uintmax_t largest) const {
+  const Result<fs::path> found = Locate(name, kind, largest);
+  if (!found) return found.error();
+  std::ifstream file(*found, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (file) return std::move(content).str();
+  Diagnostic error;
+  error.file = std::string(name);
+  error.message = "cannot read " + found->string();
+  return error;
+}
+
+Result<const ScriptSource*> ScriptPath::Load(std::string_view name) {
+  if (const auto it = cache_.find(name); it != cache_.end()) return &it->second;
+
+  const Result<fs::path> found = Locate(name, "script", kLargestScript);
+  if (!found) return found.error();
+  Diagnostic error;
+  error.file = std::string(name);
   std::ifstream file(*found, std::ios::binary);
   std::ostringstream content;
   content << file.rdbuf();

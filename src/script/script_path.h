@@ -32,6 +32,10 @@ class ScriptPath {
   /// one), if it cannot be read, or if the name leads out of the folders. The pointer stays valid.
   Result<const ScriptSource*> Load(std::string_view name);
 
+  /// Reads a file that is no script, with the same bounds: an image, a model, a sound. `kind` names it in messages.
+  /// Nothing is kept.
+  Result<std::string> ReadBytes(std::string_view name, const std::string& kind, std::uintmax_t largest) const;
+
   /// Whether a file that was loaded mentions Agent_Tick.
   bool HasTick(std::string_view name) const;
 
@@ -47,6 +51,8 @@ class ScriptPath {
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
  private:
+  /// Where the file of this name is; fails as Load does.
+  Result<std::filesystem::path> Locate(std::string_view name, const std::string& kind, std::uintmax_t largest) const;
   /// True if the file, all links followed, lies below none of the folders.
   bool LinksOutside(const std::filesystem::path& file) const;
 

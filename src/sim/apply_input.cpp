@@ -7,6 +7,7 @@
 #include "script/keep_state.h"
 #include "script/script_host.h"
 #include "sim/foreign_bodies.h"
+#include "sim/input_names.h"
 #include "sim/soar_host.h"
 #include "world/world.h"
 
@@ -64,6 +65,28 @@ struct Applier {
   void operator()(const WheelInput& in) const {
     script::InputEvent event = MouseEvent(in.x_px, in.y_px);
     event.wheel = in.notches;
+    to.scripts.HandleInput(event);
+  }
+
+  void operator()(const PanelInput& in) const {
+    if (to.scripts.PressButton(in.button)) return;
+    const std::vector<std::string> buttons = to.world.ui().ButtonNames();
+    const std::string_view near = Suggest(in.button, {buttons.begin(), buttons.end()});
+    Warn("no script has put a button '" + in.button + "' on the screen",
+         near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+  }
+
+  void operator()(const PadInput& in) const {
+    script::InputEvent event;
+    event.source = script::InputEvent::Source::kGamepad;
+    event.pad = in.pad;
+    if (IsPadButton(in.part)) {
+      event.button = in.part;
+      event.pressed = in.value != 0;
+    } else {
+      event.axis = in.part;
+      event.value = in.value;
+    }
     to.scripts.HandleInput(event);
   }
 

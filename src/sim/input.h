@@ -39,6 +39,24 @@ struct WheelInput {
   friend bool operator==(const WheelInput&, const WheelInput&) = default;
 };
 
+/// A button that a script has put on the screen was pressed: UI.SetButton gave it this name.
+struct PanelInput {
+  std::string button;
+  friend bool operator==(const PanelInput&, const PanelInput&) = default;
+};
+
+/// Maximum number of gamepads.
+inline constexpr int kMostPads = 8;
+
+/// A button of a gamepad went down (1) or up (0), or an axis moved: sticks from -1 to 1, y downwards, triggers from 0
+/// to 1. Names are those of input_names.h.
+struct PadInput {
+  int pad = 1;  ///< Which gamepad, from 1.
+  std::string part;
+  float value = 0;
+  friend bool operator==(const PadInput&, const PadInput&) = default;
+};
+
 /// The window has this size.
 struct ScreenInput {
   int width_px = 1, height_px = 1;
@@ -118,9 +136,9 @@ struct ForeignMessageInput {
   friend bool operator==(const ForeignMessageInput&, const ForeignMessageInput&) = default;
 };
 
-using InputValue =
-    std::variant<KeyInput, ButtonInput, PointerInput, WheelInput, ScreenInput, CameraInput, CommandInput, ScriptInput,
-                 OrderInput, ForeignBodyInput, ForeignGoneInput, ForeignShotInput, ForeignMessageInput>;
+using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput, ScreenInput, CameraInput, CommandInput,
+                                ScriptInput, OrderInput, ForeignBodyInput, ForeignGoneInput, ForeignShotInput,
+                                ForeignMessageInput, PanelInput, PadInput>;
 
 /// Something that reaches a simulation from outside, at the beginning of a tick. The first tick is 1.
 struct Input {

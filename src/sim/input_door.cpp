@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/input_names.h"
+
 namespace soarbox::sim {
 namespace {
 
@@ -11,6 +13,13 @@ bool Merge(InputValue& before, const InputValue& after) {
   if (std::holds_alternative<CameraInput>(before) && std::holds_alternative<CameraInput>(after)) {
     before = after;
     return true;
+  }
+  auto* axis = std::get_if<PadInput>(&before);
+  const auto* moved = std::get_if<PadInput>(&after);
+  if (axis != nullptr && moved != nullptr) {
+    const bool is_same = axis->pad == moved->pad && axis->part == moved->part && !IsPadButton(axis->part);
+    if (is_same) axis->value = moved->value;
+    return is_same;
   }
   auto* move = std::get_if<PointerInput>(&before);
   const auto* next = std::get_if<PointerInput>(&after);

@@ -19,7 +19,8 @@ class InputDoor {
   static constexpr std::size_t kMostPerTick = 10'000;
 
   /// Files an input for its tick, after those that are already there. What comes too late takes effect in the next
-  /// tick. A camera pose replaces the previous one if nothing came between, and moves of the pointer add up. False:
+  /// tick. A camera pose or the value of an axis replaces the previous one if nothing came between, and moves of the
+  /// pointer add up. False:
   /// refused, because there are too many for this tick.
   bool Submit(Input input);
   /// Files something that already took effect, between two ticks: what a debugger said to the minds' kernel.

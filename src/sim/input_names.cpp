@@ -39,7 +39,30 @@ std::vector<std::string> AllButtons() {
   return names;
 }
 
+/// As an Xbox controller has them: "a" is the lower button.
+constexpr const char* kPadParts =
+    "a_button b_button x_button y_button back_button guide_button start_button left_stick_button right_stick_button "
+    "left_shoulder_button right_shoulder_button up_button down_button left_button right_button "
+    "left_x left_y right_x right_y left_trigger right_trigger";
+
+std::vector<std::string> AllPadParts() {
+  std::vector<std::string> names;
+  std::istringstream parts(kPadParts);
+  for (std::string name; parts >> name;) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 }  // namespace
+
+const std::vector<std::string>& PadNames() {
+  static const std::vector<std::string> names = AllPadParts();
+  return names;
+}
+
+bool IsPadButton(std::string_view name) {
+  return name.ends_with("_button");
+}
 
 const std::vector<std::string>& KeyNames() {
   static const std::vector<std::string> names = AllKeys();

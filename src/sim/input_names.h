@@ -11,5 +11,9 @@ namespace soarbox::sim {
 const std::vector<std::string>& KeyNames();
 /// All names of buttons of the mouse, sorted.
 const std::vector<std::string>& ButtonNames();
+/// All names of buttons and axes of gamepads, sorted.
+const std::vector<std::string>& PadNames();
+/// Whether it is the name of a button of gamepads, and not of an axis.
+bool IsPadButton(std::string_view name);
 
 }  // namespace soarbox::sim

@@ -26,6 +26,9 @@ InputList AllKinds() {
       {9, ForeignShotInput{"1:7:12", "", 20, 4, {1, 2, 3}, {4, 5, 6}}},
       {9, ForeignMessageInput{"1:7:12", "", "enemy-seen", "name x range 12"}},
       {10, ForeignGoneInput{"1:7:12"}},
+      {11, PanelInput{"begin again"}},
+      {11, PadInput{2, "a_button", 1}},
+      {11, PadInput{1, "left_y", -0.25f}},
       {18446744073709551615u, OrderInput{"agent-2", "go home"}}};
 }
 

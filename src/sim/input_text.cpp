@@ -17,6 +17,7 @@ namespace {
 constexpr const char* kForms =
     "there are: key NAME down|up|press, button NAME down|up|click X Y, pointer X Y, wheel NOTCHES, screen WIDTH "
     "HEIGHT, "
+    "panel BUTTON, pad NUMBER BUTTON down|up|press, pad NUMBER AXIS VALUE, "
     "camera X Y Z, command AGENT TEXT, script AGENT TEXT, order AGENT TEXT, "
     "foreign ID NAME TEAM BODY HEALTH STANCE and 14 numbers, foreign-gone ID, foreign-shot ID TARGET and 8 numbers, "
     "foreign-message ID TEAM ABOUT TEXT";
@@ -150,6 +151,25 @@ void AddPresses(KeyOrButton input, std::string_view how, std::vector<InputValue>
   }
 }
 
+void ReadPad(LineReader& line, std::vector<InputValue>& values) {
+  PadInput input;
+  input.pad = line.Value<int>("the number of a gamepad");
+  if (line.ok() && (input.pad < 1 || input.pad > kMostPads)) line.Fail("gamepads have numbers from 1 to 8");
+  input.part = line.Name("a button or an axis of a gamepad", PadNames());
+  if (!IsPadButton(input.part)) {
+    input.value = line.Value<float>("a number from -1 to 1");
+    if (line.ok() && std::abs(input.value) > 1) line.Fail("an axis has a value from -1 to 1");
+    values.push_back(std::move(input));
+    return;
+  }
+  const std::string how = ReadHow(line, "press");
+  for (const bool pressed : {true, false}) {
+    if (how == (pressed ? "up" : "down")) continue;
+    input.value = pressed ? 1.0f : 0.0f;
+    values.push_back(input);
+  }
+}
+
 ForeignBodyInput ReadForeignBody(LineReader& line) {
   ForeignBodyInput input;
   input.id = line.Word("the number of a foreign body");
@@ -199,6 +219,10 @@ std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
       input.y_px = line.Value<float>("a number of pixels");
     }
     values.push_back(input);
+  } else if (kind == "panel") {
+    values.push_back(PanelInput{line.Word("the name of a button of a script")});
+  } else if (kind == "pad") {
+    ReadPad(line, values);
   } else if (kind == "screen") {
     ScreenInput input;
     input.width_px = line.Value<int>("a number of pixels");
@@ -290,6 +314,11 @@ struct Writer {
   }
   std::string operator()(const WheelInput& in) const {
     return "wheel " + Number(in.notches) + " " + Number(in.x_px) + " " + Number(in.y_px);
+  }
+  std::string operator()(const PanelInput& in) const { return "panel " + Quote(in.button); }
+  std::string operator()(const PadInput& in) const {
+    const std::string value = IsPadButton(in.part) ? (in.value != 0 ? "down" : "up") : Number(in.value);
+    return "pad " + std::to_string(in.pad) + " " + in.part + " " + value;
   }
   std::string operator()(const ScreenInput& in) const {
     return "screen " + std::to_string(in.width_px) + " " + std::to_string(in.height_px);

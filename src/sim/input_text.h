@@ -22,6 +22,9 @@ struct InputText {
 ///   TICK button NAME down|up|click X Y
 ///   TICK pointer X Y [DX DY]             without DX DY: as far as from the place before it in the text
 ///   TICK wheel NOTCHES [X Y]
+///   TICK panel BUTTON                    the name that a script gave a button on the screen
+///   TICK pad NUMBER BUTTON down|up|press
+///   TICK pad NUMBER AXIS VALUE           from -1 to 1
 ///   TICK screen WIDTH HEIGHT
 ///   TICK camera X Y Z [QW QX QY QZ]
 ///   TICK command AGENT TEXT              a line for the agent's Soar mind

@@ -33,6 +33,7 @@ enum Tag : std::uint8_t {
   kPlaces,
   kPushes,
   kOverlayLines,
+  kSounds,
 };
 
 enum Part : std::uint8_t { kDescription = 1, kPlace = 2, kTurn = 4, kBones = 8, kState = 16 };
@@ -286,7 +287,8 @@ std::string SceneEncoder::Components(const world::SceneSnapshot& scene) {
     for (const float value : {c.x, c.y, c.width, c.height, c.margin_left, c.margin_top}) out.Float(Finite(value));
     out.Byte(static_cast<std::uint8_t>((c.visible ? 1 : 0) | (c.has_gradient ? 2 : 0) |
                                        (c.gradient_is_vertical ? 4 : 0) | (c.gradient_is_diagonal ? 8 : 0) |
-                                       (c.is_markup ? 16 : 0) | (c.in_world ? 32 : 0)));
+                                       (c.is_markup ? 16 : 0) | (c.in_world ? 32 : 0) | (c.button.empty() ? 0 : 64) |
+                                       (c.has_bar ? 128 : 0)));
     out.Color(c.gradient_from);
     out.Color(c.gradient_to);
     out.Color(c.text_color);
@@ -294,6 +296,11 @@ std::string SceneEncoder::Components(const world::SceneSnapshot& scene) {
     out.Number(TextIndex(c.text));
     out.Number(TextIndex(c.material));
     out.Number(TextIndex(c.caption));
+    if (!c.button.empty()) out.Number(TextIndex(c.button));
+    if (c.has_bar) {
+      out.Float(Finite(c.bar));
+      out.Color(c.bar_color);
+    }
     if (!c.in_world) continue;
     out.Whole(c.world_position);
     out.Whole(TurnVector(c.world_orientation), kPerRadian);
@@ -312,6 +319,20 @@ std::string SceneEncoder::Particles(const world::SceneSnapshot& scene) {
     out.Number(p.restarts);
     out.Whole(p.position);
     out.Whole(p.has_direction ? p.direction : world::Rotate(p.orientation, {0, 0, 1}), kPerDirection);
+  }
+  return bytes;
+}
+
+std::string SceneEncoder::Sounds(const world::SceneSnapshot& scene) {
+  std::string bytes;
+  Out out(bytes);
+  out.Number(scene.sounds.size());
+  for (const world::SoundSnapshot& sound : scene.sounds) {
+    out.Number(sound.id);
+    out.Number(TextIndex(sound.file));
+    out.Float(Finite(sound.volume));
+    out.Byte(sound.in_world ? 1 : 0);
+    if (sound.in_world) out.Whole(sound.position);
   }
   return bytes;
 }
@@ -376,6 +397,8 @@ Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::Overl
   WriteIfChanged(sections, kComponents, Components(scene));
   WriteIfChanged(sections, kLines, Lines(scene.lines, scene.circles, scene.triangles));
   WriteIfChanged(sections, kParticles, Particles(scene));
+  // Most worlds are silent.
+  if (!scene.sounds.empty() || sections_.contains(kSounds)) WriteIfChanged(sections, kSounds, Sounds(scene));
   if (overlay != nullptr) {
     if (const std::string bytes = Minds(*overlay); !bytes.empty()) WriteSection(sections, kMinds, bytes);
     WriteIfChanged(sections, kShotsAndSpeech, ShotsAndSpeech(*overlay, scene.time_s));

@@ -73,6 +73,7 @@ class SceneEncoder {
   std::string People(const world::SceneSnapshot& scene);
   std::string Components(const world::SceneSnapshot& scene);
   std::string Particles(const world::SceneSnapshot& scene);
+  std::string Sounds(const world::SceneSnapshot& scene);
   std::string Lines(const std::vector<world::LineSnapshot>& lines, const std::vector<world::CircleSnapshot>& circles,
                     const std::vector<world::TriangleSnapshot>& triangles);
   std::string Minds(const world::OverlaySnapshot& overlay);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/drawable_mesh.h"
 
+#include "model/model.h"
 #include "viewer/backdrop_meshes.h"
 #include "viewer/figure_meshes.h"
 #include "viewer/modular_meshes.h"
@@ -19,7 +20,31 @@ world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
   return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
 }
 
+/// The colours of its corners are where the material kModelMaterial wants them.
+MeshData ModelMesh(const model::Model& model) {
+  MeshData mesh;
+  mesh.material = kModelMaterial;
+  mesh.vertices.reserve(model.corners.size());
+  for (const model::Corner& corner : model.corners) {
+    MeshVertex& vertex = mesh.vertices.emplace_back();
+    vertex.position = corner.position;
+    vertex.normal = corner.normal;
+    vertex.u = corner.red;
+    vertex.v = corner.green;
+    vertex.light = corner.blue;
+  }
+  mesh.indices = model.indices;
+  return mesh;
+}
+
 }  // namespace
+
+bool WearsItsOwn(const DrawableSnapshot& drawable, const std::string& own_material) {
+  const std::string& wanted = drawable.material.value();
+  // "NobiaxModular" is what the pieces of the kit wear anyway.
+  return wanted.empty() || own_material == kModelMaterial ||
+         (drawable.shape == ShapeKind::kMesh && wanted == "NobiaxModular");
+}
 
 bool LooksLikeABody(const DrawableSnapshot& drawable, const world::AgentSnapshot* agent) {
   return agent != nullptr && drawable.shape == ShapeKind::kCapsule && drawable.size.y > 0.6f * agent->height_m;
@@ -42,6 +67,7 @@ DrawableMesh MeshOf(const DrawableSnapshot& d, bool agent_body) {
     case ShapeKind::kMesh:
       break;
   }
+  if (const auto model = model::FindModel(d.mesh.value())) return {ModelMesh(*model)};
   if (auto modular = ModularMesh(d.mesh.value())) return {*std::move(modular)};
   if (auto scenery = SceneryMeshFor(d.mesh.value())) return {*std::move(scenery)};
   DrawableMesh box{BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), true};

@@ -15,6 +15,10 @@ struct DrawableMesh {
   MeshData data;
   bool is_stand_in = false;  ///< The resource name is unknown; this is a box that says so.
 };
+/// What models from files wear: their corners bring their colours along.
+inline constexpr const char* kModelMaterial = "Soarbox/Model";
+/// Whether a drawable wears its mesh's own material, and not the one that it names.
+bool WearsItsOwn(const world::DrawableSnapshot& drawable, const std::string& own_material);
 /// `agent_body` gives a capsule the look of an agent.
 DrawableMesh MeshOf(const world::DrawableSnapshot& drawable, bool agent_body);
 

@@ -120,6 +120,7 @@ void InputReader::Handle(const SDL_Event& event, FrameInput& input) {
       break;
     }
     default:
+      pads_.Handle(event, input.events);
       break;
   }
 }
@@ -155,6 +156,7 @@ FrameInput InputReader::Read(const InputClaims& claims) {
     if (claims.takes && claims.takes(event)) continue;
     Handle(event, input);
   }
+  pads_.ReportAxes(input.events);
   if (!claims.keys) ReadHeldKeys(input, !claims.arrows);
   input.camera.looking = looking_;
   input.camera.panning = panning_;

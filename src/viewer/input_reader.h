@@ -7,6 +7,7 @@
 
 #include "viewer/camera_rig.h"
 #include "viewer/input_event.h"
+#include "viewer/pad_reader.h"
 #include "viewer/picking.h"
 #include "viewer/viewer_command.h"
 
@@ -45,7 +46,7 @@ struct InputClaims {
   bool arrows = false;  ///< A list takes the arrow keys: they do not move it either.
 };
 
-/// Reads SDL's events and knows what is held down.
+/// Reads SDL's events, those of gamepads included, and knows what is held down.
 ///
 /// Left click selects, left drag selects a box, right drag looks or circles, middle drag moves, the wheel zooms.
 class InputReader {
@@ -61,6 +62,7 @@ class InputReader {
   InputEvent MouseEvent(InputKind kind, int x, int y) const;
 
   SDL_Window* window_;
+  PadReader pads_;
   bool looking_ = false, panning_ = false;
   bool left_down_ = false, is_box_ = false;
   ScreenPoint left_at_, cursor_;

@@ -107,6 +107,7 @@ const char* Materials::PaintTexture(Look::Paint paint) {
     case Look::Paint::kMissing:
       return once("Soarbox/Checker", CheckerImage);
     case Look::Paint::kPlain:
+    case Look::Paint::kCorners:
       break;
   }
   return once("Soarbox/WhitePicture", WhiteImage);
@@ -130,7 +131,8 @@ Materials::Found Materials::Make(const std::string& name, const Look& look, Plac
   const auto params = pass.getFragmentProgramParameters();
   params->setNamedConstant("base_colour", ColorVector(look.base));
   params->setNamedConstant("trim_colour", ColorVector(look.trim));
-  params->setNamedConstant("finish", Ogre::Vector4(look.gloss, look.glow, look.repeats, 0));
+  params->setNamedConstant(
+      "finish", Ogre::Vector4(look.gloss, look.glow, look.repeats, look.paint == Look::Paint::kCorners ? 1 : 0));
   found.is_opaque = look.base.a >= 1;
   if (!found.is_opaque) {
     pass.setSceneBlending(Ogre::SBT_TRANSPARENT_ALPHA);

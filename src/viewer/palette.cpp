@@ -90,6 +90,7 @@ const std::vector<NamedLook>& Looks() {
       {"Soarbox/WhiteFlower", {{0.95f, 0.95f, 0.93f, 1}, {0.52f, 0.62f, 0.14f, 1}, 0.05f, 0, Paint::kPlain, 1}},
       {"Soarbox/Hedge", {{0.20f, 0.38f, 0.13f, 1}, kDark, 0.02f, 0, Paint::kPlain, 1}},
       {"Soarbox/Hills", {{0.40f, 0.47f, 0.24f, 1}, {0.33f, 0.28f, 0.22f, 1}, 0.02f, 0, Paint::kPlain, 1}},
+      {"Soarbox/Model", {{1, 1, 1, 1}, kDark, 0.15f, 0, Paint::kCorners, 1}},
       {"Soarbox/Missing", {{1, 1, 1, 1}, kDark, 0.1f, 0.35f, Paint::kMissing, 1}},
   };
   return looks;

@@ -11,7 +11,19 @@ namespace soarbox::viewer {
 
 /// How a named material looks. Colours as on the screen.
 struct Look {
-  enum class Paint : std::uint8_t { kPlain, kGround, kConcrete, kBrick, kCrate, kCloth, kLeaves, kStone, kMissing };
+  /// kCorners: each corner brings its own colour, as u, v and light (models from files).
+  enum class Paint : std::uint8_t {
+    kPlain,
+    kGround,
+    kConcrete,
+    kBrick,
+    kCrate,
+    kCloth,
+    kLeaves,
+    kStone,
+    kMissing,
+    kCorners
+  };
   world::Color base{0.86f, 0.86f, 0.86f, 1};  ///< Alpha below 1: see-through.
   world::Color trim{0.05f, 0.06f, 0.08f, 1};  ///< Of visors, glass and doors.
   float gloss = 0.25f;

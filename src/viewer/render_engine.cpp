@@ -97,6 +97,8 @@ Result<void> Engine::OpenWindow(const ViewerOptions& options) {
     return Failure("the display '" + std::string(display) + "' cannot be opened: " + SDL_GetError(), kNoDisplayHint);
   }
   sdl_started_ = true;
+  // Without gamepads the window works, too.
+  has_pads_ = !hidden_ && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
   const Uint32 flags = hidden_ ? SDL_WINDOW_HIDDEN : SDL_WINDOW_SHOWN | SDL_WINDOW_RESIZABLE;
   sdl_window_ =
       SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width_, height_, flags);
@@ -307,6 +309,7 @@ Engine::~Engine() {
   root_.reset();
   log_.reset();
   if (sdl_window_ != nullptr) SDL_DestroyWindow(sdl_window_);
+  if (has_pads_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
   if (sdl_started_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
 

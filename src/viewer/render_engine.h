@@ -92,6 +92,7 @@ class Engine {
 
   SDL_Window* sdl_window_ = nullptr;
   bool sdl_started_ = false;
+  bool has_pads_ = false;
   std::unique_ptr<Ogre::LogManager> log_;
   std::unique_ptr<Ogre::Root> root_;
   std::unique_ptr<Ogre::OverlaySystem> overlays_;

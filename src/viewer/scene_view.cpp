@@ -121,9 +121,7 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
   Undress(thing);
   const MeshLibrary::Found& mesh = meshes_.For(drawable, agent_body);
   if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares stands in for it");
-  // "NobiaxModular" is what the pieces of the kit wear anyway.
-  const bool from_mesh =
-      drawable.material.empty() || (drawable.shape == ShapeKind::kMesh && drawable.material == "NobiaxModular");
+  const bool from_mesh = WearsItsOwn(drawable, mesh.material);
   const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material.value();
   const auto material = [&](Placing placing) -> const Materials::Found& {
     return own_color ? materials_.AgentBody(agent->kind, agent->alive, agent->failed, placing)

@@ -13,7 +13,6 @@ namespace {
 using world::Color;
 using world::UiSnapshot;
 
-constexpr float kMetresPerPixel = 0.005f;
 /// ImGui counts the corners of a frame's letters in 16 bits; what exceeds this is left out.
 constexpr std::size_t kMostCorners = 60000;
 
@@ -26,13 +25,7 @@ struct TextArea {
   float left, top, right, bottom;
 };
 
-void DrawBackground(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner) {
-  const ImVec2 end{corner.x + ui.width, corner.y + ui.height};
-  if (!ui.material.empty()) {
-    Look look;
-    if (FindLook(ui.material, look)) out.AddRectFilled(corner, end, Packed(look.base));
-  }
-  if (!ui.has_gradient) return;
+void DrawGradient(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, ImVec2 end) {
   const ImU32 from = Packed(ui.gradient_from), to = Packed(ui.gradient_to);
   if (ui.gradient_is_diagonal) {
     const ImU32 middle = Packed(Middle(ui.gradient_from, ui.gradient_to));
@@ -42,6 +35,35 @@ void DrawBackground(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner) {
   } else {
     out.AddRectFilledMultiColor(corner, end, from, to, to, from);
   }
+}
+
+/// A fraction of the panel's width.
+void DrawBar(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, ImVec2 end) {
+  out.AddRectFilled(corner, {corner.x + ui.bar * ui.width, end.y}, Packed(ui.bar_color));
+}
+
+/// An edge, and a shade while the pointer is over it or holds it down.
+void DrawButtonEdge(ImDrawList& out, ImVec2 corner, ImVec2 end, bool is_hovered, bool is_held) {
+  constexpr ImU32 kEdge = IM_COL32(255, 255, 255, 150), kBrightEdge = IM_COL32(255, 255, 255, 240),
+                  kHovered = IM_COL32(255, 255, 255, 40), kHeld = IM_COL32(0, 0, 0, 90);
+  if (is_held || is_hovered) out.AddRectFilled(corner, end, is_held ? kHeld : kHovered);
+  out.AddRect({corner.x + 0.5f, corner.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f}, is_hovered ? kBrightEdge : kEdge, 0, 0,
+              2);
+}
+
+void DrawBackground(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, PanelImages& images,
+                    const ButtonState& buttons) {
+  const ImVec2 end{corner.x + ui.width, corner.y + ui.height};
+  Look look;
+  if (ui.has_gradient) DrawGradient(out, ui, corner, end);
+  if (FindLook(ui.material, look)) {
+    out.AddRectFilled(corner, end, Packed(look.base));
+  } else if (!ui.material.empty()) {
+    if (const Ogre::ResourceHandle image = images.Find(ui.material); image != 0)
+      out.AddImage(reinterpret_cast<ImTextureID>(image), corner, end);
+  }
+  if (ui.has_bar) DrawBar(out, ui, corner, end);
+  if (!ui.button.empty()) DrawButtonEdge(out, corner, end, buttons.hovered == ui.id, buttons.held == ui.id);
 }
 
 /// Draws a run from x on and returns where it ends; characters that do not fit are left out.
@@ -133,8 +155,8 @@ std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
 }
 
 void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot,
-               const PanelHost& host, bool is_in_world) {
-  DrawBackground(out, ui, corner);
+               const PanelHost& host, bool is_in_world, PanelImages& images, const ButtonState& buttons) {
+  DrawBackground(out, ui, corner, images, buttons);
   // A panel in the world is moved there when it has been drawn.
   if (!is_in_world) out.PushClipRect(corner, {corner.x + ui.width, corner.y + ui.height}, true);
   // The margin keeps texts off the edge where they begin; a line that needs it may use the one at its end.
@@ -157,8 +179,8 @@ void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world
 /// Moves what was drawn since `first` from the panel's pixels to where the panel stands in the world. Drops it if a
 /// part of it is behind the camera.
 void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Projection& projection) {
-  const world::Vec3 right = Rotate(ui.world_orientation, {kMetresPerPixel, 0, 0});
-  const world::Vec3 down = Rotate(ui.world_orientation, {0, -kMetresPerPixel, 0});
+  const world::Vec3 right = Rotate(ui.world_orientation, {kPanelMetresPerPixel, 0, 0});
+  const world::Vec3 down = Rotate(ui.world_orientation, {0, -kPanelMetresPerPixel, 0});
   bool visible = true;
   for (int i = first; i < out.VtxBuffer.Size; ++i) {
     ImVec2& at = out.VtxBuffer[i].pos;
@@ -173,7 +195,7 @@ void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Proje
 }  // namespace
 
 void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host,
-                  const ScreenRoom& room) {
+                  const ScreenRoom& room, PanelImages& images, const ButtonState& buttons) {
   if (snapshot.ui.empty()) return;
   const ScriptUiPlaces places(snapshot, room);
   std::vector<const UiSnapshot*> order;
@@ -186,7 +208,7 @@ void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projec
     const auto [corner, top] = places.Of(*ui);
     const int first = out.VtxBuffer.Size;
     if (top->in_world) out.PushClipRectFullScreen();
-    DrawPanel(out, *ui, {corner.x, corner.y}, snapshot, host, top->in_world);
+    DrawPanel(out, *ui, {corner.x, corner.y}, snapshot, host, top->in_world, images, buttons);
     if (top->in_world) {
       MoveIntoWorld(out, first, *top, projection);
       out.PopClipRect();

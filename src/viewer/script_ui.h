@@ -2,14 +2,20 @@
 #pragma once
 
 #include "viewer/panel_host.h"
+#include "viewer/panel_images.h"
 #include "viewer/picking.h"
 #include "viewer/script_ui_places.h"
 
 namespace soarbox::viewer {
 
-/// Draws the panels that scripts make (lua_api.md section 10): gradients, plain text, markup, children, panels in the
-/// world. Text that would cross the right or bottom edge of its box is cut there.
+/// Which button the pointer is over, and which one it holds down: their numbers, 0 for none.
+struct ButtonState {
+  std::uint32_t hovered = 0, held = 0;
+};
+
+/// Draws the panels that scripts make (lua_api.md section 10): gradients, images, bars, plain text, markup, buttons,
+/// children, panels in the world. Text that would cross the right or bottom edge of its box is cut there.
 void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host,
-                  const ScreenRoom& room);
+                  const ScreenRoom& room, PanelImages& images, const ButtonState& buttons);
 
 }  // namespace soarbox::viewer

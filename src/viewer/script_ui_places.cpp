@@ -2,6 +2,7 @@
 #include "viewer/script_ui_places.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soarbox::viewer {
 namespace {
@@ -32,16 +33,63 @@ ScriptUiPlaces::Stand ScriptUiPlaces::Of(const UiSnapshot& ui) const {
     stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
   }
   if (stand.top->in_world) return stand;
+  // Families of the upper half move down together, so that they keep their arrangement.
+  if (stand.top->y < room_.height / 2) stand.corner.y += room_.top;
   stand.corner.x += ShiftInto(stand.top->x, stand.top->width, room_.width, room_.window_width);
   stand.corner.y += ShiftInto(stand.top->y, stand.top->height, room_.height, room_.window_height);
   return stand;
+}
+
+namespace {
+
+/// The four corners in the picture of a panel that begins there in its family; none if one is behind the camera.
+std::vector<ScreenPoint> CornersInWorld(const UiSnapshot& ui, ScreenPoint begin, const UiSnapshot& top,
+                                        const Projection& projection) {
+  const world::Vec3 right = Rotate(top.world_orientation, {kPanelMetresPerPixel, 0, 0});
+  const world::Vec3 down = Rotate(top.world_orientation, {0, -kPanelMetresPerPixel, 0});
+  std::vector<ScreenPoint> corners;
+  for (const auto& [x, y] : {std::pair{0.0f, 0.0f}, {ui.width, 0.0f}, {ui.width, ui.height}, {0.0f, ui.height}}) {
+    const auto pixel = projection.Project(top.world_position + right * (begin.x + x) + down * (begin.y + y));
+    if (!pixel) return {};
+    corners.push_back(*pixel);
+  }
+  return corners;
+}
+
+/// Whether a point lies on the same side of all edges.
+bool IsInside(const std::vector<ScreenPoint>& corners, ScreenPoint at) {
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ScreenPoint a = corners[i], b = corners[(i + 1) % corners.size()];
+    const float side = (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+    ++(side >= 0 ? left : right);
+  }
+  return !corners.empty() && (left == 0 || right == 0);
+}
+
+}  // namespace
+
+const UiSnapshot* ButtonAt(const world::SceneSnapshot& snapshot, const ScreenRoom& room, const Projection& projection,
+                           ScreenPoint pixel) {
+  const ScriptUiPlaces places(snapshot, room);
+  const UiSnapshot* found = nullptr;
+  for (const UiSnapshot& ui : snapshot.ui) {
+    if (!ui.visible || ui.button.empty() || (found != nullptr && found->layer > ui.layer)) continue;
+    const auto [corner, top] = places.Of(ui);
+    const bool is_over = top->in_world ? IsInside(CornersInWorld(ui, corner, *top, projection), pixel)
+                                       : pixel.x >= corner.x && pixel.x < corner.x + ui.width && pixel.y >= corner.y &&
+                                             pixel.y < corner.y + ui.height;
+    if (is_over) found = &ui;
+  }
+  return found;
 }
 
 std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room) {
   std::vector<ScreenBox> boxes;
   const ScriptUiPlaces places(snapshot, room);
   for (const UiSnapshot& ui : snapshot.ui) {
-    const bool hides = ui.has_gradient || !ui.text.empty() || !ui.caption.empty() || !ui.material.empty();
+    const bool hides = ui.has_gradient || ui.has_bar || !ui.button.empty() || !ui.text.empty() || !ui.caption.empty() ||
+                       !ui.material.empty();
     if (!ui.visible || !hides || ui.width <= 0 || ui.height <= 0) continue;
     const auto [corner, top] = places.Of(ui);
     if (top->in_world) continue;

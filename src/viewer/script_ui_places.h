@@ -16,6 +16,7 @@ namespace soarbox::viewer {
 struct ScreenRoom {
   float width = 0, height = 0;                ///< Of the picture.
   float window_width = 0, window_height = 0;  ///< Of the window.
+  float top = 0;                              ///< What a status bar hides of the picture's upper edge.
 };
 
 /// Where the panels that scripts make stand in the picture. One that was placed for the whole window and would lie
@@ -35,6 +36,13 @@ class ScriptUiPlaces {
   std::unordered_map<std::uint32_t, const world::UiSnapshot*> by_id_;
   ScreenRoom room_;
 };
+
+/// 1 px of a panel in the world.
+inline constexpr float kPanelMetresPerPixel = 0.005f;
+
+/// The uppermost button under a pixel; null if there is none. One in the world is found from both sides.
+const world::UiSnapshot* ButtonAt(const world::SceneSnapshot& snapshot, const ScreenRoom& room,
+                                  const Projection& projection, ScreenPoint pixel);
 
 /// The parts of the picture that these panels hide; those that stand in the world not counted.
 std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room);

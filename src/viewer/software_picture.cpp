@@ -102,7 +102,7 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
   const bool has_bones = !shape.mesh.skin.empty();
   const std::string& material = drawable.material.value();
   const bool own_color = agent_body && !IsAgentColorMaterial(material);
-  const bool from_mesh = material.empty() || (drawable.shape == world::ShapeKind::kMesh && material == "NobiaxModular");
+  const bool from_mesh = WearsItsOwn(drawable, mesh.material);
   Look look = own_color ? LookOfBody(*agent) : LookNamed(from_mesh ? mesh.material : material);
   if (has_bones) look.trim = TeamColor(agent != nullptr ? agent->team : std::string());
   Placed placed;
@@ -141,8 +141,11 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
     const MeshVertex& vertex = mesh.vertices[i];
     placed.at.push_back(moved(i, vertex.position, 1));
     placed.normal.push_back(world::Normalized(moved(i, vertex.normal, 0)));
-    const world::Color base = has_bones ? ColorOnCloth(cloths_, vertex.u, vertex.v) : look.base;
-    Ink ink = InkOf(Mean(look.trim, base, vertex.tint), vertex.light);
+    const bool brings_color = look.paint == Look::Paint::kCorners;
+    const world::Color base = has_bones      ? ColorOnCloth(cloths_, vertex.u, vertex.v)
+                              : brings_color ? world::Color{vertex.u, vertex.v, vertex.light, 1}
+                                             : look.base;
+    Ink ink = InkOf(Mean(look.trim, base, vertex.tint), brings_color ? 1 : vertex.light);
     ink.a = look.base.a;
     placed.ink.push_back(ink);
   }

@@ -137,6 +137,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
 
+  if (!options.hidden) sounds.Take(newest, camera.pose(), !status.paused);
   // Pictures are taken of a camera that had the time that it has in a window.
   const auto passed_s = static_cast<float>(newest.time_s - scene.time_s);
   scene.tick = newest.tick;
@@ -240,7 +241,8 @@ bool Viewer::Impl::Frame() {
     if (auto_scale->scale() != engine->scale()) UseScale(auto_scale->scale());
   }
   slept_s = 0;
-  const FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
+  FrameInput in = input->Read(workspace ? workspace->Claims() : InputClaims{});
+  TakeButtonClicks(in);
   Apply(in, seconds);
   if (in.closed && (!workspace || workspace->MayClose())) {
     commands.push_back(ViewerCommand::kQuit);

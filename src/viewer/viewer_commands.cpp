@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // What the user does in the picture: selecting, commands, overlays, the scale of the picture.
 #include <algorithm>
+#include <utility>
 
 #include "viewer/picture_notes.h"
 #include "viewer/viewer_impl.h"
@@ -50,6 +51,30 @@ void Viewer::Impl::Pick(const Picked& picked) {
       selection.erase(there);
     }
   }
+}
+
+void Viewer::Impl::TakeButtonClicks(FrameInput& in) {
+  const auto under = [this](ScreenPoint at) -> const world::UiSnapshot* {
+    return scene.ui.empty() ? nullptr : ButtonAt(scene, Room(), View(), at);
+  };
+  std::vector<InputEvent> presses;
+  std::erase_if(in.events, [&](const InputEvent& event) {
+    if (event.kind != InputKind::kMouseButton || event.name != "left_button") return false;
+    const auto* const button = under({static_cast<float>(event.x), static_cast<float>(event.y)});
+    if (event.pressed) {
+      buttons.held = button != nullptr ? button->id : 0;
+      return button != nullptr;
+    }
+    const std::uint32_t held = std::exchange(buttons.held, 0);
+    if (held != 0 && button != nullptr && button->id == held)
+      presses.push_back({.kind = InputKind::kPanel, .pressed = true, .name = button->button});
+    return held != 0;
+  });
+  std::erase_if(in.picked, [&](const Picked& picked) { return under(picked.from) != nullptr; });
+  in.events.insert(in.events.end(), presses.begin(), presses.end());
+  if (buttons.held != 0) in.box.reset();
+  const auto* const hovered_button = in.cursor ? under(*in.cursor) : nullptr;
+  buttons.hovered = hovered_button != nullptr ? hovered_button->id : 0;
 }
 
 void Viewer::Impl::Do(ViewerCommand command) {

@@ -23,7 +23,9 @@
 #include "viewer/render_engine.h"
 #include "viewer/render_scale.h"
 #include "viewer/scene_view.h"
+#include "viewer/script_ui.h"
 #include "viewer/sky_view.h"
+#include "viewer/sound_player.h"
 #include "viewer/viewer.h"
 #include "viewer/workspace_host.h"
 
@@ -43,6 +45,9 @@ struct Viewer::Impl {
   std::unique_ptr<FillBatch> fills;
   std::optional<PanelHost> panels;
   std::optional<InputReader> input;
+  PanelImages panel_images;
+  SoundPlayer sounds;
+  ButtonState buttons;                     ///< Of the panels that scripts show.
   std::optional<WorkspaceHost> workspace;  ///< Menus and panels; none: the picture alone.
 
   std::optional<GhostView> ghost_view;
@@ -119,6 +124,13 @@ struct Viewer::Impl {
   /// The agent whose body or label is there; 0: none.
   std::uint32_t AgentUnder(ScreenPoint pixel) const;
   void Pick(const Picked& picked);
+  /// Takes the clicks on buttons of scripts out of what the user did, and reports them as presses.
+  void TakeButtonClicks(FrameInput& in);
+  ScreenRoom Room() const {
+    return {static_cast<float>(engine->width()), static_cast<float>(engine->height()),
+            static_cast<float>(engine->window_width()), static_cast<float>(engine->window_height()),
+            !workspace && options.show_status_bar ? kStatusBar_px : 0};
+  }
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);
   bool IsOn(ViewerCommand command) const;

@@ -8,6 +8,7 @@
 
 #include "viewer/input_reader.h"
 #include "viewer/key_names.h"
+#include "viewer/sound_player.h"
 #include "viewer/viewer.h"
 
 namespace soarbox::viewer {
@@ -55,6 +56,66 @@ TEST_F(InputReaderTest, KeysReachTheScriptsOncePerPressAndRelease) {
   EXPECT_TRUE(input.events[0].pressed);
   EXPECT_FALSE(input.events[1].pressed);
   EXPECT_TRUE(input.commands.empty());
+}
+
+void PushPad(std::uint32_t type, int which, int part, int value) {
+  SDL_Event event{};
+  event.type = type;
+  if (type == SDL_CONTROLLERAXISMOTION) {
+    event.caxis.which = which;
+    event.caxis.axis = static_cast<Uint8>(part);
+    event.caxis.value = static_cast<Sint16>(value);
+  } else {
+    event.cbutton.which = which;
+    event.cbutton.button = static_cast<Uint8>(part);
+  }
+  SDL_PushEvent(&event);
+}
+
+TEST_F(InputReaderTest, GamepadsReachTheScriptsByNameAndNumber) {
+  PushPad(SDL_CONTROLLERBUTTONDOWN, 70, SDL_CONTROLLER_BUTTON_A, 1);
+  PushPad(SDL_CONTROLLERAXISMOTION, 71, SDL_CONTROLLER_AXIS_LEFTY, -20000);
+  PushPad(SDL_CONTROLLERAXISMOTION, 71, SDL_CONTROLLER_AXIS_LEFTY, -16384);
+  PushPad(SDL_CONTROLLERAXISMOTION, 71, SDL_CONTROLLER_AXIS_LEFTX, 900);
+  FrameInput input = reader_.Read();
+  ASSERT_EQ(input.events.size(), 2u);
+  EXPECT_EQ(input.events[0].kind, InputKind::kPad);
+  EXPECT_EQ(input.events[0].name, "a_button");
+  EXPECT_EQ(input.events[0].pad, 1);
+  EXPECT_EQ(input.events[0].value, 1);
+  // An axis is reported once in a frame, and not near its rest.
+  EXPECT_EQ(input.events[1].name, "left_y");
+  EXPECT_EQ(input.events[1].pad, 2);
+  EXPECT_FLOAT_EQ(input.events[1].value, -0.5f);
+  PushPad(SDL_CONTROLLERAXISMOTION, 71, SDL_CONTROLLER_AXIS_LEFTY, -16390);
+  EXPECT_TRUE(reader_.Read().events.empty());
+}
+
+TEST_F(InputReaderTest, AGamepadThatIsUnpluggedLetsGo) {
+  PushPad(SDL_CONTROLLERBUTTONDOWN, 70, SDL_CONTROLLER_BUTTON_START, 1);
+  reader_.Read();
+  SDL_Event gone{};
+  gone.type = SDL_CONTROLLERDEVICEREMOVED;
+  gone.cdevice.which = 70;
+  SDL_PushEvent(&gone);
+  const FrameInput input = reader_.Read();
+  ASSERT_EQ(input.events.size(), 1u);
+  EXPECT_EQ(input.events[0].name, "start_button");
+  EXPECT_EQ(input.events[0].value, 0);
+}
+
+TEST(SoundPlayer, HearsFromTheSideAndLessFromAfar) {
+  world::SoundSnapshot sound;
+  sound.volume = 0.8f;
+  const world::CameraSnapshot ear{{0, 0, 0}, {}, 45};
+  EXPECT_FLOAT_EQ(HeardAt(sound, ear).left, 0.8f);
+  sound.in_world = true;
+  sound.position = {0, 0, -10};
+  EXPECT_FLOAT_EQ(HeardAt(sound, ear).left, 0.4f);
+  EXPECT_FLOAT_EQ(HeardAt(sound, ear).right, 0.4f);
+  sound.position = {3, 0, 0};
+  EXPECT_FLOAT_EQ(HeardAt(sound, ear).left, 0);
+  EXPECT_FLOAT_EQ(HeardAt(sound, ear).right, 0.8f);
 }
 
 TEST_F(InputReaderTest, CommandKeysAreCommandsAndStillReachTheScripts) {

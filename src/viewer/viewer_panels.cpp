@@ -17,8 +17,7 @@ void Viewer::Impl::DrawPanels(float seconds) {
   LabelScene wanted{scene.agents, overlays, selection, hovered, inside, shown_ghosts};
   wanted.names = IsOn(ViewerCommand::kLabels);
   wanted.speech = IsOn(ViewerCommand::kMessages);
-  const ScreenRoom room{static_cast<float>(engine->width()), static_cast<float>(engine->height()),
-                        static_cast<float>(engine->window_width()), static_cast<float>(engine->window_height())};
+  const ScreenRoom room = Room();
   std::vector<ScreenBox> blocked = BoxesOfScriptUi(scene, room);
   if (!workspace) {
     wanted.top_px = options.show_status_bar ? kStatusBar_px : 0;
@@ -29,7 +28,7 @@ void Viewer::Impl::DrawPanels(float seconds) {
   }
   wanted.blocked = blocked;
   labels.Draw(panels->bold_font(), panels->panel_font(), wanted, camera.pose(), view);
-  DrawScriptUi(scene, view, *panels, room);
+  DrawScriptUi(scene, view, *panels, room, panel_images, buttons);
   if (box) DrawSelectionBox(box->from, box->to);
   if (const auto* agent = cursor ? Find(hovered) : nullptr; agent != nullptr && agent->id != inside)
     DrawTooltip(*panels, *agent, overlays, *cursor);

@@ -17,6 +17,7 @@
 #include "viewer/picking.h"
 #include "viewer/render_scale.h"
 #include "viewer/scenery_meshes.h"
+#include "viewer/script_ui_places.h"
 #include "viewer/shape_meshes.h"
 #include "world/body_meshes.h"
 #include "world/modular_meshes.h"
@@ -489,6 +490,60 @@ TEST(Interpolate, GoesStraightButNeverThroughATeleport) {
   const world::Quat turn{std::sqrt(0.5f), 0, std::sqrt(0.5f), 0};
   const world::Quat half = BetweenOrientations({}, {-turn.w, 0, -turn.y, 0}, 0.5f);
   EXPECT_NEAR(std::abs(half.w), std::cos(0.3927f), 1e-4);
+}
+
+world::UiSnapshot ButtonPanel(std::uint32_t id, float x, float y) {
+  world::UiSnapshot panel;
+  panel.id = id;
+  panel.x = x;
+  panel.y = y;
+  panel.width = 100;
+  panel.height = 40;
+  panel.button = "button " + std::to_string(id);
+  return panel;
+}
+
+TEST(ScriptButtons, TheUppermostOneThatIsVisibleIsFound) {
+  world::SceneSnapshot scene;
+  scene.ui = {ButtonPanel(1, 10, 500), ButtonPanel(2, 50, 500), ButtonPanel(3, 0, 0)};
+  scene.ui[0].layer = 1;
+  scene.ui[2].parent_id = 2;
+  const Projection projection(world::CameraSnapshot{}, 800, 600);
+  const ScreenRoom room{800, 600, 800, 600};
+  const auto at = [&](float x, float y) {
+    const auto* const found = ButtonAt(scene, room, projection, {x, y});
+    return found != nullptr ? found->id : 0;
+  };
+  EXPECT_EQ(at(60, 510), 1u);   // Its layer is higher.
+  EXPECT_EQ(at(120, 510), 3u);  // A child comes after its parent, at its place.
+  EXPECT_EQ(at(5, 510), 0u);
+  EXPECT_EQ(at(60, 541), 0u);
+  scene.ui[0].visible = false;
+  EXPECT_EQ(at(60, 510), 3u);
+  scene.ui[2].button.clear();
+  EXPECT_EQ(at(60, 510), 2u);
+}
+
+TEST(ScriptButtons, OneInTheWorldIsFoundWhereItIsDrawn) {
+  world::SceneSnapshot scene;
+  scene.ui = {ButtonPanel(1, 0, 0)};
+  scene.ui[0].in_world = true;
+  scene.ui[0].world_position = {0, 0, -5};  // Half a metre wide, 0.2 m high, to the right and down from here.
+  const Projection projection(world::CameraSnapshot{{0, 0, 0}, {}, 45}, 800, 600);
+  const ScreenRoom room{800, 600, 800, 600};
+  EXPECT_NE(ButtonAt(scene, room, projection, {420, 310}), nullptr);
+  EXPECT_EQ(ButtonAt(scene, room, projection, {380, 310}), nullptr);
+  EXPECT_EQ(ButtonAt(scene, room, projection, {420, 290}), nullptr);
+  scene.ui[0].world_position = {0, 0, 5};
+  EXPECT_EQ(ButtonAt(scene, room, projection, {420, 310}), nullptr);
+}
+
+TEST(ScriptButtons, PanelsOfTheUpperHalfMoveOutOfTheStatusBar) {
+  world::SceneSnapshot scene;
+  scene.ui = {ButtonPanel(1, 0, 0), ButtonPanel(2, 0, 500)};
+  const ScriptUiPlaces places(scene, {800, 600, 800, 600, 26});
+  EXPECT_EQ(places.Of(scene.ui[0]).corner.y, 26);
+  EXPECT_EQ(places.Of(scene.ui[1]).corner.y, 500);
 }
 
 }  // namespace

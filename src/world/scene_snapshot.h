@@ -136,7 +136,7 @@ struct UiSnapshot {
   Color text_color;
   bool is_markup = false;  ///< The text holds the sandbox's markup: %0..%9 colours, @nn fonts (spec: UI.SetMarkupText).
   std::string text;
-  /// An image or material name, if any.
+  /// The key of an image (world/asset_store.h) or the name of a material that fills it, if any.
   std::string material;
   std::string caption;  ///< A plain text in addition to a markup text; empty unless the component has both.
   bool gradient_is_diagonal =
@@ -144,7 +144,24 @@ struct UiSnapshot {
   bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
   Vec3 world_position;    ///< Of the panel's top left corner; only if in_world.
   Quat world_orientation;
+  std::string button;  ///< The name of the button that it is; empty: it is none.
+  bool has_bar = false;
+  float bar = 0;  ///< How much of its width the bar fills, 0..1; only if has_bar.
+  Color bar_color;
 };
+
+/// A sound that began a short time ago. Fronts play each sound once, by its number.
+struct SoundSnapshot {
+  std::uint32_t id = 0;  ///< From 1, in the order in which they began.
+  std::string file;      ///< The key of a file (world/asset_store.h).
+  double time_s = 0;     ///< When it began, in simulated time.
+  float volume = 1;      ///< 0..1
+  bool in_world = false;
+  Vec3 position;  ///< Only if in_world; else it is everywhere equally loud.
+};
+/// How long a sound stays in snapshots, so that fronts that do not show each tick hear of it too, and how many do.
+inline constexpr double kSoundStays_s = 1;
+inline constexpr std::size_t kMostSounds = 32;
 
 struct CameraSnapshot {
   Vec3 position{0, 5, 0};
@@ -163,6 +180,7 @@ struct SceneSnapshot {
   std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they are among the lines.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
+  std::vector<SoundSnapshot> sounds;        ///< Those of the last second, in the order in which they began.
   /// What %0 to %9 mean in markup texts.
   std::array<Color, 10> markup_palette{};
   Vec3 ambient{0.5f, 0.5f, 0.5f};

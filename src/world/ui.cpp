@@ -229,6 +229,59 @@ bool Ui::SetVisible(UiId id, bool visible) {
   return found != nullptr;
 }
 
+bool Ui::SetBar(UiId id, float fraction, Color color) {
+  Component* found = Find(id);
+  if (!found || !std::isfinite(fraction)) return false;
+  found->view.has_bar = true;
+  found->view.bar = std::clamp(fraction, 0.0f, 1.0f);
+  found->view.bar_color = Clamped(color);
+  return true;
+}
+
+bool Ui::RemoveBar(UiId id) {
+  Component* found = Find(id);
+  if (found) found->view.has_bar = false;
+  return found != nullptr;
+}
+
+std::optional<float> Ui::Bar(UiId id) const {
+  const Component* found = Find(id);
+  return found && found->view.has_bar ? std::optional(found->view.bar) : std::nullopt;
+}
+
+const std::string& Ui::Button(UiId id) const {
+  const Component* found = Find(id);
+  return found ? found->view.button : kNoText;
+}
+
+bool Ui::SetImage(UiId id, std::string_view key) {
+  Component* found = Find(id);
+  if (found) found->view.material = key;
+  return found != nullptr;
+}
+
+bool Ui::SetButton(UiId id, std::string_view name) {
+  Component* found = Find(id);
+  if (!found) return false;
+  const UiId other = name.empty() ? UiId::kNone : FindButton(name);
+  if (other != UiId::kNone && other != id) return false;
+  found->view.button = name;
+  return true;
+}
+
+UiId Ui::FindButton(std::string_view name) const {
+  for (const auto& [id, component] : components_)
+    if (!name.empty() && component.view.button == name) return id;
+  return UiId::kNone;
+}
+
+std::vector<std::string> Ui::ButtonNames() const {
+  std::vector<std::string> names;
+  for (const auto& [id, component] : components_)
+    if (!component.view.button.empty()) names.push_back(component.view.button);
+  return names;
+}
+
 bool Ui::SetWorldPosition(UiId id, Vec3 position) {
   Component* found = Find(id);
   if (!found || !found->view.in_world || !IsFinite(position)) return false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "world/ids.h"
 #include "world/scene_snapshot.h"
@@ -61,6 +62,20 @@ class Ui {
   /// Replaces a flat background.
   bool SetGradientColor(UiId id, UiGradient direction, Color from, Color to);
   bool SetVisible(UiId id, bool visible);
+  /// A bar that fills this fraction of the width, clamped to 0..1.
+  bool SetBar(UiId id, float fraction, Color color);
+  bool RemoveBar(UiId id);
+  /// The fraction of its bar; nothing if it has none.
+  std::optional<float> Bar(UiId id) const;
+  /// The name of the button that it is; empty if it is none.
+  const std::string& Button(UiId id) const;
+  /// The key of an image that fills it (asset_store.h); empty: none.
+  bool SetImage(UiId id, std::string_view key);
+  /// Makes it a button with this name; an empty name makes it none. False if another one has the name.
+  bool SetButton(UiId id, std::string_view name);
+  /// The button with this name; kNone if there is none.
+  UiId FindButton(std::string_view name) const;
+  std::vector<std::string> ButtonNames() const;
   /// Components in the world only; others return false.
   bool SetWorldPosition(UiId id, Vec3 position);
   bool SetWorldOrientation(UiId id, Quat orientation);

@@ -225,6 +225,9 @@ const Scene& World::scene() const {
 Ui& World::ui() {
   return impl_->ui;
 }
+void World::PlaySound(std::string_view file, float volume, std::optional<Vec3> position) {
+  impl_->sounds.Play(file, time_s(), volume, position);
+}
 Camera& World::camera() {
   return impl_->camera;
 }

@@ -136,6 +136,8 @@ class World {
   Scene& scene();
   const Scene& scene() const;
   Ui& ui();
+  /// Begins a sound now (sound_board.h).
+  void PlaySound(std::string_view file, float volume, std::optional<Vec3> position);
   Camera& camera();
   const Camera& camera() const;
   DebugDraw& debug();

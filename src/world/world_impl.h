@@ -8,6 +8,7 @@
 
 #include "world/agent_store.h"
 #include "world/physics_world.h"
+#include "world/sound_board.h"
 #include "world/world.h"
 
 // For the world*.cpp files only.
@@ -31,6 +32,7 @@ struct World::Impl {
   MediaCatalog catalog;
   Scene scene{catalog};
   Ui ui;
+  SoundBoard sounds;
   Camera camera;
   DebugDraw debug;
   PhysicsWorld physics;

@@ -59,6 +59,7 @@ void World::Snapshot(SceneSnapshot& snapshot) const {
   snapshot.time_s = time_s();
   impl_->scene.FillSnapshot(snapshot, is_known);
   impl_->ui.FillSnapshot(snapshot, is_known);
+  impl_->sounds.FillSnapshot(snapshot);
 
   snapshot.lines.insert(snapshot.lines.end(), impl_->debug.lines().begin(), impl_->debug.lines().end());
   snapshot.lines.insert(snapshot.lines.end(), impl_->physics_lines.begin(), impl_->physics_lines.end());

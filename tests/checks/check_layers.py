@@ -34,12 +34,14 @@ ALLOWED = {
     # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
     "explain": {"diagnostics", "mind", "rule_reading", "tell", "vocabulary"},
     "world": {"diagnostics"},
+    # Models from files, as triangles.
+    "model": {"diagnostics", "picture", "world"},
     "stream": {"bytes", "world"},
-    "script": {"diagnostics", "world"},
+    "script": {"diagnostics", "picture", "world", "model"},
     # So does sim.
     "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
     "dis": {"diagnostics", "world", "sim"},
-    "record": {"bytes", "diagnostics", "mind", "tell", "world", "script", "sim"},
+    "record": {"bytes", "diagnostics", "mind", "tell", "world", "model", "script", "sim"},
     "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "picture", "world", "sim", "record", "mission", "sweep"},
@@ -51,7 +53,7 @@ ALLOWED = {
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and knows no panel and no world.
     "serve": {"diagnostics"},
-    "viewer": {"diagnostics", "picture", "world", "sim", "record", "debugger", "workbench"},
+    "viewer": {"diagnostics", "picture", "world", "model", "sim", "record", "debugger", "workbench"},
     "app": {"diagnostics", "picture", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }

@@ -312,6 +312,26 @@ world::SceneSnapshot HandMade() {
   agent.health = 62.5f;
   scene.agents.push_back(agent);
   scene.lines.push_back({{0, 0, 0}, {1, 0, -1}, {1, 0, 0, 1}});
+  world::UiSnapshot panel;
+  panel.id = 3;
+  panel.text = "Go";
+  panel.material = "badge.png#0123456789abcdef";
+  panel.button = "go";
+  panel.has_bar = true;
+  panel.bar = 0.25f;
+  panel.bar_color = {1, 0, 0, 1};
+  scene.ui.push_back(panel);
+  panel = {};
+  panel.id = 4;
+  panel.text = "plain";
+  scene.ui.push_back(panel);
+  world::SoundSnapshot sound;
+  sound.id = 7;
+  sound.file = "bell.wav#0123456789abcdef";
+  sound.volume = 0.5f;
+  sound.in_world = true;
+  sound.position = {1, 2, 3};
+  scene.sounds.push_back(sound);
   return scene;
 }
 
@@ -340,6 +360,7 @@ TEST(SceneEncoder, WritesTheBytesThatThePageReads) {
   scene.drawables.Erase(scene.drawables.Find(4));
   scene.drawables.Edit(scene.drawables.Find(9)).position = {0.25f, 0, 0};
   scene.agents[0].alive = false;
+  scene.sounds.clear();
   scene.lines.clear();
   overlay.speech.clear();
   add(encoder.Encode(scene, &overlay).bytes);

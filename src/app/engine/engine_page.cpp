@@ -11,6 +11,7 @@
 
 #include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
+#include "sim/input_names.h"
 #include "workbench/contents_json.h"
 #include "workbench/requests_json.h"
 
@@ -56,13 +57,22 @@ bool FlagOf(const Json& json, const char* field) {
   return found != json.end() && found->is_boolean() && found->get<bool>();
 }
 
-/// A key, a button, the pointer or the wheel, as the world's scripts hear of them.
+/// A key, a button, the pointer, the wheel, a button of a script or a gamepad, as the world's scripts hear of them.
 std::optional<sim::InputValue> InputOf(const Json& json) {
   const std::string kind = TextOf(json, "kind"), name = TextOf(json, "name").substr(0, 40);
   const float x = FieldNumber(json, "x"), y = FieldNumber(json, "y");
   if (kind == "key") return sim::KeyInput{name, FlagOf(json, "pressed")};
   if (kind == "button") return sim::ButtonInput{name, FlagOf(json, "pressed"), x, y};
   if (kind == "pointer") return sim::PointerInput{x, y, FieldNumber(json, "dx"), FieldNumber(json, "dy")};
+  if (kind == "panel") return sim::PanelInput{TextOf(json, "name").substr(0, 100)};
+  if (kind == "pad") {
+    const auto pad = static_cast<int>(FieldNumber(json, "pad"));
+    const bool is_known =
+        pad >= 1 && pad <= sim::kMostPads && std::binary_search(sim::PadNames().begin(), sim::PadNames().end(), name);
+    if (!is_known) return std::nullopt;
+    const float value = std::clamp(FieldNumber(json, "value"), -1.0f, 1.0f);
+    return sim::PadInput{pad, name, sim::IsPadButton(name) ? (value >= 0.5f ? 1.0f : 0.0f) : value};
+  }
   if (kind == "wheel") return sim::WheelInput{FieldNumber(json, "notches"), x, y};
   if (kind == "screen") {
     const auto pixels = [&](const char* field) {

@@ -25,6 +25,12 @@ void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
     case viewer::InputKind::kMouseButton:
       simulation.Submit(sim::ButtonInput{event.name, event.pressed, x, y});
       break;
+    case viewer::InputKind::kPanel:
+      simulation.Submit(sim::PanelInput{event.name});
+      break;
+    case viewer::InputKind::kPad:
+      simulation.Submit(sim::PadInput{event.pad, event.name, event.value});
+      break;
     case viewer::InputKind::kMouseMove:
       if (event.wheel != 0) simulation.Submit(sim::WheelInput{static_cast<float>(event.wheel), x, y});
       if (event.dx != 0 || event.dy != 0)

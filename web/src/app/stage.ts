@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, patch, type Child } from "../dom/view";
+import type { AssetContent } from "../scene/assets";
 import type { ShapeContent } from "../scene/shape_library";
 import type { SceneView } from "../scene/scene_view";
 import { COSTLY, OVERLAYS, type OverlayWord } from "../scene/overlays";
-import { WorldInput } from "../scene/world_input";
+import { listenToGamepads } from "../scene/gamepads";
+import { WorldInput, type WorldEvent } from "../scene/world_input";
 import type { CameraMode } from "../scene/camera_rig";
 import type { Run } from "../run/run";
 import { icon } from "./icons";
@@ -14,6 +16,8 @@ const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
 const RESIZED_AFTER_MS = 400;
 /** Prefix of the names of contents with shapes. */
 const SHAPES = "shapes:";
+/** Of those with images and sounds. */
+const ASSETS = "assets:";
 const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full";
 
 /** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
@@ -125,11 +129,18 @@ export class Stage {
     this.run.ask("input", { kind: "screen", width, height });
   }
 
+  /** Sends what the user did to the scripts of the world. */
+  private tellWorld(input: WorldEvent): void {
+    if (!this.mayAsk || this.run.contents.moment?.time.is_live === false) return;
+    this.tellSize();
+    this.run.ask("input", input);
+  }
+
   private async load(labels: HTMLElement, scripts: HTMLElement): Promise<void> {
     const [{ SceneView }, { listenToPointer }] = await Promise.all([import("../scene/scene_view"), import("../scene/pointer")]);
     let view: SceneView;
     try {
-      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? ""), framed: (keeps, outside, living) => this.noteFramed(keeps, outside, living) }, localStorage.getItem(DETAIL_KEY) === FULL);
+      view = new SceneView(this.element, this.canvas, labels, scripts, { selected: (id) => this.select(this.view?.nameOf(id) ?? ""), pressed: (name) => this.tellWorld({ kind: "panel", name }), framed: (keeps, outside, living) => this.noteFramed(keeps, outside, living) }, localStorage.getItem(DETAIL_KEY) === FULL);
     } catch {
       patch(labels, [h("p.no-picture", null, "This browser cannot draw the world: WebGL is switched off. All panels work without it.")]);
       return;
@@ -142,11 +153,8 @@ export class Stage {
     }
     this.askOverlays();
     listenToPointer(this.canvas, view, this.select);
-    new WorldInput(this.element, this.canvas, (input) => {
-      if (!this.mayAsk || this.run.contents.moment?.time.is_live === false) return;
-      this.tellSize();
-      this.run.ask("input", input);
-    });
+    new WorldInput(this.element, this.canvas, (input) => this.tellWorld(input));
+    listenToGamepads((input) => this.tellWorld(input));
     this.run.on("scene", (scene) => {
       view.take(scene);
       if (scene.components.length > 0) this.tellSize();
@@ -189,6 +197,7 @@ export class Stage {
     });
     const takeShapes = (names: readonly string[]): void => {
       for (const name of names) {
+        if (name.startsWith(ASSETS)) view.takeAsset(name.slice(ASSETS.length), (this.run.contents as Readonly<Record<string, unknown>>)[name] as AssetContent);
         if (!name.startsWith(SHAPES)) continue;
         const content = (this.run.contents as Readonly<Record<string, unknown>>)[name] as ShapeContent;
         view.takeShape(name.slice(SHAPES.length), content).catch((error: unknown) => console.error(`the shape ${name}: ${String(error)}`));

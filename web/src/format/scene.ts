@@ -78,6 +78,8 @@ export interface Mind {
 export interface Shot { from: Vec3; to: Vec3; shooter: number; hit: number; time: number }
 export interface Speech { from: number; to: number; text: string; time: number }
 export interface Particle { id: number; effect: string; visible: boolean; directed: boolean; restarts: number; place: Vec3; direction: Vec3 }
+/** A sound that began in the last second. */
+export interface Sound { id: number; file: string; volume: number; place: Vec3 | null }
 export enum Font { Small, SmallMono, Medium, MediumMono, Large, LargeMono }
 
 /** A box of text that a script shows: on the screen in pixels, or in the world. */
@@ -98,8 +100,13 @@ export interface Component {
   textColor: Color;
   font: Font;
   text: string;
+  /** A material, or the key of an image ("assets:KEY"). */
   material: string;
   caption: string;
+  /** The name of the button that it is; empty: it is none. */
+  button: string;
+  /** How much of its width a bar fills. */
+  bar: null | { share: number; color: Color };
   /** Its top left corner; 1 px is 5 mm. */
   world: null | { place: Vec3; turn: Quat };
 }
@@ -123,4 +130,5 @@ export interface Scene {
   pushes: readonly Push[];
   components: readonly Component[];
   particles: readonly Particle[];
+  sounds: readonly Sound[];
 }

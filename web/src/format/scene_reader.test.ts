@@ -36,6 +36,10 @@ test("a full block tells the whole moment", async () => {
   assert.equal(scene.minds.get(2)!.operator, "wander");
   assert.deepEqual(scene.minds.get(2)!.path, [[1, 0, 1], [2, 0, 1]]);
   assert.deepEqual(scene.speech, [{ from: 2, to: 0, text: "hello", time: 9.5 }]);
+  const [button, plain] = scene.components;
+  assert.deepEqual([button!.text, button!.button, button!.material, button!.bar], ["Go", "go", "badge.png#0123456789abcdef", { share: 0.25, color: [1, 0, 0, 1] }]);
+  assert.deepEqual([plain!.text, plain!.button, plain!.bar], ["plain", "", null]);
+  assert.deepEqual(scene.sounds, [{ id: 7, file: "bell.wav#0123456789abcdef", volume: 0.5, place: [1, 2, 3] }]);
   assert.deepEqual(scene.places, [{ kind: "item", name: "medkit", place: [1, 0.5, 2] }]);
 });
 
@@ -52,6 +56,7 @@ test("a difference changes what it names and leaves the moment before alone", as
   assert.equal(second.agents.get(2)!.name, "<b>zoë</b>");
   assert.equal(second.lines.lines.length, 0);
   assert.equal(second.speech.length, 0);
+  assert.equal(second.sounds.length, 0);
   assert.equal(second.minds.get(2)!.operator, "wander");
   assert.ok(first.drawables.has(4));
   assert.equal(first.agents.get(2)!.alive, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, ByteReader } from "./byte_reader";
-import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Speech, Surroundings, Triangle, Vec3 } from "./scene";
+import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Sound, Speech, Surroundings, Triangle, Vec3 } from "./scene";
 
 const MARK = 0x53, VERSION = 1, FULL = 1, DEFLATED = 2;
 const HEAD_BYTES = 3;
@@ -109,6 +109,7 @@ export class SceneReader {
       pushes: before?.pushes ?? [],
       components: before?.components ?? [],
       particles: before?.particles ?? [],
+      sounds: before?.sounds ?? [],
     };
     this.texts.push(...list(input, 1, () => input.text()));
     for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene);
@@ -128,6 +129,7 @@ export class SceneReader {
       case 9: [scene.shots, scene.speech] = this.shotsAndSpeech(input); break;
       case 10: scene.places = this.places(input); break;
       case 11: scene.pushes = this.pushes(input); break;
+      case 13: scene.sounds = this.sounds(input); break;
       case 12: scene.overlayLines = this.lines(input); break;
       default: break;
     }
@@ -231,10 +233,12 @@ export class SceneReader {
       const x = input.float(), y = input.float(), width = input.float(), height = input.float(), marginLeft = input.float(), marginTop = input.float();
       const flags = input.byte(), from = color(input), to = color(input), textColor = color(input), font = input.byte();
       const text = this.word(input), material = this.word(input), caption = this.word(input);
+      const button = (flags & 64) !== 0 ? this.word(input) : "";
+      const bar = (flags & 128) !== 0 ? { share: input.float(), color: color(input) } : null;
       const direction = (flags & 8) !== 0 ? "diagonal" : (flags & 4) !== 0 ? "vertical" : "horizontal";
       return {
         id, parent, layer, x, y, width, height, marginLeft, marginTop, visible: (flags & 1) !== 0, gradient: (flags & 2) !== 0 ? { from, to, direction } : null,
-        isMarkup: (flags & 16) !== 0, textColor, font, text, material, caption,
+        isMarkup: (flags & 16) !== 0, textColor, font, text, material, caption, button, bar,
         world: (flags & 32) !== 0 ? { place: whole(input, PER_METRE), turn: quaternion(add(input, [0, 0, 0]), PER_RADIAN) } : null,
       };
     });
@@ -244,6 +248,13 @@ export class SceneReader {
     return list(input, 10, (): Particle => {
       const id = input.number(), effect = this.word(input), flags = input.byte(), restarts = input.number();
       return { id, effect, visible: (flags & 1) !== 0, directed: (flags & 2) !== 0, restarts, place: whole(input, PER_METRE), direction: whole(input, PER_DIRECTION) };
+    });
+  }
+
+  private sounds(input: ByteReader): Sound[] {
+    return list(input, 7, (): Sound => {
+      const id = input.number(), file = this.word(input), volume = input.float(), isPlaced = input.byte() !== 0;
+      return { id, file, volume, place: isPlaced ? whole(input, PER_METRE) : null };
     });
   }
 

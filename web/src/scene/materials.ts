@@ -19,6 +19,10 @@ export function geometryOf(mesh: ShapeMesh, look: Look, shared?: BufferGeometry)
   const base = linear(look.base), trim = linear(look.trim ?? look.base);
   for (let i = 0; i < count; ++i) {
     const tint = mesh.paint[3 * i]!, light = mesh.paint[3 * i + 1]!;
+    if (look.paint === "corners") {
+      colors.set(linear([mesh.uvs[2 * i]!, mesh.uvs[2 * i + 1]!, light]), 3 * i);
+      continue;
+    }
     for (let c = 0; c < 3; ++c) colors[3 * i + c] = (trim[c]! + (base[c]! - trim[c]!) * tint) * light;
     gloss[i] = mesh.paint[3 * i + 2]!;
   }

@@ -20,6 +20,8 @@ import { lookOf } from "./looks";
 import { geometryOf, Materials, PLAIN_SIDE_M } from "./materials";
 import { paintOverlays, Trails, type BelievedBody, type OverlayWord, type Placed } from "./overlays";
 import { whenPainted } from "./painter";
+import { Assets, type AssetContent } from "./assets";
+import { Sounds } from "./sounds";
 import { ScriptUi } from "./script_ui";
 import { ShapeLibrary, type ShapeContent } from "./shape_library";
 import { Sky } from "./sky";
@@ -41,6 +43,8 @@ const BACKDROP = ["backdrop/hills", "backdrop/trees", "backdrop/fence"] as const
 
 export interface SceneEvents {
   selected(id: number): void;
+  /** A button of the world's scripts was clicked. */
+  pressed(button: string): void;
   /** The camera keeps everybody in the picture, or no longer; and how many agents that live are outside of it. */
   framed(keeps: boolean, outside: number, living: number): void;
 }
@@ -68,6 +72,8 @@ export class SceneView {
   private readonly lines = new LineBatch(2);
   private readonly dots = new Dots();
   private readonly trails = new Trails();
+  private readonly assets = new Assets();
+  readonly sounds = new Sounds(this.assets);
   private readonly labels: Labels;
   private readonly scriptUi: ScriptUi;
   private readonly pointLights: PointLight[] = [];
@@ -111,7 +117,7 @@ export class SceneView {
     this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines, this.dots.points);
     whenPainted(() => this.wake());
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
-    this.scriptUi = new ScriptUi(scriptLayer);
+    this.scriptUi = new ScriptUi(scriptLayer, this.assets, (button) => events.pressed(button));
     this.drawAs();
     new ResizeObserver(() => this.wake()).observe(place);
     canvas.addEventListener("webglcontextrestored", () => this.wake());
@@ -122,12 +128,19 @@ export class SceneView {
     this.scene = scene;
     this.playout.add(scene, performance.now() / 1000);
     this.trails.note(scene);
+    this.sounds.take(scene.sounds, this.rig.camera, !this.isPaused);
     this.wake();
   }
 
   /** What something in the run looks like: the contents "shapes:KEY". */
   takeShape(key: string, content: ShapeContent): Promise<void> {
     return this.shapes.add(key, content);
+  }
+
+  /** An image or a sound of the run: the contents "assets:KEY". */
+  takeAsset(key: string, content: AssetContent): void {
+    this.assets.add(key, content);
+    this.wake();
   }
 
   /** What agents have printed between two times of the world: it is shown over their heads for a while, also at a past moment. */
@@ -156,6 +169,8 @@ export class SceneView {
     this.bodies.clear();
     this.removeBackdrop();
     this.shapes.clear();
+    this.assets.clear();
+    this.sounds.clear();
     const keepsCamera = isSameWorld && this.isFramed && !this.rig.keeps;
     if (!keepsCamera) this.rig.forget();
     this.labels.clear();

@@ -2,6 +2,7 @@
 import { Matrix4, Quaternion, Vector3, type PerspectiveCamera } from "three";
 import { h, patch, type Child } from "../dom/view";
 import { Font, type Color, type Component } from "../format/scene";
+import type { Assets } from "./assets";
 import type { Box } from "./label_layout";
 import { cssColor } from "./looks";
 
@@ -68,7 +69,8 @@ function body(one: Component, palette: readonly Color[]): Child[] {
 
 /** Boxes of text that scripts put on the screen or into the world. */
 export class ScriptUi {
-  constructor(private readonly layer: HTMLElement) {}
+  /** `press`: a button of this name was clicked. */
+  constructor(private readonly layer: HTMLElement, private readonly assets: Assets, private readonly press: (button: string) => void) {}
 
   clear(): void {
     patch(this.layer, []);
@@ -79,14 +81,12 @@ export class ScriptUi {
     const covered: Box[] = [], byId = new Map(components.map((one) => [one.id, one])), shown: Child[] = [];
     for (const one of [...components].sort((a, b) => a.layer - b.layer)) {
       if (!one.visible || (one.width < 1 && one.text === "")) continue;
-      let { x, y } = one, isShown = true, world = one.world;
+      let { x, y } = one, world = one.world;
       for (let parent = byId.get(one.parent), left = 16; parent !== undefined && left > 0; parent = byId.get(parent.parent), --left) {
         x += parent.x;
         y += parent.y;
-        isShown &&= parent.visible;
         world ??= parent.world;
       }
-      if (!isShown) continue;
       let scale = "1";
       if (world !== null) {
         const right = new Vector3(METRES_PER_PX, 0, 0).applyQuaternion(new Quaternion(...world.turn)), down = new Vector3(0, -METRES_PER_PX, 0).applyQuaternion(new Quaternion(...world.turn));
@@ -104,15 +104,18 @@ export class ScriptUi {
         if (fitting < 1) scale = fitting.toFixed(3);
         covered.push({ left: x, top: y, width: one.width * fitting, height: one.height * fitting });
       }
-      const gradient = one.gradient;
+      const gradient = one.gradient, image = this.assets.url(one.material), isButton = one.button !== "";
       const angle = gradient?.direction === "diagonal" ? "135deg" : gradient?.direction === "vertical" ? "180deg" : "90deg";
-      shown.push(h(`div.box.${CLASS_OF[one.font] ?? "small"}`, {
-        key: String(one.id),
+      const grounds = [image === null ? "" : `center / 100% 100% no-repeat url(${image})`, gradient === null ? "" : `linear-gradient(${angle}, ${ink(gradient.from)}, ${ink(gradient.to)})`].filter((ground) => ground !== "");
+      shown.push(h(`${isButton ? "button" : "div"}.box.${CLASS_OF[one.font] ?? "small"}`, {
+        key: `${one.id}${isButton ? " button" : ""}`,
+        // The picture keeps the focus, and with it the keys.
+        ...(isButton ? { attributes: { type: "button", "data-button": one.button }, on: { click: () => this.press(one.button), pointerdown: (event: PointerEvent) => event.preventDefault() } } : {}),
         style: {
           left: `${x}px`, top: `${y}px`, width: `${Math.max(one.width, 0)}px`, height: `${Math.max(one.height, 0)}px`, padding: `${one.marginTop}px 0 0 ${one.marginLeft}px`,
-          color: ink(one.textColor), transform: `scale(${scale})`, ...(gradient === null ? {} : { background: `linear-gradient(${angle}, ${ink(gradient.from)}, ${ink(gradient.to)})` }),
+          color: ink(one.textColor), transform: `scale(${scale})`, ...(grounds.length === 0 ? {} : { background: grounds.join(", ") }),
         },
-      }, body(one, palette)));
+      }, one.bar !== null && h("i.bar", { style: { width: `${(one.bar.share * 100).toFixed(2)}%`, background: ink(one.bar.color) } }), body(one, palette)));
     }
     patch(this.layer, shown);
     return covered;

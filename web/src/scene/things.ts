@@ -105,7 +105,7 @@ export class Things {
     if (mesh === null) return null;
     const ownColor = agent !== undefined && isJustSomeTexture(d.material);
     // "NobiaxModular" is what the pieces of the kit wear anyway.
-    const fromMesh = d.material === "" || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
+    const fromMesh = d.material === "" || mesh.material === "Soarbox/Model" || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
     const name = ownColor ? `agent|${agent.kind}|${agent.alive}${agent.failed}` : fromMesh ? mesh.material : d.material;
     const look = ownColor ? agentLook(agent) : lookOf(name);
     // Figures of an agent that fell or failed are grey.

@@ -2,7 +2,7 @@
 import { isTyping } from "../app/keys";
 
 /** What scripts of a world hear of: an `input` request without its name (docs/serve.md). */
-export type WorldEvent = { readonly kind: "key" | "button" | "pointer" | "wheel" } & Readonly<Record<string, string | number | boolean>>;
+export type WorldEvent = { readonly kind: "key" | "button" | "pointer" | "wheel" | "panel" | "pad" } & Readonly<Record<string, string | number | boolean>>;
 
 /** Minimum interval between two pointer events for scripts. */
 const POINTER_EVERY_MS = 80;

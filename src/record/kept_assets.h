@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <vector>
+
+#include "record/kept_files.h"
+
+namespace soarbox::record {
+
+/// Stores the images, sounds and models among the files of a recording where whoever draws its scenes finds them
+/// (world/asset_store.h, model/model.h). Files that cannot be used are skipped: the recording may come from anywhere.
+void StoreAssets(const std::vector<KeptFile>& files);
+
+}  // namespace soarbox::record

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "script/lua_machine.h"
+#include "world/ids.h"
+
+namespace soarbox::script {
+
+/// Functions that scripts registered for the buttons that they put on the screen (UI.SetButton).
+class ButtonCallbacks {
+ public:
+  /// What came of the call in that machine: its error, or nothing.
+  using OnResult = std::function<void(LuaMachine&, const std::optional<ScriptError>&)>;
+
+  /// A function that `machine` keeps; it replaces an earlier one of the panel.
+  void Set(world::UiId panel, LuaMachine& machine, int function);
+  void Remove(world::UiId panel);
+  std::size_t size() const { return callbacks_.size(); }
+
+  /// Calls callback(sandbox, panel). Nothing happens if the panel has none.
+  void Press(world::UiId panel, const OnResult& on_result);
+
+ private:
+  struct Callback {
+    LuaMachine* machine;
+    int function;
+  };
+  std::map<world::UiId, Callback> callbacks_;
+};
+
+}  // namespace soarbox::script

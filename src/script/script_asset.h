@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <string_view>
+
+struct lua_State;
+
+namespace soarbox::script {
+
+// Files of the world that scripts show or play: images (.png), models (.glb, .gltf) and sounds (.wav). They are found
+// as scripts are, and are read once in a run. A file that cannot be used is a Lua error that names it and says why.
+
+/// Maximum number of such files in a world.
+inline constexpr std::size_t kMostAssets = 256;
+
+/// The key of an image or a sound (world/asset_store.h). Valid until the next call.
+std::string_view ImageArgument(lua_State* state, int index);
+std::string_view SoundArgument(lua_State* state, int index);
+
+/// The name of a mesh, or the key of a model (model/model.h) if a file is named; then the world's catalog knows it.
+std::string_view MeshArgument(lua_State* state, int index);
+
+}  // namespace soarbox::script

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "world/scene_snapshot.h"
+
+namespace soarbox::world {
+
+/// The sounds that began in the last second (scene_snapshot.h). They are part of what there is to see and hear: nothing
+/// in the world depends on them.
+class SoundBoard {
+ public:
+  /// Begins a sound now. Beyond kMostSounds the oldest one is dropped.
+  void Play(std::string_view file, double now_s, float volume, std::optional<Vec3> position);
+
+  void FillSnapshot(SceneSnapshot& snapshot) const;
+
+ private:
+  std::vector<SoundSnapshot> sounds_;
+  std::uint32_t next_ = 1;
+};
+
+}  // namespace soarbox::world

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Files of worlds: models (glTF), images (PNG) and sounds (WAV). What is read stays within its limits.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "model/gltf.h"
+#include "picture/png_reader.h"
+#include "world/wav_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view file(reinterpret_cast<const char*>(data), size);
+  using soarbox::Result;
+  const Result<soarbox::model::Model> model =
+      soarbox::model::ReadGltf(file, [&](std::string_view) -> Result<std::string> { return std::string(file); });
+  if (model) {
+    if (model->corners.size() > soarbox::model::kMostCorners) std::abort();
+    for (const std::uint32_t index : model->indices)
+      if (index >= model->corners.size()) std::abort();
+  }
+  const soarbox::picture::PngRead image = soarbox::picture::ReadPng(file);
+  const auto pixels = static_cast<std::size_t>(image.pixels.width) * static_cast<std::size_t>(image.pixels.height);
+  if (image.problem.empty() && image.pixels.rgba.size() != 4 * pixels) std::abort();
+  return soarbox::world::WhyNoWav(file).size() > 200 ? std::abort(), 0 : 0;
+}
