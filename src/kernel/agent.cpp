@@ -139,7 +139,7 @@ bool Agent::HasBreak(ProductionId id) const {
 
 // Running -------------------------------------------------------------------------------------------------------------
 
-/// Hands the settings that concern the match down to it.
+/// Passes the settings that the match needs to it.
 void Agent::PrepareMatch() {
   engine_->rete.LimitPartialMatches(settings().max_partial_matches);
   engine_->symbols.LimitTexts(settings().most_memory_bytes);
@@ -187,8 +187,8 @@ std::string_view Agent::breakdown() const {
 void Agent::BreakDown(std::string_view rule) {
   if (out_of_memory()) return;
   engine_->run.BreakDown();
-  // The rule with most partial matches is the cause if they fill a good part of the memory. (If rules share their
-  // conditions, the first of them is named.)
+  // The rule with the most partial matches is reported as the cause if they fill a large part of the memory. (If rules
+  // share conditions, the first of them is named.)
   ProductionId heaviest = ProductionId::kNone;
   std::size_t most = MemoryBytes() / 4 / Rete::kTokenBytes;
   for (const ProductionId id : engine_->rules.loading_order()) {
@@ -198,7 +198,7 @@ void Agent::BreakDown(std::string_view rule) {
     heaviest = id;
   }
   const bool at_limit = engine_->rete.at_limit();
-  // From here on there is memory again, for others too.
+  // This frees memory, also for other agents.
   engine_->rete.Abandon();
   try {
     if (!rule.empty()) {
@@ -218,7 +218,7 @@ void Agent::BreakDown(std::string_view rule) {
         "Error: agent " + name() + " ran out of memory and is halted for good: " + breakdown_ + ".  Destroy it.\n";
     engine_->observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(*this, text); });
   } catch (const std::bad_alloc&) {
-    // There is no memory to say so either; halted() and out_of_memory() tell.
+    // There is no memory to report it; halted() and out_of_memory() return it.
   }
 }
 Phase Agent::next_phase() const {
@@ -463,7 +463,7 @@ DecisionReport Agent::ExplainDecision(const Goal& goal) const {
 // Input and output ----------------------------------------------------------------------------------------------------
 
 InputLink& Agent::input() {
-  // Constants of input would be in the way of sharing.
+  // Rules must be offered for sharing before input creates constants.
   if (engine_->rules_changed && !engine_->run.running()) [[unlikely]]
     engine_->OfferRules();
   return engine_->input;

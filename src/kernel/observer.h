@@ -16,29 +16,30 @@ struct DecisionReport;
 
 enum class Phase : std::uint8_t { kInput, kPropose, kDecide, kApply, kOutput };
 
-/// Which rules an elaboration fires: those with i-support (IE) or those with o-support (PE).
+/// Which rules fire in an elaboration: those with i-support (IE) or those with o-support (PE).
 enum class FiringType : std::uint8_t { kIe, kPe };
 
 enum class ImpasseType : std::uint8_t { kNone, kTie, kConflict, kConstraintFailure, kNoChange };
 
-/// What an observer wants to hear, as a bit mask: the kernel builds nothing for an event that nobody listens to.
+/// The events that an observer subscribes to, as a bit mask. The kernel prepares nothing for an event without
+/// subscribers.
 enum class Event : std::uint32_t {
   kPhase = 1u << 0,           ///< Begin and end of each phase and decision cycle.
   kElaboration = 1u << 1,     ///< Elaborations, inner elaborations, working memory phases.
-  kFiring = 1u << 2,          ///< Rules that fire, are inhibited and retract.
+  kFiring = 1u << 2,          ///< Rules that fire, are inhibited or retract.
   kWme = 1u << 3,             ///< Elements added to and removed from working memory.
-  kPreference = 1u << 4,      ///< Preferences that enter and leave their slots.
-  kDecision = 1u << 5,        ///< Operators selected, impasses, states removed; once while the agent rests.
+  kPreference = 1u << 4,      ///< Preferences that enter or leave their slots.
+  kDecision = 1u << 5,        ///< Operators selected, impasses, states removed; reported once while the agent is idle.
   kPrint = 1u << 6,           ///< Text that rules write and warnings of the architecture.
   kProduction = 1u << 7,      ///< Rules added and excised.
   kRun = 1u << 8,             ///< Halt, interrupts, init-soar.
   kOutput = 1u << 9,          ///< The output link changed.
-  kGds = 1u << 10,            ///< Goal dependency sets.
-  kAssertion = 1u << 11,      ///< Instantiations made and asserted; matches put into the match set.
+  kGds = 1u << 10,            ///< Changes of goal dependency sets.
+  kAssertion = 1u << 11,      ///< Instantiations created and asserted; matches added to the match set.
   kLearning = 1u << 12,       ///< Justifications and chunks.
   kExploration = 1u << 13,    ///< Candidates and their values when exploration chooses.
-  kReinforcement = 1u << 14,  ///< Values that reinforcement learning moves; gaps in its episodes.
-  kRecall = 1u << 15,         ///< What long-term memory answered to rules.
+  kReinforcement = 1u << 14,  ///< Updates of values by reinforcement learning; gaps in its episodes.
+  kRecall = 1u << 15,         ///< Results of long-term memory for commands of rules.
   kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
   kNotLearned = 1u << 17,     ///< Why results get no rule.
   kActivation = 1u << 18,     ///< Elements whose activation is followed.
@@ -57,20 +58,21 @@ constexpr EventMask operator|(EventMask a, Event b) {
   return a | Mask(b);
 }
 
-/// A rule that fires or retracts. Spans and references are valid during the callback only.
+/// A rule that fires or retracts. Spans and references are valid only during the callback.
 struct FiringInfo {
   InstantiationId instantiation = InstantiationId::kNone;
-  ProductionId production = ProductionId::kNone;  ///< kNone for justifications that are not in the net.
+  ProductionId production = ProductionId::kNone;  ///< kNone for justifications that are not in the network.
   const Production* rule = nullptr;               ///< Null for architectural instantiations.
   std::string_view name;                          ///< The rule's name.
-  Symbol goal;                                    ///< The goal that it matched; none if it touches no goal.
+  Symbol goal;                                    ///< The lowest goal that it matched; none if it matched no goal.
   GoalLevel level = 0;
   std::span<const WmeId> wmes;  ///< One per positive condition, in match order.
-  Symbol touched;               ///< OnInhibited: an identifier that an action would touch and that is not below...
-  GoalLevel change_level = 0;   ///< ... the level that is changing.
+  Symbol touched;               ///< OnInhibited: an identifier that an action would change and whose level is not below
+                                ///< `change_level`.
+  GoalLevel change_level = 0;   ///< OnInhibited: the level that is changing.
 };
 
-/// An element, with the contents copied so that a listener need not look it up.
+/// An element with copies of its contents, so that a listener need not look it up.
 struct WmeInfo {
   WmeId wme = WmeId::kNone;
   std::uint64_t timetag = 0;
@@ -81,9 +83,9 @@ struct WmeInfo {
 struct GoalInfo {
   Symbol goal;
   GoalLevel level = 0;
-  ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that made the state; kNone for the top state.
-  bool on_operator = false;                  ///< ^attribute operator (else state); tie and the like are on operators.
-  Symbol op;                                 ///< The operator selected in it, or none.
+  ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that created the state; kNone for the top state.
+  bool on_operator = false;                  ///< ^attribute operator (else state). Ties and conflicts are on operators.
+  Symbol op;                                 ///< The operator selected in this state, or none.
 };
 
 enum class GoalRemoval : std::uint8_t {
@@ -91,9 +93,9 @@ enum class GoalRemoval : std::uint8_t {
   kWrongImpasseType,  ///< "because it's the wrong type of impasse."
   kOperatorRemoval,   ///< "because of an operator removal."
   kGdsChange,         ///< "because element in GDS changed. WME: (...)": see OnGdsViolation just before.
-  kWithSuperstate,    ///< A state above it goes; told after that one.
-  kInconsistent,      ///< The consistency check failed: see OnInconsistentDecision just before.
-  kInit,              ///< init-soar or the end of the agent. Not told to observers of kDecision.
+  kWithSuperstate,    ///< A state above it is removed; reported after that one.
+  kInconsistent,      ///< The consistency check failed: see OnInconsistentDecision, which is called just before.
+  kInit,              ///< init-soar or destruction of the agent. Not reported to observers of kDecision.
 };
 
 enum class OperatorRemoval : std::uint8_t {
@@ -107,22 +109,22 @@ enum class WarningKind : std::uint8_t {
   kMaxElaborationsApply,
   kGoalStackLimit,
   kMaxDecisionTime,
-  kAddedAndRemoved,  ///< The newest new element went before the match saw it; the text shows it.
-  kLearnedRule,      ///< Something is wrong with a rule that is being learned.
+  kAddedAndRemoved,  ///< The newest new element was removed before the match received it; the text names it.
+  kLearnedRule,      ///< A rule that is being learned has a problem.
   kOther,
 };
 
-/// Why a firing in a substate is not learned from.
+/// Why a firing in a substate results in no learned rule.
 enum class NotLearned : std::uint8_t {
   kExcluded,       ///< `chunk except`, and the state was named by (dont-learn).
   kNotForced,      ///< `chunk only`, and the state was not named by (force-learn).
   kNotLowest,      ///< `chunk bottom-only`, and a lower state had results.
   kTooMany,        ///< `chunk max-chunks`
   kTooManyAlike,   ///< `chunk max-dupes`
-  kUnconditional,  ///< The results rest on nothing above the substate.
+  kUnconditional,  ///< The results depend on no element above the substate.
 };
 
-/// A rule whose number moves: its parts (learn/rl_values.h) before and after. Their sum is the rule's number.
+/// An update of a rule's learned number: its two parts (learn/rl_values.h) before and after. Their sum is the number.
 struct RlUpdate {
   ProductionId rule = ProductionId::kNone;
   double old_current = 0, old_future = 0;
@@ -157,10 +159,10 @@ struct BacktraceStep {
 struct RecallInfo {
   GoalLevel level = 0;
   bool is_episode = false;
-  std::uint64_t number = 0;   ///< Of the object or the episode; 0: nothing came.
+  std::uint64_t number = 0;   ///< Of the retrieved object or episode; 0 if nothing was retrieved.
   std::string_view question;  ///< "^kind ammo ^room <any>", "episode 7", "the next episode".
-  std::string_view answer;    ///< Of an object some augmentations: "^kind ammo ^name crate".
-  std::string_view reason;    ///< Why that came, or why nothing did.
+  std::string_view answer;    ///< For an object, some of its augmentations: "^kind ammo ^name crate".
+  std::string_view reason;    ///< Why this object or episode was retrieved, or why nothing was.
 };
 
 /// Sees what learning traces back, if it listens to kBacktrace.
@@ -185,29 +187,29 @@ class Observer : public BacktraceObserver {
   virtual void OnRecall(const Agent&, const RecallInfo&) {}
 
   // kElaboration
-  /// Around one elaboration cycle (a preference phase and a working memory phase).
+  /// Begin and end of one elaboration cycle (a preference phase and a working memory phase).
   virtual void OnElaborationBegin(const Agent&) {}
   virtual void OnElaborationEnd(const Agent&) {}
   /// The preference phase of an elaboration: "--- Firing Productions (PE) For State At Depth 1 ---" in the apply phase.
   virtual void OnPreferencePhase(const Agent&, FiringType, GoalLevel active_level) { (void)active_level; }
   /// A pass of the waterfall: "--- Inner Elaboration Phase, active level 1 goal S1 ---".
   virtual void OnInnerElaboration(const Agent&, GoalLevel, Symbol goal) { (void)goal; }
-  /// Before buffered changes are made: "--- Change Working Memory (PE) ---" in the apply phase.
+  /// Before buffered changes are applied: "--- Change Working Memory (PE) ---" in the apply phase.
   virtual void OnWorkingMemoryPhase(const Agent&, FiringType) {}
 
   // kFiring
-  /// Before the actions run: text that they write comes next.
+  /// Called before the actions run. Text that they write is reported after this call.
   virtual void OnFiring(const Agent&, const FiringInfo&) {}
-  /// After the actions have run; `preferences` in the order of FiringPreferences() of the instantiation.
+  /// Called after the actions have run. `preferences` is in the order of FiringPreferences() of the instantiation.
   virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) {
     (void)preferences;
   }
-  /// A match that must wait, because a higher level changes in this elaboration: see info.touched, info.change_level.
+  /// A match must wait because a higher level changes in this elaboration: see info.touched and info.change_level.
   virtual void OnInhibited(const Agent&, const FiringInfo&) {}
-  /// When the first i-supported preference of an instantiation that no longer matches is about to go. Not called for
-  /// instantiations that have none.
+  /// Called before the first i-supported preference of an instantiation that no longer matches is removed. Not called
+  /// for instantiations without such preferences.
   virtual void OnRetracting(const Agent&, const FiringInfo&) {}
-  /// Every instantiation that no longer matches, whether or not it has preferences left.
+  /// Called for every instantiation that no longer matches, even if it has no preferences left.
   virtual void OnRetracted(const Agent&, const FiringInfo&) {}
 
   // kWme
@@ -216,13 +218,14 @@ class Observer : public BacktraceObserver {
 
   // kPreference: look the preference up in agent.memory().preference(id).
   virtual void OnPreferenceAdded(const Agent&, PreferenceId) {}
-  /// One that is not added, because the top state has the same o-supported fact already.
+  /// A preference that is not added, because the top state already has an o-supported preference for the same value.
   virtual void OnPreferenceIgnored(const Agent&, PreferenceId) {}
   virtual void OnPreferenceRemoved(const Agent&, PreferenceId) {}
 
   // kDecision
-  /// The decision's line in the trace: an operator was selected in `info.goal` (info.op), or a state was made (info.op
-  /// is none). Also once after init-soar for the top state, and each idle cycle with wait-snc on.
+  /// The decision's line in the trace: an operator was selected in `info.goal` (info.op), or a state was created
+  /// (info.op is none). Also called once after init-soar for the top state, and in each idle cycle while wait-snc is
+  /// on.
   virtual void OnDecision(const Agent&, const GoalInfo&, std::uint64_t decision) { (void)decision; }
   virtual void OnStateRemoved(const Agent&, const GoalInfo&, GoalRemoval) {}
   virtual void OnOperatorRemoved(const Agent&, const GoalInfo&, OperatorRemoval, const WmeInfo&) {}
@@ -230,19 +233,20 @@ class Observer : public BacktraceObserver {
   virtual void OnInconsistentDecision(const Agent&, const GoalInfo&) {}
 
   // kReason
-  /// What the decision procedure said (decide/decision_trace.h), before the operator is installed or the state is made:
-  /// OnDecision comes after it. Not told of an impasse that goes on, nor where there is no preference at all.
+  /// The outcome of the decision procedure (decide/decision_trace.h). Called before the operator is installed or the
+  /// state is created, thus before OnDecision. Not called for an impasse that continues, or if there is no preference
+  /// at all.
   virtual void OnDecided(const Agent&, const DecisionReport&) {}
 
   // kGds
   virtual void OnGdsAdded(const Agent&, const GoalInfo&, const WmeInfo&) {}
-  /// The element left working memory (or changed) and the goal will be removed.
+  /// The element was removed from working memory (or changed), so the goal will be removed.
   virtual void OnGdsViolation(const Agent&, const GoalInfo&, const WmeInfo&) {}
 
   // kPrint
-  /// Text as rules write it.
+  /// Text exactly as rules write it.
   virtual void OnPrint(const Agent&, std::string_view text) { (void)text; }
-  /// A message of the architecture about a rule's action, printed as it is.
+  /// A message of the architecture about a rule's action, in its final form.
   virtual void OnError(const Agent&, std::string_view text) { (void)text; }
   /// (log n ...) and (trace n ...): printed if that channel or level is on.
   virtual void OnLog(const Agent&, int channel, std::string_view text) {
@@ -253,14 +257,14 @@ class Observer : public BacktraceObserver {
     (void)level;
     (void)text;
   }
-  /// A command to a state's scene cannot be done, or asks for what is not there: the element that gave it, what is
-  /// wrong and what to do about it. Soar's trace says nothing of it.
+  /// A command to a state's scene is invalid or refers to something that does not exist. `command` is the element with
+  /// the command, `problem` describes the error, `hint` a correction. Soar's trace has no such message.
   virtual void OnSceneProblem(const Agent&, WmeId command, std::string_view problem, std::string_view hint) {
     (void)command;
     (void)problem;
     (void)hint;
   }
-  /// A warning of the architecture in its own words; `kind` lets the trace use the reference's layout.
+  /// A warning of the architecture in our words. `kind` lets the trace use Soar's format instead.
   virtual void OnWarning(const Agent&, WarningKind kind, std::string_view text) {
     (void)kind;
     (void)text;
@@ -268,21 +272,20 @@ class Observer : public BacktraceObserver {
 
   // kProduction
   virtual void OnProductionAdded(const Agent&, ProductionId) {}
-  /// Before the rule goes.
+  /// Called before the rule is removed.
   virtual void OnProductionExcised(const Agent&, ProductionId) {}
 
   // kRun
-  /// A rule with `:interrupt` or a break matches anew, the `count`-th time; a run that is under way ends after the
-  /// phase.
+  /// A rule with `:interrupt` or a break has a new match, its `count`-th. The current run ends after the phase.
   virtual void OnRuleInterrupt(const Agent&, ProductionId, std::uint32_t count) { (void)count; }
-  /// The run ended because of a request (command, rule, goal-stack limit); the text says why.
+  /// The run ended because of a request (command, rule, goal-stack limit). `reason` explains which.
   virtual void OnInterrupt(const Agent&, std::string_view reason) { (void)reason; }
   virtual void OnHalt(const Agent&) {}
   virtual void OnBeforeInit(const Agent&) {}
   virtual void OnAfterInit(const Agent&) {}
 
   // kOutput
-  /// In the output phase, if anything below the output link changed: read agent.output().changes().
+  /// Called in the output phase if anything below the output link changed: read agent.output().changes().
   virtual void OnOutput(const Agent&) {}
 
   // kAssertion
@@ -290,31 +293,31 @@ class Observer : public BacktraceObserver {
   virtual void OnInstantiationAsserted(const Agent&, const FiringInfo&) {}
 
   // kLearning
-  /// A chunk or justification of this name is about to be made.
+  /// A chunk or justification of this name is about to be built.
   virtual void OnLearning(const Agent&, std::string_view name) { (void)name; }
-  /// It has been made.
+  /// It has been built.
   virtual void OnLearned(const Agent&, const FiringInfo&) {}
-  /// It says the same as a live one, and was not made.
+  /// It duplicates the live rule `original`, so it was not built.
   virtual void OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
     (void)name, (void)original;
   }
 
   // kNotLearned
   virtual void OnNotLearned(const Agent&, NotLearned why, const FiringInfo&) { (void)why; }
-  /// Reasoning in a substate rests on the absence of something in it, and `chunk allow-local-negations` is off: a rule
-  /// whose only condition is the negated one.
+  /// Reasoning in a substate depends on the absence of a local element, and `chunk allow-local-negations` is off.
+  /// `negation` is a rule whose only condition is that negated condition.
   virtual void OnLocalNegation(const Agent&, const Production& negation) { (void)negation; }
 
   // kActivation
-  /// An element is followed from now on.
+  /// The activation of an element is tracked from now on.
   virtual void OnFollowed(const Agent&, WmeId) {}
-  /// It has gone.
+  /// A tracked element was removed.
   virtual void OnFollowedGone(const Agent&, std::uint64_t timetag) { (void)timetag; }
-  /// It was used so often in the decision cycle that ends.
+  /// Number of uses of a tracked element in the decision cycle that ends.
   virtual void OnUses(const Agent&, std::uint64_t timetag, std::uint64_t uses) { (void)timetag, (void)uses; }
 
   // kExploration
-  /// One candidate with its value, when exploration chooses.
+  /// One candidate with its value, each time exploration chooses.
   virtual void OnCandidate(const Agent&, Symbol candidate, double value, double probability) {
     (void)candidate;
     (void)value;
@@ -322,9 +325,10 @@ class Observer : public BacktraceObserver {
   }
 
   // kReinforcement
-  /// Before the new number holds.
+  /// Called before the new number takes effect.
   virtual void OnRlUpdate(const Agent&, const RlUpdate&) {}
-  /// In this state decisions follow for which no rule with a learned number speaks; or they are over.
+  /// If `begins`, decisions in this state are from now on made without a rule with a learned number. Else that gap
+  /// ends.
   virtual void OnRewardGap(const Agent&, Symbol state, bool begins) {
     (void)state;
     (void)begins;

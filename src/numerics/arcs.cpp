@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// The inverse functions of sine, cosine and tangent. All of them are angles of a point (x, y): a tabulated angle and
-// the angle of what is left, by its series.
+// The inverse functions of sine, cosine and tangent. Each is computed as the angle of a point (x, y): the sum of a
+// tabulated angle and a series for the rest.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -24,7 +24,7 @@ constexpr DoubleDouble ArcBySeries(DoubleDouble x) {
   return Multiply(sum, x);
 }
 
-// The arc tangent of i/64. Each is the one before and the angle between them.
+// The arc tangent of i/64, computed from the previous one and the angle between them.
 constexpr int kArcs = 65;
 constexpr std::array<DoubleDouble, kArcs> kTable = [] {
   std::array<DoubleDouble, kArcs> table{};
@@ -45,7 +45,7 @@ DoubleDouble ArcOf(DoubleDouble y, DoubleDouble x) {
   return Add(kTable[index], Add(u, tail));
 }
 
-/// The same for any signs: from -pi to pi. Not for (0, 0).
+/// The same for any signs: from -pi to pi. Not defined for (0, 0).
 DoubleDouble AngleOf(DoubleDouble y, DoubleDouble x) {
   const bool below = std::signbit(y.hi), behind = std::signbit(x.hi);
   if (below) y = Negative(y);
@@ -68,7 +68,7 @@ DoubleDouble OtherSide(double x) {
   return FastTwoSum(root, (rest.hi + rest.lo) / (2 * root));
 }
 
-// The same in double precision for floats: arc tangents of i/16.
+// The tables for floats, in double precision: arc tangents of i/16.
 constexpr int kFewArcs = 17;
 constexpr std::array<double, kFewArcs> kFewTable = [] {
   std::array<double, kFewArcs> table{};
@@ -94,7 +94,7 @@ double FastAngleOf(double y, double x) {
   return below ? -angle : angle;
 }
 
-/// What C says of zeros and infinities; true if `angle` is the answer.
+/// The results that C defines for zeros and infinities. Returns true if `angle` is such a result.
 template <class Real>
 bool IsSpecial(Real y, Real x, double& angle) {
   if (std::isnan(x) || std::isnan(y)) {
@@ -117,7 +117,7 @@ bool IsSpecial(Real y, Real x, double& angle) {
 double Atan2(double y, double x) {
   double angle = 0;
   if (IsSpecial(y, x, angle)) return angle;
-  // Keeps products and quotients away from the limits of doubles.
+  // Avoids overflow and underflow of products and quotients.
   int of_y = 0, of_x = 0;
   double y_part = std::frexp(y, &of_y), x_part = std::frexp(x, &of_x);
   if (of_y - of_x > 80) return std::copysign(kHalfPi.hi, y);

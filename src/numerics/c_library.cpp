@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// The functions under the names that C knows them by. A program that links this file uses them for its own calls, and
-// exports them to the shared libraries that it loads, which then use them, too: the C library comes later in the order
-// of search. No header of the C library is included, whose declarations differ from system to system.
+// The functions under their C names. A program that links this file uses them itself and exports them to the shared
+// libraries that it loads, because the C library comes later in the search order. No header of the C library is
+// included, because declarations differ between systems.
 #include "numerics/functions.h"
 
 #define SOARBOX_C extern "C" __attribute__((visibility("default")))
@@ -63,7 +63,7 @@ SOARBOX_C double pow(double x, double y) noexcept {
 SOARBOX_C double hypot(double x, double y) noexcept {
   return numerics::Hypot(x, y);
 }
-// Compilers join a sine and a cosine of the same angle.
+// Compilers combine a sine and a cosine of the same angle.
 SOARBOX_C void sincos(double x, double* sine, double* cosine) noexcept {
   *sine = numerics::Sin(x);
   *cosine = numerics::Cos(x);

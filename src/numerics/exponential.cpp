@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Exponentials, logarithms and powers: a table for the leading bits, a short polynomial for the rest.
+// Exponentials, logarithms and powers: a table for the leading bits, a short polynomial for the remainder.
 #include "numerics/exponential.h"
 
 #include <array>
@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRound = 0x1.8p52;  // Adding and subtracting it rounds to a whole number.
+constexpr double kRound = 0x1.8p52;  // Adding and subtracting it rounds to an integer.
 constexpr DoubleDouble kLn2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 constexpr DoubleDouble kReciprocalOfLn2{0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
 constexpr DoubleDouble kReciprocalOfLn10{0x1.bcb7b1526e50ep-2, 0x1.95355baaafad3p-57};
 
-/// e^x for a small x, by its series.
+/// e^x for a small x, by its power series.
 constexpr DoubleDouble ExpBySeries(DoubleDouble x) {
   DoubleDouble sum{1, 0};
   for (int n = 24; n >= 1; --n) sum = Add(Multiply(Divide(x, {static_cast<double>(n), 0}), sum), 1.0);
@@ -31,7 +31,7 @@ constexpr DoubleDouble ExpBySeries(DoubleDouble x) {
 // 2^(i/64).
 constexpr int kPowers = 64;
 constexpr double kPowersPerUnit = 0x1.71547652b82fep+6;  // 64 / ln 2
-constexpr double kUnitHi = 0x1.62e42fefap-7;             // ln 2 / 64 in 36 bits, and the rest.
+constexpr double kUnitHi = 0x1.62e42fefap-7;             // ln 2 / 64: the leading 36 bits, and the remainder.
 constexpr double kUnitLo = 0x1.cf79abc9e3b3ap-46;
 constexpr std::array<DoubleDouble, kPowers> kPowersOfTwo = [] {
   std::array<DoubleDouble, kPowers> table{};
@@ -48,7 +48,8 @@ constexpr DoubleDouble LogBySeries(double z) {
   return Multiply(Multiply(sum, ratio), 2);
 }
 
-// For the leading seven bits of a mantissa m: a number c of nine bits close to 1/m, and -log(c). Near 1, c is 1.
+// For each value of the leading seven bits of a mantissa m: a number c of nine bits close to 1/m, and -log(c). Near 1,
+// c is 1.
 struct Inverse {
   double c = 1;
   DoubleDouble minus_log;
@@ -57,7 +58,7 @@ constexpr int kInverses = 128;
 constexpr std::array<Inverse, kInverses> kInversesOf = [] {
   std::array<Inverse, kInverses> table{};
   for (int i = 0; i < kInverses; ++i) {
-    // Mantissas run from 1 to 2; those above 1.5 are taken as from 0.75 to 1.
+    // Mantissas are between 1 and 2; those above 1.5 are treated as 0.75 to 1.
     const double middle = (i < 64 ? 1 : 0.5) * (1 + (i + 0.5) / kInverses);
     if (i < 1 || i == kInverses - 1) continue;
     const double c = static_cast<double>(static_cast<int>(256 / middle + 0.5)) / 256;
@@ -66,7 +67,7 @@ constexpr std::array<Inverse, kInverses> kInversesOf = [] {
   return table;
 }();
 
-/// log(1 + z) - z + z^2/2 for |z| < 2^-6.4, where z^2/2 is exact to 2^-80.
+/// log(1 + z) - z + z^2/2 for |z| < 2^-6.4. Callers add z - z^2/2, in higher precision if they need it.
 double LogTail(double z) {
   const double q = z * z * z;
   return q * (1.0 / 3 +
@@ -79,7 +80,7 @@ double LogTail(double z) {
 Scaled ExpScaled(DoubleDouble x) {
   const double rounded = x.hi * kPowersPerUnit + kRound - kRound;
   const int steps = static_cast<int>(rounded);
-  // The product is exact: 17 and 36 bits.
+  // The product is exact: 17 times 36 bits.
   const DoubleDouble rest = Add(TwoSum(x.hi - rounded * kUnitHi, -(rounded * kUnitLo)), x.lo);
   const double r = rest.hi;
   const double polynomial =
@@ -136,7 +137,7 @@ double FastLogOf(float x) {
     ++exponent;
   }
   const Inverse& inverse = kInversesOf[index];
-  const double z = mantissa * inverse.c - 1;  // Exact: 24 and 9 bits.
+  const double z = mantissa * inverse.c - 1;  // Exact: 24 times 9 bits.
   return (exponent * kLn2.hi + inverse.minus_log.hi) + (z - 0.5 * z * z + LogTail(z));
 }
 
@@ -237,7 +238,7 @@ double Tanh(double x) {
   if (size > 22) return std::copysign(1.0, x);
   if (size < 0x1p-27) return x;
   if (size < 0.05) {
-    // The quotient of the series of the hyperbolic sine and cosine.
+    // The quotient of the series of sinh and cosh.
     const double square = x * x;
     const double sine = x * square * (1.0 / 6 + square * (1.0 / 120 + square * (1.0 / 5040 + square * (1.0 / 362880))));
     const double cosine = square * (1.0 / 2 + square * (1.0 / 24 + square * (1.0 / 720 + square * (1.0 / 40320))));

@@ -14,8 +14,8 @@ struct Scaled {
 /// e^(x.hi + x.lo) with a relative error below 2^-66, for |x| < 2000.
 Scaled ExpScaled(DoubleDouble x);
 
-/// The natural logarithm of a positive, finite x, normal or not, with a relative error below 2^-64. `rest` is a small
-/// addition to x (below 2^-52 of it).
+/// The natural logarithm of a positive, finite x, including subnormal numbers, with a relative error below 2^-64.
+/// `rest` is added to x and must be below 2^-52 of it.
 DoubleDouble LogOf(double x, double rest = 0);
 
 /// The same for a positive, finite float, as a double with a relative error below 2^-48.

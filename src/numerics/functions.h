@@ -3,11 +3,11 @@
 
 namespace soarbox::numerics {
 
-/// The functions of mathematics that are not exact in IEEE 754, with the same bits on every machine.
+/// Mathematical functions that IEEE 754 does not define exactly, with the same bits on every machine.
 ///
-/// The functions of C libraries differ from each other and, in glibc, from processor to processor: those for doubles
-/// take other instructions where the processor has a fused multiply-add. c_library.cpp gives these functions the names
-/// that C programs call (sin, sinf, ...), so that std::sin, Lua, Bullet and Recast use them in all our programs.
+/// C libraries differ from each other. Those of glibc for doubles also differ between processors with and without fused
+/// multiply-add. c_library.cpp defines these functions under their C names (sin, sinf, ...), so that std::sin, Lua,
+/// Bullet and Recast use them in all our programs.
 ///
 /// Error: doubles 0.51 units in the last place (0.52 for Pow, if |y * log(x)| < 100), floats 0.501; numerics_test
 /// compares millions of values with a reference of higher precision. Results below the smallest normal number may be

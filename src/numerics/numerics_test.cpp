@@ -33,7 +33,7 @@ const std::map<std::string, Function>& Functions() {
 struct Known {
   const char* function;
   double x, y;
-  double result;  ///< The correctly rounded one, computed with 2,000 bits.
+  double result;  ///< The correctly rounded result, computed with 2,000 bits.
 };
 
 // clang-format off
@@ -160,7 +160,7 @@ TEST(Numerics, ResultsAreThoseOfAReferenceOfHigherPrecision) {
         << name << "(" << x << ", " << y << ")";
 }
 
-/// Numbers that are the same everywhere: a xorshift generator.
+/// Random numbers that are the same everywhere: a xorshift generator.
 class Numbers {
  public:
   double Between(double low, double high) {
@@ -201,7 +201,7 @@ TEST(Numerics, CompilersAndProcessorsAgreeToTheBit) {
   EXPECT_EQ(floats.hash, 804262227115399895ULL);
 }
 
-// Where the C library has more bits than a double, millions of values are compared with it.
+// If the C library has more bits than a double, millions of values are compared with it.
 #if __LDBL_MANT_DIG__ >= 64
 double UnitsOff(double value, long double exact) {
   const auto nearest = static_cast<double>(exact);
@@ -236,7 +236,7 @@ TEST(Numerics, DoublesAreWithinTheErrorThatIsStated) {
     note("pow", Pow(size, ratio * 10), std::pow(s, static_cast<long double>(ratio * 10)));
     note("hypot", Hypot(angle, ratio), std::hypot(a, r));
   }
-  // The reference itself is off by up to a thousandth.
+  // The reference has an error of up to a thousandth itself.
   for (const auto& [name, units] : worst) EXPECT_LT(units, 0.512) << name;
 }
 
@@ -328,7 +328,7 @@ TEST(Numerics, ProgramsCallThemByTheirNamesInC) {
   EXPECT_EQ(std::sin(x), Sin(static_cast<double>(x)));
   EXPECT_EQ(std::sinh(x), Sinh(static_cast<double>(x)));
   EXPECT_EQ(std::atan2(y, y + 1), Atan2(static_cast<float>(y), y + 1));
-  // Values in which glibc's functions are not the nearest.
+  // Values for which glibc's functions do not return the nearest double.
   volatile double hard = 0.05;
   EXPECT_EQ(std::tanh(hard), Tanh(0.05));
 }

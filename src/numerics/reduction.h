@@ -5,16 +5,17 @@
 
 namespace soarbox::numerics {
 
-/// x = quadrants * pi/2 + angle, with |angle| at most a little above pi/4. Only the last two bits of `quadrants` count.
+/// x = quadrants * pi/2 + angle, with |angle| slightly above pi/4 at most. Only the last two bits of `quadrants` are
+/// valid.
 struct Reduced {
   DoubleDouble angle;
   int quadrants = 0;
 };
 
-/// For any finite x, with an error of the angle below 2^-100 (and below 2^-66 of its size).
+/// Accepts any finite x. The error of the angle is below 2^-100 (and below 2^-66 relative to it).
 Reduced Reduce(double x);
 
-/// The same in double precision: an error below 2^-50 for what a float can be.
+/// The same in double precision for a float, with an error below 2^-50.
 struct FastReduced {
   double angle = 0;
   int quadrants = 0;

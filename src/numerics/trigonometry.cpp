@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Sine, cosine and tangent: the angle less a multiple of pi/2, then tables for the leading bits and series for the
-// rest.
+// Sine, cosine and tangent: the angle is reduced by a multiple of pi/2; then tables are used for its leading bits and
+// series for the remainder.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr SineCosine BySeries(double x) {
   return {Multiply(sine, x), cosine};
 }
 
-// Of i/64, up to pi/4.
+// Sine and cosine of i/64, up to pi/4.
 constexpr int kAngles = 52;
 constexpr std::array<SineCosine, kAngles> kTable = [] {
   std::array<SineCosine, kAngles> table{};
@@ -37,7 +37,7 @@ constexpr std::array<SineCosine, kAngles> kTable = [] {
   return table;
 }();
 
-/// An angle from -pi/4 to pi/4 as a tabulated angle, with its sign, and a rest of at most 1/128.
+/// An angle from -pi/4 to pi/4 as the sum of a tabulated angle with its sign and a rest of at most 1/128.
 struct Split {
   SineCosine table;
   DoubleDouble rest;
@@ -81,14 +81,14 @@ double Rounded(DoubleDouble value) {
   return value.hi + value.lo;
 }
 
-/// The sine of the angle and `quadrants` more right angles.
+/// The sine of the angle plus `quadrants` right angles.
 double SineInQuadrant(DoubleDouble angle, int quadrants) {
   const Split split = SplitAngle(angle);
   const double value = Rounded(quadrants & 1 ? CosineOf(split) : SineOf(split));
   return quadrants & 2 ? -value : value;
 }
 
-/// The same in double precision, for floats: series up to pi/4.
+/// Same in double precision, for floats: series up to pi/4.
 double FastSineInQuadrant(double angle, int quadrants) {
   const double square = angle * angle;
   double value;

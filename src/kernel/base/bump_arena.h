@@ -11,8 +11,8 @@
 
 namespace soarbox::kernel {
 
-/// Memory for what is made for a short piece of work and goes all at once: taking some is moving a pointer, and the
-/// first kilobytes are part of the arena itself. For types without destructors only; nothing moves once made.
+/// Memory for temporary objects that are all freed at once. An allocation moves a pointer; the first 16 KB are inside
+/// the arena itself. Only for trivially destructible types. Objects never move.
 class Arena {
  public:
   Arena() : next_(first_), end_(first_ + sizeof(first_)) {}
@@ -29,7 +29,7 @@ class Arena {
     static_assert(std::is_trivially_destructible_v<T>);
     return new (Take(sizeof(T), alignof(T))) T();
   }
-  /// `count` values, all made by default.
+  /// Returns `count` value-initialized objects.
   template <typename T>
   T* NewArray(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);
@@ -37,7 +37,7 @@ class Arena {
     std::uninitialized_value_construct_n(made, count);
     return made;
   }
-  /// Room for `count` values that the caller makes.
+  /// Returns uninitialized memory for `count` objects, which the caller must construct.
   template <typename T>
   T* NewRoom(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);
@@ -49,7 +49,7 @@ class Arena {
     return {made, text.size()};
   }
 
-  /// Forgets everything that was made. Keeps only the memory that is part of the arena.
+  /// Frees all objects, and all memory except the first block, which is part of the arena.
   void Clear() {
     blocks_.clear();
     next_ = first_;

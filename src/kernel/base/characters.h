@@ -19,17 +19,17 @@ constexpr char ToLower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// A character that can be part of a symbol written without bars.
+/// True for characters of symbols that are written without bars.
 constexpr bool IsConstituent(char c) {
   return IsLetter(c) || IsDigit(c) || std::string_view("$%&*+-/:<=>?_@").find(c) != std::string_view::npos;
 }
 
-/// What separates symbols: blanks, line ends and, as Soar has it, the semicolon.
+/// True for separators of symbols: blanks, line ends and, as in Soar, the semicolon.
 constexpr bool IsBlank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r') || c == ';';
 }
 
-/// An optional sign, then digits only.
+/// True for an optional sign followed by one or more digits.
 constexpr bool LooksLikeInteger(std::string_view text) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) {
     text.remove_prefix(1);
@@ -55,7 +55,7 @@ constexpr bool LooksLikeVariable(std::string_view text) {
   return true;
 }
 
-/// "S1", "r22": one letter, then digits only.
+/// True for one letter followed by one or more digits: "S1", "r22".
 constexpr bool LooksLikeIdentifier(std::string_view text) {
   if (text.size() < 2 || !IsLetter(text[0])) {
     return false;

@@ -9,7 +9,7 @@
 
 namespace soarbox::kernel {
 
-/// What every interned constant carries beside its contents.
+/// The flags of an interned constant.
 struct PoolMarks {
   static constexpr std::uint8_t kLive = 1, kPinned = 2, kMarked = 4;
   std::uint8_t bits = 0;
@@ -18,7 +18,7 @@ struct PoolMarks {
   bool Pinned() const { return (bits & kPinned) != 0; }
 };
 
-/// a == b for texts that are short and mostly equal: without a call.
+/// a == b, inlined: fast for short texts that are usually equal.
 inline bool SameText(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) {
     return false;
@@ -49,7 +49,7 @@ inline bool SameText(std::string_view a, std::string_view b) {
   return true;
 }
 
-/// A text in a pool; the characters belong to an arena.
+/// An interned text. A TextArena owns the characters.
 struct TextEntry {
   const char* text = nullptr;
   std::uint32_t length = 0;
@@ -68,7 +68,7 @@ struct NumberEntry {
   std::uint32_t stamp = 0;
   PoolMarks marks;
 
-  /// Round doubles differ in their upper bits only, so these come down before the product is cut.
+  /// Round doubles differ only in their upper bits, so these are mixed into the lower half before the multiplication.
   static std::uint32_t HashOf(std::uint64_t bits) {
     bits ^= bits >> 32;
     return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ull) >> 32);
@@ -77,11 +77,11 @@ struct NumberEntry {
   std::uint32_t Hash() const { return HashOf(bits); }
 };
 
-/// Interned constants of one kind: entries with stable indices from `first_index` on, found by contents through a
-/// hash index with open addressing. Freed entries are used again, last freed first.
+/// Interned constants of one kind. Entries have stable indices, from `first_index` on, and are found by their contents
+/// through a hash index with open addressing. Freed entries are reused, the last freed first.
 ///
-/// Invariant: the index holds exactly the live entries, and is at most half full: texts and numbers that are new are
-/// looked for as often as they are made, and a search without result is short only among gaps.
+/// Invariant: the index holds exactly the live entries and is at most half full. Half of all searches are for new
+/// constants. Such a search ends at a gap, so it is short only if gaps are frequent.
 template <typename Entry>
 class ConstantPool {
  public:
@@ -104,7 +104,7 @@ class ConstantPool {
     return slot == 0 ? kNotFound : first_ + slot - 1;
   }
 
-  /// The index of the entry with this key; `make()` makes it if there is none.
+  /// Returns the index of the entry with this key. If there is none, adds the entry that `make()` returns.
   template <typename Key, typename Make>
   std::uint32_t FindOrAdd(std::uint32_t hash, const Key& key, Make make) {
     if (!slots_.empty()) {
@@ -121,7 +121,7 @@ class ConstantPool {
     return Add(make());
   }
 
-  /// Adds an entry that is not there yet and returns its index.
+  /// Adds an entry, which must not be present, and returns its index.
   std::uint32_t Add(const Entry& entry) {
     if ((live_ + 1) * 2 > slots_.size()) {
       Rehash(slots_.empty() ? 16 : slots_.size() * 2);
@@ -131,8 +131,8 @@ class ConstantPool {
     return first_ + local;
   }
 
-  /// Frees the live entries for which `drop(entry)` is true, after it has given back what the entry refers to. Returns
-  /// how many those were.
+  /// Frees the live entries for which `drop(entry)` returns true; `drop` must release what the entry owns. Returns the
+  /// number of freed entries.
   template <typename Drop>
   std::size_t FreeIf(Drop drop) {
     const std::size_t first_freed = free_.size();
@@ -140,7 +140,7 @@ class ConstantPool {
       if (entries_[local].marks.Live() && drop(entries_[local])) free_.push_back(static_cast<std::uint32_t>(local));
     }
     const std::size_t freed = free_.size() - first_freed;
-    // Closing many gaps one by one costs more than building the index of what is left.
+    // Closing many gaps one by one costs more than rebuilding the index from the remaining entries.
     const bool rebuild = freed * 4 > live_;
     for (std::size_t n = first_freed; n < free_.size(); ++n) {
       if (!rebuild) Leave(free_[n]);
@@ -151,7 +151,7 @@ class ConstantPool {
     return freed;
   }
 
-  /// Starts over with `entries`, the first of which gets `first_index`.
+  /// Replaces all contents by `entries`; the first one gets the index `first_index`.
   void Reset(std::uint32_t first_index, std::vector<Entry> entries) {
     first_ = first_index;
     entries_ = std::move(entries);
@@ -179,7 +179,7 @@ class ConstantPool {
   }
 
  private:
-  /// Where in the index the entry with this key stands, or the gap where it would.
+  /// The position in the index of the entry with this key, or of the gap where it would be inserted.
   template <typename Key>
   std::uint32_t Search(std::uint32_t hash, const Key& key) const {
     const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
@@ -190,7 +190,7 @@ class ConstantPool {
     return at;
   }
 
-  /// Puts an entry among the others, not into the index yet. Returns its local index.
+  /// Stores an entry without adding it to the index. Returns its local index.
   std::uint32_t Place(const Entry& entry) {
     ++live_;
     if (free_.empty()) {
@@ -212,7 +212,7 @@ class ConstantPool {
     slots_[at] = local + 1;
   }
 
-  /// Takes an entry out of the index and closes the gap, so that no tombstones are needed.
+  /// Removes an entry from the index and closes the gap, so that no tombstones are needed.
   void Leave(std::uint32_t local) {
     const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
     std::uint32_t gap = entries_[local].Hash() & mask;

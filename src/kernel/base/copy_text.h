@@ -8,8 +8,8 @@
 
 namespace soarbox::kernel {
 
-/// Copies a text that is usually short: without a call, in words that may overlap at its end. `to` has room for the
-/// text and does not overlap it.
+/// Copies a text that is usually short, without a function call. `to` must have room for the text and must not overlap
+/// it.
 inline void CopyText(char* to, std::string_view text) {
   const char* const from = text.data();
   const std::size_t size = text.size();

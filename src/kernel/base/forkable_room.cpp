@@ -17,9 +17,9 @@ namespace soarbox::kernel {
 
 namespace {
 
-constexpr std::size_t kFewest = std::size_t{32} << 10;  ///< Bytes: less is copied.
-/// A process may have 65,530 mappings and often 1,024 open files. Most of both are left to others.
-constexpr int kMostRooms = 8192;  ///< Of two mappings each.
+constexpr std::size_t kFewest = std::size_t{32} << 10;  ///< In bytes; smaller arrays are copied.
+/// A process may have 65,530 mappings and often 1,024 open files. Most of both must remain for others.
+constexpr int kMostRooms = 8192;  ///< Each needs two mappings.
 constexpr int kMostImages = 64;
 std::atomic<int> rooms = 0;
 std::atomic<int> images = 0;
@@ -32,7 +32,7 @@ std::size_t WholePages(std::size_t bytes) {
   return (bytes + PageBytes() - 1) / PageBytes() * PageBytes();
 }
 
-/// Counts one more, unless that would be too many.
+/// Increments `count` unless that would exceed `most`. Returns whether it did.
 bool TakeOne(std::atomic<int>& count, int most) {
   if (count.fetch_add(1, std::memory_order_relaxed) < most) return true;
   count.fetch_sub(1, std::memory_order_relaxed);
@@ -63,7 +63,7 @@ std::shared_ptr<const PageImage> PageImage::Of(const void* records, std::size_t 
   return nullptr;
 }
 
-// Pages that are mapped stay where they are.
+// Mapped pages stay valid after the file is closed.
 PageImage::~PageImage() {
   close(file_);
   images.fetch_sub(1, std::memory_order_relaxed);
@@ -89,7 +89,7 @@ void* ForkableRoom::Resize(void* records, std::size_t bytes) {
   if (shared_ == 0) return std::realloc(records, bytes);
   bytes = WholePages(bytes);
   if (bytes <= all_) return records;
-  // The pages move without being copied: those of the image, and those behind them.
+  // Moves the pages without copying them: those of the image, and those after them.
   void* const moved = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (moved == MAP_FAILED) return nullptr;
   if (mremap(records, shared_, shared_, MREMAP_MAYMOVE | MREMAP_FIXED, moved) == MAP_FAILED) {

@@ -6,10 +6,11 @@
 
 namespace soarbox::kernel {
 
-/// Records that copies of an array share page by page, until one of them writes to a page.
+/// An image of the records of an array. Copies of the array share its pages copy-on-write.
 class PageImage {
  public:
-  /// Null if the records are few, or if this system has no such pages (left): copies are then made in full.
+  /// Returns null if there are few records, or if the system does not support such pages (or has none left). Copies of
+  /// the array are then full copies.
   static std::shared_ptr<const PageImage> Of(const void* records, std::size_t bytes);
   ~PageImage();
   PageImage(const PageImage&) = delete;
@@ -20,33 +21,35 @@ class PageImage {
   PageImage(int file, std::size_t bytes) : file_(file), bytes_(bytes) {}
 
   int file_;
-  std::size_t bytes_;  ///< Whole pages.
+  std::size_t bytes_;  ///< A multiple of the page size.
 };
 
-/// The room of a PlainVector that many copies are made of, each of which changes little of it. A copy shares the
-/// original's pages if the original has an image (Linux); what it changes, or has beyond them, is its own.
+/// The storage of a PlainVector that is copied often, where each copy changes little. A copy shares the pages of the
+/// original if the original has an image (Linux only). Pages that the copy changes, and records beyond the image, are
+/// its own.
 class ForkableRoom {
  public:
   ForkableRoom() = default;
   ForkableRoom(const ForkableRoom&) = delete;
   ForkableRoom& operator=(const ForkableRoom&) = delete;
 
-  /// From now on copies share pages, until the image is forgotten; it must be before anything changes.
+  /// Copies made from now on share pages. Call ForgetImage() before the records change.
   void MakeImage(const void* records, std::size_t bytes) const { image_ = PageImage::Of(records, bytes); }
   void ForgetImage() const { image_.reset(); }
 
-  // What PlainVector asks for. Null: there is no memory. -------------------------------------------------------------
+  // The interface that PlainVector uses. Functions return null if there is no memory. --------------------------------
 
   void* Resize(void* records, std::size_t bytes);
-  /// A copy of the records of another room, in this one, which has none. `capacity`: how many bytes there is room for.
+  /// Copies the records of `other` into this room, which must be empty. Sets `capacity` to the size of the allocated
+  /// memory in bytes.
   void* Copy(const ForkableRoom& other, const void* records, std::size_t bytes, std::size_t& capacity);
   void Free(void* records) noexcept;
   void Swap(ForkableRoom& other) noexcept;
 
  private:
   mutable std::shared_ptr<const PageImage> image_;
-  std::size_t shared_ = 0;  ///< Bytes at the beginning that are pages of an image; 0: the room is the C library's.
-  std::size_t all_ = 0;     ///< With those behind them.
+  std::size_t shared_ = 0;  ///< Bytes at the beginning that are mapped from an image; 0: the memory is from malloc.
+  std::size_t all_ = 0;     ///< Total number of bytes, including the shared ones.
 };
 
 }  // namespace soarbox::kernel

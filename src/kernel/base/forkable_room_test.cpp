@@ -44,7 +44,7 @@ TEST(ForkableRoom, ACopyGrowsAndKeepsWhatItHas) {
   auto original = std::make_unique<Numbers>(Ascending(20'000));
   MakeImage(*original);
   Numbers copy(*original);
-  original.reset();  // What copies share stays.
+  original.reset();  // The shared pages of the copies stay valid.
   for (std::uint32_t n = 0; n < 20'000; n += 1000) copy[n] = ~n;
   for (std::uint32_t n = 20'000; n < 200'000; ++n) copy.emplace_back() = n;
   ASSERT_EQ(copy.size(), 200'000u);

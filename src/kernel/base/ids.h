@@ -5,8 +5,8 @@
 
 namespace soarbox::kernel {
 
-/// Names a record of an agent (see RecordArena). Only the part that owns the record looks into it; all others hand the
-/// name to that part. kNone means "no such record".
+/// A handle of a record of an agent (see RecordArena). Only the part that owns the record accesses its contents; other
+/// parts pass the handle to the owner. kNone means "no record".
 template <typename Record>
 struct RecordId {
   Record* record = nullptr;
@@ -24,10 +24,10 @@ using SlotId = RecordId<struct Slot>;
 /// A link between identifiers (links.h).
 using LinkId = RecordId<struct Link>;
 
-/// Indices into an agent's arenas. kNone (all bits set) means "no such thing".
+/// Indices into an agent's arenas. kNone (all bits set) means "none".
 enum class WmeId : std::uint32_t { kNone = 0xFFFFFFFFu };
 enum class TokenId : std::uint32_t { kNone = 0xFFFFFFFFu };
-/// A rule of an agent, dense from 0 in loading order; numbers of excised rules are used again.
+/// A rule of an agent. Numbers are dense from 0 in loading order; numbers of excised rules are reused.
 enum class ProductionId : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 template <typename Id>
@@ -35,7 +35,7 @@ constexpr std::uint32_t Index(Id id) {
   return static_cast<std::uint32_t>(id);
 }
 
-/// A depth in the goal stack: the top state has level 1. 0 means "not linked to a goal".
+/// A depth in the goal stack. The top state has level 1. 0 means "not linked to a goal".
 using GoalLevel = std::uint16_t;
 
 }  // namespace soarbox::kernel

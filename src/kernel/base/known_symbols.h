@@ -7,9 +7,9 @@
 
 #include "kernel/base/symbol.h"
 
-/// The symbols that every table holds from the start, with fixed handles: the words of the architecture and the names
-/// of the built-in functions. Their order is their order of creation, which decides ties when conditions are ordered;
-/// the integers 0 to 100 come between the two groups (kPredefinedBeforeIntegers).
+/// The symbols that every table contains from the start, with fixed handles: the words of the architecture and the
+/// names of the built-in functions. Their order is their order of creation, which decides ties when conditions are
+/// reordered. The integers 0 to 100 are created between the two groups (kPredefinedBeforeIntegers).
 namespace soarbox::kernel {
 
 namespace words {
@@ -304,7 +304,7 @@ inline constexpr std::array<std::string_view, 143> kPredefinedWords = {
     "cmd",
 };
 
-/// How many of kPredefinedWords were created before the integers 0 to 100.
+/// Number of kPredefinedWords that are created before the integers 0 to 100.
 inline constexpr std::uint32_t kPredefinedBeforeIntegers = 79;
 
 }  // namespace soarbox::kernel

@@ -12,7 +12,7 @@
 
 namespace soarbox::kernel {
 
-/// Room for a PlainVector from the C library.
+/// The default storage of a PlainVector: malloc and realloc.
 struct HeapRoom {
   static void* Resize(void* records, std::size_t bytes) { return std::realloc(records, bytes); }
   static void* Copy(const HeapRoom&, const void* records, std::size_t bytes, std::size_t& capacity) {
@@ -25,9 +25,9 @@ struct HeapRoom {
   static void Swap(HeapRoom&) noexcept {}
 };
 
-/// A vector of plain records, for arrays that keep growing. It moves by reallocation, which copies nothing for large
-/// arrays and never holds two copies. From 8 KB on it grows by an eighth, where std::vector would double.
-/// `Room` is where the records are (HeapRoom, ForkableRoom).
+/// A vector of trivially copyable records, for arrays that keep growing. It grows with realloc, which copies nothing
+/// for large arrays and never holds two copies. It grows by a quarter below 8 KB and by an eighth above, where
+/// std::vector would double. `Room` is the storage (HeapRoom, ForkableRoom).
 template <typename T, typename Room = HeapRoom>
 class PlainVector {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
@@ -61,14 +61,14 @@ class PlainVector {
   std::size_t capacity() const { return capacity_; }
   bool empty() const { return size_ == 0; }
 
-  /// Appends a record made by default.
+  /// Appends a value-initialized record.
   T& emplace_back() {
     if (size_ == capacity_) [[unlikely]] {
       Grow(size_ + 1);
     }
     return *new (data_ + size_++) T();
   }
-  /// New records are made by default.
+  /// New records are value-initialized.
   void resize(std::size_t size) {
     if (size > capacity_) {
       Grow(size);
@@ -79,12 +79,12 @@ class PlainVector {
     size_ = size;
   }
   void clear() { size_ = 0; }
-  /// Makes room for so many.
+  /// Makes room for at least `capacity` records.
   void reserve(std::size_t capacity) {
     if (capacity > capacity_) Reserve(capacity);
   }
   const Room& room() const { return room_; }
-  /// Gives back unused room. Never fails: at worst nothing changes.
+  /// Releases unused memory. Never fails: if reallocation fails, nothing changes.
   void shrink_to_fit() noexcept {
     if (size_ == 0 || size_ == capacity_) {
       return;

@@ -31,7 +31,7 @@ std::uint32_t RandomStream::Next32() {
 }
 
 std::uint32_t RandomStream::Integer(std::uint32_t limit) {
-  // Draw as many bits as the limit has, again and again until the result is not above it.
+  // Draws as many bits as the limit has, and repeats this until the result is not above the limit.
   const int bits = std::bit_width(limit);
   const std::uint32_t mask = bits == 32 ? 0xFFFFFFFFu : (1u << bits) - 1;
   for (;;) {

@@ -7,8 +7,8 @@
 
 namespace soarbox::kernel {
 
-/// A stream of random numbers: the Mersenne Twister MT19937, drawn from as Soar does, so that equal seeds give equal
-/// choices. An agent owns one; nothing else draws from it. The state (2.5 KB) is made with the first draw.
+/// A stream of random numbers: the Mersenne Twister MT19937, used as Soar uses it, so that equal seeds give equal
+/// choices. Each agent owns one stream and is its only user. The state (2.5 KB) is allocated at the first draw.
 class RandomStream {
  public:
   static constexpr std::uint32_t kDefaultSeed = 5489u;
@@ -20,15 +20,15 @@ class RandomStream {
   RandomStream(RandomStream&&) noexcept = default;
   RandomStream& operator=(RandomStream&&) noexcept = default;
 
-  /// Starts the stream again: equal seeds, equal streams.
+  /// Restarts the stream. Equal seeds give equal streams.
   void Seed(std::uint32_t seed);
-  /// 0 to 2^32 - 1, each equally likely.
+  /// A number from 0 to 2^32 - 1, uniformly distributed.
   std::uint32_t Next32();
-  /// 0.0 to 1.0, both included.
+  /// A number from 0.0 to 1.0, both included.
   double Real() { return static_cast<double>(Next32()) / 4294967295.0; }
-  /// 0.0 to `limit`, both included.
+  /// A number from 0.0 to `limit`, both included.
   double Real(double limit) { return Real() * limit; }
-  /// 0 to `limit`, both included and each equally likely; may draw more than once.
+  /// A number from 0 to `limit`, both included, uniformly distributed. May draw more than once.
   std::uint32_t Integer(std::uint32_t limit);
 
  private:

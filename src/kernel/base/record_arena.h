@@ -12,15 +12,15 @@
 
 namespace soarbox::kernel {
 
-/// The records of one kind that an agent owns. Records never move, so a RecordId is a pointer and references stay good
-/// while others are made. The record that was given back last is used again first, so the steady state does not
+/// The records of one kind that an agent owns. Records never move: a RecordId is a pointer, and references stay valid
+/// while other records are allocated. The record that was freed last is reused first, so the steady state does not
 /// allocate. `kNextFree` is the member that links free records; Give overwrites it.
 template <typename Record, RecordId<Record> Record::*kNextFree>
 class RecordArena {
   static_assert(std::is_trivially_destructible_v<Record>);
 
  public:
-  /// A record with its default contents.
+  /// Returns a record with its default contents.
   RecordId<Record> Take() {
     if (free_ == RecordId<Record>::kNone) [[unlikely]]
       Grow();
@@ -33,14 +33,14 @@ class RecordArena {
     (*record.record).*kNextFree = free_;
     free_ = record;
   }
-  /// Visits every record there is room for, in use or not, in an order that depends on nothing but earlier calls.
+  /// Visits every allocated record, in use or free. The order depends only on earlier calls.
   template <typename Visit>
   void ForEach(Visit&& visit) const {
     for (const Slab& slab : slabs_) {
       for (std::size_t n = 0; n < slab.size; ++n) visit(RecordId<Record>{&slab.records[n]});
     }
   }
-  /// Takes all records back; keeps the room.
+  /// Frees all records; keeps the memory.
   void Clear() {
     free_ = {};
     for (std::size_t n = slabs_.size(); n-- > 0;) {
@@ -55,14 +55,14 @@ class RecordArena {
   }
 
  private:
-  /// Room for a small agent at first, then as much again as there is, up to a limit that wastes little.
+  /// The first slab fits a small agent. Each later one doubles the total, up to a limit that bounds the waste.
   static constexpr std::size_t kFirst = 8, kLargest = 2048;
   struct Slab {
     std::unique_ptr<Record[]> records;
     std::size_t size;
   };
 
-  /// Makes all records of a slab free ones; they have their default contents.
+  /// Frees all records of a slab, which must have their default contents.
   void LinkFree(const Slab& slab) {
     for (std::size_t n = slab.size; n-- > 0;) Give(RecordId<Record>{&slab.records[n]});
   }

@@ -5,12 +5,12 @@
 
 namespace soarbox::kernel {
 
-/// True if nobody else holds what `pointer` points to. You may then change it in place: whatever other threads did with
-/// it has happened before.
+/// Returns true if `pointer` is the only owner of its object. The caller may then change the object in place:
+/// everything that other threads did with it has happened before.
 template <typename T>
 bool IsSoleOwner(const std::shared_ptr<T>& pointer) {
   if (pointer.use_count() != 1) return false;
-  // Reading the count orders nothing. Letting go of a second handle does: it acquires what the others' release left.
+  // Reading use_count() does not synchronize. Releasing a second handle does: it acquires what other owners released.
   std::shared_ptr<T> second = pointer;
   second.reset();
   return true;

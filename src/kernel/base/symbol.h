@@ -5,12 +5,12 @@
 
 namespace soarbox::kernel {
 
-/// What a symbol is. Integers that fit 29 bits are stored in the handle itself; that is invisible to users.
+/// The kind of a symbol. Integers that fit into 29 bits are stored in the handle itself; users do not notice this.
 enum class SymbolKind : std::uint8_t { kNone, kVariable, kIdentifier, kString, kInteger, kFloat };
 
-/// A handle to an interned symbol of one agent: four bytes, compared by value. Two symbols of one agent are equal
-/// exactly if their handles are (so 5 and 5.0 differ, as in Soar).
-/// Layout: the tag in the top three bits, an index or a small integer in the other 29.
+/// A handle of an interned symbol of one agent: four bytes, compared by value. Two symbols of one agent are equal
+/// exactly if their handles are equal (so 5 and 5.0 differ, as in Soar).
+/// Layout: the tag is in the top three bits; the other 29 are an index or a small integer.
 class Symbol {
  public:
   enum class Tag : std::uint32_t { kNone, kVariable, kIdentifier, kString, kSmallInteger, kLargeInteger, kFloat };
@@ -35,7 +35,7 @@ class Symbol {
   constexpr bool IsIdentifier() const { return tag() == Tag::kIdentifier; }
   constexpr bool IsString() const { return tag() == Tag::kString; }
   constexpr bool IsInteger() const { return tag() == Tag::kSmallInteger || tag() == Tag::kLargeInteger; }
-  /// An integer whose value is in the handle: no table is needed to read it.
+  /// An integer whose value is in the handle. Reading it needs no table.
   constexpr bool IsSmallInteger() const { return tag() == Tag::kSmallInteger; }
   constexpr std::int64_t SmallValue() const {
     constexpr std::uint32_t kSign = 1u << (kIndexBits - 1);

@@ -22,7 +22,7 @@ std::uint64_t WordAt(const char* text) {
   return word;
 }
 
-/// Takes eight characters at a time; the last step takes some again rather than fewer.
+/// Reads eight characters at a time. The last step re-reads some characters instead of reading fewer.
 std::uint32_t HashText(std::string_view text) {
   constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15ull;
   const char* at = text.data();
@@ -47,8 +47,8 @@ std::uint32_t HashText(std::string_view text) {
 
 }  // namespace
 
-/// The constants of a table, by kind. `small_integers` holds no values (those are in the handles) but the stamps of
-/// the small integers that rules mention; its indices mean nothing.
+/// The constants of a table, by kind. `small_integers` contains no values (the handles contain them) but the stamps of
+/// the small integers that rules mention; its indices have no meaning.
 struct ConstantPools {
   ConstantPool<TextEntry> strings, variables;
   ConstantPool<NumberEntry> large_integers, floats, small_integers;
@@ -62,7 +62,7 @@ struct FrozenSymbols {
 
 namespace {
 
-/// Every table starts from this one: the words of the architecture and the first integers.
+/// The initial base of every table: the words of the architecture and the first integers.
 std::shared_ptr<const FrozenSymbols> Predefined() {
   static const std::shared_ptr<const FrozenSymbols> kPredefined = [] {
     auto frozen = std::make_shared<FrozenSymbols>();
@@ -83,7 +83,7 @@ std::shared_ptr<const FrozenSymbols> Predefined() {
   return kPredefined;
 }
 
-/// The entries of `own` that a new base takes over: all before the first that is not pinned.
+/// The number of entries of `own` that a new base takes over: all before the first unpinned one.
 template <typename Entry>
 std::size_t FreezablePrefix(const ConstantPool<Entry>& own) {
   std::size_t count = 0;
@@ -100,7 +100,7 @@ bool Same(const NumberEntry& a, const NumberEntry& b) {
   return a.stamp == b.stamp && a.bits == b.bits;
 }
 
-/// True if every own entry is pinned and stands in `base` under the same index.
+/// Returns true if every own entry is pinned and is in `base` under the same index.
 template <typename Entry>
 bool CoveredBy(const ConstantPool<Entry>& own, const ConstantPool<Entry>& base) {
   if (own.end_index() > base.end_index()) {
@@ -138,14 +138,14 @@ struct SymbolTable::Contents {
   std::size_t unpinned = 0;
   std::uint64_t digest = 0;
 
-  /// Variables with short names that were asked for lately, by their names' characters: rules use the same few.
+  /// A cache of recently used variables with short names, by the characters of their names: rules use the same few.
   struct RecentVariable {
     std::uint64_t characters = 0;
     std::uint32_t length = 0;
     Symbol variable;
   };
   static constexpr int kRecentBits = 6;
-  static constexpr std::size_t kLeastRecent = 3, kMostRecent = 8;  ///< Lengths.
+  static constexpr std::size_t kLeastRecent = 3, kMostRecent = 8;  ///< Of the names, in characters.
   std::array<RecentVariable, std::size_t{1} << kRecentBits> recent_variables;
 
   /// Indices at which FindIdentifier last found a name, by letter and number. Each is checked before it is used.
@@ -171,7 +171,7 @@ struct SymbolTable::Contents {
                                : At(base->pools.strings, own.strings, symbol.index());
   }
 
-  /// Notes in the digest that the entry is pinned from now on.
+  /// Pins the entry and adds it to the digest.
   template <typename Entry>
   void Pin(Entry& entry, Symbol::Tag tag, std::uint32_t index) {
     if (entry.marks.Pinned()) {
@@ -219,7 +219,7 @@ struct SymbolTable::Contents {
     });
   }
 
-  /// Frees the entries that are neither pinned nor marked and clears the marks.
+  /// Frees the entries that are neither pinned nor marked, and clears the marks.
   template <typename Entry, typename Release>
   void Sweep(ConstantPool<Entry>& pool, Release release) {
     unpinned -= pool.FreeIf([&](Entry& entry) {
@@ -464,7 +464,7 @@ std::shared_ptr<const FrozenSymbols> SymbolTable::Freeze() {
   ConstantPools& pools = frozen->pools;
   pools.next_stamp = c.own.next_stamp;
 
-  // The texts move into the frozen base; the old base may go away.
+  // The texts are moved to the frozen base, because the old base may be destroyed.
   std::vector<TextEntry> entries;
   const auto take_texts = [&](const ConstantPool<TextEntry>& from_base, ConstantPool<TextEntry>& own, std::size_t count,
                               ConstantPool<TextEntry>& to) {
@@ -495,7 +495,8 @@ std::shared_ptr<const FrozenSymbols> SymbolTable::Freeze() {
 bool SymbolTable::Adopt(std::shared_ptr<const FrozenSymbols> base) {
   Contents& c = *contents_;
   const ConstantPools& pools = base->pools;
-  // Our own base must be a part of the new one: it is, if we still have the predefined one or they are the same.
+  // Our own base must be a part of the new one. This is so if ours is still the predefined one, or if both are the
+  // same.
   if (c.base != base && c.base != Predefined()) {
     return false;
   }

@@ -18,16 +18,16 @@ struct FrozenSymbols;
 
 /// The symbols of one agent: interned constants and variables, and the names of its identifiers.
 ///
-/// Constants have two layers: a frozen base, shared by agents that run the same rules, and the agent's own. Interning
-/// looks in the base first, so one text never has two handles. Single-threaded but for the frozen base, which never
-/// changes.
+/// Constants are in two layers: a frozen base, which agents with the same rules share, and the agent's own. Interning
+/// searches the base first, so a text never has two handles. Single-threaded, except that threads may share a frozen
+/// base, which never changes.
 ///
-/// Lifetime: a symbol that a rule mentions is pinned and stays. Other constants are swept by the agent between
-/// phases (BeginMark, Mark..., Sweep), never in the middle of one; there are no reference counts. Identifiers are
-/// freed one by one by working memory.
+/// Lifetime: a symbol that a rule mentions is pinned and is never freed. The agent frees other unused constants by a
+/// sweep between phases (BeginMark, Mark..., Sweep). There are no reference counts. Working memory frees identifiers
+/// one by one.
 ///
-/// Every constant has a creation stamp, which grows with first use; the condition reorderer breaks ties by it. The
-/// words of known_symbols.h exist from the start.
+/// Every constant has a stamp that grows in the order of creation; the condition reorderer breaks ties by it. The words
+/// of known_symbols.h exist from the start.
 class SymbolTable {
  public:
   SymbolTable();
@@ -35,7 +35,7 @@ class SymbolTable {
   SymbolTable(SymbolTable&&) noexcept;
   SymbolTable& operator=(SymbolTable&&) noexcept;
 
-  /// Interns; equal contents give the same handle. A symbol interned while `pinning()` is on is pinned.
+  /// Interns a constant. Equal contents give the same handle. Symbols interned while a PinScope exists are pinned.
   Symbol String(std::string_view text);
   Symbol Integer(std::int64_t value) {
     return Symbol::FitsInHandle(value) && !pinning_ ? Symbol::SmallInteger(value) : InternInteger(value);
@@ -43,13 +43,14 @@ class SymbolTable {
   Symbol Float(double value);
   /// `name` with its brackets: "<s>". Variables are always pinned.
   Symbol Variable(std::string_view name);
-  /// The handle of a string that exists already, else the none symbol. Never interns.
+  /// The handle of an interned string, or the none symbol. Never interns.
   Symbol FindString(std::string_view text) const;
 
-  /// False for what has been freed, or never was: a handle that must not be used. For checks.
+  /// False for handles that were freed or never existed, which must not be used. For checks.
   bool IsLive(Symbol symbol) const;
 
-  /// Contents. The kind must fit. A text is valid until its symbol is swept or this table freezes or adopts a base.
+  /// Returns the contents; the symbol must be of the right kind. The text is valid until its symbol is swept, or until
+  /// this table freezes or adopts a base.
   std::string_view Text(Symbol string_or_variable) const;
   std::int64_t IntegerValue(Symbol symbol) const {
     return symbol.IsSmallInteger() ? symbol.SmallValue() : LargeIntegerValue(symbol);
@@ -59,14 +60,14 @@ class SymbolTable {
   double NumberValue(Symbol symbol) const {
     return symbol.IsFloat() ? FloatValue(symbol) : static_cast<double>(IntegerValue(symbol));
   }
-  /// When the constant was created; 0 for variables, identifiers and integers that no rule mentions.
+  /// The creation stamp of the constant; 0 for variables, identifiers, and integers that no rule mentions.
   std::uint32_t Stamp(Symbol constant) const;
 
-  /// A new identifier with the next number of its letter (A to Z).
+  /// Creates an identifier with the next number of its letter (A to Z).
   Symbol NewIdentifier(char letter) {
     return PlaceIdentifier(letter, next_number_[static_cast<std::size_t>(letter - 'A')]++);
   }
-  /// An identifier with a given number; the letter's counter is raised above it.
+  /// Creates an identifier with a given number. If necessary, raises the letter's counter above it.
   Symbol NewIdentifier(char letter, std::uint64_t number);
   void FreeIdentifier(Symbol identifier) {
     identifiers_[identifier.index()] = {};
@@ -74,18 +75,18 @@ class SymbolTable {
   }
   char Letter(Symbol identifier) const { return identifiers_[identifier.index()].letter; }
   std::uint64_t Number(Symbol identifier) const { return identifiers_[identifier.index()].number; }
-  /// The live identifier with this name, else the none symbol. Not for hot paths.
+  /// The live identifier of this name, or the none symbol. Slow: not for hot paths.
   Symbol FindIdentifier(char letter, std::uint64_t number) const;
-  /// One more than the largest identifier index ever handed out: the size for arrays that run beside this table.
+  /// One more than the largest identifier index ever used: the size of arrays that are indexed by identifier.
   std::uint32_t IdentifierLimit() const { return static_cast<std::uint32_t>(identifiers_.size()); }
-  /// Restarts all letters at 1 (init-soar). All identifiers must have been freed.
+  /// Restarts the numbers of all letters at 1 (init-soar). All identifiers must have been freed.
   void ResetIdentifierCounters();
 
-  /// Soar's ordering for < > <= >=: numbers by value, strings by bytes, identifiers by letter and number; any other
-  /// mix, and anything compared with a float that is not a number, is "less".
+  /// Soar's order for < > <= >=. Numbers are compared by value, strings by bytes, identifiers by letter and number.
+  /// Symbols of different kinds, and anything compared with NaN, give "less".
   std::strong_ordering Compare(Symbol left, Symbol right) const;
 
-  /// Everything interned between PinScope's construction and destruction is pinned. Scopes nest.
+  /// Symbols interned during the lifetime of a PinScope are pinned. Scopes nest.
   class PinScope {
    public:
     explicit PinScope(SymbolTable& table);
@@ -98,29 +99,30 @@ class SymbolTable {
     bool before_;
   };
 
-  /// Sweeping: mark what is in use, then free the unpinned rest.
+  /// A sweep: call BeginMark, Mark each symbol in use, then Sweep, which frees all other unpinned constants.
   void BeginMark();
   void Mark(Symbol symbol) {
     if (symbol.index() >= sweepable_from_[static_cast<std::size_t>(symbol.tag())]) MarkOwn(symbol);
   }
   void Sweep();
-  /// How many unpinned constants live; the agent sweeps when this has doubled.
+  /// Number of unpinned constants that are live. The agent sweeps when it has doubled.
   std::size_t UnpinnedCount() const;
 
-  /// A digest of what has been pinned so far and under which handles. Tables with equal digests pinned the same.
+  /// A digest of all pinned symbols and their handles. Tables with equal digests pinned the same symbols under the same
+  /// handles.
   std::uint64_t Digest() const;
-  /// Moves own pinned constants into a frozen base that other tables may adopt: of each kind all that precede the
-  /// first constant that is not pinned. Handles stay valid; views that Text() gave do not. A table that has only
-  /// read rules so far freezes all of them.
+  /// Moves pinned constants of this table into a frozen base that other tables may adopt: of each kind, all that
+  /// precede the first unpinned constant. If the table has only read rules so far, this is all of them. Handles stay
+  /// valid; views returned by Text() become invalid.
   std::shared_ptr<const FrozenSymbols> Freeze();
-  /// Takes over a frozen base in place of its own constants, if they are the same under the same handles (or if this
-  /// table has none of its own yet). Handles stay valid; views that Text() gave do not. False if the two differ;
-  /// nothing has changed then.
+  /// Replaces this table's own constants by a frozen base. They must be equal, with equal handles, or this table must
+  /// have none of its own. Handles stay valid; views returned by Text() become invalid. Returns false, and changes
+  /// nothing, if the two differ.
   bool Adopt(std::shared_ptr<const FrozenSymbols> base);
 
-  /// How many bytes the texts of its own may take together; a long text beyond that throws std::bad_alloc.
+  /// Limits the memory of this table's own texts. A long text that exceeds the limit throws std::bad_alloc.
   void LimitTexts(std::size_t bytes);
-  /// Bytes used by this table alone (not the shared base).
+  /// Bytes used by this table, without the shared base.
   std::size_t MemoryBytes() const;
 
  private:
@@ -149,15 +151,15 @@ class SymbolTable {
   std::vector<IdentifierEntry> identifiers_;
   std::vector<std::uint32_t> free_identifiers_;
   std::array<std::uint64_t, 26> next_number_;  ///< By letter.
-  /// By tag, since BeginMark: the first index that a sweep may free. Those before it are in the base.
+  /// By tag, set by BeginMark: the first index that a sweep may free. Smaller indices belong to the base.
   std::array<std::uint32_t, 8> sweepable_from_{};
 };
 
-/// True if Soar's lexer reads `text`, written without bars, as this very string.
+/// True if Soar's lexer reads `text`, written without bars, as exactly this string.
 bool ReadsAsPlainString(std::string_view text);
 
-/// The letter of an identifier that is named after a variable or an attribute: its capital, but I for names that begin
-/// with no letter of ASCII, and for S, which is for states.
+/// The letter of an identifier that is named after a variable or an attribute: the capital of its first letter. It is I
+/// if the name does not begin with an ASCII letter, and also for S, which is reserved for states.
 inline char LetterOfIdentifier(std::string_view name) {
   if (!name.empty() && name.front() == '<') name.remove_prefix(1);
   if (name.empty()) return 'I';
@@ -165,8 +167,9 @@ inline char LetterOfIdentifier(std::string_view name) {
   return letter < 'A' || letter > 'Z' || letter == 'S' ? 'I' : letter;
 }
 
-/// How symbols look in print. `rereadable` puts bars where the lexer would read something else (as in `print`,
-/// rules and traces); without it the raw text is given (as in `write` and `concat`). Floats have six decimals.
+/// The printed form of a symbol. With `rereadable`, bars are added if the lexer would read the text differently (as in
+/// `print`, rules and traces). Without it, the text is unchanged (as in `write` and `concat`). Floats have six
+/// decimals.
 std::string ToString(const SymbolTable& symbols, Symbol symbol, bool rereadable = true);
 void AppendTo(std::string& out, const SymbolTable& symbols, Symbol symbol, bool rereadable = true);
 

@@ -43,7 +43,7 @@ bool ReadsAsPlainString(std::string_view text) {
   if (text == "*") {
     return true;
   }
-  // Short words with signs in them might be operators of the rule language; Soar bars them all.
+  // Short words that contain signs could be operators of the rule language. Soar writes bars around all of them.
   const bool plain = AllAlphanumeric(text) || (text.size() > 3 && AllConstituents(text));
   return plain && !LooksLikeInteger(text) && !LooksLikeVariable(text) && !LooksLikeIdentifier(text);
 }

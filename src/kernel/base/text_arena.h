@@ -15,8 +15,8 @@
 
 namespace soarbox::kernel {
 
-/// Storage for short texts in size classes (powers of two from 8 bytes) with free lists, so that texts that come and
-/// go cost no allocation once the classes have filled. Texts stay where they are until released.
+/// Storage for short texts in size classes (powers of two from 8 bytes) with free lists. Once the free lists have
+/// filled, storing and releasing texts does not allocate. Texts do not move.
 class TextArena {
  public:
   /// Copies the text and returns the copy.
@@ -27,7 +27,7 @@ class TextArena {
     return place;
   }
 
-  /// Gives the room of a text of this length back.
+  /// Frees a text of this length.
   void Release(const char* text, std::size_t length) {
     FreeText* free = reinterpret_cast<FreeText*>(const_cast<char*>(text));
     const int size_class = ClassOf(length);
@@ -36,8 +36,8 @@ class TextArena {
   }
 
   std::size_t MemoryBytes() const { return bytes_; }
-  /// A long text that would take this arena beyond so many bytes is refused with std::bad_alloc, as if memory had run
-  /// out: one rule that doubles a text can ask for more than a machine has.
+  /// Sets the maximum size of this arena in bytes. Store() of a long text that exceeds it throws std::bad_alloc, as if
+  /// memory had run out. Without it, one rule that keeps doubling a text could exhaust the machine's memory.
   void Limit(std::size_t bytes) { limit_ = bytes; }
 
  private:

@@ -9,8 +9,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// What a learned rule takes, with about what its conditions take in the network. (They share some of it with other
-/// rules.)
+/// The approximate memory of a learned rule, including its conditions in the network (some of which other rules share).
 std::size_t LearnedBytes(const Production& rule) {
   constexpr std::size_t kNetworkPerCondition_bytes = 256;
   return rule.MemoryBytes() + rule.conditions.size() * kNetworkPerCondition_bytes;
@@ -42,7 +41,7 @@ void AgentRules::NoteAdded(ProductionId id, const ProductionPtr& production) {
   if (running) engine_.learned_rule_bytes += LearnedBytes(*production);
   engine_.productions[index] = record;
   engine_.rules.Add(id, engine_.NameOf(*production), production->type);
-  if (!running) engine_.rules_changed = true;  // What an agent learns is its own.
+  if (!running) engine_.rules_changed = true;  // Rules that an agent learns are not shared.
   engine_.interrupts.erase(id);
   engine_.modules.RuleAdded(id, *production);
   if (engine_.rete.matches().HasInterrupting()) engine_.run.TellInterrupts();

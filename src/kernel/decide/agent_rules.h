@@ -10,8 +10,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// The rules of one agent as they come and go: keeps its records, its directory and what learning keeps of rules in
-/// step with the match, and tells observers.
+/// Adds and excises the rules of one agent. Keeps the agent's records, its directory and the data of learning
+/// consistent with the match, and informs observers.
 class AgentRules final : public RuleChanges {
  public:
   explicit AgentRules(Engine& engine) : engine_(engine) {}

@@ -11,7 +11,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Writes down decisions, prints, removals and waterfall order as short words.
+/// Records decisions, prints, removals and the order of the waterfall as short words.
 class Log : public Observer {
  public:
   void OnDecision(const Agent& agent, const GoalInfo& goal, std::uint64_t) override {
@@ -206,7 +206,7 @@ TEST_F(AgentTest, OutputIsTheDifferenceSinceTheLastOutputPhase) {
   EXPECT_EQ(command.attribute, Text("move"));
   EXPECT_EQ(agent.output().changes().size(), 2u);
   agent.input().Add(agent.input().ObjectFor(command.identifier), "status", std::string_view("complete"));
-  // What a client adds is no output: the difference that the agent made last still stands.
+  // Elements of a client are not output: changes() still has the last difference that the agent caused.
   const std::uint64_t generation = agent.output().generation();
   agent.Run(RunUnit::kDecision, 2);
   EXPECT_EQ(agent.output().generation(), generation);
@@ -401,7 +401,7 @@ TEST(AgentMemory, ElementsThatAreAddedWithinOneDecisionAreLimited) {
 }
 
 TEST(AgentMemory, PartialMatchesThatAreKeptApartAreLimitedToo) {
-  // Hardly any pair meets the last condition: those that come late are parked.
+  // Hardly any pair joins with the last condition: pairs that arrive late are parked.
   Agent agent("greedy");
   agent.mutable_settings().max_partial_matches = 20000;
   for (const char* side : {"left", "right"}) {

@@ -11,8 +11,8 @@
 
 namespace soarbox::kernel {
 
-// The same steps as PreferenceSemantics::Decide, with sets of candidates as bits: candidate n is the n-th that the list
-// of acceptable preferences names.
+// The same steps as PreferenceSemantics::Decide, with sets of candidates as bits: bit n is the n-th candidate in the
+// list of acceptable preferences.
 bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome) {
   const WorkingMemory& memory = engine_.memory;
   std::uint32_t count = 0;
@@ -34,7 +34,7 @@ bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outco
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = next) {
     const Preference& preference = memory.preference(p);
     next = preference.next_in_slot;
-    // (The bit of a value that is no candidate is above all of theirs.)
+    // (The bit of a value that is not a candidate is above those of all candidates.)
     const std::uint32_t at = find(preference.value), bit = 1u << at;
     switch (preference.type) {
       case PreferenceType::kBest:
@@ -77,7 +77,7 @@ PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced,
   const bool is_alone = slot.acceptable != PreferenceId::kNone && slot.others == PreferenceId::kNone &&
                         memory.preference(slot.acceptable).next_in_slot == PreferenceId::kNone;
   if (is_alone && !forced && trace != nullptr) {
-    // One preference: what it proposes wins, and nothing is dropped.
+    // There is only one preference: its value wins, and nothing is dropped.
     const Symbol value = memory.preference(slot.acceptable).value;
     slot_preferences_.push_back({PreferenceType::kAcceptable, value, {}, 0, slot.acceptable});
     trace->Clear();
@@ -128,7 +128,7 @@ void Decision::Decide() {
   for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
     Slot& slot = engine_.memory.mutable_slot(engine_.goals.at(level).operator_slot);
     const bool is_open = std::exchange(slot.changed, false) && slot.wmes == WmeId::kNone;
-    if (!is_open && level < engine_.goals.depth()) continue;  // Decided, and nothing new is known.
+    if (!is_open && level < engine_.goals.depth()) continue;  // It is decided, and nothing has changed.
     if (DecideGoal(level)) break;
   }
   changed_from_ = 0;
@@ -180,7 +180,8 @@ void Decision::Install(GoalLevel level, const Candidate& winner, Symbol forced) 
   const Goal& goal = engine_.goals.at(level);
   engine_.memory.mutable_slot(goal.operator_slot).changed_since_selected = false;
   engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
-  // The element outlives a preference that goes while another one still proposes the operator.
+  // The element of the operator must outlive its preference if that is removed while another one still proposes the
+  // operator.
   engine_.preferences.AddReference(winner.preference);
   if (engine_.modules.Wants(ModuleHook::kChoices)) engine_.modules.OperatorInstalled(level, winner.value);
   if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
@@ -221,7 +222,7 @@ bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operat
   return true;
 }
 
-// Decisions that no longer stand --------------------------------------------------------------------------------------
+// Inconsistent decisions ----------------------------------------------------------------------------------------------
 
 void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable) {
   const Goal& goal = engine_.goals.at(level);
@@ -241,8 +242,8 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
   }
 }
 
-/// The existing decision of a goal: none if an operator is installed (or nothing is decided yet), else the impasse
-/// below.
+/// Whether the existing decision of a goal is still consistent. It is the installed operator; if there is none, it is
+/// the impasse of the state below, if any.
 bool Decision::Stands(const Goal& goal) {
   const Slot& slot = engine_.memory.slot(goal.operator_slot);
   const bool has_operator = slot.wmes != WmeId::kNone;
@@ -280,7 +281,7 @@ bool Decision::CheckChanged(GoalLevel level) {
 }
 
 std::string Decision::Predict() {
-  // What is foretold will happen: the next decision draws from the same stream again.
+  // The prediction must come true: the next decision draws from the same stream again.
   do {
     foretold_seed_ = engine_.random.Next32();
   } while (foretold_seed_ == 0);
@@ -291,7 +292,7 @@ std::string Decision::Predict() {
     const Goal& goal = engine_.goals.at(level);
     if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
     const Symbol forced = ForcedOperator(goal);
-    if (forced) engine_.forced_operator.clear();  // As in Soar: what was asked for holds for one evaluation.
+    if (forced) engine_.forced_operator.clear();  // As in Soar, a selection by command applies to one evaluation.
     const PreferenceSemantics::Outcome outcome = Evaluate(goal, forced);
     switch (outcome.impasse) {
       case ImpasseType::kTie:

@@ -20,20 +20,20 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// The decide phase and the checks that a decision still stands.
+/// The decide phase, and the checks whether earlier decisions are still consistent.
 ///
-/// Each goal has one context slot, ^operator. A slot without an operator is decided; one with an operator is a
-/// no-change. Goals above the highest one whose operator preferences changed need not be looked at.
+/// Each goal has one context slot, ^operator. A slot without an operator is decided; a slot with an operator is a
+/// no-change impasse. Goals above the highest one whose operator preferences changed are skipped.
 class Decision {
  public:
   explicit Decision(Engine& engine) : engine_(engine) {}
 
-  /// Decides from the highest changed goal down, until something is decided: an operator, a new impasse.
+  /// Decides from the highest changed goal down, until an operator is selected or a new impasse arises.
   void Decide();
-  /// Checks the goals from the highest changed one down to `level`: true if all decisions stand. If one does not, its
-  /// operator or its impasse and everything below have been removed.
+  /// Checks the goals from the highest changed one down to `level`. Returns true if all decisions are consistent. Else
+  /// the operator or the impasse of the inconsistent goal, and everything below, have been removed.
   bool CheckConsistency(GoalLevel level) { return changed_from_ == 0 || CheckChanged(level); }
-  /// Takes the operator out of its slot and removes the states below.
+  /// Removes the operator from its slot, and the states below.
   [[gnu::noinline]] void RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable = WmeId::kNone);
   /// Operator preferences of the goal at this level changed.
   void NoteContextChanged(GoalLevel level) {
@@ -42,11 +42,11 @@ class Decision {
   void GoalRemoved(GoalLevel level) {
     if (changed_from_ >= level) changed_from_ = 0;
   }
-  /// What the procedure says about a goal's slot now, without the random choice. Valid until the next call.
+  /// Evaluates a goal's slot without the random choice. The result is valid until the next call.
   PreferenceSemantics::Outcome Evaluate(const Goal& goal, Symbol forced = {}, DecisionTrace* trace = nullptr);
-  /// The same, and who would be dropped and why. Valid until the next call.
+  /// Like Evaluate, and reports which candidates are dropped and why. Valid until the next call.
   DecisionReport Explain(const Goal& goal);
-  /// What the next decide phase would do, in the words of `decide predict`.
+  /// The result of the next decide phase, in the format of `decide predict`.
   std::string Predict();
   void Clear() {
     changed_from_ = 0;
@@ -54,16 +54,16 @@ class Decision {
   }
 
  private:
-  /// Candidates that Evaluate handles without the whole procedure.
+  /// Maximum number of candidates for EvaluateFew.
   static constexpr std::size_t kFewCandidates = 8;
 
   [[gnu::noinline]] bool CheckChanged(GoalLevel level);
-  /// What most decisions are: few candidates that are acceptable, best, worst or indifferent. Decided from the slot's
-  /// lists as they stand; false if it takes the whole procedure.
+  /// The fast path for most decisions: few candidates that are acceptable, best, worst or indifferent. Evaluates the
+  /// slot's lists directly. Returns false if the full procedure is needed.
   bool EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome);
-  /// True if something new was decided, so that nothing below needs a look.
+  /// Returns true if something new was decided. The goals below then need no decision.
   bool DecideGoal(GoalLevel level);
-  /// The state below already stands for this impasse.
+  /// Whether the state below `level` was created for this impasse.
   bool Faces(GoalLevel level, ImpasseType impasse, bool on_operator) const;
   void TellReason(const Goal& goal, const PreferenceSemantics::Outcome& outcome, Symbol selected, Symbol forced);
   bool EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
@@ -74,12 +74,12 @@ class Decision {
 
   Engine& engine_;
   GoalLevel changed_from_ = 0;       ///< The highest goal whose operator preferences changed; 0: none.
-  std::uint32_t foretold_seed_ = 0;  ///< What Predict drew with, for the next decision; 0: nothing was foretold.
+  std::uint32_t foretold_seed_ = 0;  ///< The seed of Predict, for the next decision; 0: there was no prediction.
   std::vector<SlotPreference> slot_preferences_;
   DecisionTrace trace_;
-  std::vector<Symbol> forced_at_;                ///< By level: the operator, if the last one selected there was forced.
+  std::vector<Symbol> forced_at_;                ///< By level: the operator, if the last selection was forced.
   std::array<Candidate, kFewCandidates> named_;  ///< Scratch of EvaluateFew.
-  std::array<Candidate, kFewCandidates> few_;    ///< What its outcome shows.
+  std::array<Candidate, kFewCandidates> few_;    ///< The candidates of its outcome.
 };
 
 }  // namespace soarbox::kernel

@@ -12,32 +12,32 @@
 
 namespace soarbox::kernel {
 
-/// The steps of the decision procedure that drop candidates, in their order.
+/// The stages of the decision procedure that drop candidates, in their order.
 enum class DecisionStage : std::uint8_t {
-  kForced,     ///< A command (`decide select`) chose another one.
-  kRequire,    ///< Another one is required.
-  kProhibit,   ///< Prohibited (and perhaps rejected, too).
+  kForced,     ///< A command (`decide select`) selected another candidate.
+  kRequire,    ///< Another candidate is required.
+  kProhibit,   ///< Prohibited (and perhaps also rejected).
   kReject,     ///< Rejected.
-  kDominated,  ///< Another candidate is better. In a conflict all are, and stay.
-  kBest,       ///< Others are best.
-  kWorst,      ///< Worst, and not all are.
+  kDominated,  ///< Another candidate is better. In a conflict the dominated candidates stay.
+  kBest,       ///< Other candidates are best.
+  kWorst,      ///< Worst, while others are not.
 };
 
-/// What the decision procedure noted of one decision: who was dropped at which stage, by which preferences. Scratch
-/// that is used again: it allocates nothing in the steady state.
+/// The record of one decision: which candidates were dropped, at which stage, and because of which preferences. Reused
+/// as scratch memory: allocates nothing in the steady state.
 struct DecisionTrace {
   struct Drop {
     Symbol value;
     DecisionStage stage = DecisionStage::kForced;
-    std::uint32_t first = 0, count = 0;  ///< Of `by`.
+    std::uint32_t first = 0, count = 0;  ///< Range in `by`.
   };
-  /// By stage; within a stage the newest candidate first. Who is in none of them is left.
+  /// By stage; within a stage the newest candidate first. Candidates without an entry were not dropped.
   std::vector<Drop> drops;
-  /// Places in the list of preferences. Each of a drop's alone suffices for it: without all of them, and only then, the
-  /// candidate is not dropped at that stage. Drops may share them.
+  /// Indices into the list of preferences. Each preference of a drop is sufficient for it: the candidate stays at that
+  /// stage only if all of them are missing. Drops may share entries.
   std::vector<std::uint32_t> by;
-  /// Places of the preferences that let several candidates be indifferent and give them their numbers, and of those
-  /// that require what was decided or failed.
+  /// Indices of further preferences: those that make several candidates indifferent and give them their numbers, those
+  /// that require the selected candidate, and those that cause a constraint failure.
   std::vector<std::uint32_t> settling;
 
   std::span<const std::uint32_t> By(const Drop& drop) const { return std::span(by).subspan(drop.first, drop.count); }
@@ -48,21 +48,21 @@ struct DecisionTrace {
   }
 };
 
-/// A decision as an observer of kReason hears it. Valid during the call only.
+/// A decision as reported to observers of kReason. Valid only during the call.
 struct DecisionReport {
   Symbol goal;
   GoalLevel level = 0;
-  ImpasseType impasse = ImpasseType::kNone;  ///< kNone without a selected operator: nothing is left, a no-change.
-  /// None for an impasse. In Agent::ExplainDecision: the operator that is selected now, even if it would now lose.
+  ImpasseType impasse = ImpasseType::kNone;  ///< kNone without a selected operator: no candidate is left, a no-change.
+  /// None for an impasse. In Agent::ExplainDecision, the currently selected operator, even if it would lose now.
   Symbol selected;
   bool is_forced = false;
-  std::span<const SlotPreference> preferences;  ///< All that stand in the slot.
-  std::span<const Candidate> candidates;        ///< Those left.
+  std::span<const SlotPreference> preferences;  ///< All preferences in the slot.
+  std::span<const Candidate> candidates;        ///< The remaining candidates.
   const DecisionTrace& trace;
 };
 
-/// True if a drop decided something: without the preferences that it rests on the outcome would be another one. False
-/// where the candidate would have lost at a later stage all the same.
+/// True if a drop was decisive: without its preferences, the outcome would differ. False if the candidate would also
+/// have lost at a later stage.
 bool IsDecisive(std::span<const SlotPreference> preferences, const DecisionTrace& trace,
                 const DecisionTrace::Drop& drop);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the decision procedure names as its reasons is true: with the named preferences alone it decides the same, and
-// without those of a drop nobody is dropped there. Over random slots (SOARBOX_FUZZ_SLOTS says how many: a million is
-// the whole of it) and over random agents from rules to reasons.
+// Checks that the reasons in decision traces are true. With only the named preferences, the decision is the same;
+// without those of a drop, the candidate is not dropped at that stage. Uses random slots (SOARBOX_FUZZ_SLOTS is their
+// number; a full test needs a million) and random agents, from rules to reasons.
 #include "kernel/decide/decision_trace.h"
 
 #include <gmock/gmock.h>
@@ -41,14 +41,14 @@ Outcome Copy(const PreferenceSemantics::Outcome& from) {
   Outcome outcome{from.impasse, {}, {}};
   for (const Candidate& candidate : from.candidates) {
     outcome.left.push_back(NumberOf(candidate.value));
-    // Numbers decide nothing where one is left or a tie remains.
+    // Numbers have no effect if one candidate is left or a tie remains.
     const bool counts = from.candidates.size() > 1 && from.impasse == ImpasseType::kNone;
     outcome.numbers.push_back(counts ? candidate.number_sum : 0);
   }
   return outcome;
 }
 
-/// A slot with its decision and the trace of it.
+/// A slot with its decision and the decision's trace.
 struct TracedSlot {
   std::vector<SlotPreference> list;
   Outcome outcome;
@@ -58,7 +58,7 @@ struct TracedSlot {
     PreferenceSemantics semantics;
     outcome = Copy(semantics.Decide(list, forced, &trace));
   }
-  /// Prohibits and rejects are one step.
+  /// Prohibits and rejects count as one step.
   static DecisionStage Step(DecisionStage stage) {
     return stage == DecisionStage::kProhibit ? DecisionStage::kReject : stage;
   }
@@ -81,7 +81,7 @@ std::vector<SlotPreference> RandomSlot(std::mt19937& random) {
   std::vector<SlotPreference> list;
   for (std::uint32_t op = 1; op <= operators; ++op)
     if (below(10) > 0) list.push_back({PreferenceType::kAcceptable, Op(op), {}, 0, {}});
-  // Slots of few kinds meet the later stages; requires end most of what there is to see.
+  // Slots with few kinds of preferences reach the later stages; a require ends most decisions early.
   std::vector<PreferenceType> kinds;
   for (const PreferenceType type :
        {PreferenceType::kReject, PreferenceType::kProhibit, PreferenceType::kBest, PreferenceType::kWorst,
@@ -101,7 +101,7 @@ std::vector<SlotPreference> RandomSlot(std::mt19937& random) {
   return list;
 }
 
-/// What of the truth a slot's reasons violate; empty: nothing.
+/// Describes the first false statement in a slot's reasons; empty if there is none.
 std::string Violation(const TracedSlot& slot, bool is_forced) {
   std::set<std::uint32_t> left(slot.outcome.left.begin(), slot.outcome.left.end()), candidates, dropped;
   for (const SlotPreference& p : slot.list)
@@ -116,7 +116,7 @@ std::string Violation(const TracedSlot& slot, bool is_forced) {
     if (!left.contains(candidate) && !dropped.contains(candidate)) return "neither dropped nor left";
   if (is_forced) return {};
 
-  // Sufficient: proposals and what is named.
+  // Sufficiency: keeps only proposals and named preferences.
   std::set<std::uint32_t> unnamed;
   for (std::uint32_t i = 0; i < slot.list.size(); ++i)
     if (slot.list[i].type != PreferenceType::kAcceptable) unnamed.insert(i);
@@ -134,7 +134,7 @@ std::string Violation(const TracedSlot& slot, bool is_forced) {
     if (IsDecisive(slot.list, slot.trace, drop) !=
         (without.outcome.impasse != slot.outcome.impasse || without.outcome.left != slot.outcome.left))
       return "not what decided it";
-    // Each alone.
+    // Each one alone.
     for (const std::uint32_t kept : by) {
       if (by.size() == 1) break;
       std::set<std::uint32_t> others = all;
@@ -174,7 +174,7 @@ TEST(DecisionTrace, NamesPreferencesThatAreSufficientAndNecessary) {
       ++(IsDecisive(slot.list, slot.trace, drop) ? decisive : idle);
     }
   }
-  // The generator meets every stage, and drops of both kinds.
+  // The generator must reach every stage, with both kinds of drops.
   EXPECT_EQ(stages.size(), 7u);
   for (const auto& [stage, count] : stages) EXPECT_GT(count, slots / 1000) << static_cast<int>(stage);
   EXPECT_GT(decisive, idle);
@@ -199,7 +199,7 @@ TEST(DecisionTrace, TwoThatDominateEachOtherLeaveTheThird) {
 
 // From rules to reasons -----------------------------------------------------------------------------------------------
 
-/// An agent that decides once among operators that rules of its own prefer.
+/// An agent that decides once among operators for which its own rules have preferences.
 class DecidingAgent : public Observer {
  public:
   explicit DecidingAgent(const std::vector<std::string>& rules, bool is_watched = true) : agent_("deciding") {
@@ -251,7 +251,7 @@ class DecidingAgent : public Observer {
 std::vector<std::string> RandomRules(std::mt19937& random) {
   const auto below = [&](std::uint32_t limit) { return random() % limit; };
   std::vector<std::string> rules;
-  std::set<std::string> bodies;  // Two rules that say the same are one.
+  std::set<std::string> bodies;  // Two rules with equal contents are one.
   const auto add = [&](const std::string& name, const std::string& body) {
     if (bodies.insert(body).second) rules.push_back(name + body);
   };
@@ -266,7 +266,7 @@ std::vector<std::string> RandomRules(std::mt19937& random) {
     const std::string name = "prefer*" + std::to_string(rule), a = std::to_string(below(operators));
     const std::string first = " (state <s> ^superstate nil ^operator <a> +) (<a> ^name n" + a + ")";
     if (below(2) == 0) {
-      // (A require ends most of it: rarely.)
+      // (A require ends most decisions early, so it is rare.)
       const std::uint32_t sign = below(10) == 0 ? 5 : below(5);
       add(name, first + " --> (<s> ^operator <a> " + kUnary[sign] + ")");
     } else {

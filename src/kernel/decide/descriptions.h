@@ -15,7 +15,7 @@ class InstantiationTable;
 class Rete;
 class WorkingMemory;
 
-/// Knows the names of justifications, which are no rules of the match.
+/// Provides the names of justifications, which are not rules of the match.
 class JustificationNames {
  public:
   virtual ~JustificationNames() = default;
@@ -23,7 +23,7 @@ class JustificationNames {
   virtual std::string_view Name(std::uint32_t index) const = 0;
 };
 
-/// Elements, goals and firings as observers and explanations get them: values instead of handles.
+/// Descriptions of elements, goals and firings for observers and explanations: values instead of handles.
 class Descriptions {
  public:
   struct Uses {
@@ -37,8 +37,8 @@ class Descriptions {
   [[gnu::noinline]] WmeInfo Describe(WmeId wme) const;
   [[gnu::noinline]] GoalInfo Describe(const Goal& goal) const;
   [[gnu::noinline]] FiringInfo DescribeInstantiation(InstantiationId id) const;
-  static constexpr std::string_view kNoRule = "|Memory System Recall|";  ///< Stands for the architecture.
-  /// The name of the rule or justification that fired, or what stands for the architecture.
+  static constexpr std::string_view kNoRule = "|Memory System Recall|";  ///< The name shown for the architecture.
+  /// The name of the rule or justification that fired; kNoRule for the architecture.
   std::string_view ProductionName(InstantiationId id) const;
   /// The operator selected in a goal, or none.
   Symbol OperatorOf(const Goal& goal) const;

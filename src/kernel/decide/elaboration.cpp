@@ -18,7 +18,7 @@ void Elaboration::BeginPhase() {
   for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) engine_.goals.at(level).has_saved_firing = false;
 }
 
-// What is active ------------------------------------------------------------------------------------------------------
+// The active level ----------------------------------------------------------------------------------------------------
 
 bool Elaboration::HasIeWork(GoalLevel level) const {
   const MatchSet& matches = engine_.rete.matches();
@@ -92,7 +92,7 @@ Elaboration::Next Elaboration::DetermineApply(GoalLevel previous) {
     firing_ = goal.saved_firing;
     goal.has_saved_firing = false;
   }
-  // The same level as before.
+  // The level has not changed.
   if (firing_ == FiringType::kIe && !HasIeWork(active_) && !engine_.decision.CheckConsistency(active_)) {
     return Next::kInconsistent;
   }
@@ -110,10 +110,11 @@ void Elaboration::Run(bool apply) {
   PreferencePhase(apply);
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(engine_.agent, firing_); });
   ApplyWorkingMemoryChanges();
-  // Counted when they are over: what a rule asks of the statistics within one does not see it.
+  // Elaborations are counted at their end: a rule that reads the statistics does not see the current one.
   ++engine_.counters.elaborations;
   if (firing_ == FiringType::kPe) ++engine_.counters.pe_elaborations;
-  // Within one decision rules may add elements a hundred times and more, before the host looks at the agent again.
+  // Within one decision, rules may add elements in more than a hundred elaborations before the host checks the agent
+  // again.
   constexpr std::uint32_t kElaborationsUntilMeasured = 4;
   if (count_ % kElaborationsUntilMeasured == 0) engine_.StopIfOutgrown();
   engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnElaborationEnd(engine_.agent); });
@@ -124,7 +125,7 @@ void Elaboration::PreferencePhase(bool apply) {
   GoalLevel change_level = active_;
   bool first_pass = true;
   if (active_ == 0) {
-    // Only matches of goals that have gone are left.
+    // Only matches of removed goals are left.
     ++engine_.counters.inner_elaborations;
     engine_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnInnerElaboration(engine_.agent, 0, {}); });
   }
@@ -175,7 +176,7 @@ void Elaboration::FireLevel(GoalLevel level, bool first_pass, GoalLevel& change_
     engine_.firing.Fire(match, rule);
   }
   matches.PutBack(put_back_);
-  if (has_any) change_level = level;  // Also if all of them wait.
+  if (has_any) change_level = level;  // Even if all of them are inhibited.
 }
 
 void Elaboration::AssertNew() {
@@ -192,9 +193,9 @@ void Elaboration::AssertNew() {
       if (is_o_reject(memory.preference(p))) o_rejects_.push_back(p);
     }
   }
-  // Rejects work in the order of firing, the first action first.
+  // Rejects are applied in the order of firing, the first action first.
   for (std::size_t n = o_rejects_.size(); n-- > 0;) engine_.preferences.ApplyOReject(o_rejects_[n]);
-  // The same reject on the levels where it was reasoned out goes with it: it is never asserted.
+  // The clones of the reject at other levels are spent, too: they are never asserted.
   for (std::size_t n = o_rejects_.size(); n-- > 0;) engine_.preferences.SpendClones(o_rejects_[n]);
   o_rejects_.clear();
   for (std::size_t n = made.size(); n-- > 0;) {
@@ -209,7 +210,7 @@ void Elaboration::AssertNew() {
       const Preference& preference = memory.preference(p);
       bool never = preference.is_spent || is_o_reject(preference);
       if (engine_.instantiations[id].match == MatchId::kNone && !preference.o_supported) {
-        never = true;  // A justification that does not hold.
+        never = true;  // A justification that does not match.
         engine_.preferences.LeaveClones(p);
       }
       const bool asserted = !never && engine_.preferences.Assert(p);
@@ -271,7 +272,8 @@ void Elaboration::ApplyWorkingMemoryChanges() {
 }
 
 void Elaboration::ApplyBufferedChanges() {
-  // Agents that never come to rest retract something in each wave: what died before this one goes now.
+  // Agents that do not reach quiescence retract something in each elaboration: free the elements removed before this
+  // one.
   if (engine_.changes.HasDead()) BuryDead();
   if (!engine_.preferences.changed_acceptables().empty()) engine_.slot_decision.UpdateAcceptables();
   while (engine_.links.HasWork()) {

@@ -12,9 +12,9 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// The elaboration loop of the propose and apply phases: which level is active, what fires in a pass, and the working
-/// memory phase after it. Goals higher up go first (the waterfall): a lower goal's rules fire in the same elaboration
-/// only if their actions stay below the level that is changing.
+/// The elaboration loop of the propose and apply phases. Determines the active level and which rules fire, and runs the
+/// working memory phase. Higher goals go first (the waterfall): rules of a lower goal fire in the same elaboration only
+/// if their actions affect only levels below the one that is changing.
 class Elaboration {
  public:
   explicit Elaboration(Engine& engine) : engine_(engine) {
@@ -24,18 +24,19 @@ class Elaboration {
 
   enum class Next : std::uint8_t { kElaborate, kPhaseEnds, kInconsistent };
 
-  /// At the beginning of a propose or apply phase.
+  /// Call at the beginning of a propose or apply phase.
   void BeginPhase();
-  /// What comes next in the propose or apply phase: another elaboration at the active level, or the end of the phase.
+  /// The next step of the phase: another elaboration at the active level, or the end of the phase.
   Next Determine(bool apply);
-  /// One elaboration: the preference phase at the active level, then the working memory phase.
+  /// Runs one elaboration: the preference phase at the active level, then the working memory phase.
   void Run(bool apply);
 
-  /// Decides changed slots, settles links and hands the changes to the match.
+  /// Decides changed slots, updates levels of identifiers and passes the changes to the match.
   void ApplyWorkingMemoryChanges();
-  /// The same without deciding slots: those that changed outside an elaboration wait for the next one.
+  /// Like ApplyWorkingMemoryChanges, but decides no slots: slots that changed outside an elaboration wait for the next
+  /// one.
   void ApplyBufferedChanges();
-  /// Frees elements that were removed, unless some match still waits for its retraction.
+  /// Frees removed elements, unless a match is still waiting for its retraction.
   void BuryDead();
   std::uint32_t count() const { return count_; }
   FiringType firing_type() const { return firing_; }
@@ -45,7 +46,7 @@ class Elaboration {
  private:
   bool HasWork(GoalLevel level, bool apply) const;
   bool HasIeWork(GoalLevel level) const;
-  /// The highest goal from `from` down with something to do; 0 if there is none.
+  /// The highest goal, from `from` down, that has something to do; 0 if there is none.
   GoalLevel HighestActive(GoalLevel from, bool apply) const;
   Next DetermineApply(GoalLevel previous);
   FiringType TypeAt(GoalLevel level) const;
@@ -58,7 +59,7 @@ class Elaboration {
   Engine& engine_;
   GoalLevel active_ = 0;
   FiringType firing_ = FiringType::kIe;
-  std::uint32_t count_ = 0;  ///< Elaborations of this phase.
+  std::uint32_t count_ = 0;  ///< Number of elaborations in this phase.
   std::vector<MatchId> put_back_;
   std::vector<PreferenceId> o_rejects_;
   std::vector<Symbol> garbage_;

@@ -62,7 +62,7 @@ void ElementEvents::RuleInterrupts() {
 }
 
 void ElementEvents::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
-  // (Without states it is init-soar that takes working memory apart.)
+  // (Without states, init-soar is emptying working memory.)
   if (uses_.modules.Wants(ModuleHook::kFlush) && !uses_.goals.empty()) uses_.modules.Flushed(added, removed);
 }
 

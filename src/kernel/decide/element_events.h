@@ -17,11 +17,11 @@ class RunControl;
 class SymbolTable;
 class WorkingMemory;
 
-/// Passes on to the parts of an agent what working memory tells of elements: to goal dependency sets, the input link,
-/// modules, and those who observe the agent.
+/// Forwards the events of working memory elements to the parts of an agent: goal dependency sets, the input link,
+/// modules, and observers.
 class ElementEvents final : public ElementListener {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     Agent& agent;
     const SymbolTable& symbols;

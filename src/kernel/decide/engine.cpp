@@ -88,7 +88,7 @@ void Engine::Sweep() {
     mark(wme.attribute);
     mark(wme.value);
   }
-  // Those of matches that wait for their retraction.
+  // The elements of matches that wait for their retraction.
   for (const WmeId dead : changes.dead()) {
     mark(memory.wme(dead).id);
     mark(memory.wme(dead).attribute);
@@ -119,7 +119,7 @@ void Engine::Sweep() {
     memory.FreeIdentifier(id);
   }
   symbols.Sweep();
-  // Where little was found a memory is growing: the next look is worth its price only when it has grown a lot.
+  // If little was freed, memory is growing: the next sweep is worthwhile only after it has grown much more.
   const auto next = [](std::size_t before, std::size_t now) { return 2 * now > before ? 4 * now : 2 * now; };
   sweep_identifiers_at = std::max(kLeastIdentifiersSwept, next(identifiers_before, memory.identifier_count()));
   sweep_constants_at = std::max(kLeastConstantsSwept, next(constants_before, symbols.UnpinnedCount()));

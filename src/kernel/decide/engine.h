@@ -47,8 +47,8 @@ namespace soarbox::kernel {
 
 class Imagery;
 
-/// Everything that one agent consists of. The parts know each other through this struct; each part's header says what
-/// it is for. Not visible outside the kernel: Agent is its face.
+/// All parts of one agent. The parts access each other through this struct; each part's header documents it. Not
+/// visible outside the kernel: Agent is the public interface.
 struct Engine {
   Engine(Agent& owner, std::string agent_name);
   ~Engine();
@@ -75,11 +75,11 @@ struct Engine {
   std::vector<ProductionRecord> productions;
   RuleDirectory rules;
   AgentRules rule_changes;
-  std::map<ProductionId, std::uint32_t> interrupts;  ///< How often the rules that interrupt runs have done so.
-  std::size_t learned_rule_bytes = 0;                ///< What rules that came while the agent ran take, about.
-  bool rules_changed = false;                        ///< Since they were last offered for sharing.
+  std::map<ProductionId, std::uint32_t> interrupts;  ///< How often each rule has interrupted a run.
+  std::size_t learned_rule_bytes = 0;                ///< Approximate memory of the rules added while the agent ran.
+  bool rules_changed = false;  ///< The rules have changed since they were last offered for sharing.
 
-  // What happens, in the order of the cycle.
+  // The parts that act, in the order of the cycle.
   Modules modules;
   ElementEvents element_events;
   WmeChanges changes;
@@ -101,42 +101,43 @@ struct Engine {
   Elaboration elaboration;
   RunControl run;
   LongTerm long_term;
-  std::unique_ptr<Imagery> imagery;  ///< Null until somebody asks for it.
+  std::unique_ptr<Imagery> imagery;  ///< Null until it is first used.
 
-  // Host.
+  // Settings and functions of the host.
   std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> user_functions;
   std::function<bool(std::string_view)> is_user_function;
   std::function<std::string(Agent&, std::string_view)> command_runner;
   bool agent_writes = true;
   std::string forced_operator;
 
-  // Sweeping of symbols and identifiers. Below these numbers nobody looks.
+  // Sweeping of symbols and identifiers. No sweep takes place below these numbers.
   static constexpr std::size_t kLeastIdentifiersSwept = 1024, kLeastConstantsSwept = 1024;
   std::size_t sweep_identifiers_at = kLeastIdentifiersSwept;
   std::size_t sweep_constants_at = kLeastConstantsSwept;
   std::vector<std::uint8_t> identifier_marks;
 
-  /// Rules that leave the network when the elaboration is over, so that no firing loses its rule.
+  /// Rules that will leave the network at the end of the elaboration, so that no firing loses its rule.
   std::vector<ProductionId> excisions;
 
-  /// Shares the rules with agents that have the same ones. Before the agent makes constants that no rule mentions.
+  /// Shares the rules with agents that have equal ones. Must be called before the agent creates constants that no rule
+  /// mentions.
   [[gnu::noinline]] void OfferRules();
-  /// The string that is a rule's name. It stays while the agent lives.
+  /// The string symbol of a rule's name. It lives as long as the agent.
   Symbol NameOf(const Production& rule);
 
-  /// Between decision cycles: frees constants and identifiers that nothing mentions, when their number has doubled or,
-  /// as long as hardly any are found, grown to four times what it was.
+  /// Call it between decision cycles. Frees unused constants and identifiers when their number has doubled since the
+  /// last sweep (quadrupled if the last sweeps freed hardly any).
   void SweepSymbols() {
     if (memory.identifier_count() >= sweep_identifiers_at || symbols.UnpinnedCount() >= sweep_constants_at) Sweep();
   }
   [[gnu::noinline]] void Sweep();
-  /// Empties everything but the rules and makes the first state; tells observers of it if `announce` is set.
+  /// Removes everything except the rules, and creates the first state. Reports it to observers if `announce` is set.
   void Initialize(bool announce);
-  /// Checks, in builds with SOARBOX_CHECK_INVARIANTS, that the parts agree; aborts with the reason if not.
-  /// Ends the run at hand (by std::bad_alloc) if the agent has grown beyond AgentSettings::most_memory_bytes.
+  /// Throws std::bad_alloc, which aborts the current run, if the agent has exceeded AgentSettings::most_memory_bytes.
   void StopIfOutgrown() const;
+  /// In builds with SOARBOX_CHECK_INVARIANTS, checks that the parts are consistent; aborts with the reason if not.
   void CheckAfterPhase() const;
-  /// In such builds: aborts unless a preference that was left out is one that the top state has already.
+  /// In such builds, aborts unless the top state already has a preference for the same value as `left_out`.
   void CheckSupported(const Preference& left_out) const;
 };
 

@@ -22,7 +22,7 @@ std::size_t ChooseUniformly(std::size_t count, RandomStream& random) {
   return random.Integer(static_cast<std::uint32_t>(count - 1));
 }
 
-/// What softmax and Boltzmann weigh a candidate with; those with weight 0 or less are never chosen.
+/// The weight of a candidate under softmax and Boltzmann; candidates with a weight of 0 or less are never selected.
 double Weight(const Candidate& candidate, const ExplorationSettings& settings, double highest) {
   const double value = NumericValue(candidate, settings);
   if (settings.policy == ExplorationPolicy::kSoftmax) return std::max(0.0, value);
@@ -51,7 +51,7 @@ std::size_t ChooseByWeight(std::span<const Candidate> candidates, const Explorat
     last = i;
     if (drawn <= sum) return i;
   }
-  return last;  // Rounding may leave the sum a hair below what was drawn.
+  return last;  // Rounding may leave the sum slightly below the drawn number.
 }
 
 std::size_t ChooseGreedily(std::span<const Candidate> candidates, const ExplorationSettings& settings,

@@ -11,32 +11,32 @@
 
 namespace soarbox::kernel {
 
-/// How one of several indifferent operators is chosen (`decide indifferent-selection`).
+/// How one of several indifferent operators is selected (`decide indifferent-selection`).
 enum class ExplorationPolicy : std::uint8_t {
-  kBoltzmann,      ///< Chances in proportion to exp(value / temperature).
-  kEpsilonGreedy,  ///< With chance epsilon any, else one of those with the highest value.
-  kSoftmax,        ///< Chances in proportion to the value, if positive; all equal if none is.
+  kBoltzmann,      ///< Probabilities proportional to exp(value / temperature).
+  kEpsilonGreedy,  ///< With probability epsilon any candidate, else one of those with the highest value.
+  kSoftmax,        ///< Probabilities proportional to the value, if positive; all equal if no value is.
   kFirst,          ///< The candidate that was proposed last.
   kLast,           ///< The candidate that was proposed first.
 };
 
-/// How a parameter shrinks after each decide phase when auto-reduce is on.
+/// How a parameter is reduced after each decide phase while auto-reduce is on.
 enum class ReductionPolicy : std::uint8_t { kExponential, kLinear };
 
 /// Epsilon or temperature.
 struct ExplorationParameter {
   double value = 0;
   ReductionPolicy reduction = ReductionPolicy::kExponential;
-  double exponential_rate = 1;  ///< A factor, 0 to 1.
+  double exponential_rate = 1;  ///< Multiplied with the value, 0 to 1.
   double linear_rate = 0;       ///< Subtracted, at least 0; the value does not go below 0.
 
   void Reduce();
 };
 
-/// What `decide` sets. The Set functions refuse values out of range: false, and nothing changes.
+/// The settings of `decide`. The Set functions refuse values out of range: they return false and change nothing.
 struct ExplorationSettings {
   ExplorationPolicy policy = ExplorationPolicy::kSoftmax;
-  bool average_numbers = false;  ///< A candidate's numeric preferences count by their mean, else by their sum.
+  bool average_numbers = false;  ///< The value of a candidate is the mean of its numeric preferences, else their sum.
   bool auto_reduce = false;
   ExplorationParameter epsilon{.value = 0.1};
   ExplorationParameter temperature{.value = 25};
@@ -44,18 +44,18 @@ struct ExplorationSettings {
   bool SetEpsilon(double value);      ///< 0 to 1.
   bool SetTemperature(double value);  ///< Above 0.
   static bool SetRate(ExplorationParameter& parameter, ReductionPolicy policy, double rate);
-  /// Called once after each decide phase.
+  /// Reduces the parameters. Called once after each decide phase.
   void ReduceAutomatically();
 };
 
-/// The value of a candidate for exploration: the sum or mean of its numeric preferences, 0 without any.
+/// The value of a candidate for exploration: the sum or mean of its numeric preferences; 0 if there are none.
 double NumericValue(const Candidate& candidate, const ExplorationSettings& settings);
 
-/// Chooses one of at least two indifferent candidates; returns its index. Draws from `random` exactly as Soar does: one
-/// number for softmax and Boltzmann, one or two for epsilon-greedy, none for first and last.
+/// Selects one of at least two indifferent candidates and returns its index. Draws from `random` exactly as Soar does:
+/// one number for softmax and Boltzmann, one or two for epsilon-greedy, none for first and last.
 std::size_t Choose(std::span<const Candidate> candidates, const ExplorationSettings& settings, RandomStream& random);
 
-/// The chance of each candidate under the policy, 0 to 1, in candidate order.
+/// The probability of each candidate under the policy, in candidate order.
 std::vector<double> SelectionChances(std::span<const Candidate> candidates, const ExplorationSettings& settings);
 
 }  // namespace soarbox::kernel

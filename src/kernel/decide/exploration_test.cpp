@@ -10,7 +10,7 @@ namespace {
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-/// Candidates with one numeric preference each; NaN for none.
+/// Candidates with one numeric preference each; NaN: without one.
 std::vector<Candidate> Make(std::initializer_list<double> numbers) {
   std::vector<Candidate> candidates;
   std::uint32_t n = 1;

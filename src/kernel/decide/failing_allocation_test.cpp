@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Memory runs out at every moment of an agent's short life in turn: what throws is std::bad_alloc and nothing worse,
-// and the agent, in whatever state it was left, can be destroyed and gives back all that it held.
+// Fails each allocation in the life of an agent in turn. The only exception thrown must be std::bad_alloc. The agent
+// can then be destroyed, in whatever state it is, and must free all its memory.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -14,7 +14,8 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Operators, a tie, a substate with a result that a justification supports, input, output, and a rule that goes.
+/// Rules with operators, a tie, a substate with a result that a justification supports, input, output, and an excised
+/// rule.
 constexpr std::string_view kRules[] = {
     "begin (state <s> ^superstate nil -^block) --> (<s> ^operator <o> +) (<o> ^name begin)",
     "began (state <s> ^operator.name begin) --> (<s> ^block <x> <y>) (<x> ^size 3) (<y> ^size 1)",
@@ -28,7 +29,7 @@ constexpr std::string_view kRules[] = {
     "absent (state <s> ^superstate nil ^block <b>) -{ (<s> ^block <c>) (<c> ^done yes) } --> (<s> ^all-there yes)",
 };
 
-/// False if the agent ran out of memory and says so.
+/// Returns false if the agent ran out of memory and reported it.
 bool Live() {
   Agent agent("short-lived");
   for (const std::string_view rule : kRules) agent.LoadProduction(rule);
@@ -65,7 +66,7 @@ TEST(FailingAllocation, LeavesAnAgentThatCanBeDestroyed) {
       ++failures;
     }
     allocations::Allow();
-    // The next agent works as ever, and drops what only the store of shared rules still held of the last.
+    // The next agent works as usual, and frees what only the store of shared rules still held for the last one.
     Live();
     ASSERT_EQ(allocations::Live(), live_before) << "after the failure of allocation " << n;
   }

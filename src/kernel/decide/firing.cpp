@@ -9,7 +9,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// A value of an action as Soar 9.6.3 shows it at run time, where variables have no names.
+/// Appends a value of an action as Soar 9.6.3 shows it at run time, when variables have no names.
 void AppendLoaded(std::string& out, const SymbolTable& symbols, const RhsValue& value) {
   if (value.kind == RhsValueKind::kBound) {
     out += "[RETE-loc]";
@@ -27,10 +27,10 @@ void AppendLoaded(std::string& out, const SymbolTable& symbols, const RhsValue& 
   }
 }
 
-/// Learning sees so many of the elements that a firing tested or copied.
+/// Maximum number of elements of a firing (tested or copied) that learning considers.
 constexpr std::size_t kMostTraced = 20'000;
 
-/// What the trace prints of a preference that cannot be made.
+/// The message of the trace about a preference that cannot be created.
 std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Action& action) {
   std::string text = "Error: RHS of action           (";
   AppendLoaded(text, symbols, action.id);
@@ -135,7 +135,8 @@ ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
 }
 
 ConditionTrace Firing::LookAt(WmeId wme, GoalLevel level) const {
-  // A justification may rest on an element that has left since: so may the preference that made it.
+  // A justification may depend on an element that was removed since, and so may the preference that created the
+  // element.
   const WmeRecord& record = engine_.memory.record(wme);
   PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
   bool inherits = false;
@@ -213,7 +214,7 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
     engine_.context.PrintError(BadIdentifier(engine_.symbols, object, action));
     return;
   }
-  // What an object's preference makes hangs on that object, so it begins with its level.
+  // The new identifier is reachable from the object, so its initial level is that of the object.
   const IdentifierRecord& record = engine_.memory.known_identifier(object);
   const bool is_goal = record.is_goal;
   level_ = record.level;
@@ -226,13 +227,13 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
   if (action.HasReferent()) {
     referent = Evaluate(action.referent);
     if (!referent) return;
-    // `= x` is read as binary; what x is shows only now.
+    // The parser reads `= x` as binary; only now is the value of x known.
     if (type == PreferenceType::kBinaryIndifferent && referent.IsNumber()) type = PreferenceType::kNumericIndifferent;
     if (type == PreferenceType::kNumericIndifferent) {
       referent = engine_.reinforcement.values().Number(engine_.instantiations[id].production, referent);
     }
   }
-  // Of other slots than a state's operator only these two count.
+  // In slots other than a state's operator slot, only these two types count.
   if (type != PreferenceType::kAcceptable && type != PreferenceType::kReject &&
       !(is_goal && attribute == words::kOperator)) [[unlikely]] {
     return;
@@ -250,7 +251,7 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
     if (!made) made = engine_.memory.NewIdentifier(LetterOfIdentifier(engine_.symbols.Text(value.symbol())), level_);
     return made;
   }
-  // Arguments stand on a stack, so that calls may nest without allocating.
+  // Arguments are on a stack, so that nested calls do not allocate.
   const std::size_t base = argument_stack_.size();
   bool all_known = true;
   for (const RhsValue& argument : value.arguments()) {
@@ -258,7 +259,7 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
     argument_stack_.push_back(symbol);
     all_known = all_known && symbol;
   }
-  // Arguments behind one without a value are evaluated all the same: what they print is printed.
+  // Arguments after one without a value are evaluated nevertheless, because they may print.
   if (!all_known) {
     argument_stack_.resize(base);
     return {};

@@ -16,8 +16,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Fires rules: makes the instantiation of a match and runs the rule's actions, which make preferences (not asserted
-/// yet) and call functions. New identifiers are made in the order in which the actions name them.
+/// Fires rules: creates the instantiation of a match and executes the rule's actions, which create preferences (not yet
+/// asserted) and call functions. New identifiers are created in the order in which the actions mention them.
 class Firing {
  public:
   explicit Firing(Engine& engine) : engine_(engine) {
@@ -26,24 +26,24 @@ class Firing {
     argument_stack_.reserve(8);
   }
 
-  /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave when the elaboration
-  /// ends.
+  /// Fires a match of `rule` that was taken from the match set. Rules excised meanwhile leave the network at the end of
+  /// the elaboration.
   ///
-  /// Everything it calls is inlined, except what is marked noinline: what few firings need must not cost registers.
+  /// All callees are inlined, except those marked noinline: code that few firings need must not cost registers.
   [[gnu::flatten]] void Fire(const PendingMatch& match, const Production& rule);
-  /// The first identifier that the actions would touch and whose level is `level` or higher up (a smaller number), if
-  /// there is one.
+  /// The first identifier that the actions would change and whose level is `level` or higher up (a smaller number);
+  /// else none.
   Symbol TouchedAbove(const PendingMatch& match, GoalLevel level) const;
-  /// Instantiations made in this pass and not asserted yet, oldest first. Held until asserted.
+  /// Instantiations created in this pass and not yet asserted, oldest first. They are held until asserted.
   std::vector<InstantiationId>& made() { return made_; }
-  /// What learning follows: for each matched element the preference that made it at this level.
+  /// Stores, for learning, the preference that created each matched element at this level.
   void TraceConditions(InstantiationId id, std::span<const WmeId> wmes);
-  /// The preference of the same result at a level, or kNone.
+  /// The clone of a preference at a level (the same result), or kNone.
   PreferenceId CloneAtLevel(PreferenceId preference, GoalLevel level) const;
-  /// What a condition of a match of this level tested, and who made it.
+  /// The trace of an element as a condition of a match at this level: what it tested, and the element's creator.
   ConditionTrace LookAt(WmeId wme, GoalLevel level) const;
 
-  /// The level of the object that the running action says something of.
+  /// The level of the identifier that the running action changes.
   GoalLevel object_level() const { return level_; }
 
  private:
@@ -51,30 +51,31 @@ class Firing {
   [[gnu::noinline]] void TellMade(InstantiationId id);
   [[gnu::noinline]] void TellFiring(InstantiationId id);
   [[gnu::noinline]] void TellFired(InstantiationId id);
-  /// Makes a rule with the matched constants (learn/rl_template.h).
+  /// Builds a rule with the matched constants from a template (learn/rl_template.h).
   [[gnu::noinline]] void RunTemplate(const Production& rule, InstantiationId id);
-  /// The same, and it holds what it names.
+  /// Like LookAt, and adds references to what the trace refers to.
   ConditionTrace TraceOf(WmeId wme, GoalLevel level);
-  /// What deep-copy copied is tested by the firing as well.
+  /// Adds the elements that deep-copy copied to the trace: the firing depends on them, too.
   [[gnu::noinline]] void TraceCopied(InstantiationId id);
   void RunAction(const Action& action, std::uint16_t number, InstantiationId id);
-  /// The value of a right-hand-side term; none if a function failed or gives nothing.
+  /// The value of a right-hand-side term; none if a function failed or returns nothing.
   Symbol Evaluate(const RhsValue& value) {
     if (value.kind == RhsValueKind::kConstant) return value.symbol();
     return value.kind == RhsValueKind::kBound ? BoundValue(value.site()) : EvaluateRare(value);
   }
   Symbol BoundValue(BindingSite site) const;
-  /// New identifiers and functions.
+  /// Evaluates new identifiers and functions.
   [[gnu::noinline]] Symbol EvaluateRare(const RhsValue& value);
 
   Engine& engine_;
   std::vector<InstantiationId> made_;
-  std::vector<WmeId> wmes_;  ///< Of the match that fires (the match set may grow while it does) and more.
+  std::vector<WmeId> wmes_;  ///< Elements of the firing match (copied, because the match set may grow meanwhile) and
+                             ///< copied ones.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
-  GoalLevel match_level_ = 0;  ///< Of the match that fires.
+  GoalLevel match_level_ = 0;  ///< Level of the firing match.
   bool o_support_ = false;
-  GoalLevel level_ = 0;  ///< Of identifiers that the action at hand makes.
+  GoalLevel level_ = 0;  ///< Level of the identifiers that the current action creates.
 };
 
 }  // namespace soarbox::kernel

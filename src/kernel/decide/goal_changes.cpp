@@ -33,7 +33,7 @@ Symbol ImpasseName(ImpasseType impasse) {
 
 }  // namespace
 
-// Making states -------------------------------------------------------------------------------------------------------
+// Creating states -----------------------------------------------------------------------------------------------------
 
 WmeId GoalChanges::AddSlotWme(Symbol id, Symbol attribute, Symbol value) {
   const SlotId slot = engine_.memory.FindOrMakeSlot(id, attribute, false);
@@ -71,7 +71,7 @@ void GoalChanges::AddMemoryLinks(Goal& goal) {
   goal.epmem = AddMemoryLink(goal.id, words::kEpmem, 'E');
   goal.epmem.present_id = AddSlotWme(goal.epmem.link, words::kPresentId, engine_.symbols.Integer(present_id_));
   goal.smem = AddMemoryLink(goal.id, words::kSmem, 'L');
-  // After the others: an object's slots are shown newest first.
+  // Created after the others, because an object's slots are shown newest first.
   goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
   if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateMade(goal.level);
 }
@@ -111,7 +111,7 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateComplete(engine_.goals.bottom().level);
 }
 
-/// Items go before non-numeric ones, each group newest first.
+/// Visits ^item elements before ^non-numeric ones, each group newest first.
 template <typename Visit>
 void GoalChanges::ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const {
   for (const bool non_numeric : {false, true}) {
@@ -134,7 +134,7 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
   const Symbol non_numeric_count = engine_.symbols.Integer(non_numeric);
 
   const auto wanted = [&](const Wme& wme) {
-    // The counts are made anew each time, also when they stay the same.
+    // The counts are always created again, even if they have not changed.
     if (wme.attribute == words::kItemCount || wme.attribute == words::kNonNumericCount) return false;
     return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
       return candidate.value == wme.value && (wme.attribute == words::kItem || !candidate.is_numeric);
@@ -148,7 +148,7 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
     if (!wanted(memory.wme(item))) engine_.changes.Remove(item);
   });
   goal.items = kept_items_;
-  // Soar counts a firing of its own behind each item.
+  // Soar counts a firing for each item.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
   const bool told = engine_.modules.Wants(ModuleHook::kStates);
   if (told) engine_.modules.ItemsMade(firings);
@@ -181,7 +181,7 @@ WmeId GoalChanges::ProposalOfItem(WmeId item) const {
   const Wme& wme = memory.wme(item);
   if (wme.attribute != words::kItem && wme.attribute != words::kNonNumeric) return WmeId::kNone;
   const GoalLevel level = memory.goal_levels()[wme.id.index()];
-  // An item that has left because its operator is out of the running rests on the proposal all the same.
+  // The item may have been removed because its operator was dropped. It depends on the proposal nevertheless.
   const WmeKind kind = memory.record(item).kind;
   if (level < 2 || (kind != WmeKind::kArchitecture && kind != WmeKind::kFree)) return WmeId::kNone;
   const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level - 1)).operator_slot;
@@ -217,7 +217,7 @@ void GoalChanges::RemoveBottom() {
 
 namespace {
 
-/// Nobody hears of anything while it lives.
+/// Suppresses all events during its lifetime.
 class Silence {
  public:
   Silence(Observers& observers, Agent& agent) : observers_(observers), kept_(agent) { std::swap(observers_, kept_); }
@@ -235,7 +235,7 @@ class Silence {
 void GoalChanges::TakeAllApart() {
   const Silence silence(engine_.observers, engine_.agent);
   while (!engine_.goals.empty()) {
-    // Substates end as they do while the agent runs: their rewards count.
+    // Substates end as in a running agent: their rewards count.
     const GoalLevel level = engine_.goals.bottom().level;
     if (level > 1 && engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateEnds(level);
     TakeBottomApart();
@@ -247,7 +247,8 @@ void GoalChanges::TakeBottomApart() {
   WorkingMemory& memory = engine_.memory;
   Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
   engine_.selections.GoalRemoved(goal.level);
-  engine_.gds.GoalRemoved(goal.level);  // First: the set holds elements of the goal itself, which go now.
+  engine_.gds.GoalRemoved(goal.level);  // This must be first: the set contains elements of the goal itself, which are
+                                        // removed below.
   while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
   if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateRemoved(goal.level);
   const SlotId slot = goal.operator_slot;
@@ -260,7 +261,7 @@ void GoalChanges::TakeBottomApart() {
   engine_.decision.GoalRemoved(goal.level);
   engine_.rete.matches().GoalRemoved(goal.level);
   memory.ClearGoal(goal.id);
-  // Its elements of acceptable preferences go with those of other slots that changed, in UpdateAcceptables.
+  // UpdateAcceptables removes its elements of acceptable preferences, like those of other changed slots.
   engine_.preferences.MarkChanged(slot);
   engine_.links.Discard(goal.id);
   engine_.goals.Pop();

@@ -15,30 +15,30 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Makes and removes states with the structure that the architecture gives them, in the order that time tags show:
-/// type, superstate, reward-link, epmem, smem, (top state: io,) attribute, impasse, choices, quiescence, items.
+/// Creates and removes states with the elements of the architecture, in an order that time tags show: type, superstate,
+/// reward-link, epmem, smem, (top state: io,) attribute, impasse, choices, quiescence, items.
 class GoalChanges {
  public:
   explicit GoalChanges(Engine& engine) : engine_(engine) {}
 
   void MakeTopState();
-  /// ^io of the top state, with the input link and the output link.
+  /// Creates ^io of the top state, with the input link and the output link.
   void MakeIoLinks();
-  /// A substate of the bottom goal. `candidates` are the items of a tie, conflict or constraint failure.
+  /// Creates a substate of the bottom goal. `candidates` are the items of a tie, conflict or constraint failure.
   void MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates);
-  /// Brings the items of the substate below `level` up to date: elements that stay keep their time tags.
+  /// Updates the items of the substate below `level`. Unchanged elements keep their time tags.
   void UpdateItems(GoalLevel level, std::span<const Candidate> candidates);
-  /// Of an element that shows an item of an impasse: that of the proposal in the superstate. kNone for others.
+  /// For an element that is an item of an impasse: the element of the proposal in the superstate. kNone for others.
   WmeId ProposalOfItem(WmeId item) const;
-  /// Removes the goal of this level and all below, the lowest first.
+  /// Removes the goal of this level and all goals below, the lowest first.
   [[gnu::noinline]] void RemoveFrom(GoalLevel level, GoalRemoval reason);
-  /// init-soar: takes all states apart as if they ended, the lowest first, so that their elements leave the match in
-  /// the order that Soar has: which rule fires first afterwards depends on it. Nobody is told, and nothing is learned.
+  /// init-soar: removes all states, the lowest first, so that their elements leave the match in Soar's order. This
+  /// order determines which rule fires first afterwards. Observers are not informed, and nothing is learned.
   void TakeAllApart();
-  /// Removes what an identifier that no goal reaches owns.
+  /// Removes everything that an unreachable identifier owns.
   void CollectGarbage(Symbol id);
 
-  /// Sets ^epmem.present-id of the states that are made from now on: the number of the next episode.
+  /// Sets the value of ^epmem.present-id for states created from now on: the number of the next episode.
   void SetPresentId(std::int64_t number) { present_id_ = number; }
 
   Symbol input_link() const { return input_link_; }

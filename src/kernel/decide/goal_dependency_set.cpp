@@ -15,19 +15,20 @@ namespace soarbox::kernel {
 
 void GoalDependencySets::NoteNewFact(WmeId wme) {
   const WorkingMemory& memory = uses_.memory;
-  // A result belongs to the state above: it rests on its justification.
+  // A result belongs to the higher state: it depends on its justification.
   const PreferenceId maker = memory.record(wme).preference;
   if (maker == PreferenceId::kNone) return;
   const GoalLevel level = memory.preference(maker).level;
   if (!memory.preference(maker).o_supported || level < 2 || level > uses_.goals.depth()) return;
-  // As in Soar 9.6.3 only the first such fact counts: what later ones rest on is never added. With it counts what else
-  // the state's rules made in its slot before, whatever the value.
+  // As in Soar 9.6.3, only the first such element counts: elements on which later ones depend are never added. Other
+  // elements that the state's rules created earlier in the same slot, with any value, count together with the first
+  // one.
   if (uses_.goals.at(level).has_gds) return;
   uses_.goals.at(level).has_gds = true;
   for (PreferenceId p = maker; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (memory.preference(p).level == level) Queue(memory.preference(p).instantiation);
   }
-  // Generation by generation, what was queued last first.
+  // Generation by generation; within a generation the newest entry first.
   while (!queue_.empty()) {
     exploring_.swap(queue_);
     while (!exploring_.empty()) {
@@ -62,7 +63,7 @@ void GoalDependencySets::Collect(InstantiationId id) {
       AddMember(trace.wme, level);
       continue;
     }
-    // A fact of this goal that is not held by o-support passes its own dependencies on.
+    // An element of this goal that is not o-supported passes on its own dependencies.
     const PreferenceId local = uses_.firing.CloneAtLevel(maker, level);
     if (local != PreferenceId::kNone) maker = local;
     if (memory.preference(maker).o_supported) continue;

@@ -18,13 +18,13 @@ class InstantiationTable;
 class Observers;
 class WorkingMemory;
 
-/// Goal dependency sets (Soar manual 2.7.1): for each substate the elements of higher states that its first o-supported
-/// fact rests on. When one of them leaves, the substate goes.
+/// Goal dependency sets (Soar manual 2.7.1). The set of a substate contains the elements of higher states on which the
+/// substate's o-supported elements depend. When one of them is removed, the substate is removed.
 ///
-/// An element belongs to at most one set: that of the highest goal that needs it.
+/// An element belongs to at most one set: that of the highest goal that depends on it.
 class GoalDependencySets {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     Agent& agent;
     WorkingMemory& memory;
@@ -37,14 +37,14 @@ class GoalDependencySets {
   };
   explicit GoalDependencySets(const Uses& uses) : uses_(uses) {}
 
-  /// An element was made for a preference: if an o-supported preference of a substate is behind it, what that rests on
-  /// enters the substate's set.
+  /// An element was created for a preference. If an o-supported preference of a substate caused it, the elements on
+  /// which that preference depends are added to the substate's set.
   void NoteNewFact(WmeId wme);
-  /// A member of a set is about to leave: its goal and all below go first.
+  /// A member of a set is about to be removed: removes its goal and all goals below first.
   [[gnu::noinline]] void MemberLeaves(WmeId wme);
-  /// The element leaves without harm to the goal.
+  /// The element is removed without effect on the goal.
   [[gnu::noinline]] void Forget(WmeId wme);
-  /// The goal is going: its members are free.
+  /// The goal is being removed: its set is cleared.
   void GoalRemoved(GoalLevel level);
 
  private:

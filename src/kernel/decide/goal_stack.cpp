@@ -6,7 +6,7 @@ namespace soarbox::kernel {
 Goal& GoalStack::Push() {
   if (depth_ == goals_.size()) goals_.emplace_back();
   Goal& goal = goals_[depth_++];
-  // Keep what the record's lists have allocated.
+  // Keeps the allocated memory of the record's lists.
   std::vector<WmeId> items = std::move(goal.items);
   std::vector<WmeId> gds = std::move(goal.gds);
   goal = Goal{};

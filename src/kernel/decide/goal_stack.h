@@ -19,29 +19,29 @@ struct Goal {
   SlotId operator_slot = SlotId::kNone;
   Symbol reward_link;
   MemoryLink epmem, smem;
-  ImpasseType impasse = ImpasseType::kNone;  ///< That made it; kNone for the top state.
+  ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that created it; kNone for the top state.
   bool impasse_on_operator = false;          ///< ^attribute operator, else state.
   std::uint64_t created_in_decision = 0;
-  PreferenceId preferences = PreferenceId::kNone;  ///< Of all instantiations that matched it: newest first.
+  PreferenceId preferences = PreferenceId::kNone;  ///< Of all instantiations that matched it, newest first.
   PreferenceId oldest_preference = PreferenceId::kNone;
-  std::vector<WmeId> items;  ///< ^item, ^item-count, ^non-numeric, ^non-numeric-count elements.
+  std::vector<WmeId> items;  ///< Its ^item, ^item-count, ^non-numeric and ^non-numeric-count elements.
   bool has_gds = false;
-  std::vector<WmeId> gds;                     ///< Elements of higher goals that its o-supported facts rest on.
-  FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration comes down to it again.
+  std::vector<WmeId> gds;                     ///< Its goal dependency set: elements of higher goals.
+  FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration reaches this goal again.
   bool has_saved_firing = false;
-  bool has_identities = false;  ///< It was made while learning was on.
-  bool learned_below = false;   ///< A substate of it had results.
+  bool has_identities = false;  ///< It was created while learning was on.
+  bool learned_below = false;   ///< One of its substates had results.
 };
 
-/// The states of an agent, top state first: goals()[n] has level n + 1. A goal's record is used again by later goals of
-/// that level, so that making and removing substates does not allocate.
+/// The states of an agent, top state first: goals()[n] has level n + 1. Goal records are reused by later goals of the
+/// same level, so that creating and removing substates does not allocate.
 class GoalStack {
  public:
   std::size_t depth() const { return depth_; }
   bool empty() const { return depth_ == 0; }
   const Goal& top() const { return goals_[0]; }
   const Goal& bottom() const { return goals_[depth_ - 1]; }
-  /// `level` from 1 to depth().
+  /// `level` is from 1 to depth().
   const Goal& at(GoalLevel level) const { return goals_[level - 1u]; }
   Goal& at(GoalLevel level) { return goals_[level - 1u]; }
   Goal& Push();

@@ -11,8 +11,8 @@
 namespace soarbox::kernel {
 namespace {
 
-/// One pass over everything that an agent keeps. The first thing found wrong stays. Text is made only of what is wrong:
-/// the check runs after every phase.
+/// One pass over all data of an agent. Keeps the first violation. Texts are built only for violations, because the
+/// check runs after every phase.
 class HandleCheck {
  public:
   explicit HandleCheck(const Engine& engine) : engine_(engine), memory_(engine.memory) {}
@@ -29,7 +29,7 @@ class HandleCheck {
   }
 
  private:
-  /// `what` is a text, or a function that makes it.
+  /// `what` is a text, or a function that returns it.
   template <typename What>
   void Require(bool right, What&& what) {
     if (right || !violation_.empty()) return;
@@ -147,7 +147,7 @@ class HandleCheck {
     memory_.ForEachPreference([&](const Preference& preference) {
       const auto found = references_.find(&preference);
       const std::uint32_t count = found == references_.end() ? 0 : found->second;
-      // What long-term memory answered it can take back: it holds such preferences, too.
+      // Long-term memory can retract its results, so it holds references to their preferences.
       const Instantiation& maker = *preference.instantiation.record;
       const bool may_be_held = maker.production == ProductionId::kNone && maker.justification == 0xFFFFFFFFu;
       Require(preference.references == count || (may_be_held && preference.references == count + 1), [&] {
@@ -185,7 +185,7 @@ class HandleCheck {
       if (!wme.live && record.references == 0) continue;
       for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) RequireLive(symbol, "an element");
       if (!wme.live || record.preference == PreferenceId::kNone || !violation_.empty()) continue;
-      if (record.slot() != SlotId::kNone && record.slot().record->changed) continue;  // Decided later.
+      if (record.slot() != SlotId::kNone && record.slot().record->changed) continue;  // It will be decided later.
       RequireLive(record.preference, "an element");
       const Preference& maker = memory_.preference(record.preference);
       Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,

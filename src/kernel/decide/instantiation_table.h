@@ -13,21 +13,21 @@ namespace soarbox::kernel {
 /// The instantiations of an agent and the traces of their conditions, in arenas with free lists.
 class InstantiationTable {
  public:
-  /// With room for a small agent, so that its first decisions cost what the later ones do.
+  /// Reserves memory for a small agent, so that its first decisions do not allocate more than later ones.
   InstantiationTable() { traces_.reserve(32); }
 
   InstantiationId Make();
-  /// Numbers that no instantiation gets: Soar counts those that were begun and given up, too.
+  /// Skips serial numbers: Soar also counts instantiations that were started and discarded.
   void SkipSerials(std::uint32_t count) { next_serial_ += count; }
   std::uint32_t last_serial() const { return next_serial_ - 1; }
-  /// Gives the record and its trace back; the caller has dropped what the trace refers to.
+  /// Frees the record and its trace. The caller must have released what the trace refers to.
   void Free(InstantiationId id);
   Instantiation& operator[](InstantiationId id) { return *id.record; }
   const Instantiation& operator[](InstantiationId id) const { return *id.record; }
 
-  /// Room for the trace of an instantiation.
+  /// Allocates the trace of an instantiation.
   std::span<ConditionTrace> MakeTrace(InstantiationId id, std::size_t count);
-  /// Adds to the trace of an instantiation; never more than 65,535 in all.
+  /// Appends to the trace of an instantiation. The total length must not exceed 65,535.
   void ExtendTrace(InstantiationId id, std::span<const ConditionTrace> more);
   std::span<const ConditionTrace> Trace(InstantiationId id) const;
 
@@ -44,7 +44,7 @@ class InstantiationTable {
  private:
   RecordArena<Instantiation, &Instantiation::next_free> records_;
   std::vector<ConditionTrace> traces_;
-  std::vector<std::vector<std::uint32_t>> free_traces_;  ///< By length.
+  std::vector<std::vector<std::uint32_t>> free_traces_;  ///< By length of the trace.
   std::uint32_t live_ = 0;
   std::uint32_t next_serial_ = 1;
 };

@@ -15,7 +15,7 @@ std::string Name(const Engine& engine, WmeId wme) {
          ToString(engine.symbols, content.attribute) + " " + ToString(engine.symbols, content.value) + ")";
 }
 
-/// The values of a slot, kept from one to the next so that room is made once.
+/// The values of a slot. Reused for all slots, so that memory is allocated once.
 struct SlotValues {
   std::vector<std::uint32_t> accepted, rejected, elements;
 };
@@ -63,7 +63,7 @@ std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
 }  // namespace
 
 std::string FindViolation(const Engine& engine) {
-  if (engine.run.broken()) return {};  // It stopped in the middle of a change and holds no matches.
+  if (engine.run.broken()) return {};  // It stopped in the middle of a change and has no matches.
   if (!engine.memory.LargeSlotsAreRight()) return "a large slot miscounts its facts";
   const WorkingMemory& memory = engine.memory;
   std::string violation;

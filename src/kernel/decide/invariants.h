@@ -7,14 +7,14 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// Checks, between phases, what must be true of an agent: slots agree with elements, elements with the preferences that
-/// support them, counts with lists, links with levels, the matcher with itself. Returns the first violation in words,
-/// or an empty text. Walks everything: for tests and builds with SOARBOX_CHECK_INVARIANTS.
+/// Checks the invariants of an agent between phases: slots agree with elements, elements with the preferences that
+/// support them, counts with lists, links with levels, and the matcher with itself. Returns a description of the first
+/// violation, or an empty text. Slow: walks all data. For tests and builds with SOARBOX_CHECK_INVARIANTS.
 std::string FindViolation(const Engine& engine);
 
-/// Checks every handle that a record holds: symbols of elements, preferences, slots, rules and the literals of
-/// justifications; makers of elements; instantiations of preferences; rules and matches of instantiations; and that
-/// each count of references is the number of those that refer. The same use.
+/// Checks every handle in every record: symbols of elements, preferences, slots, rules and the literals of
+/// justifications; creators of elements; instantiations of preferences; rules and matches of instantiations. Also
+/// checks that each reference count equals the number of references. Used like FindViolation.
 std::string FindDanglingHandle(const Engine& engine);
 
 }  // namespace soarbox::kernel

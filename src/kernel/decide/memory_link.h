@@ -6,7 +6,7 @@
 
 namespace soarbox::kernel {
 
-/// ^smem or ^epmem of a state: (state ^smem link), (link ^command command), (link ^result result).
+/// The elements of ^smem or ^epmem of a state: (state ^smem link), (link ^command command), (link ^result result).
 struct MemoryLink {
   Symbol link, command, result;
   WmeId present_id = WmeId::kNone;  ///< ^epmem: the element (link ^present-id n).

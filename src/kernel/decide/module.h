@@ -14,22 +14,22 @@ namespace soarbox::kernel {
 struct Candidate;
 class Production;
 
-/// Where a module is called. A module gets the calls that it asked for, and an agent without modules makes none.
+/// The calls that a module can request. An agent without modules makes none of them.
 enum class ModuleHook : std::uint32_t {
-  kRulesFire = 1u << 0,         ///< Rules are about to fire, and matches about to be retracted.
-  kFlush = 1u << 1,             ///< Elements of working memory came and went.
-  kAfterElaboration = 1u << 2,  ///< An elaboration is over; its changes have been matched.
-  kChoices = 1u << 3,           ///< Operators are chosen and installed.
-  kAfterDecision = 1u << 4,     ///< The decide phase is over but for its end; the decision line has been traced.
+  kRulesFire = 1u << 0,         ///< Before rules fire and matches are retracted.
+  kFlush = 1u << 1,             ///< Elements of working memory were added and removed.
+  kAfterElaboration = 1u << 2,  ///< An elaboration has ended; its changes have been matched.
+  kChoices = 1u << 3,           ///< Operators are selected and installed.
+  kAfterDecision = 1u << 4,     ///< Near the end of the decide phase; the decision line has been traced.
   kOutput = 1u << 5,            ///< The output phase, after the output link was read.
-  kOutputEnd = 1u << 6,         ///< The same, when all modules have had kOutput.
-  kStates = 1u << 7,            ///< States come and go.
+  kOutputEnd = 1u << 6,         ///< In the output phase, after all modules received kOutput.
+  kStates = 1u << 7,            ///< States are created and removed.
   kMatches = 1u << 8,           ///< Matches end.
-  kHalt = 1u << 9,              ///< A rule halts the agent, or too many goals end the run.
-  kIdentifiers = 1u << 10,      ///< Identifiers are freed, or linked to long-term ones.
-  kAttributes = 1u << 11,       ///< Elements are made; ask WmeChanges::TellOfAttributes for them, too.
+  kHalt = 1u << 9,              ///< A rule halts the agent, or the goal stack limit ends the run.
+  kIdentifiers = 1u << 10,      ///< Identifiers are freed, or linked to long-term identifiers.
+  kAttributes = 1u << 11,       ///< Elements are created. Also requires WmeChanges::TellOfAttributes(true).
   kAsserted = 1u << 12,         ///< A rule's preference entered its slot.
-  kInput = 1u << 13,            ///< The input phase, before the input link.
+  kInput = 1u << 13,            ///< In the input phase, before the input link is applied.
 };
 using ModuleHooks = std::uint32_t;
 constexpr ModuleHooks operator|(ModuleHook a, ModuleHook b) {
@@ -39,68 +39,67 @@ constexpr ModuleHooks operator|(ModuleHooks a, ModuleHook b) {
   return a | static_cast<ModuleHooks>(b);
 }
 
-/// A mechanism that takes part in the decision cycle without being part of it: semantic memory, episodic memory,
-/// activation of working memory, reinforcement learning, and most of chunking. Override what you need, and ask for the
-/// hooks with Modules::SetHooks (modules.h): none are called before that.
+/// A mechanism that takes part in the decision cycle without being a fixed part of it: semantic memory, episodic
+/// memory, activation of working memory, reinforcement learning, and most of chunking. Override the functions that you
+/// need and request their hooks with Modules::SetHooks (modules.h); no hook is requested initially.
 ///
-/// A module may change working memory in Input, AfterElaboration, AfterDecision, Output and OutputEnd, through
-/// PreferenceChanges or, in long-term memory, Installer; rules may go in OutputEnd. In the others it only takes notes.
-/// Nothing here may throw.
+/// A module may change working memory only in Input, AfterElaboration, AfterDecision, Output and OutputEnd, through
+/// PreferenceChanges or, in long-term memory, Installer. It may excise rules only in OutputEnd. No function may throw.
 class Module {
  public:
   virtual ~Module() = default;
 
   virtual void Input() {}
   virtual void RulesFire() {}
-  /// What came (in the match already) and went, in the order of the changes. An element that came and went within a
-  /// phase is on both lists. The contents of removed elements are readable until the call returns.
+  /// Elements that were added (and matched already) and removed, in the order of the changes. An element that was added
+  /// and removed within a phase is in both lists. The contents of removed elements are readable until the call returns.
   virtual void Flushed(std::span<const WmeId> /*added*/, std::span<const WmeId> /*removed*/) {}
-  /// The slot has not been decided yet.
+  /// A preference entered its slot; the slot has not been decided yet.
   virtual void Asserted(PreferenceId /*preference*/) {}
   virtual void AfterElaboration() {}
-  /// A match of a rule that fired holds no more. kNone: it was a justification's.
+  /// A match of a fired rule no longer exists. `rule` is kNone for the match of a justification.
   virtual void MatchEnded(ProductionId /*rule*/) {}
-  /// The decision procedure has a winner, and no impasse. Before states below go.
+  /// An operator is selected, without an impasse. Called before the states below are removed.
   virtual void OperatorChosen(GoalLevel /*level*/, std::span<const Candidate> /*candidates*/,
                               const Candidate& /*winner*/) {}
-  /// The winner stands in its slot.
+  /// The selected operator is in its slot.
   virtual void OperatorInstalled(GoalLevel /*level*/, Symbol /*op*/) {}
   virtual void AfterDecision() {}
-  /// `output_changed`: rules changed what hangs on the output link in this cycle.
+  /// `output_changed`: rules changed something below the output link in this cycle.
   virtual void Output(bool /*output_changed*/) {}
   virtual void OutputEnd() {}
   virtual void Halted() {}
   /// The state has its links (Goal::smem, Goal::epmem), but its elements are not in the match yet.
   virtual void StateMade(GoalLevel /*level*/) {}
-  /// The state has all that the architecture gives a new substate. (The top state: see AfterInit.) A module may add to
-  /// it.
+  /// A substate has all elements that the architecture creates. (For the top state see AfterInit.) A module may add
+  /// elements.
   virtual void StateComplete(GoalLevel /*level*/) {}
-  /// The impasse of a substate got its items: `firings` in number, each of which counts as one.
+  /// The items of a substate's impasse were created, by `firings` firings of the architecture.
   virtual void ItemsMade(std::uint32_t /*firings*/) {}
-  /// An item that was not there before; `index` of the firings that ItemsMade told of last.
+  /// A new item. `index` identifies one of the firings that the last ItemsMade reported.
   virtual void ItemMade(WmeId /*item*/, std::uint32_t /*index*/) {}
-  /// The state is about to go; everything is still there. Not called by init-soar.
+  /// The state is about to be removed; it is still complete. Not called by init-soar.
   virtual void StateEnds(GoalLevel /*level*/) {}
-  /// The preferences of the state's instantiations have been taken back already: forget them.
+  /// The state was removed, and the preferences of its instantiations were retracted: release references to them.
   virtual void StateRemoved(GoalLevel /*level*/) {}
-  /// An element with this attribute was made.
+  /// An element with this attribute was created.
   virtual void AttributeUsed(Symbol /*attribute*/) {}
-  /// A sweep frees this identifier: its index will name another one.
+  /// A sweep frees this identifier. Its index will be reused.
   virtual void IdentifierFreed(Symbol /*id*/) {}
-  /// An identifier of working memory is linked to another long-term identifier now, or to none.
+  /// An identifier of working memory is now linked to another long-term identifier, or to none.
   virtual void LinkChanged(Symbol /*id*/) {}
 
-  // Called always, hooks or not.
-  /// init-soar begins: everything is still there. Or the agent is being made.
+  // Called always, without hooks.
+  /// init-soar begins (everything is still there), or the agent is being created.
   virtual void BeforeInit() {}
-  /// Working memory is empty but for the new top state: identifiers, elements and preferences of old are gone.
+  /// Working memory contains only the new top state. All earlier identifiers, elements and preferences are gone.
   virtual void AfterInit() {}
   virtual void RuleAdded(ProductionId /*rule*/, const Production& /*production*/) {}
-  /// The rule is about to go.
+  /// Called before the rule is removed.
   virtual void RuleExcised(ProductionId /*rule*/) {}
-  /// A sweep: call `mark` for each symbol that you hold. Constants that nobody marks are freed, and so are identifiers.
+  /// A sweep: call `mark` for each symbol that the module refers to. Unmarked constants and identifiers are freed.
   virtual void Mark(const std::function<void(Symbol)>& /*mark*/) {}
-  /// Calls `visit` for each preference that you hold a reference on. For checks.
+  /// Calls `visit` for each preference that the module has a reference to. For checks.
   virtual void ForEachHeld(const std::function<void(PreferenceId)>& /*visit*/) const {}
   virtual std::size_t MemoryBytes() const { return 0; }
 };

@@ -25,7 +25,7 @@ void Modules::ForEach(ModuleHook hook, Call call) {
   }
 }
 
-// Where there is a hook -----------------------------------------------------------------------------------------------
+// Calls with a hook ---------------------------------------------------------------------------------------------------
 
 void Modules::Input() {
   ForEach(ModuleHook::kInput, [](Module& module) { module.Input(); });
@@ -111,7 +111,7 @@ void Modules::LinkChanged(Symbol id) {
   ForEach(ModuleHook::kIdentifiers, [&](Module& module) { module.LinkChanged(id); });
 }
 
-// Always --------------------------------------------------------------------------------------------------------------
+// Calls without a hook ------------------------------------------------------------------------------------------------
 
 void Modules::BeforeInit() {
   for (const Attached& attached : modules_) attached.module->BeforeInit();

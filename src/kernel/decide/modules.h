@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// The modules of one agent, and the calls that the decision cycle makes to them. The cycle asks Wants before each call
-/// that has a hook: an agent whose modules want nothing pays one test per place.
+/// The modules of one agent. The decision cycle calls Wants before each call that has a hook, so that calls without a
+/// subscriber cost one test.
 class Modules {
  public:
   /// The place of a module that is called after all others.
@@ -21,14 +21,14 @@ class Modules {
   Modules(const Modules&) = delete;
   Modules& operator=(const Modules&) = delete;
 
-  /// Adds a module, which must live as long as the agent runs. Modules are called in the order of their places.
+  /// Adds a module, which must outlive the agent's runs. Modules are called in ascending order of their places.
   void Attach(Module& module, int place);
-  /// The calls that an attached module wants from now on.
+  /// Sets the hooks that an attached module receives from now on.
   void SetHooks(const Module& module, ModuleHooks hooks);
   /// Whether any module wants the call.
   bool Wants(ModuleHook hook) const { return (hooks_ & static_cast<ModuleHooks>(hook)) != 0; }
 
-  // What Module says, to those that want it.
+  // The functions of Module; each calls the modules that requested it.
   [[gnu::noinline]] void Input();
   [[gnu::noinline]] void RulesFire();
   [[gnu::noinline]] void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
@@ -68,7 +68,7 @@ class Modules {
   void ForEach(ModuleHook hook, Call call);
 
   std::vector<Attached> modules_;  ///< In the order of their places.
-  ModuleHooks hooks_ = 0;          ///< Of all of them.
+  ModuleHooks hooks_ = 0;          ///< The union of the hooks of all modules.
 };
 
 }  // namespace soarbox::kernel

@@ -15,7 +15,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Writes down by which calls it takes part in the cycle.
+/// Records the calls that it receives from the cycle.
 class Witness final : public Module {
  public:
   Witness(std::string name, std::vector<std::string>& calls) : name_(std::move(name)), calls_(calls) {}

@@ -9,7 +9,7 @@
 
 namespace soarbox::kernel {
 
-/// The observers of an agent. `Wants` is one test, so that an event nobody hears costs nothing.
+/// The observers of an agent. `Wants` is one test, so an event without observers costs almost nothing.
 class Observers {
  public:
   explicit Observers(Agent& agent) : agent_(&agent) {}
@@ -26,7 +26,8 @@ class Observers {
   }
   EventMask mask() const { return mask_; }
   bool Wants(Event event) const { return (mask_ & Mask(event)) != 0; }
-  /// Calls `tell(observer)` for each that listens to the event. Test Wants first where arguments cost something.
+  /// Calls `tell(observer)` for each observer that subscribed to the event. Call Wants first if the arguments are
+  /// expensive.
   template <typename Tell>
   void Notify(Event event, Tell tell) const {
     if (!Wants(event)) return;

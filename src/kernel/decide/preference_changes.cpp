@@ -83,7 +83,7 @@ void PreferenceChanges::Retract(PreferenceId id) {
   Slot& record = memory.mutable_slot(slot);
   if (!record.is_operator) {
     MarkOrdinary(slot, record);
-    // Of a goal that has gone.
+    // The slot of a removed goal.
     if (record.acceptable_wmes != WmeId::kNone) NoteAcceptablesChanged(slot);
   } else {
     MarkChanged(slot);
@@ -143,7 +143,7 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
   };
   collect(newest);
   collect(others);
-  // The one that came last goes first.
+  // The newest is removed first.
   std::sort(rejected_.begin(), rejected_.end(),
             [&](PreferenceId a, PreferenceId b) { return memory.preference(a).stamp > memory.preference(b).stamp; });
   for (const PreferenceId p : rejected_) Retract(p);
@@ -185,7 +185,7 @@ void PreferenceChanges::FreeIfUnused(PreferenceId id) {
   if (!unused_.empty()) Drain();
 }
 
-/// The preferences of one result at several levels go together: as long as one of them is in use, learning may ask for
+/// The preferences of one result at several levels are freed together: while one of them is in use, learning may need
 /// the others.
 void PreferenceChanges::NoteUnused(PreferenceId id) {
   const WorkingMemory& memory = engine_.memory;
@@ -211,8 +211,8 @@ void PreferenceChanges::Free(PreferenceId id) {
   FreeInstantiation(instantiation);
 }
 
-/// Freeing a preference may free its instantiation, whose conditions let go of other preferences: a sequence as long as
-/// the reasoning in a substate was, so it is worked off here and not by recursion.
+/// Freeing a preference may free its instantiation, whose conditions release other preferences, and so on. Such a chain
+/// may be as long as the reasoning in a substate was, so this is a loop instead of a recursion.
 void PreferenceChanges::Drain() {
   if (unused_.empty() || draining_) return;
   draining_ = true;
@@ -282,7 +282,8 @@ void PreferenceChanges::LinkToGoal(InstantiationId id) {
 
 void PreferenceChanges::LeaveGoal(PreferenceId id) {
   UnlinkFromGoal(id);
-  // What hangs on the result at another level no longer keeps this one, nor this one the others.
+  // Preferences that depend on the result at another level no longer keep this one alive, nor does this one keep the
+  // others alive.
   const Preference& preference = engine_.memory.preference(id);
   const PreferenceId other =
       preference.next_clone != PreferenceId::kNone ? preference.next_clone : preference.previous_clone;
@@ -324,7 +325,7 @@ void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
   }
 }
 
-/// A slot keeps the place that its first change gave it.
+/// A slot keeps its place in the list from its first change.
 void PreferenceChanges::NoteAcceptablesChanged(SlotId id) {
   Slot& slot = engine_.memory.mutable_slot(id);
   if (slot.acceptables_changed) return;

@@ -53,8 +53,8 @@ void PreferenceSemantics::CollectCandidates(std::span<const SlotPreference> pref
   candidates_.clear();
   IndexCandidates();
   by_position_ = preferences.size() > kFewPreferences;
-  // The list has the oldest first; candidates stand the other way round. A value is a candidate once, held by the
-  // preference that comes first in the list.
+  // The list is sorted oldest first, candidates newest first. Each value is one candidate, with the preference that is
+  // first in the list.
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kAcceptable) continue;
     if (Find(p.value) != kNowhere) continue;
@@ -89,7 +89,7 @@ PreferenceSemantics::Outcome PreferenceSemantics::DecideRequired(std::span<const
 }
 
 bool PreferenceSemantics::DropDominated(std::span<const SlotPreference> preferences) {
-  // Only candidates dominate candidates; that a dominating one is dominated itself does not matter.
+  // Only candidates dominate candidates. A dominated candidate dominates others, too.
   MarkLosers(preferences, DecisionStage::kDominated);
   if (trace_ != nullptr) NoteLosers(preferences, DecisionStage::kDominated);
   if (std::all_of(marks_.begin(), marks_.end(), [](std::uint8_t m) { return m != 0; })) return true;
@@ -120,7 +120,8 @@ bool PreferenceSemantics::AllIndifferent(std::span<const SlotPreference> prefere
   }
   if (all_marked) return true;
 
-  // The others need a binary preference with every other candidate: collect the pairs once, count them per candidate.
+  // Each of the others needs a binary preference with every other candidate: collects the pairs, then counts them per
+  // candidate.
   pairs_.clear();
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kBinaryIndifferent) continue;

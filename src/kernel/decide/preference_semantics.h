@@ -12,46 +12,48 @@
 
 namespace soarbox::kernel {
 
-/// One preference of an operator slot, as the decision procedure sees it.
+/// One preference of an operator slot, as input of the decision procedure.
 struct SlotPreference {
   PreferenceType type = PreferenceType::kAcceptable;
   Symbol value;
-  Symbol referent;    ///< Better, worse, binary indifferent.
-  double number = 0;  ///< Numeric indifferent.
+  Symbol referent;    ///< For better, worse and binary indifferent.
+  double number = 0;  ///< For numeric indifferent.
   PreferenceId preference = PreferenceId::kNone;
 };
 
 struct DecisionTrace;
 enum class DecisionStage : std::uint8_t;
 
-/// One value that the procedure has left in the running.
+/// A value that the procedure has not dropped.
 struct Candidate {
   Symbol value;
   PreferenceId preference =
       PreferenceId::kNone;         ///< The first acceptable (or require) preference for it, in list order.
-  bool is_numeric = false;         ///< Has a numeric-indifferent preference (the others are listed as ^non-numeric).
-  double number_sum = 0;           ///< Of its numeric-indifferent preferences.
-  std::uint32_t number_count = 0;  ///< And of its binary indifferent ones: in an average each of them counts as 0.
+  bool is_numeric = false;         ///< It has a numeric-indifferent preference. (Others are listed as ^non-numeric.)
+  double number_sum = 0;           ///< Sum of its numeric-indifferent preferences.
+  std::uint32_t number_count = 0;  ///< Number of its numeric-indifferent and binary-indifferent preferences. In a mean,
+                                   ///< a binary one counts as 0.
 };
 
-/// The procedure that decides an operator slot (Soar manual 2.4; kernel_features section 11).
+/// The procedure that decides an operator slot (Soar manual 2.4; docs/spec/kernel_features.md, section 11).
 ///
-/// A pure function of the preferences but for scratch memory, which is kept so that deciding allocates nothing in the
-/// steady state. The random choice among indifferent candidates is not made here (exploration.h), so the same call
-/// serves for deciding and for checking that a decision still stands.
+/// A pure function of the preferences, except for scratch memory, which is kept so that decisions do not allocate in
+/// the steady state. It makes no random choice among indifferent candidates (see exploration.h), so that it serves both
+/// for decisions and for checks of earlier ones.
 class PreferenceSemantics {
  public:
   struct Outcome {
-    /// kNone: a winner, a choice among equals or nothing at all; else an impasse over `candidates`.
+    /// An impasse over `candidates`; kNone if there is a winner, a choice among indifferent candidates, or no
+    /// candidate.
     ImpasseType impasse = ImpasseType::kNone;
-    /// None, one (the winner) or more. More than one and no impasse: mutually indifferent, exploration chooses.
-    /// Newest first: the last action of the instantiation that fired last stands at the front.
+    /// None, one (the winner) or several. Several without an impasse are mutually indifferent, and exploration selects
+    /// one. Newest first: the value of the last action of the most recent firing is first.
     std::span<const Candidate> candidates;
   };
 
-  /// `preferences` are all that stand in the slot, in list order (newest last). `forced` is a value that wins at once
-  /// if it has an acceptable preference (`decide select`), or none. The outcome is valid until the next call. With a
-  /// `trace` it also says who was dropped and why; without one that costs nothing.
+  /// `preferences` are all preferences of the slot, in list order (newest last). `forced` is a value that is selected
+  /// immediately if it has an acceptable preference (`decide select`), or none. With a `trace`, records which
+  /// candidates are dropped and why; without one, recording costs nothing. The outcome is valid until the next call.
   Outcome Decide(std::span<const SlotPreference> preferences, Symbol forced = {}, DecisionTrace* trace = nullptr);
 
  private:
@@ -60,35 +62,35 @@ class PreferenceSemantics {
 
   void CollectCandidates(std::span<const SlotPreference> preferences);
   Outcome DecideRequired(std::span<const SlotPreference> preferences);
-  /// True if every candidate was marked (a conflict); else the marked ones have been dropped.
+  /// Returns true if all candidates are dominated (a conflict). Else drops the dominated ones.
   bool DropDominated(std::span<const SlotPreference> preferences);
   void KeepBest(std::span<const SlotPreference> preferences);
   void DropWorst(std::span<const SlotPreference> preferences);
   bool AllIndifferent(std::span<const SlotPreference> preferences);
   void AddNumbers(std::span<const SlotPreference> preferences);
   void MarkValuesOf(std::span<const SlotPreference> preferences, PreferenceType type);
-  /// The candidate that this preference alone drops at a stage, as the candidates stand, or kNowhere.
+  /// The index of the candidate that this preference alone drops at a stage, or kNowhere.
   std::uint32_t Loser(const SlotPreference& preference, DecisionStage stage) const;
-  /// Marks the losers of a stage.
+  /// Marks the candidates that a stage drops.
   void MarkLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
-  // Into the trace, before candidates go.
+  // Records the marked candidates in the trace, before they are dropped.
   void NoteLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
   void NoteBest(std::span<const SlotPreference> preferences);
   void NoteRequired(std::span<const SlotPreference> preferences);
   void NoteForced(Symbol forced);
   void NoteSettling(std::span<const SlotPreference> preferences);
-  /// Keeps the candidates whose mark is `marked`.
+  /// Keeps the candidates whose mark equals `marked`.
   void Keep(bool marked);
   void IndexCandidates();
-  /// Where a value stands among the candidates, or kNowhere.
+  /// The index of a value among the candidates, or kNowhere.
   std::uint32_t Find(Symbol value) const;
 
   std::vector<Candidate> candidates_;
-  std::vector<std::uint8_t> marks_;      ///< Beside candidates_.
+  std::vector<std::uint8_t> marks_;      ///< Parallel to candidates_.
   std::vector<std::uint64_t> pairs_;     ///< Scratch of AllIndifferent and NoteLosers.
-  DecisionTrace* trace_ = nullptr;       ///< Of the call under way, if one is wanted.
-  bool by_position_ = false;             ///< Many preferences: candidates are found by position_.
-  std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere for those that are no candidates.
+  DecisionTrace* trace_ = nullptr;       ///< Of the current call; null if no trace is wanted.
+  bool by_position_ = false;             ///< There are many preferences: candidates are found by position_.
+  std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere if it is no candidate.
   std::vector<std::uint32_t> indexed_;   ///< The identifier indices set in position_.
 };
 

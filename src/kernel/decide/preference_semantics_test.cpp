@@ -22,7 +22,7 @@ class PreferenceSemanticsTest : public testing::Test {
   void Propose(std::initializer_list<std::uint32_t> values) {
     for (const std::uint32_t value : values) Add(kAcceptable, value);
   }
-  /// The impasse and the candidates' numbers, front first.
+  /// The impasse and the numbers of the candidates, in order.
   std::pair<ImpasseType, std::vector<std::uint32_t>> Decide(Symbol forced = {}) {
     const auto outcome = semantics_.Decide(list_, forced);
     std::vector<std::uint32_t> numbers;

@@ -5,14 +5,14 @@
 
 namespace soarbox::kernel {
 
-/// What the agent knows of each rule beside the rule itself, by ProductionId: flags, and how often it has fired. One
-/// number, because each agent has its own record of each rule.
+/// The agent's data on one rule, apart from the rule itself: flags and the number of firings. Packed into one number,
+/// because every agent has a record of each of its rules.
 class ProductionRecord {
  public:
   static constexpr std::uint64_t kLive = 1;
   static constexpr std::uint64_t kBreaks = 2;
-  static constexpr std::uint64_t kHasNegations = 4;  ///< Negated conditions, which justifications look for.
-  static constexpr std::uint64_t kLearned = 8;       ///< It came while the agent ran: no other agent shares it.
+  static constexpr std::uint64_t kHasNegations = 4;  ///< It has negated conditions, which justifications depend on.
+  static constexpr std::uint64_t kLearned = 8;       ///< It was added while the agent ran: no other agent shares it.
 
   bool Is(std::uint64_t flag) const { return (word_ & flag) != 0; }
   void Set(std::uint64_t flag, bool on) { word_ = on ? word_ | flag : word_ & ~flag; }

@@ -17,7 +17,7 @@ std::string RandomAgents::NewVariable(std::string_view kind) {
   return "<" + std::string(kind) + std::to_string(variables_++) + ">";
 }
 
-/// A test of a value. If it binds a variable, that is in `bound`.
+/// A test of a value. If it binds a variable, `bound` is set to the variable.
 std::string RandomAgents::ValueTest(Scope& scope, bool may_bind, std::string& bound) {
   switch (Below(may_bind ? 8 : 4)) {
     case 0:
@@ -58,8 +58,8 @@ std::string RandomAgents::Tests(Scope& scope, const std::string& object, std::ui
   return text;
 }
 
-/// Conditions that do not begin at a state: they match wherever the facts are, and the rule never fires unless one of
-/// its elements happens to belong to a goal.
+/// Conditions that do not begin at a state. They match anywhere in working memory, and the rule fires only if one of
+/// its elements belongs to a goal.
 std::string RandomAgents::RootlessConditions(Scope& scope) {
   const std::string first = NewVariable("x");
   scope.objects.push_back(first);
@@ -126,7 +126,7 @@ std::string RandomAgents::Conditions(Scope& scope) {
   return state + ")" + others;
 }
 
-/// A preference for an operator that is proposed.
+/// A preference for a proposed operator.
 std::string RandomAgents::Preference(Scope& scope) {
   const std::string begin = "(<s> ^operator " + Pick(scope.operators) + " ";
   switch (Below(9)) {

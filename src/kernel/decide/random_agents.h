@@ -9,33 +9,33 @@
 
 namespace soarbox::kernel {
 
-/// Draws the rules of agents that do nothing sensible but much of everything: operators and preferences of all kinds,
-/// impasses and results, objects, negations, arithmetic, elaborations that come and go. Few words, so that much
-/// matches. The same seed draws the same. For tests.
+/// Generates the rules of random agents, for tests: operators and preferences of all kinds, impasses and results,
+/// objects, negations, arithmetic, elaborations that come and go. Uses few symbols, so that many rules match. Equal
+/// seeds give equal rules.
 class RandomAgents {
  public:
-  /// Of a hundred rules, `rootless_percent` have conditions that do not begin at a state.
+  /// `rootless_percent` is the percentage of rules whose conditions do not begin at a state.
   explicit RandomAgents(std::uint32_t seed, std::uint32_t rootless_percent = 0)
       : random_(seed), rootless_percent_(rootless_percent) {}
 
-  /// The body of a rule (what stands between the braces of sp), under a name of its own.
+  /// The body of a rule (the text between the braces of sp), with a unique name.
   std::string NextRule();
   std::uint32_t Below(std::uint32_t limit) { return random_() % limit; }
   std::string_view Attribute();
   std::string_view Constant();
 
  private:
-  /// What the conditions of the rule in hand bind, and so what its actions may use.
+  /// What the conditions of the current rule bind, so that its actions can use it.
   struct Scope {
-    std::vector<std::string> objects;  ///< States and parts of them.
+    std::vector<std::string> objects;  ///< States and their parts.
     std::vector<std::string> values;
-    std::vector<std::string> operators;  ///< That are proposed in <s>.
+    std::vector<std::string> operators;  ///< Operators proposed in <s>.
     struct Element {
       std::string id, attribute, value;
     };
-    std::vector<Element> elements;  ///< That conditions match, so that actions can reject them.
+    std::vector<Element> elements;  ///< Elements that conditions match, so that actions can reject them.
     bool substate = false;
-    bool may_make = true;  ///< No condition matches what rules make: else objects would beget objects without end.
+    bool may_make = true;  ///< No condition matches what rules create. (Else objects could create objects without end.)
   };
 
   std::string NewVariable(std::string_view kind);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Whole agents drawn at random: after every phase the match must be what a search of all working memory finds, and
-// every invariant must hold, also while rules go and come back and elements are put in and taken away by hand.
+// Random agents. After every phase, the match must equal the result of an exhaustive search of working memory, and
+// every invariant must hold. Meanwhile rules are excised and added, and commands add and remove elements.
 #include "kernel/decide/random_agents.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// What a run of cases amounted to, so that a generator that draws nothing of interest is noticed.
+/// Totals of the cases, to detect a generator that produces nothing interesting.
 struct Tally {
   std::uint64_t matches = 0, firings = 0, decisions = 0, substates = 0, justifications = 0, stopped_early = 0;
 };
@@ -38,7 +38,7 @@ class RandomCase {
       Check();
       if (change_rules_) Change();
       if (agent_.goals().depth() > 1) ++tally.substates;
-      // Elements that multiply are no more interesting than a few of them.
+      // Agents whose elements keep multiplying are not more interesting than others.
       if (agent_.memory().wme_count() > kMaxElements) {
         ++tally.stopped_early;
         break;
@@ -60,7 +60,7 @@ class RandomCase {
   static std::string NameOf(const std::string& body) { return body.substr(0, body.find(' ')); }
 
   void Change() {
-    // A rule goes and comes back at once.
+    // A rule is excised and immediately added again.
     const std::string body = bodies_[draw_.Below(static_cast<std::uint32_t>(bodies_.size()))];
     agent_.Excise(agent_.FindProduction(NameOf(body)));
     Check();
@@ -101,7 +101,7 @@ class RandomCase {
     const std::vector<WmeId> live = Live();
     const WmeId wme = live[draw_.Below(static_cast<std::uint32_t>(live.size()))];
     const std::string attribute = ToString(agent_.symbols(), agent_.memory().wme(wme).attribute);
-    // What the architecture made stays.
+    // Elements of the architecture are not removed.
     if (attribute.size() == 1) static_cast<void>(agent_.RemoveWme(wme));
   }
 
@@ -147,7 +147,7 @@ class RandomCase {
 };
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-constexpr std::uint32_t kSlowness = 10;  // Sanitizers, and the invariants once more after each phase.
+constexpr std::uint32_t kSlowness = 10;  // Sanitizers, and the invariants are also checked after each phase.
 #else
 constexpr std::uint32_t kSlowness = 1;
 #endif
@@ -158,7 +158,7 @@ void RunSeeds(std::uint32_t first, std::uint32_t count, bool change_rules, std::
   for (std::uint32_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     RandomCase(seed, change_rules, rootless_percent).Run(40, tally);
   }
-  if (kSlowness > 1) return;  // Too few to expect anything of them together.
+  if (kSlowness > 1) return;  // There are too few cases for expectations about their totals.
   EXPECT_GT(tally.matches, count * 100u);
   EXPECT_GT(tally.firings, count * 10u);
   EXPECT_GT(tally.substates, count * 2u);

@@ -8,8 +8,8 @@
 
 namespace soarbox::kernel {
 
-/// What learning needs from an agent's rules: each new rule is registered by name, reported and counted, wherever it
-/// comes from. AgentRules implements it.
+/// The interface through which learning adds and excises rules. Every new rule is registered by name, reported and
+/// counted, wherever it comes from. AgentRules implements it.
 class RuleChanges {
  public:
   virtual ~RuleChanges() = default;
@@ -17,16 +17,16 @@ class RuleChanges {
   /// The live rule of this name, or kNone.
   virtual ProductionId Find(std::string_view name) const = 0;
   struct Outcome {
-    ProductionId production = ProductionId::kNone;  ///< The rule, or the one that it duplicates.
+    ProductionId production = ProductionId::kNone;  ///< The new rule, or the one that it duplicates.
     bool loaded = false;
   };
-  /// Adds a rule that a template makes and matches it, in place of one of its name. Throws std::bad_alloc if that broke
-  /// the agent down.
+  /// Adds and matches a rule that a template generated; replaces a rule of the same name. Throws std::bad_alloc if the
+  /// agent broke down.
   virtual Outcome Add(const ProductionPtr& rule) = 0;
-  /// Call it after a rule has been put into the match.
+  /// Must be called after a rule has been added to the match.
   virtual void NoteAdded(ProductionId production, const ProductionPtr& rule) = 0;
   virtual void Excise(ProductionId production) = 0;
-  /// Takes a production out of the match when the elaboration is over, so that no firing loses its rule.
+  /// Removes a production from the match at the end of the elaboration, so that no firing loses its rule.
   virtual void LeaveMatch(ProductionId production) = 0;
 };
 

@@ -134,7 +134,7 @@ std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
 }
 
 void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
-  // No long-term memory is attached, so no long-term identifier exists.
+  // There is no long-term memory, so no long-term identifier exists.
   PrintError("Warning: Long-term memory @" + std::to_string(lti) +
              " does not exist.  Could not link short-term memory " + ToString(engine_.symbols, identifier) + ".\n");
 }

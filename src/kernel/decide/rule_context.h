@@ -14,23 +14,23 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// What functions on right-hand sides may see and do of the agent that fires.
+/// The functions of the firing agent that right-hand-side functions may call.
 class RuleContext final : public FunctionContext {
  public:
   explicit RuleContext(Engine& engine) : engine_(engine) {}
 
-  /// The instantiation that runs its actions.
+  /// Sets the instantiation whose actions are being executed.
   void SetFiring(InstantiationId id) { firing_ = id; }
   InstantiationId firing() const { return firing_; }
-  /// An element that the firing copied, and what it became.
+  /// An element that the firing copied, and the copy.
   struct Copied {
     WmeId element = WmeId::kNone;
     Symbol original, copy, attribute, value;
   };
   bool HasCopied() const { return !copied_.empty(); }
-  /// Makes the preferences for what the action copied.
+  /// Creates the preferences for the elements that the action copied.
   void MakeCopies();
-  /// Everything that the firing copied.
+  /// All elements that the firing copied.
   std::span<const Copied> copied() const { return copied_; }
   void ForgetCopied() {
     copied_.clear();
@@ -66,7 +66,7 @@ class RuleContext final : public FunctionContext {
   InstantiationId firing_ = InstantiationId::kNone;
   std::uint64_t next_constant_ = 1;
   std::vector<Copied> copied_;
-  std::size_t made_copies_ = 0;  ///< How many of them have their preferences.
+  std::size_t made_copies_ = 0;  ///< The number of copies whose preferences exist.
 };
 
 }  // namespace soarbox::kernel

@@ -12,13 +12,13 @@
 
 namespace soarbox::kernel {
 
-/// An agent's live rules by name, by age and by type. Agents with equal rules hold one copy (rule_sharing.h): whoever
-/// then adds or removes a rule copies it first.
+/// An agent's live rules by name, by age and by type. Agents with equal rules share one copy (rule_sharing.h); an agent
+/// that adds or removes a rule copies it first.
 class RuleDirectory {
  public:
   /// Oldest first.
   const std::vector<ProductionId>& loading_order() const { return tables_->loading_order; }
-  /// The rule with this string as its name, or kNone.
+  /// The rule whose name is this string, or kNone.
   ProductionId Named(Symbol name) const {
     const std::vector<ProductionId>& named = tables_->of_name;
     return name.index() < named.size() ? named[name.index()] : ProductionId::kNone;
@@ -27,7 +27,7 @@ class RuleDirectory {
 
   void Add(ProductionId rule, Symbol name, ProductionType type);
   void Remove(ProductionId rule, Symbol name, ProductionType type);
-  /// Uses the other one's tables in place of its own if the two are equal. What indexes names must be the same in both.
+  /// Shares the tables of `other` if they equal its own. The symbols of the names must have the same indices in both.
   void Adopt(const RuleDirectory& other) {
     if (*tables_ == *other.tables_) tables_ = other.tables_;
   }
@@ -35,14 +35,14 @@ class RuleDirectory {
  private:
   struct Tables {
     std::vector<ProductionId> loading_order;
-    std::vector<ProductionId> of_name;      ///< By the index of the string.
+    std::vector<ProductionId> of_name;      ///< By the index of the name's string.
     std::array<std::uint32_t, 5> counts{};  ///< By ProductionType.
 
     friend bool operator==(const Tables&, const Tables&) = default;
   };
   Tables& Own();
 
-  std::shared_ptr<Tables> tables_ = std::make_shared<Tables>();  ///< Changed only while this directory alone holds it.
+  std::shared_ptr<Tables> tables_ = std::make_shared<Tables>();  ///< Changed only by a sole owner.
 };
 
 }  // namespace soarbox::kernel

@@ -41,7 +41,7 @@ void ShareRules(SymbolTable& symbols, Rete& rete, RuleDirectory& rules, std::vec
   const Key key{symbols.Digest(), rete.NetworkDigest()};
   Store& store = TheStore();
   const std::lock_guard<std::mutex> lock(store.mutex);
-  // Only the store holds it: the agents that shared it have gone.
+  // Removes entries that only the store refers to: the agents that shared them no longer exist.
   std::erase_if(store.entries, [](const auto& entry) { return entry.second.network.use_count() == 1; });
   const auto found = store.entries.find(key);
   if (found == store.entries.end()) {
@@ -49,7 +49,7 @@ void ShareRules(SymbolTable& symbols, Rete& rete, RuleDirectory& rules, std::vec
     return;
   }
   if (rete.network() == found->second.network) return;
-  // The network's handles mean something only with the constants that they were made with.
+  // The network's handles are valid only with the constants with which they were created.
   if (symbols.Adopt(found->second.symbols) && rete.AdoptNetwork(found->second.network)) {
     rules.Adopt(found->second.directory);
     productions.shrink_to_fit();

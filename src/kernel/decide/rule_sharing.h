@@ -10,11 +10,11 @@ class Rete;
 class RuleDirectory;
 class SymbolTable;
 
-/// Lets agents that loaded equal rules share them: the constants that the rules mention, the rules, their directory and
-/// the network's topology. Called before a run when the rules have changed; a thousand equal agents then hold one copy.
+/// Lets agents that loaded equal rules share them: the constants in the rules, the rules, their directory and the
+/// network topology. Called before a run if the rules have changed. A thousand equal agents then have one copy.
 ///
-/// The store is process-wide and guarded by a mutex; what is in it never changes, and leaves it when the last agent
-/// that used it changes its rules or dies. An agent that adds or excises a rule forks the shared topology first
+/// The store is process-wide and guarded by a mutex. Its entries are immutable; an entry is removed when the last agent
+/// that uses it changes its rules or is destroyed. An agent that adds or excises a rule forks the shared topology first
 /// (Rete).
 void ShareRules(SymbolTable& symbols, Rete& rete, RuleDirectory& rules, std::vector<ProductionRecord>& productions);
 

@@ -12,13 +12,13 @@
 namespace soarbox::kernel {
 namespace {
 
-/// What the C library's allocator has handed out; 0 where another one is in its place (sanitizers).
+/// Bytes allocated from the C library; 0 if another allocator is in use (sanitizers).
 std::size_t HeapBytes() {
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
 }
 
-/// This process's share of the pages that it holds; 0 where nobody says.
+/// This process's share of its memory pages; 0 if the system does not report it.
 std::size_t PageBytes() {
   std::ifstream file("/proc/self/smaps_rollup");
   std::string word;
@@ -29,7 +29,7 @@ std::size_t PageBytes() {
   return 0;
 }
 
-/// Rules of four shapes: a proposal, an application, a comparison and an elaboration with a negation.
+/// Rules of four kinds: a proposal, an application, a comparison, and an elaboration with a negation.
 std::string RuleBody(int number) {
   const std::string n = std::to_string(number);
   const std::string many = std::to_string(number % 499);
@@ -69,7 +69,7 @@ TEST(RuleSharing, AFurtherAgentWithTheSameRulesCostsAFractionOfTheFirst) {
   constexpr int kFurther = 4;
   std::vector<std::unique_ptr<Agent>> agents;
   agents.reserve(16);
-  CostOfAgent(agents, 0);  // What the process makes once.
+  CostOfAgent(agents, 0);  // Allocations that the process makes only once.
   const std::size_t empty = CostOfAgent(agents, 0);
   if (empty == 0) GTEST_SKIP() << "this build has another allocator";
   const std::size_t first = CostOfAgent(agents, kRules) - empty;
@@ -78,7 +78,7 @@ TEST(RuleSharing, AFurtherAgentWithTheSameRulesCostsAFractionOfTheFirst) {
   further /= kFurther;
   RecordProperty("first", std::to_string(first));
   RecordProperty("further", std::to_string(further));
-  // The nodes' own state is most of it: 18 bytes each.
+  // Most of it is the state of the nodes: 18 bytes per node.
   EXPECT_LE(further * 10, first) << "first " << first << ", further " << further;
 }
 
@@ -106,7 +106,7 @@ TEST(RuleSharing, ARuleOfItsOwnCostsAnAgentAFractionOfTheSharedOnes) {
   const auto add = [&](std::size_t agent) {
     EXPECT_TRUE(agents[agent]->LoadProduction(RuleBody(kRules + static_cast<int>(agent))).loaded);
   };
-  add(1);  // Makes what the others share.
+  add(1);  // Creates the data that the others share.
   const std::size_t before = PageBytes();
   for (std::size_t n = 2; n < kAgents; ++n) add(n);
   const std::size_t each = (PageBytes() - before) / (kAgents - 2);

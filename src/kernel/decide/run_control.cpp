@@ -84,7 +84,7 @@ void RunControl::DecidePhase() {
   BeginPhase();
   ++engine_.counters.decision_phases;
   engine_.decision.Decide();
-  // What states held that went at the end of the propose phase goes here, not in the next elaboration.
+  // Frees what removed states held at the end of the propose phase here, not in the next elaboration.
   engine_.elaboration.ApplyWorkingMemoryChanges();
   if (engine_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
@@ -178,14 +178,14 @@ void RunControl::WatchGoal(Symbol goal) {
 
 bool RunControl::Stop() {
   if (halt_requested_ && engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
-    // As in Soar 9.6.3 the depth is taken for the reason then, and the agent may go on.
+    // As in Soar 9.6.3, the reported reason is then the depth, and the agent may run again.
     halt_requested_ = false;
     goal_stack_limit_ = true;
   }
   if (halt_requested_) {
     halt_requested_ = false;
     halted_ = true;
-    if (in_middle_) CountPhase(engine_);  // It does not end any more.
+    if (in_middle_) CountPhase(engine_);  // The phase will not end regularly.
     if (engine_.modules.Wants(ModuleHook::kHalt)) engine_.modules.Halted();
     engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
     return true;
@@ -257,8 +257,8 @@ bool RunControl::RunOneDecision() {
   return whole && IsIdle(changes, elaborations);
 }
 
-// Of a decision that began with the input phase and changed nothing after it, nothing is left that could make the next
-// one differ: slots and goals were looked at, and no choice was made.
+// If a decision began with the input phase and changed nothing after it, the next one cannot differ: slots and goals
+// were checked, and no random choice was made.
 bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const {
   const AgentCounters& counters = engine_.counters;
   const auto wants = [&](auto... hooks) { return (engine_.modules.Wants(hooks) || ...); };
@@ -271,7 +271,7 @@ bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations
          engine_.settings.max_elaborations > 0;
 }
 
-/// As if they were made: each ends all phases.
+/// Counts decisions as if they had been executed: each ends all phases.
 void RunControl::CountIdle(std::uint64_t decisions) {
   AgentCounters& counters = engine_.counters;
   constexpr std::uint64_t kPhases = 5;
@@ -352,7 +352,7 @@ RunResult RunControl::Run(RunUnit unit, std::uint64_t count) {
     }
     return total;
   }
-  // A decision run ends in front of the stop phase; one that begins there goes once round.
+  // A decision run ends before the stop phase; a run that begins there executes one full cycle.
   const Phase stop = engine_.settings.stop_phase;
   for (; count > 0; --count) {
     if (phase_ == stop && !in_middle_ && !add(Step(RunUnit::kPhase))) return total;

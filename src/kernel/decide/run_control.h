@@ -18,8 +18,8 @@ namespace soarbox::kernel {
 
 struct Engine;
 
-/// The cycle as a machine that can stop between any two elaborations: input, propose, decide, apply, output. Knows what
-/// is next, counts, and ends runs.
+/// The decision cycle (input, propose, decide, apply, output) as a state machine that can stop between any two
+/// elaborations. Stores the next phase, counts cycles, and ends runs.
 class RunControl {
  public:
   explicit RunControl(Engine& engine) : engine_(engine) {}
@@ -33,51 +33,51 @@ class RunControl {
   bool halted() const { return halted_; }
   bool running() const { return running_; }
 
-  /// From any thread.
+  /// Callable from any thread.
   void RequestStop(std::string_view reason);
   void ClearStop();
   bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
-  /// (halt): the current elaboration finishes, then the run ends.
+  /// (halt): the run ends after the current elaboration.
   void Halt() { halt_requested_ = true; }
-  /// (interrupt): the current run ends after its phase, or after its elaboration if it counts elaborations.
+  /// (interrupt): the run ends after its phase, or after its elaboration if it counts elaborations.
   void InterruptByAction() { rule_interrupt_ = action_interrupt_ = running_; }
-  /// The same for what learning found; the run says why.
+  /// Like InterruptByAction, on behalf of learning. `why` is reported as the reason.
   void InterruptAfterPhase(std::string_view why) {
     rule_interrupt_ = running_;
     action_interrupt_ = false;
     interrupt_reason_ = why;
   }
-  /// Says which rules with interrupts match anew; a run that is under way ends with its phase.
+  /// Reports which rules with interrupts have new matches. A current run ends after its phase.
   void TellInterrupts();
-  /// The goal stack is at its limit: the run ends as if halted, but may go on.
+  /// The goal stack is at its limit: the run ends as if halted, but the agent may run again.
   void GoalStackLimit();
   void WatchGoal(Symbol goal);
   void GoalRemoved(Symbol goal) {
     if (goal == watched_goal_) InterruptAfterPhase("Stopped due to substate (goal) retraction.");
   }
   void Clear();
-  /// Memory ran out in the middle of a change: from now on the agent counts as running, so that nothing changes it.
+  /// Memory ran out in the middle of a change. The agent counts as running from now on, so that no call changes it.
   void BreakDown() { broken_ = running_ = halted_ = true; }
   bool broken() const { return broken_; }
-  /// Ends the current run (by std::bad_alloc) if the agent broke down while a rule's action or an observer used up the
-  /// memory: the matches are gone, so the run cannot go on.
+  /// Throws std::bad_alloc, which ends the current run, if the agent broke down because a rule's action or an observer
+  /// used up the memory: the matches are gone, so the run cannot continue.
   void StopIfBroken() const {
     if (broken_) throw std::bad_alloc();
   }
 
  private:
-  /// One elaboration, or a whole phase that has none. Returns true if a phase ended.
+  /// Runs one elaboration, or an entire phase that has none. Returns true if a phase ended.
   bool Advance();
   void InputPhase();
-  /// Nobody hears of single elements, and no match that waits for its retraction can still show any.
+  /// True if no observer wants single elements, and no match that waits for its retraction can still show any.
   bool InputIsUnheard() const;
   void DecidePhase();
   void OutputPhase();
   bool ElaboratePhase(bool apply);
   void BeginPhase();
   void EndPhase(Phase next);
-  /// After each elaboration and phase: halts or interrupts that were asked for. True if the run must end.
+  /// Called after each elaboration and phase: handles requested halts and interrupts. Returns true if the run must end.
   bool CheckStop() {
     const bool due = halt_requested_ | goal_stack_limit_ | rule_interrupt_ | stop_.load(std::memory_order_relaxed);
     return due && Stop();
@@ -89,7 +89,7 @@ class RunControl {
   Start Begin();
   RunResult Finish(const Start& start);
   bool MustEnd() const { return halted_ || ended_; }
-  /// True if the next decision comes to the same unless something changes: to nothing.
+  /// Runs one decision. Returns true if the next one would change nothing without new input.
   bool RunOneDecision();
   bool IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const;
   void CountIdle(std::uint64_t decisions);
@@ -102,21 +102,21 @@ class RunControl {
   bool broken_ = false;
   bool halted_ = false;
   bool halt_requested_ = false;
-  bool rule_interrupt_ = false;    ///< Asked for by a rule's match or its (interrupt).
-  bool action_interrupt_ = false;  ///< The last one that asked was an action.
+  bool rule_interrupt_ = false;    ///< Requested by a rule's match or by (interrupt).
+  bool action_interrupt_ = false;  ///< The last request came from an action.
   bool by_elaboration_ = false;    ///< This run ends after one elaboration.
-  bool by_phase_ = false;          ///< This run stops between phases, or at no place of its own.
+  bool by_phase_ = false;          ///< This run counts phases, or has no limit.
   bool goal_stack_limit_ = false;
-  bool limit_reached_ = false;   ///< By the goal stack, in this run.
+  bool limit_reached_ = false;   ///< The goal stack limit was reached in this run.
   bool ended_ = false;           ///< This run was interrupted.
-  bool output_changed_ = false;  ///< By the last output phase.
+  bool output_changed_ = false;  ///< Set by the last output phase.
   Symbol watched_goal_;
   std::uint64_t cycle_wme_changes_ = 0, cycle_firings_ = 0;
   std::chrono::steady_clock::time_point cycle_began_;
   std::atomic<bool> stop_{false};
   std::mutex reason_mutex_;
   std::string reason_;
-  std::string interrupt_reason_;  ///< Of InterruptAfterPhase; empty for others.
+  std::string interrupt_reason_;  ///< Set by InterruptAfterPhase; empty for other requests.
 };
 
 }  // namespace soarbox::kernel

@@ -19,7 +19,7 @@ std::uint32_t HashValue(Symbol value) {
 
 }  // namespace
 
-// Values of the slot at hand ------------------------------------------------------------------------------------------
+// Values of the current slot ------------------------------------------------------------------------------------------
 
 void SlotDecision::ResetValues() {
   if (indexed_ > 0) std::fill(table_.begin(), table_.end(), kNowhere);
@@ -98,7 +98,7 @@ void SlotDecision::Decide(SlotId slot_id) {
   for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     AddValue(memory.preference(p).value, p);
   }
-  // Keep the elements that still have a value, let the others go.
+  // Keeps the elements that still have a value and removes the others.
   WmeId next;
   for (WmeId wme = slot.wmes; wme != WmeId::kNone; wme = next) {
     next = memory.record(wme).next;
@@ -110,14 +110,14 @@ void SlotDecision::Decide(SlotId slot_id) {
       memory.mutable_record(wme).preference = values_[place].preference;
     }
   }
-  // New ones are made in candidate order, the reverse of the list of preferences.
+  // New elements are created in candidate order, the reverse of the list of preferences.
   for (std::size_t n = values_.size(); n-- > 0;) {
     if (!values_[n].present) MakeElement(slot_id, values_[n]);
   }
   if (memory.SlotIsEmpty(slot_id)) uses_.preferences.empty_slots().push_back(slot_id);
 }
 
-// The same as Decide, for the values that changed.
+// Like Decide, for the values that changed.
 void SlotDecision::DecideLarge(SlotId slot_id, const LargeSlot& large) {
   WorkingMemory& memory = uses_.memory;
   const Slot& slot = memory.slot(slot_id);
@@ -189,7 +189,7 @@ void SlotDecision::DecideSingle(SlotId slot_id, PreferenceId only) {
 
 void SlotDecision::UpdateAcceptables() {
   std::vector<SlotId>& changed = uses_.preferences.changed_acceptables();
-  // The slot that was the last to begin changing comes first. Removing an operator may add slots of the states below.
+  // The slot that was added to the list last is first. Removing an operator may add slots of the states below.
   while (!changed.empty()) {
     const SlotId slot = changed.back();
     changed.pop_back();
@@ -203,7 +203,7 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
   WorkingMemory& memory = uses_.memory;
   ResetValues();
   const Slot& slot = memory.slot(slot_id);
-  // Required ones enter first.
+  // Required values are added first.
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (memory.preference(p).type == PreferenceType::kRequire) AddValue(memory.preference(p).value, p);
   }
@@ -225,7 +225,7 @@ void SlotDecision::UpdateAcceptables(SlotId slot_id) {
     uses_.changes.Lose(wme);
   }
   if (!memory.identifier(slot.id).is_goal) {
-    // The goal has gone: what is left is an ordinary slot without anything.
+    // The goal was removed: the slot is now an ordinary empty slot.
     memory.mutable_slot(slot_id).is_operator = false;
     memory.mutable_slot(slot_id).changed = false;
     uses_.preferences.empty_slots().push_back(slot_id);

@@ -17,11 +17,12 @@ class PreferenceChanges;
 class WmeChanges;
 class WorkingMemory;
 
-/// Turns preferences into elements once per working memory phase: ordinary slots get every acceptable value that is not
-/// rejected; operator slots get the elements of their acceptable and required values (their decision comes later).
+/// Converts preferences to elements once per working memory phase. An ordinary slot gets an element for every
+/// acceptable value that is not rejected. An operator slot gets the elements of its acceptable and required values (the
+/// operator is decided later).
 class SlotDecision {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     WorkingMemory& memory;
     WmeChanges& changes;
@@ -31,9 +32,10 @@ class SlotDecision {
   };
   explicit SlotDecision(const Uses& uses) : uses_(uses) { values_.reserve(8); }
 
-  /// Decides all changed ordinary slots, the one that changed last first.
+  /// Decides all changed ordinary slots, the one changed last first.
   [[gnu::flatten]] void DecideChangedSlots();
-  /// Updates the acceptable elements of all operator slots that changed. Removes a selected operator whose own went.
+  /// Updates the acceptable elements of all operator slots that changed. Removes a selected operator whose acceptable
+  /// element was removed.
   [[gnu::flatten]] void UpdateAcceptables();
   void Clear() {}
 
@@ -41,19 +43,19 @@ class SlotDecision {
   struct Value {
     Symbol value;
     PreferenceId preference = PreferenceId::kNone;
-    bool present = false;  ///< Has an element.
+    bool present = false;  ///< It has an element.
   };
 
   [[gnu::noinline]] void Decide(SlotId slot);
-  /// The same for the common slot that has no preference, or one that is acceptable.
+  /// The fast path for slots with no preference, or with one that is acceptable.
   void DecideSingle(SlotId slot, PreferenceId only);
-  /// The same for slots with very many preferences, if only acceptable ones have changed.
+  /// The fast path for slots with very many preferences of which only acceptable ones changed.
   [[gnu::noinline]] void DecideLarge(SlotId slot, const LargeSlot& large);
   void MakeElement(SlotId slot, const Value& value);
   void UpdateAcceptables(SlotId slot);
-  /// Adds the value if it is not among values_ and not excluded.
+  /// Adds the value unless it is in values_ already or is excluded.
   void AddValue(Symbol value, PreferenceId preference);
-  /// The place of a value in values_, or kNowhere.
+  /// The index of a value in values_, or kNowhere.
   std::uint32_t FindValue(Symbol value) const;
   void IndexValue(std::uint32_t place);
   void ResetValues();
@@ -67,7 +69,7 @@ class SlotDecision {
   std::vector<Symbol> changed_;       ///< Scratch of DecideLarge.
   std::vector<WmeId> lost_;           ///< Likewise.
   std::vector<std::uint32_t> table_;  ///< Open addressing over values_ when there are many.
-  std::size_t indexed_ = 0;           ///< How many of values_ are in the table.
+  std::size_t indexed_ = 0;           ///< Number of values that are in the table.
 };
 
 }  // namespace soarbox::kernel

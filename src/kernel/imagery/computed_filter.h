@@ -7,14 +7,14 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A filter that makes at most one value from each combination, and from that combination alone.
+/// A filter that computes at most one value for each combination, independently of other combinations.
 class ComputedFilter : public Filter {
  public:
   using Filter::Filter;
 
  protected:
   enum class Verdict { kFail, kNothing, kValue };
-  /// kFail: the status says why.
+  /// Computes the value into `content`. With kFail, the status describes the error.
   virtual Verdict Evaluate(const Combination& combination, Content& content) = 0;
   Verdict Refuse(std::string_view status) {
     Fail(status);
@@ -25,13 +25,13 @@ class ComputedFilter : public Filter {
   bool Compute() final;
 };
 
-/// A filter that gives the highest or lowest number of all combinations; among equal ones, the first.
+/// A filter that returns the highest or lowest number of all combinations; if there are several, the first one.
 class RankFilter : public Filter {
  public:
   RankFilter(FilterParts parts, bool highest) : Filter(std::move(parts)), highest_(highest) {}
 
  protected:
-  /// None: it failed, and the status says why.
+  /// The number of a combination; none if it failed, and then the status describes the error.
   virtual std::optional<double> Rank(const Combination& combination) = 0;
   void ClearOutput() override;
 

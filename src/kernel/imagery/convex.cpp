@@ -8,7 +8,7 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// Up to four points of the difference of two bodies, and the point of their hull that is nearest to the origin.
+/// Up to four points of the difference of two bodies, and the point of their convex hull that is nearest to the origin.
 class Simplex {
  public:
   bool Has(const Vec3& point) const {
@@ -23,7 +23,7 @@ class Simplex {
     return extent;
   }
 
-  /// Finds the nearest point and drops the corners that it does not rest on. True if the origin is inside.
+  /// Finds the nearest point and drops the corners that do not contribute to it. Returns true if the origin is inside.
   bool Reduce(Vec3& nearest) {
     switch (size_) {
       case 1:
@@ -65,14 +65,14 @@ class Simplex {
     return a + along * (to / length);
   }
 
-  /// The better of two edges or corners that share what is known to be outside.
+  /// The nearest point of a triangle: on its face, or else on the best of its edges and corners.
   Vec3 OnTriangle() {
     const Vec3 a = At(0), b = At(1), c = At(2);
     const Vec3 ab = b - a, ac = c - a, normal = Cross(ab, ac);
     const double area = Dot(normal, normal);
     const double flat = 1e-30 * Dot(ab, ab) * Dot(ac, ac);
     if (area > flat) {
-      // Barycentric coordinates of the origin's image in the plane.
+      // Barycentric coordinates of the origin's projection onto the plane.
       const double of_c = Dot(Cross(ab, -a), normal), of_b = Dot(Cross(-a, ac), normal);
       const double of_a = area - of_b - of_c;
       if (of_a >= 0 && of_b >= 0 && of_c >= 0) return normal * (Dot(a, normal) / area);
@@ -107,7 +107,7 @@ class Simplex {
       const Vec3 a = corners[static_cast<std::size_t>(face[0])], b = corners[static_cast<std::size_t>(face[1])],
                  c = corners[static_cast<std::size_t>(face[2])], other = corners[static_cast<std::size_t>(face[3])];
       const Vec3 normal = Cross(b - a, c - a);
-      // The origin and the fourth corner on different sides: the face may be the nearest.
+      // If the origin and the fourth corner are on different sides, the face may be the nearest.
       if (!flat && Dot(normal, other - a) * Dot(normal, -a) >= 0) continue;
       Simplex triangle;
       triangle.points_ = {a, b, c, {}};
@@ -148,12 +148,12 @@ Vec3 Solid::Support(const Vec3& direction) const {
 
 namespace {
 
-/// A point of the difference of two bodies, and the point of the first that it comes from.
+/// A point of the difference of two bodies, and the point of the first body for it.
 struct Difference {
   Vec3 corner, of_a;
 };
 
-/// The point of a that belongs to a point of the simplex: mixed from the corners as that is.
+/// The point of `a` that corresponds to a point of the simplex: the same combination of the corners.
 Vec3 PointOfFirst(const Simplex& simplex, const Vec3& nearest, std::span<const Difference> seen) {
   const auto of_a = [&](int n) {
     const auto found = std::find_if(seen.begin(), seen.end(),
@@ -174,8 +174,8 @@ Vec3 PointOfFirst(const Simplex& simplex, const Vec3& nearest, std::span<const D
   return of_a(0) + (of_a(1) - of_a(0)) * of_second + (of_a(2) - of_a(0)) * of_third;
 }
 
-/// The shortest vector from the core of b to that of a, and the size of what was compared; false if they touch.
-/// `on_a`: where it ends on a, if somebody wants to know.
+/// The shortest vector from the core of b to that of a, and the size of the compared bodies. Returns false if they
+/// touch. `on_a`: receives its end on a, if not null.
 bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent, Vec3* on_a = nullptr) {
   constexpr int kMostSteps = 200;
   Simplex simplex;
@@ -190,7 +190,7 @@ bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent
   extent = Dot(nearest, nearest);
   for (int step = 0; step < kMostSteps; ++step) {
     const double square = Dot(nearest, nearest);
-    // As good as touching, measured by the size of what is compared.
+    // Almost touching, relative to the size of the compared bodies.
     if (!(square > 1e-22 * extent)) return false;
     const Vec3 of_a = a.Support(-nearest), corner = of_a - b.Support(nearest);
     const double progress = square - Dot(nearest, corner);
@@ -199,7 +199,7 @@ bool NearestVector(const Solid& a, const Solid& b, Vec3& nearest, double& extent
     extent = std::max(extent, Dot(corner, corner));
     Vec3 next;
     if (simplex.Reduce(next)) return false;
-    if (!(Dot(next, next) < square)) break;  // Rounding: no nearer.
+    if (!(Dot(next, next) < square)) break;  // Because of rounding, it is not nearer.
     nearest = next;
   }
   if (on_a != nullptr) *on_a = PointOfFirst(simplex, nearest, seen);
@@ -231,7 +231,7 @@ bool ShortestBetween(const Solid& a, const Solid& b, Vec3& from, Vec3& to) {
 
 bool HasPoint(const Solid& solid, const Vec3& point) {
   if (solid.ellipsoid == nullptr && solid.points.size() == 1) {
-    // As in Soar 9.6.3 a ball does not have the points just below its surface.
+    // As in Soar 9.6.3, points just below the surface of a ball do not belong to it.
     constexpr double kSkin = 2e-4;
     return Distance(solid.points[0], point) <= solid.margin * (1 - kSkin);
   }

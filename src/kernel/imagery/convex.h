@@ -7,11 +7,11 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A convex body in the world: everything within `margin` of the hull of some points or of an ellipsoid (so a ball is
-/// one point with a margin). It refers to the points and the transform, which must outlive it.
+/// A convex body in world coordinates: all points within `margin` of the convex hull of some points, or of an
+/// ellipsoid. (A ball is one point with a margin.) Refers to the points and the transform, which must outlive it.
 struct Solid {
   std::span<const Vec3> points;
-  const Transform* ellipsoid = nullptr;  ///< Of a ball of `radius` about 0, instead of points.
+  const Transform* ellipsoid = nullptr;  ///< If not null: that of a ball of `radius` around 0, instead of points.
   double radius = 0;
   double margin = 0;
 
@@ -24,7 +24,7 @@ struct Solid {
 /// describes it.)
 double DistanceBetween(const Solid& a, const Solid& b);
 
-/// The points at which two solids are nearest to each other, one on each. False if they touch or overlap.
+/// Finds the two closest points, one on each solid. Returns false if the solids touch or overlap.
 bool ShortestBetween(const Solid& a, const Solid& b, Vec3& from, Vec3& to);
 
 /// Whether the point is inside a solid. (The outermost 0.02 % of a ball count as outside.)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The commands extract and extract_once: a filter whose values stand in working memory.
+// The commands extract and extract_once: a filter whose values are written to working memory.
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
@@ -18,13 +18,13 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// Builds the filter that an identifier describes, with all filters that its parameters are.
+/// Builds the filter that an identifier describes, including the filters in its parameters.
 class FilterReader {
  public:
-  /// `alone`: shares nothing.
+  /// `alone`: shares no filters.
   FilterReader(const CommandParts& parts, bool alone) : parts_(parts), alone_(alone) {}
 
-  /// Null if something in it is no filter.
+  /// Returns null if a part is not a valid filter.
   std::unique_ptr<FilterUse> Read(Symbol described) {
     if (!described.IsIdentifier()) return ReadConstant(described);
     if (path_.size() >= kDeepest || ++filters_ > kMostFilters) return nullptr;
@@ -37,7 +37,7 @@ class FilterReader {
     return filter;
   }
 
-  /// The type of the filter that could not be read, if there is no such type.
+  /// The unknown type that prevented reading; empty if there is none.
   const std::string& unknown() const { return unknown_; }
 
  private:
@@ -169,7 +169,7 @@ class Extract final : public SceneCommand {
  private:
   struct Record {
     Symbol id, params;
-    std::uint32_t number = 0;  ///< In order of making.
+    std::uint32_t number = 0;  ///< In order of creation.
   };
 
   bool Read() {
@@ -187,8 +187,7 @@ class Extract final : public SceneCommand {
     return true;
   }
 
-  /// How many elements the command and what hangs on it have, without answers. When it changes the command is read
-  /// anew.
+  /// The number of elements of the command and below it, without results. The command is read again when it changes.
   std::size_t SizeOfCommand() const {
     std::size_t size = 0;
     std::unordered_set<std::uint32_t> seen{parts_.id.bits()};
@@ -233,7 +232,7 @@ class Extract final : public SceneCommand {
     for (const Value& value : output.fresh()) ShowValue(value);
     for (const Value& gone : output.removed()) {
       Record& record = records_[gone.slot];
-      if (!record.id) continue;  // It came and went unseen.
+      if (!record.id) continue;  // It was added and removed between two looks.
       parts_.writer.Remove(result_, "record", record.id);
       record = {};
     }
@@ -277,7 +276,8 @@ class Extract final : public SceneCommand {
     }
   }
 
-  /// Whether a constant is what would be shown. Vectors and boxes are always shown anew.
+  /// Whether a constant is the text for the content. Always false for vectors and boxes, so they are always written
+  /// again.
   bool Says(Symbol symbol, const Content& content) const {
     if (const auto* number = std::get_if<double>(&content))
       return symbol.IsNumber() && parts_.writer.NumberOf(symbol) == *number;
@@ -295,7 +295,7 @@ class Extract final : public SceneCommand {
     return std::nullopt;
   }
 
-  /// What shows a value; none for vectors and boxes, which are objects.
+  /// The constant for a value; none for vectors and boxes, which are objects.
   std::optional<Symbol> ConstantOf(const Content& content) const {
     if (const auto* number = std::get_if<double>(&content)) return parts_.writer.Float(*number);
     if (const auto* integer = std::get_if<std::int64_t>(&content)) return parts_.writer.Integer(*integer);
@@ -314,7 +314,7 @@ class Extract final : public SceneCommand {
   void WriteObject(Symbol id, std::string_view attribute, const Content& content) {
     const Symbol object = parts_.writer.AddObject(id, attribute);
     if (!object) return;
-    // Of numbers within objects only 6 digits count.
+    // Numbers inside objects are rounded to 6 significant digits.
     const auto add = [&](std::string_view name, double value) {
       parts_.writer.Add(object, name, parts_.writer.Float(std::strtod(NumberText(value).c_str(), nullptr)));
     };
@@ -345,10 +345,10 @@ class Extract final : public SceneCommand {
   bool once_ = false;
   bool first_ = true;  ///< The filter has not succeeded yet.
   std::optional<std::size_t> size_;
-  std::string unknown_;  ///< The type that is none, if the filter could not be read.
+  std::string unknown_;  ///< The unknown type, if the filter could not be read.
   Symbol result_;
   std::unique_ptr<FilterUse> use_;
-  std::uint64_t expected_ = 0;   ///< Filter::cleared() if no change was missed.
+  std::uint64_t expected_ = 0;   ///< The value of Filter::cleared() if no change was missed.
   std::vector<Record> records_;  ///< By slot of the value.
   std::uint32_t last_record_ = 0;
 };

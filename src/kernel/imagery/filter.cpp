@@ -188,7 +188,7 @@ void Filter::Drop(Value& value) {
   output_.Remove(value);
 }
 
-/// The combinations that the values came from may have gone already.
+/// The combinations of the values may have been removed already.
 void Filter::ClearOutput() {
   for (const Value& value : output_) {
     if (Node* const* const node = std::get_if<Node*>(&value.content)) scene_.Release(**node, *this, value.slot);

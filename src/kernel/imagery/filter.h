@@ -21,32 +21,32 @@ struct Combination;
 struct FilterKind;
 struct Trouble;
 
-/// What a filter can give: a number, an answer, a word, a vector, a box or a node.
+/// The possible contents of a filter's value: a number, a truth value, a word, a vector, a box or a node.
 using Content = std::variant<double, std::int64_t, bool, std::string, Vec3, Box, Node*>;
 
-/// One value that a filter gave.
+/// One value of a filter.
 struct Value : Tracked<Value> {
   Content content;
-  Combination* from = nullptr;  ///< What it was computed from; null for constants and the like.
+  Combination* from = nullptr;  ///< The combination that it was computed from; null for constants and similar filters.
   bool rewritten = true;        ///< The content has changed since the changes were cleared.
 };
 
 /// One input of a filter: a value per parameter (Inputs::ArgumentOf).
 struct Combination : Tracked<Combination> {
-  Value* output = nullptr;  ///< What the filter made of it, if anything.
-  double rank = 0;          ///< For filters that choose the best.
-  bool told = false;        ///< It is in Inputs::rewritten().
+  Value* output = nullptr;  ///< The filter's value for this combination, if any.
+  double rank = 0;          ///< For filters that choose the best combination.
+  bool told = false;        ///< It is in Inputs::rewritten() already.
 };
 
-/// The parameters of a filter and the combinations of their values: each with each, the first parameter fastest, or
-/// each alone. Only new values are combined.
+/// The parameters of a filter and the combinations of their values: the Cartesian product with the first parameter
+/// varying fastest, or one parameter at a time. Only new values are combined.
 class Inputs {
  public:
   struct Parameter {
     std::string name;
     std::shared_ptr<Filter> source;
   };
-  /// A combination in which one value replaced another, with its value before it was computed again.
+  /// A combination in which one value replaced another, with its value before it was recomputed.
   struct Rewritten {
     Combination* combination;
     const Value* output;
@@ -63,20 +63,20 @@ class Inputs {
   /// The value of a parameter in a combination; null if it has none.
   const Value* ArgumentOf(const Combination& combination, std::size_t parameter) const;
 
-  /// Updates the parameters. Returns nothing, or what is wrong: a parameter failed, or there are too many combinations.
-  /// Then no combination is left.
+  /// Updates the parameters. Returns an empty text, or an error: a parameter failed, or there are too many
+  /// combinations. After an error there are no combinations.
   std::string_view Update();
   static constexpr std::size_t kMostCombinations = 2'000'000;
   std::size_t MemoryBytes() const;
 
  private:
-  /// A parameter whose value may differ from one combination to the next.
+  /// A parameter whose value may differ between combinations.
   struct Column {
     std::size_t parameter;
-    std::uint64_t expected = 0;         ///< Filter::cleared() if no change was missed.
-    std::vector<std::uint32_t> chains;  ///< By slot of a value: its first combination, from 1.
+    std::uint64_t expected = 0;         ///< The value of Filter::cleared() if no change was missed.
+    std::vector<std::uint32_t> chains;  ///< By slot of a value: 1 + its first combination.
   };
-  /// A combination's value in a column, and its neighbours among the combinations with the same value, from 1.
+  /// A combination's value in a column, and its neighbours in the list of combinations with the same value (index + 1).
   struct Link {
     Value* value = nullptr;
     std::uint32_t previous = 0, next = 0;
@@ -91,7 +91,7 @@ class Inputs {
   void NoteChanges(std::size_t column, const Value& changed);
   void CombineEachAlone(bool anew);
   void CombineEachWithEach(bool anew);
-  /// Of a value per column, null for none.
+  /// `values` has one value per column, null for none.
   void Add(const std::vector<Value*>& values);
   void Chain(std::uint32_t combination, std::size_t column, Value* value);
   void Unchain(std::uint32_t combination, std::size_t column);
@@ -105,7 +105,7 @@ class Inputs {
   std::vector<Rewritten> rewritten_;
 };
 
-/// What a filter is made with.
+/// The arguments of a filter's construction.
 struct FilterParts {
   Scene& scene;
   FilterPool& pool;
@@ -115,9 +115,9 @@ struct FilterParts {
   bool each_alone = false;
 };
 
-/// A computation over a scene. It keeps the list of its values, and computes again only what depends on a change. A
-/// reader calls Update first; the changes can be read until the look ends (FilterPool). It must not outlive its scene
-/// and its pool.
+/// A computation over a scene. It stores the list of its values and recomputes only those that depend on a change. A
+/// reader calls Update first, and can read the changes until the look ends (FilterPool). A filter must not outlive its
+/// scene and its pool.
 class Filter : private SceneWatcher {
  public:
   explicit Filter(FilterParts parts);
@@ -125,8 +125,8 @@ class Filter : private SceneWatcher {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Updates the values, those of its parameters first, once per look. False if it failed: then its status says why,
-  /// and it has no values.
+  /// Updates the parameters and then the values, once per look. Returns false on failure: then the status describes the
+  /// error, and there are no values.
   bool Update();
   /// Whether the last update succeeded.
   bool works() const { return works_; }
@@ -137,49 +137,50 @@ class Filter : private SceneWatcher {
   /// Null for constants.
   const FilterKind* kind() const { return kind_; }
   bool is_constant() const { return kind_ == nullptr; }
-  /// "success", or what is wrong.
+  /// "success", or a description of the error.
   const std::string& status() const { return status_; }
   /// The statuses of this look, in order; empty if the status did not change.
   const std::vector<std::string>& said() const { return said_; }
-  /// How often changes have been cleared, from 1. If this differs from what a reader expects, the reader has missed
-  /// changes.
+  /// The number of times that changes were cleared, from 1. If it differs from the expected number, the reader has
+  /// missed changes.
   std::uint64_t cleared() const { return cleared_; }
-  /// What a reader that has read all of this look expects in the next.
+  /// The number that a reader must expect in the next look if it has read all changes of this one.
   std::uint64_t will_be_cleared() const { return cleared_ + (output_.HasChanges() ? 1 : 0); }
   void ClearChanges();
-  /// Different for all filters of a pool.
+  /// Unique among the filters of a pool.
   std::uint64_t serial() const { return serial_; }
-  /// What is wrong with the filter or one of its parameters, the deepest first; nothing if it works.
+  /// The error of the filter or of one of its parameters, the deepest first; empty if everything works.
   Trouble FindTrouble() const;
   std::size_t MemoryBytes() const;
 
  protected:
-  /// Turns the changes of the inputs into changes of the output. False: it failed, and the status says why.
+  /// Converts the changes of the inputs to changes of the output. Returns false on failure: the status describes the
+  /// error.
   virtual bool Compute() = 0;
-  /// What happens in the scene, if the filter watches it.
+  /// A change in the scene; called if the filter watches it.
   void OnNode(Node& node, NodeChange change, std::string_view tag) override;
   void WatchScene();
 
-  /// What it asks for although it does not exist; the filter still succeeds.
+  /// A reference to something that does not exist; the filter succeeds nevertheless.
   virtual Trouble Missing() const;
   void Fail(std::string_view status);
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
   PlainRandom& random() { return random_; }
 
-  /// Parameters of one name.
+  /// The indices of parameters with the same name.
   using Slots = std::vector<std::size_t>;
   Slots SlotsOf(std::string_view name) const;
-  /// The first value under a name, or null.
+  /// The first value of a parameter name, or null.
   const Value* Argument(const Combination& combination, const Slots& slots) const;
-  /// The same as a node, text or number; null or none if it is missing. A value of another kind counts as missing, and
-  /// the status says so (if `tell`).
+  /// The value as a node, text or number; null or none if it is missing. A value of another kind counts as missing,
+  /// which the status reports (if `tell`).
   Node* NodeOf(const Combination& combination, const Slots& slots, std::string_view name);
   const std::string* TextOf(const Combination& combination, const Slots& slots, std::string_view name,
                             bool tell = true);
   std::optional<double> NumberOf(const Combination& combination, const Slots& slots, std::string_view name);
 
-  /// Sets the value for a combination, or for all of them (null).
+  /// Sets the value of a combination; with null, the value for all combinations.
   Value& Give(Combination* combination, Content content);
   void Change(Value& value, Content content);
   void Drop(Combination& combination);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// How the values of a filter's parameters are combined.
+// The combination of the values of a filter's parameters.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// What rules wrote down never changes: it needs no column, unless each value stands alone.
+/// Constants in rules never change, so they need no column, unless each value is a combination of its own.
 Inputs::Inputs(std::vector<Parameter> parameters, bool each_alone)
     : parameters_(std::move(parameters)), each_alone_(each_alone), column_of_(parameters_.size(), kNoColumn) {
   for (std::size_t n = 0; n < parameters_.size(); ++n) {
@@ -70,7 +70,7 @@ std::string_view Inputs::Update() {
   return {};
 }
 
-/// Also the first time.
+/// Also returns true before the first update.
 bool Inputs::MissedChanges() const {
   return std::any_of(columns_.begin(), columns_.end(),
                      [this](const Column& column) { return column.expected != SourceOf(column).cleared(); });
@@ -90,7 +90,7 @@ void Inputs::Forget() {
 }
 
 void Inputs::DropUsersOf(std::size_t column, const Value& gone) {
-  if (gone.slot >= columns_[column].chains.size()) return;  // It came and went unseen.
+  if (gone.slot >= columns_[column].chains.size()) return;  // It was added and removed between two updates.
   for (std::uint32_t user = std::exchange(columns_[column].chains[gone.slot], 0); user != 0;) {
     const std::uint32_t slot = user - 1;
     user = LinkOf(slot, column).next;
@@ -101,7 +101,7 @@ void Inputs::DropUsersOf(std::size_t column, const Value& gone) {
   }
 }
 
-/// The first of a chain knows the last: its `previous`.
+/// The first entry of a chain refers to the last by `previous`.
 void Inputs::Chain(std::uint32_t combination, std::size_t column, Value* value) {
   Link& link = LinkOf(combination, column);
   link = {value, combination + 1, 0};
@@ -162,8 +162,8 @@ void Inputs::CombineEachAlone(bool anew) {
   }
 }
 
-/// For each parameter in turn: the old values of those before it, its new ones, and all of those behind it. So each new
-/// combination comes once.
+/// For each parameter in turn: combines the old values of the parameters before it, its new values, and all values of
+/// those after it. So each new combination is added exactly once.
 void Inputs::CombineEachWithEach(bool anew) {
   using At = TrackedList<Value>::Iterator;
   const std::size_t count = columns_.size();

@@ -10,27 +10,27 @@
 
 namespace soarbox::kernel::imagery {
 
-/// What a parameter is.
+/// The kind of argument that a parameter expects.
 enum class ParameterForm : std::uint8_t {
   kWord,
-  kNodes,  ///< A filter that gives nodes.
+  kNodes,  ///< A filter that returns nodes.
   kNumber,
-  kObject,  ///< An identifier with elements of its own.
+  kObject,  ///< An identifier with elements.
 };
 
-/// A parameter of a filter or of a command, for help and checks.
+/// A parameter of a filter or a command, for help and checks.
 struct ParameterInfo {
   std::string_view name, meaning;
   bool required = false;
   ParameterForm form = ParameterForm::kWord;
-  std::string_view words = {};  ///< kWord: the allowed words, with blanks between them; empty: any.
+  std::string_view words = {};  ///< For kWord: the allowed words, separated by blanks; empty: any.
 };
 
-/// When several extracts share one computation.
+/// The conditions under which several extracts share one computation.
 enum class Sharing : std::uint8_t {
-  kSameLook,  ///< If they begin in the same look: the result depends on when it was first computed.
+  kSameLook,  ///< If they begin in the same look, because the result depends on when it was first computed.
   kAlways,
-  kNever,  ///< It draws random numbers.
+  kNever,  ///< Never, because it draws random numbers.
 };
 
 /// A kind of filter.
@@ -43,13 +43,13 @@ struct FilterKind {
 
 /// All kinds, sorted by name.
 std::span<const FilterKind> FilterKinds();
-/// Null if there is no such kind.
+/// Returns null if there is no such kind.
 const FilterKind* FindFilterKind(std::string_view name);
 
-/// Makes a filter that always gives `content`.
+/// Creates a filter with the constant value `content`.
 std::unique_ptr<Filter> MakeConstant(FilterParts parts, Content content);
 
-// The kinds, by file. Each function appends its own.
+// The kinds, by source file. Each function appends its own.
 void AppendNodeFilters(std::vector<FilterKind>& kinds);
 void AppendMeasureFilters(std::vector<FilterKind>& kinds);
 void AppendOtherFilters(std::vector<FilterKind>& kinds);

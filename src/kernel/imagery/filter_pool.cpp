@@ -41,7 +41,7 @@ std::size_t FilterPool::MemoryBytes() const {
 void FilterUse::TellParameters() {
   for (const auto& parameter : parameters_) {
     parameter->Tell();
-    if (!parameter->filter_->works()) break;  // Those behind it were not looked at.
+    if (!parameter->filter_->works()) break;  // The parameters after it were not updated.
   }
 }
 

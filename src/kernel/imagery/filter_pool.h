@@ -15,11 +15,11 @@
 
 namespace soarbox::kernel::imagery {
 
-/// The filters of a scene. Filters that are alike are shared and computed once. What a filter found depends on when it
-/// was first computed (which nodes existed, which place was the first), so only filters that begin in the same look are
-/// alike. Constants and timeless filters (FilterKind) are always alike.
+/// The filters of a scene. Equal filters are shared and computed once. The results of a filter depend on when it was
+/// first computed (which nodes existed, which position was the first). Therefore only filters that begin in the same
+/// look are equal. Constants and timeless filters (FilterKind) are always equal.
 ///
-/// A look is one round over all extracts of a state. You can read the changes of its filters until it ends.
+/// A look is one round over all extracts of a state. The changes of its filters can be read until it ends.
 class FilterPool {
  public:
   using Make = std::function<std::shared_ptr<Filter>()>;
@@ -29,13 +29,13 @@ class FilterPool {
   FilterPool& operator=(const FilterPool&) = delete;
 
   std::uint64_t look() const { return look_; }
-  /// Call when all readers have read: forgets what the filters changed.
+  /// Call it after all readers have read: clears the changes of the filters.
   void EndLook();
-  /// The filter with this description, or a new one.
+  /// Returns the filter with this description; creates it if there is none.
   std::shared_ptr<Filter> Share(const std::string& description, const Make& make);
 
-  // For filters.
-  /// Returns a number that no other filter has.
+  // Called by filters.
+  /// Returns a number that is unique among filters.
   std::uint64_t Enter(const Filter& filter);
   void NoteUpdate(Filter& filter) { updated_.push_back(&filter); }
   void Leave(const Filter& filter);
@@ -44,13 +44,13 @@ class FilterPool {
 
  private:
   std::uint64_t look_ = 1, last_serial_ = 0;
-  std::vector<Filter*> updated_;  ///< In this look.
+  std::vector<Filter*> updated_;  ///< The filters updated in this look.
   std::unordered_set<const Filter*> filters_;
   std::unordered_map<std::string, std::weak_ptr<Filter>> shared_;
   std::size_t tidy_at_ = 64;
 };
 
-/// A filter as rules described it: the computation, which others may share, and the statuses on its identifiers.
+/// A filter as rules specified it: the computation, which may be shared, and the statuses on the rules' identifiers.
 class FilterUse {
  public:
   FilterUse(MemoryWriter& writer, Symbol owner, std::shared_ptr<Filter> filter,
@@ -60,10 +60,10 @@ class FilterUse {
   Filter& filter() { return *filter_; }
   const Filter& filter() const { return *filter_; }
   const std::shared_ptr<Filter>& shared() const { return filter_; }
-  /// After an update: writes the statuses of the parameters, then that of the filter itself.
+  /// Call after an update: writes the statuses of the parameters, then that of the filter itself.
   void TellParameters();
   void Tell();
-  /// Calls `mark` for each symbol that the filter and its parameters hold.
+  /// Calls `mark` for each symbol that the filter and its parameters refer to.
   void Mark(const std::function<void(Symbol)>& mark) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Properties of what is measured, over generated scenes.
+// Checks properties of measures in generated scenes.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -13,7 +13,7 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// Nodes with shapes of all kinds, some in groups.
+/// Nodes with shapes of all kinds; some are in groups.
 class GeneratedScene {
  public:
   explicit GeneratedScene(unsigned seed) : random_(seed) {
@@ -64,7 +64,7 @@ TEST(Geometry, DistancesAreTheSameBothWaysAndNoLongerThanBetweenAnyPoints) {
   }
 }
 
-/// Whether a point lies on or in the shape of a node, but for rounding.
+/// Whether a point is on or in the shape of a node, except for rounding errors.
 bool Touches(const Node& node, const Vec3& point) {
   Scene scene("S2");
   const Node* const spot = scene.Add(scene.root(), {"spot", Shape::kHull, {{}}, 0, {point, {}, {1, 1, 1}}});

@@ -16,7 +16,7 @@ using imagery::StateScene;
 
 namespace {
 
-/// Scenes come before long-term memory, whose places begin at 0.
+/// Imagery is called before long-term memory, whose places begin at 0.
 constexpr int kPlace = -1;
 
 Result<void> Refusal(std::string message) {
@@ -70,8 +70,8 @@ Result<void> Imagery::DisableInSubstates() {
 
 // States --------------------------------------------------------------------------------------------------------------
 
-/// Scenes for all states that lack one. The match hears of them in the next input phase, so that rules that are loaded
-/// before it match as if they had been there already.
+/// Creates scenes for all states without one. The match receives them in the next input phase, so that rules loaded
+/// before it match them as existing elements.
 void Imagery::MakeStates() {
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {
     const bool there =
@@ -144,7 +144,7 @@ void Imagery::Input() {
       refused_.push_back(error->ToString());
     }
   }
-  // A state may end on the way: what it is sure of may rest on an answer that changes.
+  // A state may be removed meanwhile, because its goal dependency set may contain a changed result.
   for (const bool writes : {true, false}) {
     for (std::size_t n = 0; n < states_.size(); ++n) {
       StateScene& state = *states_[n];

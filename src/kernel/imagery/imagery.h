@@ -33,7 +33,7 @@ class Observers;
 
 namespace imagery {
 
-/// What a state imagines: its scene, the copy of it in working memory, and the commands of its rules.
+/// The imagery of a state: its scene, the copy of the scene in working memory, and the commands of the state's rules.
 class StateScene {
  public:
   struct Parts {
@@ -42,24 +42,24 @@ class StateScene {
     Symbol goal;
     GoalLevel level;
   };
-  /// Writes ^svs with the scene below it.
+  /// Writes ^svs with the contents of the scene.
   StateScene(const Parts& parts, std::unique_ptr<Scene> scene);
 
   GoalLevel level() const { return parts_.level; }
   Scene& scene() { return *scene_; }
   const Scene& scene() const { return *scene_; }
-  /// init-soar: the scene stays, everything else ends.
+  /// init-soar: returns the scene and discards everything else.
   std::unique_ptr<Scene> TakeScene();
 
-  /// Output phase: notes which commands came and went. True if one came.
+  /// Output phase: finds new and removed commands. Returns true if there are new ones.
   bool NoteCommands();
-  /// Input phase: carries out the commands that write, or those that look.
+  /// Input phase: executes the commands that change the scene (`writes`), or those that read it.
   void Update(bool writes, bool look_again);
-  /// Reports each problem of the commands once: the element on the command link, and the problem.
+  /// Reports each problem of a command once, with its element on the command link.
   void TellTroubles(const std::function<void(WmeId, const Trouble&)>& report);
   void Mark(const std::function<void(Symbol)>& mark) const;
 
-  /// Calls visit(kind, name, element, command) for each command, in the order in which they are carried out.
+  /// Calls visit(kind, name, element, command) for each command, in the order of execution.
   template <typename Visit>
   void ForEachCommand(Visit&& visit) const {
     for (const Entry& entry : commands_) {
@@ -67,11 +67,11 @@ class StateScene {
             parts_.writer.ElementOf(command_link_, entry.attribute, entry.id), *entry.command);
     }
   }
-  /// Grows when the scene or what extracts show changes.
+  /// Increases when the scene or the results of extracts change.
   std::uint64_t version() const;
   std::size_t MemoryBytes() const { return scene_->MemoryBytes() + filters_.MemoryBytes(); }
 
-  // Whether viewers see it.
+  // Whether viewers show it.
   bool drawn() const { return drawn_; }
   void Draw(bool on, const ViewerSink& viewer);
 
@@ -85,7 +85,7 @@ class StateScene {
     Symbol id;
     std::unique_ptr<SceneCommand> command;
     Symbol attribute;
-    std::string told;  ///< The problem reported last.
+    std::string told;  ///< The last reported problem.
   };
 
   Parts parts_;
@@ -95,19 +95,20 @@ class StateScene {
   std::unique_ptr<SceneFeed> feed_;
   bool drawn_ = false;
   FilterPool filters_;
-  std::vector<Listed> listed_;   ///< What was on the command link at the last look.
+  std::vector<Listed> listed_;   ///< The elements on the command link at the last look.
   std::vector<Entry> commands_;  ///< By name.
-  std::uint64_t gone_ = 0;       ///< Versions of commands that have gone, and how many commands came.
+  std::uint64_t gone_ = 0;       ///< The sum of the versions of removed commands and the number of added commands.
 };
 
 }  // namespace imagery
 
-/// The spatial visual system of one agent. Each state has a scene of objects in space. The host feeds the scenes; rules
-/// change and query them through ^svs.command, and the answers appear in working memory. It is off until enabled; an
-/// agent that never enables it has none.
+/// The spatial visual system of one agent. Each state has a scene: objects in space. The host updates the scenes; rules
+/// change and query them through ^svs.command, and the results are written to working memory. Off until it is enabled;
+/// an agent that never enables it has no scenes.
 ///
-/// Lines for the scene wait until the input phase, in which commands that write come before those that look. Extracts
-/// look again only if something may have changed, and compute only what depends on the change (filter.h).
+/// Lines for the scene are applied in the input phase. Commands that change the scene are executed before those that
+/// read it. Extracts are updated only if something may have changed, and recompute only what depends on the change
+/// (filter.h).
 class Imagery final : public Module {
  public:
   struct Uses {
@@ -126,34 +127,34 @@ class Imagery final : public Module {
 
   bool enabled() const { return enabled_; }
   bool in_substates() const { return in_substates_; }
-  /// Gives the states scenes. Call only between phases. Does nothing if it is on.
+  /// Creates scenes for the states. Call it only between phases. Does nothing if it is enabled already.
   void Enable();
-  /// Leaves ^svs as it is until init-soar or the next Enable. Refused while a substate has a scene.
+  /// Leaves ^svs in working memory until init-soar or the next Enable. Refused while a substate has a scene.
   Result<void> Disable();
   void EnableInSubstates();
   /// Refused while a substate has a scene.
   Result<void> DisableInSubstates();
 
-  /// Lines of the scene graph edit language for the top state's scene. They take effect in the next input phase. False
-  /// if it is off.
+  /// Buffers lines of the scene graph edit language for the top state's scene. They take effect in the next input
+  /// phase. Returns false if imagery is off.
   bool Send(std::string_view lines);
-  /// The lines refused since the last call, each with its reason and a newline; at most the last 1,000.
+  /// Returns the lines refused since the last call, each with the reason and a newline; at most the last 1,000.
   std::string TakeRefused();
-  /// The answers to queries about the top state's scene; empty if it is off.
+  /// Returns the answers to queries about the top state's scene; empty if imagery is off.
   std::string Query(std::string_view queries) const;
-  /// Applies a line to any state's scene at once. Call only between phases. Extracts look again in the next input
-  /// phase.
+  /// Applies a line to the scene of any state immediately. Call it only between phases. Extracts are updated in the
+  /// next input phase.
   std::optional<imagery::LineError> Apply(imagery::StateScene& state, std::string_view line);
   void Clear(imagery::StateScene& state);
 
-  /// Changes whenever something that a state imagines changes.
+  /// Changes whenever the imagery of a state changes.
   std::uint64_t version() const;
-  /// The states that have scenes, from the top down.
+  /// The states with scenes, from the top down.
   std::span<const std::unique_ptr<imagery::StateScene>> states() const { return states_; }
-  /// By the name of the state; null if there is none.
+  /// Finds a state by its name; null if there is none.
   imagery::StateScene* FindState(std::string_view name);
 
-  /// Shows the drawn scenes to a viewer from now on; null: to none.
+  /// Sends the drawn scenes to a viewer from now on; null: to none.
   void SetViewer(imagery::ViewerSink sink);
   void Draw(imagery::StateScene& state, bool on);
 
@@ -179,10 +180,10 @@ class Imagery final : public Module {
   bool enabled_ = false, in_substates_ = true;
   bool look_again_ = true;  ///< Something may have changed since the extracts last looked.
   bool updating_ = false;
-  std::uint64_t gone_ = 0;  ///< Versions of states that have gone, and how many states came.
+  std::uint64_t gone_ = 0;  ///< The sum of the versions of removed states and the number of added states.
   std::vector<std::string> lines_, refused_;
   std::vector<std::unique_ptr<imagery::StateScene>> states_, ended_;
-  std::unique_ptr<imagery::Scene> kept_;  ///< The top state's, while init-soar makes a new one.
+  std::unique_ptr<imagery::Scene> kept_;  ///< The top state's scene while init-soar creates a new state.
   imagery::ViewerSink viewer_;
 };
 

@@ -41,7 +41,7 @@ class ImageryTest : public testing::Test {
     return id;
   }
   std::string Text(Symbol symbol) { return symbol ? ToString(agent_.symbols(), symbol, false) : "nothing"; }
-  /// What stands at a path below the top state.
+  /// The value at a path below the top state.
   std::string Top(std::string_view path) { return Text(At(agent_.goals().top().id, path)); }
   std::string Extract(std::string_view path) { return Top("svs.command.extract." + std::string(path)); }
   std::size_t Records() {
@@ -97,7 +97,8 @@ TEST_F(ImageryTest, FiltersThatAreAlikeAreOne) {
   Cycle(2);
   const std::size_t first = room();
   EXPECT_GT(first, scene);
-  // A later one shares no more than the list of nodes: the first may have begun with what is not there any more.
+  // A later extract shares only the list of nodes, because the first one may have started with nodes that no longer
+  // exist.
   ask("second");
   Cycle(2);
   const std::size_t alone = room() - first;
@@ -106,7 +107,7 @@ TEST_F(ImageryTest, FiltersThatAreAlikeAreOne) {
   ask("fifth");
   Cycle(2);
   EXPECT_LT(room() - first - alone, 2 * alone);
-  // Each has its own records and statuses, which follow the scene.
+  // Each extract has its own records and statuses, which follow the scene.
   Send("change node-7 p 8 0 0\ntag delete node-8 t\ndelete node-9");
   Cycle();
   std::size_t extracts = 0;
@@ -130,7 +131,7 @@ TEST_F(ImageryTest, FiltersThatAreAlikeAreOne) {
 }
 
 TEST_F(ImageryTest, OneNodeListForTwoParametersKeepsItsPairs) {
-  // Both parameters are the same computation: what leaves it leaves every pair once.
+  // Both parameters are the same computation: a removed value must be removed from every pair once.
   Ask("(<x> ^type distance ^a <all> ^b <all>) (<all> ^type all_nodes)");
   Send("add a world b 1\nadd b world b 1 p 5 0 0\nadd c world b 1 p 9 0 0");
   Cycle(2);
@@ -299,7 +300,7 @@ TEST_F(ImageryTest, SubstatesImagineForThemselves) {
 }
 
 TEST_F(ImageryTest, AStateGoesWithTheAnswerThatItRestsOn) {
-  // An o-supported fact of the substate rests on an answer in the top state's scene.
+  // An o-supported element of the substate depends on a result in the top state's scene.
   Ask("(<x> ^type intersect ^a <a> ^b <b> ^intersect_type hull) (<a> ^type node ^id a) (<b> ^type node ^id b)");
   Send("add a world b 1\nadd b world b 1 p 1 0 0");
   Load("propose (state <s> ^superstate nil ^svs.command.extract.result.record) --> (<s> ^operator.name think)");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Filters that measure or test nodes, each in three forms: the answer, the nodes for which it is right, the best one.
+// Filters that measure or test nodes. Each has three forms: the result, the nodes for which it is true, and the best
+// node.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,9 +14,9 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// What a measure is told beside its nodes.
+/// Arguments of a measure in addition to its nodes.
 struct Options {
-  std::string_view type;  ///< distance_type, volume_type or intersect_type; empty if it is missing.
+  std::string_view type;  ///< distance_type, volume_type or intersect_type; empty if missing.
   std::string_view axis;
   const Node* reference = nullptr;
   PlainRandom* random = nullptr;
@@ -66,11 +67,11 @@ bool Intersects(const Node& a, const Node& b, const Options& options) {
 
 // Filters -------------------------------------------------------------------------------------------------------------
 
-/// How the parameters of measures are found in a combination. `Base` is the form of the filter.
+/// Finds the arguments of measures in a combination. `Base` is the form of the filter.
 template <typename Base>
 class Measuring : public Base {
  public:
-  /// `measure`: null for the size of one node.
+  /// `measure` is null for the size of one node.
   template <typename... More>
   Measuring(FilterParts parts, std::string_view type, Measure measure, More... more)
       : Base(std::move(parts), more...), measure_(measure), type_name_(type), type_(this->SlotsOf(type)) {}
@@ -90,7 +91,7 @@ class Measuring : public Base {
     options.random = &this->random();
     return options;
   }
-  /// The two nodes; false if one is missing.
+  /// Sets the two nodes. Returns false if one is missing.
   bool Pair(const Combination& combination, Node*& a, Node*& b) {
     a = this->NodeOf(combination, a_, "a");
     b = a == nullptr ? nullptr : this->NodeOf(combination, b_, "b");
@@ -98,7 +99,7 @@ class Measuring : public Base {
     this->Fail("Need nodes a and b as input");
     return false;
   }
-  /// The number of a combination, and the node that has it; none if a node is missing.
+  /// The number of a combination, and the measured node; none if a node is missing.
   std::optional<double> Measured(const Combination& combination, Node*& node) {
     if (measure_ != nullptr) {
       Node* a;
@@ -118,7 +119,7 @@ class Measuring : public Base {
                reference_ = this->SlotsOf("reference");
 };
 
-/// The number itself, or the node if its number is in the range from ^min to ^max.
+/// The number itself, or the node if its number is between ^min and ^max.
 class MeasureFilter final : public Measuring<ComputedFilter> {
  public:
   MeasureFilter(FilterParts parts, std::string_view type, Measure measure, bool select)
@@ -168,7 +169,7 @@ class MeasureRankFilter final : public Measuring<RankFilter> {
   }
 };
 
-/// A test of two nodes: the answer, or b if it is true.
+/// A test of two nodes: returns the result, or b if it is true.
 class TestFilter final : public Measuring<ComputedFilter> {
  public:
   TestFilter(FilterParts parts, std::string_view type, Test test, bool select)
@@ -205,7 +206,7 @@ std::unique_ptr<Filter> MakeTest(FilterParts parts) {
   return std::make_unique<TestFilter>(std::move(parts), type, kTest, kSelect);
 }
 
-/// The parameters of a measure, and behind them those of a range.
+/// The parameters of a measure, followed by those of a range.
 template <std::size_t count>
 constexpr auto WithRange(const ParameterInfo (&own)[count], std::string_view least, std::string_view greatest) {
   std::array<ParameterInfo, count + 4> all{};

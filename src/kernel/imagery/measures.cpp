@@ -10,7 +10,7 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// Two hulls nearer than this touch.
+/// Hulls with a smaller distance touch.
 constexpr double kTouching = 1e-15;
 
 Solid SolidOf(const Node& node) {
@@ -46,7 +46,7 @@ bool InOneTree(const Node& a, const Node& b) {
   return &a == &b || a.IsAbove(b) || b.IsAbove(a);
 }
 
-/// From a point or line to the shapes of a node.
+/// The distance from a point or line to the shapes of a node.
 double DistanceTo(const Solid& solid, std::span<const Node* const> shapes) {
   double least = -1;
   for (const Node* const shape : shapes) {
@@ -70,7 +70,7 @@ double DistanceOfShapes(const Node& a, const Node& b) {
   double least = -1;
   for (const Node* const one : of_a) {
     for (const Node* const other : of_b) {
-      // A ball's box holds the ball, so boxes that are farther apart need no look inside.
+      // A ball's box contains the ball, so if the boxes are farther apart, the shapes need no comparison.
       if (least >= 0 && one->Bounds().Gap(other->Bounds()) >= least) continue;
       const double distance = DistanceBetween(SolidOf(*one), SolidOf(*other));
       if (least < 0 || distance < least) least = distance;
@@ -244,7 +244,7 @@ double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> 
       const Vec3 centroid = occluders[n]->Centroid();
       Solid point;
       point.points = std::span(&centroid, 1);
-      // Only a group without shapes is its centroid.
+      // A group without shapes counts as the point at its centroid.
       const bool crossed = shapes[n].empty() ? DistanceBetween(solid, point) <= 0
                                              : box.Touches(occluders[n]->Bounds()) && DistanceTo(solid, shapes[n]) <= 0;
       if (!crossed) continue;
@@ -259,7 +259,7 @@ double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> 
 
 namespace {
 
-/// Tries smaller scales of a node against what it must not touch.
+/// Tries smaller scales of a node until it does not touch certain others.
 class Fitting {
  public:
   Fitting(Scene& scene, Node& node) : scene_(scene), node_(node), full_(node.pose()) {
@@ -303,7 +303,7 @@ class Fitting {
     return std::any_of(others_.begin(), others_.end(),
                        [&](const Node* other) { return AnyHasPoint(ShapesOf(*other), centroid); });
   }
-  /// The axes that free the node when they shrink to nothing, if exactly one choice does.
+  /// The axes that free the node if they shrink to zero, if exactly one choice does.
   template <typename Choice>
   std::optional<std::array<bool, 3>> OnlyThatFrees(Choice choice) {
     std::optional<std::array<bool, 3>> found;

@@ -65,7 +65,7 @@ std::optional<Vec3> MemoryWriter::VectorOf(Symbol id, std::string_view attribute
     const Symbol number = ValueOf(object, kAxes[axis]);
     if (!number.IsNumber()) return std::nullopt;
     vector[axis] = NumberOf(number);
-    if (!(std::abs(vector[axis]) <= 1e60)) return std::nullopt;  // As in a scene's lines.
+    if (!(std::abs(vector[axis]) <= 1e60)) return std::nullopt;  // The same limit as in scene lines.
   }
   return vector;
 }

@@ -14,9 +14,9 @@
 
 namespace soarbox::kernel::imagery {
 
-/// Reads commands from working memory and writes what imagery reports. Its elements are in slots without a preference.
-/// It keeps no references to them but finds an element by its contents, so nothing dangles when rules or the
-/// architecture remove the identifier below which it was. It writes nothing on identifiers that no state reaches.
+/// Reads commands from working memory and writes the results of imagery to it. Its elements are in slots, without a
+/// preference. It stores no references to them but finds elements by their contents, so removals by rules or the
+/// architecture leave nothing dangling. It writes nothing on identifiers that are not reachable from a state.
 class MemoryWriter {
  public:
   MemoryWriter(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes, PreferenceChanges& preferences)
@@ -26,16 +26,16 @@ class MemoryWriter {
   /// "X12"
   std::string NameOf(Symbol id) const;
   std::string_view TextOf(Symbol string) const { return symbols_.Text(string); }
-  /// Of an integer or float.
+  /// The value of an integer or float symbol.
   double NumberOf(Symbol number) const;
   std::int64_t IntegerOf(Symbol number) const;
 
   Symbol Text(std::string_view text) { return symbols_.String(text); }
-  /// Infinities become the largest number of their sign, and what is no number becomes 0.
+  /// Infinities are replaced by the largest finite number of the same sign, NaN by 0.
   Symbol Float(double value);
   Symbol Integer(std::int64_t value) { return symbols_.Integer(value); }
 
-  /// Calls visit(attribute, value) for each value of each slot, as `print` lists them.
+  /// Calls visit(attribute, value) for each value of each slot, in the order of `print`.
   template <typename Visit>
   void ForEachValue(Symbol id, Visit&& visit) const {
     for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
@@ -46,22 +46,22 @@ class MemoryWriter {
   }
   /// The first value of an attribute, or the none symbol.
   Symbol ValueOf(Symbol id, std::string_view attribute) const;
-  /// The element itself; none if it is not there.
+  /// The element with these contents; kNone if it does not exist.
   WmeId ElementOf(Symbol id, Symbol attribute, Symbol value) const;
-  /// The same if it is a string.
+  /// The first value of an attribute, if it is a string.
   std::optional<std::string> TextOf(Symbol id, std::string_view attribute) const;
-  /// The numbers ^x, ^y and ^z of the attribute's value; none unless all are there.
+  /// The numbers ^x, ^y and ^z of the attribute's value; none if one of them is missing.
   std::optional<Vec3> VectorOf(Symbol id, std::string_view attribute) const;
 
   /// Adds an element unless it exists.
   void Add(Symbol id, std::string_view attribute, Symbol value);
-  /// Adds an element with a new identifier and returns the identifier: none if no state reaches `id`.
+  /// Adds an element with a new identifier and returns the identifier; none if `id` is not reachable from a state.
   Symbol AddObject(Symbol id, std::string_view attribute);
   Symbol AddObject(Symbol id, std::string_view attribute, char letter);
   void Remove(Symbol id, std::string_view attribute, Symbol value);
-  /// Removes all elements of an attribute that have no support from rules.
+  /// Removes all elements of an attribute that are not supported by rules.
   void RemoveAll(Symbol id, std::string_view attribute);
-  /// The same, then adds one element.
+  /// Like RemoveAll, then adds one element.
   void Replace(Symbol id, Symbol attribute, Symbol value);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Filters that find nodes and tell of one node.
+// Filters that find nodes, and filters that read properties of a node.
 #include <unordered_map>
 
 #include "kernel/imagery/computed_filter.h"
@@ -9,7 +9,7 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// The node of a name, if it is there when the filter is computed.
+/// The node with a given name, if it exists when the filter is computed.
 class NodeFilter final : public ComputedFilter {
  public:
   explicit NodeFilter(FilterParts parts) : ComputedFilter(std::move(parts)) {}
@@ -29,12 +29,12 @@ class NodeFilter final : public ComputedFilter {
             "for what comes later, take tag_select over all_nodes, or give the command once the node is there"};
   }
 
-  std::string missing_;  ///< What was not there when somebody looked.
+  std::string missing_;  ///< The name for which there was no node.
 
   Slots id_ = SlotsOf("id");
 };
 
-/// All nodes but the world, and those that come later.
+/// All nodes except the world, including nodes added later.
 class AllNodesFilter final : public Filter {
  public:
   explicit AllNodesFilter(FilterParts parts) : Filter(std::move(parts)) {}
@@ -113,7 +113,7 @@ class TagFilter final : public ComputedFilter {
   Slots a_ = SlotsOf("a"), name_ = SlotsOf("tag_name"), value_ = SlotsOf("tag_value");
 };
 
-/// Something that one node has.
+/// A property of a node.
 template <typename Read>
 class ReadFilter final : public ComputedFilter {
  public:
@@ -136,7 +136,7 @@ std::unique_ptr<Filter> MakeRead(FilterParts parts, Read read) {
   return std::make_unique<ReadFilter<Read>>(std::move(parts), read);
 }
 
-/// How something of a node has changed since the filter saw the node first.
+/// The change of a node's property since the filter first read it.
 template <typename Read, typename Compare>
 class MonitorFilter final : public ComputedFilter {
  public:

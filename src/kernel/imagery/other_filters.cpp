@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Filters of more than two nodes: relations along an axis, places, and what hides what.
+// Filters with more than two nodes: relations along an axis, placement, and occlusion.
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -117,7 +117,7 @@ class OcclusionFilter final : public Filter {
   Value* value_ = nullptr;
 };
 
-/// A value that rules wrote down.
+/// A constant in a rule.
 class ConstantFilter final : public Filter {
  public:
   ConstantFilter(FilterParts parts, Content content) : Filter(std::move(parts)), content_(std::move(content)) {}

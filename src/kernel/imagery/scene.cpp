@@ -150,7 +150,7 @@ Node* Scene::Add(Node& parent, NodeSpec spec) {
 void Scene::Remove(Node& node) {
   if (&node == root_.get()) return;
   while (!node.children_.empty()) {
-    // The first of them first; nobody above needs to hear of it but once, below.
+    // Removes the first child first. Ancestors are notified once, below.
     Node& child = *node.children_.front();
     while (!child.children_.empty()) Remove(*child.children_.front());
     const std::unique_ptr<Node> kept = std::move(node.children_.front());

@@ -23,29 +23,29 @@ enum class Shape : std::uint8_t {
 
 using Tags = std::map<std::string, std::string, std::less<>>;
 
-/// What a node is made from.
+/// The description of a new node.
 struct NodeSpec {
   std::string id;
   Shape shape = Shape::kGroup;
-  std::vector<Vec3> points;  ///< kHull: in the node's own frame.
-  double radius = 0;         ///< kBall.
+  std::vector<Vec3> points;  ///< For kHull: in the node's own frame.
+  double radius = 0;         ///< For kBall.
   Pose pose;
 };
 
 class SceneWatcher;
 
-/// An object of a scene: a shape and a pose in its parent's frame. What depends on the poses above it is computed on
-/// request and kept until something moves. Only its scene changes it.
+/// An object of a scene: a shape and a pose in its parent's frame. Data that depend on the poses of ancestors are
+/// computed on request and cached until something moves. Only its scene changes it.
 class Node {
  public:
-  /// Someone who is notified about the node, with their own number for it.
+  /// A watcher that is notified about this node, with the watcher's own number for the node.
   struct Hold {
     SceneWatcher* watcher;
     std::uint32_t number;
     friend bool operator==(const Hold&, const Hold&) = default;
   };
 
-  /// The deepest nesting of groups.
+  /// Maximum nesting of groups.
   static constexpr int kDeepest = 200;
 
   const std::string& id() const { return spec_.id; }
@@ -55,20 +55,20 @@ class Node {
   double radius() const { return spec_.radius; }
   const Pose& pose() const { return spec_.pose; }
   const Tags& tags() const { return tags_; }
-  /// Null if the node has no tag of that name.
+  /// Returns null if the node has no tag of this name.
   const std::string* Tag(std::string_view name) const;
   const Node* parent() const { return parent_; }
   const std::vector<std::unique_ptr<Node>>& children() const { return children_; }
   int depth() const { return depth_; }
-  /// Whether `other` is somewhere below this node.
+  /// Whether `other` is a descendant of this node.
   bool IsAbove(const Node& other) const;
 
   const Transform& World() const;
-  const std::vector<Vec3>& WorldPoints() const;  ///< kHull.
+  const std::vector<Vec3>& WorldPoints() const;  ///< For kHull.
   const Box& Bounds() const;
   Vec3 Centroid() const { return Bounds().Middle(); }
-  /// The node's extent along a direction of length 1. A ball's extent is the length of the world vector to (radius, 0,
-  /// 0) in its frame, as in Soar 9.6.3.
+  /// The node's extent along a unit vector. A ball's extent is the length of the world vector to (radius, 0, 0) in its
+  /// frame, as in Soar 9.6.3.
   std::pair<double, double> Extent(const Vec3& axis) const;
 
  private:
@@ -89,27 +89,27 @@ class Node {
 
 enum class NodeChange : std::uint8_t {
   kAdded,
-  kRemoved,   ///< Its children have gone; you can still read the node.
-  kMoved,     ///< It moved, or something above it.
-  kReshaped,  ///< Its shape changed, or something below it.
+  kRemoved,   ///< Its children have been removed; the node itself can still be read.
+  kMoved,     ///< It or one of its ancestors moved.
+  kReshaped,  ///< Its shape, or that of a descendant, changed.
   kTagged,
   kUntagged,
 };
 
-/// Is notified about a scene. It must not change the scene or its watchers.
+/// Receives notifications about a scene. Must not change the scene or its list of watchers.
 class SceneWatcher {
  public:
   virtual ~SceneWatcher() = default;
-  /// `tag`: the name of the tag that came, changed or went.
+  /// `tag` is the name of the tag that was added, changed or removed.
   virtual void OnNode(Node& node, NodeChange change, std::string_view tag) = 0;
-  /// What happens to a node that it holds under a number. A removed node is no longer held.
+  /// A change of a node that it holds under a number. A removed node is no longer held.
   virtual void OnHeld(std::uint32_t number, NodeChange change) {
     (void)number;
     (void)change;
   }
 };
 
-/// A tree of nodes below the group "world". Ids are unique; nodes are listed in the order in which they came.
+/// A tree of nodes below the group "world". Ids are unique; nodes are listed in the order in which they were added.
 class Scene {
  public:
   explicit Scene(std::string name);
@@ -132,9 +132,9 @@ class Scene {
   }
   std::size_t MemoryBytes() const;
 
-  /// Null if a node of that id exists, or the parent is no group or too deep.
+  /// Returns null if the id is in use, if the parent is not a group, or if the nesting is too deep.
   Node* Add(Node& parent, NodeSpec spec);
-  /// Removes the node and everything below it. The root stays.
+  /// Removes the node and all its descendants. The root cannot be removed.
   void Remove(Node& node);
   void Move(Node& node, const Pose& pose);
   void SetPoints(Node& node, std::vector<Vec3> points);
@@ -146,18 +146,18 @@ class Scene {
   /// A copy without watchers; its nodes are in depth-first order.
   std::unique_ptr<Scene> Clone(std::string name) const;
 
-  /// Unwatch before the watcher dies.
+  /// Call Unwatch before the watcher is destroyed.
   void Watch(SceneWatcher& watcher) { watchers_.push_back(&watcher); }
   void Unwatch(SceneWatcher& watcher);
-  /// Like a watcher, but only for this node. Release before the watcher dies.
+  /// Notifies a watcher about this node only. Call Release before the watcher is destroyed.
   void Hold(Node& node, SceneWatcher& watcher, std::uint32_t number) { node.holds_.push_back({&watcher, number}); }
   void Release(Node& node, SceneWatcher& watcher, std::uint32_t number);
-  /// Grows with every change.
+  /// Increases with every change.
   std::uint64_t version() const { return version_; }
 
  private:
   void Tell(Node& node, NodeChange change, std::string_view tag = {});
-  /// A node's shape changed, and so did those above it: notifies from the root down.
+  /// A node's shape changed, and thus those of its ancestors: notifies from the root down.
   void TellReshaped(Node* node);
   void TellMoved(Node& node);
   void CopyBelow(const Node& from, Node& to);
@@ -167,7 +167,7 @@ class Scene {
   std::string name_;
   std::unique_ptr<Node> root_;
   Node* last_ = nullptr;
-  std::unordered_map<std::string_view, Node*> index_;  ///< By id; the text is the node's.
+  std::unordered_map<std::string_view, Node*> index_;  ///< By id; the node owns the text.
   std::vector<SceneWatcher*> watchers_;
   std::uint64_t version_ = 0;
 };

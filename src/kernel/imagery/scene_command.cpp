@@ -16,7 +16,7 @@ namespace {
 
 class WriteCommand final : public SceneCommand {
  public:
-  /// Does it, and returns the status.
+  /// Executes the command and returns the status.
   using Verb = std::string (WriteCommand::*)();
   WriteCommand(const CommandParts& parts, Verb verb)
       : SceneCommand(parts.id), parts_(parts), verb_(verb), status_(parts.writer, parts.id) {}
@@ -27,7 +27,7 @@ class WriteCommand final : public SceneCommand {
     answer_ = (this->*verb_)();
     NoteChange();
     status_.Set(answer_);
-    // Once it is done its node may be there: look now.
+    // Determined now, because afterwards the missing node may exist.
     if (answer_ != "success") hint_ = HintFor();
   }
   Trouble trouble() const override {
@@ -160,13 +160,13 @@ class WriteCommand final : public SceneCommand {
     });
     for (const auto& [name, value] : read) scene().SetTag(node, name, value);
   }
-  /// The group that ^parent names, or the world.
+  /// The group named by ^parent, or the world.
   Node* Parent() {
     const std::optional<std::string> id = Text("parent");
     Node* const parent = id ? scene().Find(*id) : &scene().root();
     return parent != nullptr && parent->is_group() ? parent : nullptr;
   }
-  /// What is wrong with ^id, or nothing.
+  /// Finds the node named by ^id. Returns an error or an empty text.
   std::string FindNode(Node*& node) {
     if (!Has("id")) return "no object id specified";
     const std::optional<std::string> id = Text("id");
@@ -174,7 +174,7 @@ class WriteCommand final : public SceneCommand {
     node = scene().Find(*id);
     return node == nullptr ? "Couldn't find node " + *id : std::string();
   }
-  /// The string of an attribute; `wrong`: what is wrong with it, or nothing.
+  /// The string value of an attribute; `wrong` is set to an error or an empty text.
   std::optional<std::string> Required(std::string_view attribute, std::string_view missing, std::string& wrong) const {
     std::optional<std::string> text = Text(attribute);
     if (!text && wrong.empty()) {
@@ -198,7 +198,7 @@ class WriteCommand final : public SceneCommand {
     return "success";
   }
 
-  /// About the first name that no node has.
+  /// A hint for the first name that no node has.
   std::string HintFor() const {
     for (const std::string_view attribute : {"id", "source", "destination", "parent"}) {
       const std::optional<std::string> name = Text(attribute);

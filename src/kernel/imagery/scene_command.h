@@ -18,44 +18,44 @@ namespace soarbox::kernel::imagery {
 class FilterPool;
 class PlainRandom;
 
-/// What is wrong with a command, and what to do about it; empty if nothing is wrong.
+/// A problem of a command, and a hint; empty if there is none.
 struct Trouble {
   std::string problem, hint;
 };
 
-/// A hint for a name that no node has: what to write instead.
+/// A hint for an id that no node has: a similar id, or how to list the nodes.
 std::string HintForNode(const Scene& scene, std::string_view id);
 
-/// What a command is made with.
+/// The arguments of a command's construction.
 struct CommandParts {
   MemoryWriter& writer;
   Scene& scene;
   FilterPool& filters;
   PlainRandom& random;
-  Symbol id;  ///< Its identifier.
+  Symbol id;  ///< The identifier of the command.
 };
 
-/// A command that rules put on ^svs.command of a state. Lives as long as it is there.
+/// A command that rules put on ^svs.command of a state. It exists as long as its element.
 class SceneCommand {
  public:
   virtual ~SceneCommand() = default;
-  /// Whether it changes the scene, once; otherwise it looks at the scene.
+  /// Whether it changes the scene, once; otherwise it reads the scene.
   virtual bool writes() const = 0;
-  /// In the input phase. `look_again`: something may have changed since the last time.
+  /// Called in the input phase. `look_again`: something may have changed since the last call.
   virtual void Update(bool look_again) = 0;
   virtual void Mark(const std::function<void(Symbol)>& mark) const = 0;
   // For code that inspects commands.
   Symbol id() const { return id_; }
-  /// What an extract computes; null for commands that change the scene, and if the command cannot be read.
+  /// The computation of an extract; null for commands that change the scene, and for invalid commands.
   virtual const Filter* filter() const { return nullptr; }
-  /// The record that shows a value of the filter; none if the value is not shown.
+  /// The identifier of the record in working memory for a value of the filter; none if the value is not shown.
   virtual Symbol RecordOf(const Value& value) const {
     (void)value;
     return {};
   }
-  /// Grows when what it shows changes.
+  /// Increases when its results change.
   std::uint64_t version() const { return version_; }
-  /// What went wrong, or what the command asks for although it does not exist.
+  /// The error of the command, or a reference to something that does not exist.
   virtual Trouble trouble() const = 0;
 
  protected:
@@ -79,7 +79,7 @@ std::span<const CommandKind> CommandKinds();
 /// Null if there is no such kind.
 const CommandKind* FindCommandKind(std::string_view name);
 
-/// Commands that look at the scene.
+/// Commands that read the scene.
 std::unique_ptr<SceneCommand> MakeExtract(const CommandParts& parts, bool once);
 
 }  // namespace soarbox::kernel::imagery

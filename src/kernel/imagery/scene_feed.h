@@ -8,19 +8,19 @@
 
 namespace soarbox::kernel::imagery {
 
-/// Sends a line, which ends with a newline, to a viewer; false once the viewer has gone.
+/// Sends a line, which ends with a newline, to a viewer. Returns false after the viewer has disconnected.
 using ViewerSink = std::function<bool(std::string_view line)>;
 
-/// Shows a scene to a viewer in the protocol of Soar's svs_viewer, from now on: first all of it, then what changes.
+/// Shows a scene in a viewer, with the protocol of Soar's svs_viewer: first the entire scene, then each change.
 class SceneFeed final : private SceneWatcher {
  public:
   SceneFeed(Scene& scene, const ViewerSink& sink);
-  /// Removes the scene from the viewer's picture.
+  /// Removes the scene from the viewer.
   ~SceneFeed() override;
   SceneFeed(const SceneFeed&) = delete;
   SceneFeed& operator=(const SceneFeed&) = delete;
 
-  /// False once the viewer has gone.
+  /// Returns false after the viewer has disconnected.
   bool alive() const { return alive_; }
 
  private:

@@ -25,24 +25,24 @@ std::vector<std::string> WordsOf(std::string_view line) {
   return words;
 }
 
-/// The number that a word is, if it is one and finite.
+/// The value of a word, if it is a finite number.
 std::optional<double> NumberOf(const std::string& word) {
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  // Beyond this, products of what hangs together would not be finite.
+  // Larger numbers could make products infinite.
   constexpr double kLargest = 1e60;
   if (word.empty() || *end != '\0' || !(std::abs(value) <= kLargest)) return std::nullopt;
   return value;
 }
 
-/// What may follow the names in `add` and `change`.
+/// The modifications that may follow the names in `add` and `change`.
 struct Mods {
   std::optional<Vec3> position, rotation, scale;
   std::optional<std::vector<Vec3>> points;
   std::optional<double> radius;
 };
 
-/// Reads one line.
+/// Parses one line.
 class LineReader {
  public:
   LineReader(Scene& scene, std::string_view line) : scene_(scene), line_(line), words_(WordsOf(line)) {}
@@ -97,7 +97,7 @@ class LineReader {
     return std::nullopt;
   }
 
-  /// Reads mods up to the first word that begins none.
+  /// Parses modifications up to the first word that does not start one.
   std::optional<LineError> ReadMods(std::size_t field, Mods& mods) const {
     while (Has(field)) {
       std::optional<LineError> error;

@@ -49,7 +49,8 @@ void SceneView::OnNode(Node& node, NodeChange change, std::string_view tag) {
       break;
     case NodeChange::kTagged: {
       const Symbol id = ids_.at(&node);
-      // A tag has one value; an ^id that the tag is called after stays.
+      // A tag has one value, which is replaced. Tags named id or child are skipped, because they would replace ^id or
+      // ^child.
       if (tag == "id" || tag == "child") break;
       writer_.RemoveAll(id, tag);
       writer_.Add(id, tag, writer_.Text(*node.Tag(tag)));

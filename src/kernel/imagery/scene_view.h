@@ -10,7 +10,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A scene as working memory shows it: ^id, ^child and the tags of each node.
+/// The copy of a scene in working memory: ^id, ^child and the tags of each node.
 class SceneView final : private SceneWatcher {
  public:
   /// Writes the scene below `root`.

@@ -43,7 +43,7 @@ Rows NearestRotation(Rows rows) {
   for (int step = 0; step < 60; ++step) {
     const double determinant = Determinant(rows);
     if (std::abs(determinant) < 1e-300) break;
-    // The rows of the inverse's transpose are the cofactors.
+    // The rows of the transposed inverse are the cofactors.
     const Rows inverse{Cross(rows[1], rows[2]) * (1 / determinant), Cross(rows[2], rows[0]) * (1 / determinant),
                        Cross(rows[0], rows[1]) * (1 / determinant)};
     double moved = 0;
@@ -175,7 +175,7 @@ Transform::Parts Transform::Decompose() const {
         parts.scale[axis] = Dot(ColumnOf(rotation, axis), columns[static_cast<std::size_t>(axis)]);
       }
     }
-    if (Determinant(rotation) < 0) {  // A mirror image: the scaling carries the sign.
+    if (Determinant(rotation) < 0) {  // A reflection: the scaling gets the negative sign.
       for (Vec3& row : rotation) row = -row;
       parts.scale = -parts.scale;
     }
@@ -183,7 +183,7 @@ Transform::Parts Transform::Decompose() const {
     parts.scale = lengths;
   }
   parts.rotation = QuaternionOf(rotation);
-  for (double& part : parts.rotation) part += 0.0;  // No -0.
+  for (double& part : parts.rotation) part += 0.0;  // Avoids -0.
   return parts;
 }
 

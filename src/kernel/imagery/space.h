@@ -6,7 +6,7 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A point or a direction. The feeder of the scene decides the units (metres in the sandbox).
+/// A point or a direction. The program that fills the scene determines the unit (metres in the sandbox).
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
@@ -32,7 +32,7 @@ inline double Distance(const Vec3& a, const Vec3& b) {
   return Length(b - a);
 }
 
-/// An axis-aligned box in the world, sides included.
+/// An axis-aligned box in world coordinates, boundaries included.
 struct Box {
   Vec3 low, high;
 
@@ -43,11 +43,11 @@ struct Box {
   bool Contains(const Box& other) const;
   Vec3 Middle() const { return {(high.x + low.x) / 2, (high.y + low.y) / 2, (high.z + low.z) / 2}; }
   double Volume() const { return (high.x - low.x) * (high.y - low.y) * (high.z - low.z); }
-  /// The distance between two boxes, 0 if they touch.
+  /// The distance between two boxes; 0 if they touch or overlap.
   double Gap(const Box& other) const;
 };
 
-/// The pose of a node in its parent's frame: scaled, then turned about x, y and z (radians), then moved.
+/// The pose of a node in its parent's frame: scaled, then rotated about x, y and z (radians), then translated.
 struct Pose {
   Vec3 position, rotation, scale{1, 1, 1};
 
@@ -61,16 +61,16 @@ class Transform {
   explicit Transform(const Pose& pose);
 
   Vec3 operator()(const Vec3& point) const { return Turn(point) + shift_; }
-  /// Turns a direction: applies the linear part only.
+  /// Applies only the linear part, for directions.
   Vec3 Turn(const Vec3& direction) const;
-  /// Applies the transposed linear part, with which a support function goes back into the local frame.
+  /// Applies the transposed linear part; support functions need it to transform directions to the local frame.
   Vec3 TurnTransposed(const Vec3& direction) const;
   friend Transform operator*(const Transform& outer, const Transform& inner);
   const Vec3& shift() const { return shift_; }
-  /// The common factor if the map keeps angles, else a negative number.
+  /// The scale factor if the map preserves angles, else a negative number.
   double UniformScale() const;
 
-  /// The map as a rotation after a scaling along (possibly slanted) axes.
+  /// The map as a rotation after a scaling along (possibly non-orthogonal) axes.
   struct Parts {
     Vec3 position;
     std::array<double, 4> rotation{};  ///< x, y, z, w of a unit quaternion.

@@ -9,12 +9,12 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A ^status on an identifier. The element changes only when its text does.
+/// A ^status element of an identifier. The element changes only when its text changes.
 class StatusLine {
  public:
   StatusLine(MemoryWriter& writer, Symbol owner)
       : writer_(writer), owner_(owner), shown_(owner ? writer.ValueOf(owner, "status") : Symbol()) {}
-  /// The identifier; none for filters that rules cannot see.
+  /// The identifier; none for filters that are not visible to rules.
   Symbol owner() const { return owner_; }
   Symbol symbol() const { return shown_; }
   void Set(std::string_view text) {

@@ -9,17 +9,17 @@
 
 namespace soarbox::kernel::imagery {
 
-/// What a TrackedList stores with each of its entries; entries derive from it.
+/// The data that a TrackedList stores in each of its entries; entries derive from it.
 template <typename Entry>
 struct Tracked {
-  Entry *previous = nullptr, *next = nullptr;  ///< In the list, or among the removed entries.
-  std::uint32_t slot = 0;                      ///< The entry's number; used again once the entry is forgotten.
-  std::uint32_t changed = 0;                   ///< Its place among the changed entries, from 1; 0: it did not change.
-  bool fresh = true;                           ///< It came since the changes were cleared.
+  Entry *previous = nullptr, *next = nullptr;  ///< In the list, or in the list of removed entries.
+  std::uint32_t slot = 0;                      ///< The entry's number; reused after the entry is forgotten.
+  std::uint32_t changed = 0;                   ///< 1 + its index among the changed entries; 0: it did not change.
+  bool fresh = true;                           ///< It was added since the changes were last cleared.
 };
 
-/// A list in order of arrival that remembers what came, changed and went until the changes are cleared. Entries do not
-/// move; the memory of removed ones is used again.
+/// A list in order of insertion that records additions, changes and removals until the changes are cleared. Entries do
+/// not move; the memory of removed ones is reused.
 template <typename Entry>
 class TrackedList {
  public:
@@ -62,20 +62,20 @@ class TrackedList {
   std::size_t size() const { return size_; }
   Iterator begin() const { return Iterator(first_); }
   Iterator end() const { return {}; }
-  /// New entries are at the end.
+  /// Added entries are at the end of the list.
   Range fresh() const { return {first_fresh_}; }
-  /// Null where a changed entry has gone.
+  /// Contains null for changed entries that were removed.
   const std::vector<Entry*>& changed() const { return changed_; }
-  /// Removed entries, which you can read until the changes are cleared. A fresh entry that was removed is here, too.
+  /// Removed entries, which can be read until the changes are cleared. Includes added entries that were removed again.
   Range removed() const { return {removed_}; }
   bool HasChanges() const { return first_fresh_ != nullptr || !changed_.empty() || removed_ != nullptr; }
-  /// Slots are below this.
+  /// All slots are less than this number.
   std::uint32_t slots() const { return used_; }
   Entry& At(std::uint32_t slot) {
     return slot < kFirst ? chunks_[0][slot] : chunks_[1 + (slot - kFirst) / kMore][(slot - kFirst) % kMore];
   }
 
-  /// A new entry with its default contents, at the end.
+  /// Appends an entry with its default contents.
   Entry& Add() {
     std::uint32_t slot = used_;
     if (!free_.empty()) {
@@ -121,7 +121,7 @@ class TrackedList {
     changed_.clear();
     ForgetRemoved();
   }
-  /// Marks every entry as fresh.
+  /// Marks every entry as added.
   void Restart() {
     ClearChanges();
     first_fresh_ = first_;
@@ -147,7 +147,7 @@ class TrackedList {
     removed_ = last_removed_ = nullptr;
   }
 
-  std::vector<std::unique_ptr<Entry[]>> chunks_;  ///< The first chunk is small: most lists have few entries.
+  std::vector<std::unique_ptr<Entry[]>> chunks_;  ///< The first chunk is small, because most lists have few entries.
   std::vector<std::uint32_t> free_;
   std::uint32_t used_ = 0;
   std::size_t size_ = 0;

@@ -139,7 +139,7 @@ void InputLink::Void(Element& element) {
   element.generation = (element.generation + 1u) & kGenerationMask;
 }
 
-/// Gives the place back once nothing is behind it any more.
+/// Frees the index of an element after its last change was applied.
 void InputLink::ReleaseIfDone(std::uint32_t place) {
   Element& element = elements_[place];
   if (element.buffered > 0 || element.wme != WmeId::kNone) return;
@@ -168,7 +168,7 @@ void InputLink::Apply(bool unheard) {
 }
 
 void InputLink::LoseElement(std::uint32_t place) {
-  // (The element may have gone already, with the structure that it hung on.)
+  // (The element may have been removed already, together with the structure above it.)
   if (const WmeId wme = elements_[place].wme; wme != WmeId::kNone) changes_.Lose(wme);
 }
 
@@ -184,7 +184,7 @@ void InputLink::ApplyTapped() {
   for (std::size_t n = 0; n < pending_.size(); ++n) {
     const Pending change = pending_[n];
     if (change.change == Change::kUpdate) {
-      // One that goes and one that comes.
+      // A removal and an addition.
       ++elements_[change.element].buffered;
       ApplyTapped({Change::kRemove, change.element, {}, InputObject::kNone});
       ApplyTapped({Change::kAdd, change.element, change.constant, InputObject::kNone});

@@ -16,11 +16,11 @@
 
 namespace soarbox::kernel {
 
-/// An object on the input side: the input link, an identifier that the client makes, or one that the kernel knows.
-/// Handles are void after init-soar; using a void handle does nothing.
+/// An object on the input side: the input link, an identifier that the client creates, or an existing identifier of the
+/// kernel. Handles become invalid at init-soar; using an invalid handle has no effect.
 enum class InputObject : std::uint32_t { kInputLink = 0, kNone = 0xFFFFFFFFu };
-/// An element that the client made. A handle of an element that is gone is void; its place is used again by others,
-/// whose handles differ (until 1,000 generations have passed).
+/// An element that a client created. The handle of a removed element is invalid. Its index is reused by other elements
+/// with different handles (handles repeat after about 1,000 reuses).
 enum class InputElement : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 /// The value of an input element: text, an integer, a float, or an object.
@@ -28,28 +28,28 @@ using InputValue = std::variant<std::string_view, std::int64_t, double, InputObj
 
 class InputTap;
 
-/// What clients put on the input link. Calls only buffer: the changes are made in the next input phase, in call order,
-/// which gives the time tags. An element that is made and removed between two input phases uses up a time tag (as in
-/// Soar 9.6.3) but no rule ever sees it; of several updates the last one counts. The link is not a set: equal triples
-/// from two calls are two elements.
+/// The elements that clients add to the input link. Calls are only buffered; the next input phase applies them in call
+/// order, which determines the time tags. If an element is added and removed between two input phases, no rule matches
+/// it, but it uses up a time tag (as in Soar 9.6.3). Of several updates only the last one takes effect. The link is not
+/// a set: equal triples from two calls are two elements.
 ///
-/// The kernel's identifier of a new object is made when its first element enters; its letter is the first letter of
-/// that element's attribute (I if it is not a letter). Structure that loses its connection with the link is collected
-/// by working memory as usual; its handles are then void.
+/// The kernel's identifier of a new object is created when its first element enters working memory. Its letter is the
+/// first letter of that element's attribute (I if that is not a letter). Working memory collects structure that loses
+/// its connection with the link, as usual; its handles become invalid.
 class InputLink {
  public:
   InputLink(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes)
       : symbols_(symbols), memory_(memory), changes_(changes) {}
 
-  /// A new object; it exists in working memory once an element has it as its value.
+  /// Creates an object. It is in working memory as soon as an element has it as its value.
   InputObject NewObject();
-  /// A handle for an identifier that exists in working memory already (a command on the output link).
+  /// Returns a handle for an identifier that is already in working memory (a command on the output link).
   InputObject ObjectFor(Symbol identifier);
-  /// `tag`: a number by which the client knows the element, of no more than 53 bits; the link only keeps it.
+  /// `tag` is a number of at most 53 bits by which the client identifies the element. The link only stores it.
   InputElement Add(InputObject parent, std::string_view attribute, const InputValue& value, std::int64_t tag = 0);
-  /// Removes the element and adds one with the new value and tag. The same handle goes on.
+  /// Removes the element and adds one with the new value and tag. The handle stays valid.
   void Update(InputElement element, const InputValue& value, std::int64_t tag = 0);
-  /// The same for a constant, which costs less.
+  /// Same for constants; cheaper.
   void Update(InputElement element, std::string_view value, std::int64_t tag = 0) {
     if (Retag(element, tag)) BufferUpdate(element, symbols_.String(value));
   }
@@ -61,13 +61,13 @@ class InputLink {
   }
   void Remove(InputElement element);
 
-  /// The working memory element behind a handle; kNone before the input phase and after its removal.
+  /// The working memory element of a handle; kNone before the input phase that adds it and after its removal.
   WmeId Wme(InputElement element) const;
-  /// The kernel's identifier of an object; none before the input phase that makes it.
+  /// The kernel's identifier of an object; none before the input phase that creates it.
   Symbol Identifier(InputObject object) const;
   bool HasPendingChanges() const { return !pending_.empty(); }
-  /// Calls `visit(element, wme, tag)` for each element of a client that has a tag, in no order that means anything;
-  /// `wme` is kNone before the input phase that makes it.
+  /// Calls `visit(element, wme, tag)` for each element that has a tag, in unspecified order. `wme` is kNone before the
+  /// input phase that adds it.
   template <typename Visit>
   void ForEachTagged(Visit visit) const {
     for (std::uint32_t place = 0; place < elements_.size(); ++place) {
@@ -76,16 +76,16 @@ class InputLink {
     }
   }
 
-  /// Who records or replays input (input_tap.h); null for nobody. Not owned: taken away before it dies.
+  /// The tap records or replays input (input_tap.h); null for none. Not owned: reset it before it is destroyed.
   void SetTap(InputTap* tap) { tap_ = tap; }
   InputTap* tap() const { return tap_; }
-  /// Forgets the buffered changes. Handles of elements that they would have made are void.
+  /// Discards the buffered changes. Handles of elements that they would have added become invalid.
   void DropPending();
 
-  /// For the engine: makes the buffered changes (input phase; `unheard`: nobody hears of single elements, and no match
-  /// waits for its retraction); forgets everything (init-soar) and begins anew with the
-  /// identifier of the input link; learns that working memory dropped an element or an identifier; calls `mark` for
-  /// each symbol that is needed.
+  /// For the engine. Apply: applies the buffered changes (input phase). `unheard`: no observer needs single elements,
+  /// and no match waits for its retraction. Reset: forgets everything and uses the identifier of a new input link
+  /// (init-soar). Forget, IdentifierGone: working memory removed an element or an identifier. Mark: calls `mark` for
+  /// each symbol in use.
   void Apply(bool unheard);
   void Reset(Symbol input_link);
   [[gnu::noinline]] void Forget(std::uint32_t element);
@@ -113,7 +113,7 @@ class InputLink {
     WmeId wme = WmeId::kNone;
     InputObject parent = InputObject::kNone;
     Symbol attribute;
-    std::uint32_t buffered = 0;  ///< Changes of it that wait.
+    std::uint32_t buffered = 0;  ///< Number of its buffered changes.
     std::uint64_t live : 1 = 0;  ///< The handle is valid.
     std::uint64_t generation : kGenerationBits = 0;
     std::int64_t tag : 63 - kGenerationBits = 0;
@@ -139,7 +139,7 @@ class InputLink {
   const Object* Find(InputObject object) const;
   InputObject MakeObject(Symbol identifier);
   Symbol Constant(const InputValue& value);
-  /// False if the handle is void.
+  /// Returns false if the handle is invalid.
   bool Retag(InputElement element, std::int64_t tag);
   void BufferUpdate(InputElement element, Symbol value) {
     Buffer(Change::kUpdate, static_cast<std::uint32_t>(element) & kPlaceMask, value);
@@ -160,10 +160,10 @@ class InputLink {
   std::vector<Object> objects_;
   std::vector<std::uint32_t> free_objects_;
   PlainVector<Element> elements_;
-  std::uint32_t first_generation_ = 0;  ///< Of places made since the last init-soar, so that older handles are void.
+  std::uint32_t first_generation_ = 0;  ///< Of new elements; increased by init-soar, so that old handles are invalid.
   std::vector<std::uint32_t> free_elements_;
   std::vector<Pending> pending_;
-  std::vector<std::uint32_t> object_of_;  ///< By identifier index: place of its object, or kNoPlace.
+  std::vector<std::uint32_t> object_of_;  ///< By identifier index: index of its object, or kNoPlace.
 };
 
 }  // namespace soarbox::kernel

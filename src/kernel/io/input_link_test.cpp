@@ -14,21 +14,21 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Writes down what rules print; if it hears of elements, each goes the long way through working memory.
+/// Records what rules print. If it observes elements, the input link cannot use the fast path.
 class Witness : public Observer {
  public:
   void OnPrint(const Agent&, std::string_view text) override { printed += text; }
   std::string printed;
 };
 
-/// An agent with a few input objects. Two of them get the same calls, one of which is observed.
+/// An agent with a few input objects. Two such agents get the same calls; one of them is observed.
 class Twin {
  public:
   explicit Twin(EventMask observed) { agent.AddObserver(witness, observed | Mask(Event::kPrint)); }
 
   void Load(std::string_view rule) { EXPECT_TRUE(agent.LoadProduction(rule).loaded) << rule; }
   void Excise(std::string_view rule) { agent.Excise(agent.FindProduction(rule)); }
-  /// One call, chosen by three numbers.
+  /// Makes one call, selected by three numbers.
   void Call(std::uint32_t what, std::uint32_t which, std::uint32_t value) {
     constexpr std::array<std::string_view, 4> kAttributes{"speed", "range", "name", "seen"};
     InputLink& input = agent.input();
@@ -49,7 +49,7 @@ class Twin {
       if (value % 3 == 2) input.Update(element, value % 7 + 0.5, 3);
     }
   }
-  /// Everything in working memory in the order in which it came, and in that of the lists, and what was counted.
+  /// Everything in working memory, in order of addition and in order of the lists, and the counters.
   std::string State() {
     std::vector<std::pair<std::uint64_t, std::string>> found;
     const auto line = [&](WmeId id) {
@@ -141,7 +141,8 @@ TEST(InputLink, DecisionsOfAnAgentAtRestAreCountedWithoutBeingMade) {
     ASSERT_EQ(made.State(), skipped.State()) << tick;
   }
   EXPECT_GT(count, 100u);
-  // Somebody who hears of decisions hears of the first at rest; somebody who wants each makes them be made.
+  // An observer of decisions is informed of the first one at rest; an observer that wants each one causes them to be
+  // executed.
   skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kReason);
   EXPECT_EQ(skipped.agent.Step(RunUnit::kDecision, 5).decisions, 5u);
   skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kDecisionTrace);

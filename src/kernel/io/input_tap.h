@@ -17,15 +17,15 @@ struct InputChange {
   Symbol id, attribute, value;
 };
 
-/// Sees what enters and leaves through the input link, change by change, and may take the place of the clients: for
-/// recording input and for replaying it. Called on the agent's thread in the middle of the input phase.
+/// Receives each change that the input link makes, and may replace the clients' changes: for recording and replaying
+/// input. Called on the agent's thread during the input phase.
 class InputTap {
  public:
   virtual ~InputTap() = default;
-  /// The input phase begins. May call link.DropPending() and buffer changes of its own, which are made at once.
+  /// The input phase begins. May call link.DropPending() and buffer other changes, which are applied in this phase.
   virtual void OnInputPhase(InputLink& link) { (void)link; }
   virtual void OnInputChange(const InputChange& change) = 0;
-  /// init-soar: all elements and identifiers are gone.
+  /// init-soar: all elements and identifiers were removed.
   virtual void OnInputReset() {}
 };
 

@@ -9,7 +9,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Room for the output of a small agent, so that its first commands cost what the later ones do.
+/// Memory for the output of a small agent, so that its first commands do not allocate more than later ones.
 constexpr std::size_t kUsualElements = 8;
 
 }  // namespace
@@ -42,7 +42,7 @@ void OutputLink::Visit(Symbol id) {
   take(record.input_wmes);
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) take(memory_.slot(slot).wmes);
   take(record.architecture_wmes);
-  // The lists have their newest entries first: what is newest is followed first, and told of last.
+  // The lists are sorted newest first. The newest object is visited first and reported last.
   std::reverse(next_.begin() + static_cast<std::ptrdiff_t>(first), next_.end());
   for (std::size_t n = first; n < next_.size(); ++n) {
     if (next_[n].value.IsIdentifier() && !marks_.IsMarked(next_[n].value)) pending_.push_back(next_[n].value);
@@ -71,7 +71,7 @@ bool OutputLink::Collect() {
   const std::vector<OutputChange>& before = next_;
   if (std::ranges::equal(before, current_, {}, &OutputChange::timetag, &OutputChange::timetag)) return false;
 
-  // Both lists are in time-tag order: what stands in only one of them has come or gone. Removals go first.
+  // Both lists are in time-tag order: an element in only one of them was added or removed. Removals are listed first.
   ++generation_;
   changes_.clear();
   new_commands_.clear();
@@ -102,7 +102,7 @@ void OutputLink::OrderAdditions(std::size_t first) {
   const std::size_t count = changes_.size() - first;
   if (count < 2 || visited_.empty()) return;
   const std::span<OutputChange> additions = std::span(changes_).subspan(first);
-  // `next_` holds what was there before, which nobody needs any more.
+  // `next_` contains the previous elements, which are not needed any more.
   next_.clear();
   for (const std::uint64_t timetag : visited_) {
     const auto found = std::ranges::lower_bound(additions, timetag, {}, &OutputChange::timetag);

@@ -33,7 +33,8 @@ double Apoptosis::Activation(const History& history, std::uint64_t decision) con
     sum += static_cast<double>(use.count) * std::pow(static_cast<double>(oldest), -decay_);
     recent += use.count;
   }
-  // The uses before those that are kept lie evenly between the first one and the oldest that is kept (Petrov 2006).
+  // The uses before the stored ones are assumed to be evenly distributed between the first use and the oldest stored
+  // one (Petrov 2006).
   const std::uint64_t age = decision - history.first;
   if (history.total > recent && age > oldest) {
     const double power = 1 - decay_;
@@ -47,7 +48,7 @@ bool Apoptosis::IsDue(const History& history, std::uint64_t decision) const {
   return Activation(history, decision) < lowest_;
 }
 
-/// The first decision at which the activation is too low, if it is not used again.
+/// The first decision in which the activation will be below the threshold if the rule is not used again.
 std::uint64_t Apoptosis::FindDue(const History& history) const {
   constexpr std::uint64_t kFarthest = std::uint64_t{1} << 40;
   std::uint64_t reach = 1;

@@ -12,23 +12,24 @@
 
 namespace soarbox::kernel {
 
-/// Which of the learned rules are used so little that they may be forgotten (`rl --set apoptosis`). A rule is used when
-/// a match of it ends. Its activation is the sum over its uses of (decisions since then)^-decay, of which the last ten
-/// decisions with uses are kept one by one and those before are estimated; when its logarithm falls below the threshold
-/// the rule is due.
+/// Determines which learned rules are used so rarely that they may be forgotten (`rl --set apoptosis`). A rule is used
+/// when one of its matches ends. Its activation is the logarithm of the sum over its uses of (decisions since
+/// then)^-decay. The last ten decisions with uses are stored individually; earlier ones are estimated. A rule is due
+/// when its activation is below the threshold.
 ///
-/// Counts decisions from when it was switched on. It knows numbers of rules only: the caller decides which may go.
+/// Decisions are counted from the moment when it is enabled. It stores only numbers of rules: the caller decides which
+/// of them may be removed.
 class Apoptosis {
  public:
   bool on() const { return mode_ != ApoptosisMode::kNone; }
   ApoptosisMode mode() const { return mode_; }
-  /// Begins anew when it is switched on; forgets everything when it is switched off.
+  /// Starts from scratch when it is enabled; forgets everything when it is disabled.
   void Set(const RlSettings& settings);
 
   void Used(ProductionId rule) { ++used_[rule]; }
   void RuleExcised(ProductionId rule);
-  /// At the end of a decision: the rules that are due, in order of their numbers. A rule is due once; later only if it
-  /// is used again.
+  /// Call at the end of a decision. Returns the rules that are due, in ascending order. A rule is returned once, and
+  /// again only if it has been used since.
   std::vector<ProductionId> EndDecision();
   void Clear();
 
@@ -40,11 +41,11 @@ class Apoptosis {
     std::uint64_t count = 0;
   };
   struct History {
-    std::array<Use, kKept> uses;     ///< A ring.
-    std::size_t next = 0, kept = 0;  ///< Where the next one goes; how many there are.
-    std::uint64_t total = 0;         ///< Uses ever.
-    std::uint64_t first = 0;         ///< Decision of the first.
-    std::uint64_t due = 0;           ///< When it is to be forgotten; 0: it was told.
+    std::array<Use, kKept> uses;     ///< A ring buffer.
+    std::size_t next = 0, kept = 0;  ///< The index of the next entry; the number of entries.
+    std::uint64_t total = 0;         ///< Total number of uses.
+    std::uint64_t first = 0;         ///< Decision of the first use.
+    std::uint64_t due = 0;           ///< Decision in which it is due; 0: it has been returned already.
   };
 
   double Activation(const History& history, std::uint64_t decision) const;
@@ -55,9 +56,9 @@ class Apoptosis {
 
   ApoptosisMode mode_ = ApoptosisMode::kNone;
   double decay_ = 0.5;
-  double lowest_ = 0;  ///< e to the threshold.
+  double lowest_ = 0;  ///< e to the power of the threshold.
   std::uint64_t decision_ = 1;
-  std::map<ProductionId, std::uint64_t> used_;  ///< In this decision.
+  std::map<ProductionId, std::uint64_t> used_;  ///< The uses in this decision.
   std::map<ProductionId, History> histories_;
   std::map<std::uint64_t, std::vector<ProductionId>> schedule_;
 };

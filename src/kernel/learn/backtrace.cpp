@@ -79,7 +79,8 @@ void Backtracer::VisitSelection(std::uint32_t selection) {
   for (std::size_t n = 0; n < count; ++n) {
     const PreferenceId p = uses_.selections.preferences(selection)[n];
     if (!all && uses_.memory.preference(p).type != PreferenceType::kProhibit) continue;
-    // (What a higher state's rules prohibit has no part in the substate: it is traced where it is.)
+    // (Preferences of higher states' rules that prohibit something do not belong to the substate. They are traced at
+    // their level.)
     const bool is_higher = uses_.memory.preference(p).level < out_->level;
     const PreferenceId local = is_higher ? p : uses_.firing.CloneAtLevel(p, out_->level);
     if (local == PreferenceId::kNone) continue;
@@ -135,7 +136,7 @@ inline void Backtracer::AddGround(const Explanation::Ground& ground, const Wme& 
   if (wme.attribute == words::kOperator && !wme.acceptable) out_->operator_grounds.push_back(ground.wme);
 }
 
-/// An item of an impasse rests on the proposal in the superstate.
+/// An item of an impasse depends on the proposal in the superstate.
 void Backtracer::VisitItem(WmeId item) {
   const WmeId proposal = uses_.goal_changes.ProposalOfItem(item);
   out_->items.push_back(item);
@@ -147,7 +148,7 @@ void Backtracer::VisitItem(WmeId item) {
 inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace) {
   const WorkingMemory& memory = uses_.memory;
   const Wme& wme = memory.wme(trace.wme);
-  // An object may have become part of a higher state since.
+  // The object may have become a part of a higher state since.
   if (memory.known_identifier(wme.id).level < out_->level) {
     AddGround({firing, condition, trace.wme, WmeId::kNone}, wme);
     return;
@@ -212,7 +213,7 @@ void Backtracer::TellOfFiring(InstantiationId firing) {
 
 namespace {
 
-/// The value that the instantiation gave a variable, or the none symbol.
+/// The value of a variable in the instantiation, or the none symbol.
 Symbol ValueOfVariable(const Production& rule, Symbol variable, std::span<const ConditionTrace> traces,
                        const WorkingMemory& memory) {
   std::size_t positive = 0;
@@ -262,7 +263,7 @@ bool Backtracer::IsReached(const ConditionDraft& condition) {
   if (condition.kind != ConditionKind::kConjunctiveNegation) {
     return std::ranges::find(reached_, EqualitySymbol(condition.id)) != reached_.end();
   }
-  // Conditions of a conjunction may lead to each other's objects.
+  // Conditions of a conjunction may link each other's objects.
   const std::size_t outside = reached_.size();
   std::vector<const ConditionDraft*> open;
   for (const ConditionDraft& inner : condition.conditions) open.push_back(&inner);
@@ -335,7 +336,7 @@ void Backtracer::CollectNegations(InstantiationId firing) {
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind == ConditionKind::kPositive) continue;
-    // Most are about the substate, and nobody asks which.
+    // Most are about the substate, and their details are not needed.
     if (uses_.learn.allow_local_negations && !MayReferToHigherOnly(condition, firing)) {
       out_->local_negation = true;
       continue;

@@ -27,11 +27,11 @@ class SelectionKnowledge;
 struct Wme;
 class WorkingMemory;
 
-/// The second stage of learning: follows what the results rest on, condition by condition, from the firings that made
-/// them to elements of higher states.
+/// The second stage of learning: finds the elements on which the results depend. Follows the conditions of the firings
+/// that created the results, one by one, to elements of higher states.
 class Backtracer {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     Agent& agent;
     const WorkingMemory& memory;
@@ -50,7 +50,8 @@ class Backtracer {
   };
   explicit Backtracer(const Uses& uses) : uses_(uses) {}
 
-  /// Fills in the explanation of its results. `every_condition`: one ground per condition, not one per element.
+  /// Fills in the explanation of its results. With `every_condition`, each condition is a separate ground; else there
+  /// is one ground per element.
   void Trace(Explanation& out, bool every_condition);
   void Clear() { seen_wmes_.clear(); }
 
@@ -61,18 +62,19 @@ class Backtracer {
   /// Tells of a firing with all that it tested.
   void TellOfFiring(InstantiationId firing);
   void VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace);
-  /// What made the local operator that a firing tests, or that it proposed, better than the others.
+  /// Follows the preferences that made the local operator, which a firing tests or proposed, better than others.
   void VisitSelection(std::uint32_t selection);
   void VisitItem(WmeId item);
-  /// The firing that proposed the substate's selected operator, if what selected it is known. It carries that knowledge
-  /// as long as the operator is selected.
+  /// The firing that proposed the substate's selected operator, if the reason of its selection is recorded. It keeps
+  /// the reason while the operator is selected.
   InstantiationId SelectedProposal() const;
   void AddGround(const Explanation::Ground& ground, const Wme& wme);
   void CollectNegations(InstantiationId firing);
   void AddNegation(InstantiationId firing, const Condition* source, const ConditionDraft& literal,
                    std::span<const std::uint16_t> classes = {});
   bool MayReferToHigherOnly(const Condition& condition, InstantiationId firing) const;
-  /// Leaves the negated conditions whose objects the grounds name; the others are about the substate.
+  /// Removes negated conditions about objects of the substate. Keeps those whose objects are reachable from the
+  /// grounds.
   void SortNegations();
   bool IsReached(const ConditionDraft& condition);
   void Reach(Symbol symbol) {
@@ -94,10 +96,10 @@ class Backtracer {
   std::vector<Open> queue_;
   InstantiationId selected_proposal_ = InstantiationId::kNone;
   std::vector<std::uint32_t> seen_wmes_;
-  std::vector<Symbol> reached_;  ///< Objects that grounds name; variables of the conjunction at hand.
+  std::vector<Symbol> reached_;  ///< Objects in the grounds; variables of the current conjunction.
 };
 
-/// The literal condition that a negated condition of a rule was in a firing, by what its positive ones matched.
+/// Replaces the variables of a negated condition by the values that the positive conditions of the firing matched.
 ConditionDraft InstantiateNegation(const Condition& condition, const Production& rule,
                                    std::span<const ConditionTrace> matched, const WorkingMemory& memory, Arena& arena);
 

@@ -17,8 +17,8 @@ namespace soarbox::kernel {
 
 class Justifier;
 
-/// A test of a local condition that the learned rule must make, too: of one identity, against another one or a
-/// constant.
+/// A test of a local condition that the learned rule must contain, too. It compares one identity with another one or
+/// with a constant.
 struct CarriedTest {
   InstantiationId firing = InstantiationId::kNone;
   std::uint16_t condition = 0;
@@ -26,15 +26,15 @@ struct CarriedTest {
   TestKind kind = TestKind::kBlank;
   IdentityGraph::Node tested = IdentityGraph::kNone;
   IdentityGraph::Node referent_node = IdentityGraph::kNone;  ///< kNone: compared with `referent`.
-  Symbol value, referent;                                    ///< What the two were.
+  Symbol value, referent;                                    ///< The values that matched.
   std::vector<Symbol> disjuncts;
   bool placed = false;
 };
 
-/// What firings asked of the elements they tested beside equality, and what a rule learned above has to ask, too.
+/// The tests, other than equality, that firings applied to elements, and that a rule learned from them must apply, too.
 class CarriedTests {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const InstantiationTable& instantiations;
@@ -43,19 +43,20 @@ class CarriedTests {
   CarriedTests(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis)
       : uses_(uses), reader_(reader), analysis_(analysis) {}
 
-  /// Calls visit(CarriedTest) for what a condition of a firing asks of a field beside equality: of its rule, or, if it
-  /// is a justification, of the reasoning that it stands for.
+  /// Calls visit(CarriedTest) for each test, other than equality, of a field of a condition of a firing. The tests are
+  /// those of its rule, or, for a justification, those of the reasoning that it summarizes.
   template <typename Visit>
   void ForEach(InstantiationId firing, std::uint16_t condition, Field field, Visit&& visit);
-  /// False if the test compares with an object of the firing's own state, which the rule above cannot know.
+  /// Returns false if the test compares with an object of the firing's own state, which the learned rule cannot access.
   bool MayRise(const CarriedTest& test) const { return IsKnownAbove(test.firing, test.referent); }
-  /// False if the symbol is an object of the firing's own state or of one below.
+  /// Returns false if the symbol is an object of the firing's own state or of a lower one.
   bool IsKnownAbove(InstantiationId firing, Symbol symbol) const;
-  /// Of all conditions that tested elements of the substate, in the order in which they were visited.
+  /// Appends the tests of all conditions that tested elements of the substate, in the order in which the conditions
+  /// were visited.
   void Collect(const Explanation& explanation, std::vector<CarriedTest>& out);
 
  private:
-  /// What a justification asks beside equality; none of another instantiation.
+  /// The tests, other than equality, of a justification; none for other instantiations.
   const std::vector<IdentityPlan::KeptTest>& KeptTests(const Instantiation& instantiation) const;
 
   Uses uses_;

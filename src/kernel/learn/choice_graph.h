@@ -20,21 +20,23 @@ class GoalStack;
 class SymbolTable;
 class WorkingMemory;
 
-/// The choices that an agent had, as a tree for each level of the goal stack: operators by what they look like, and
-/// behind the one that was taken the choices that came next (`rl --trace`). It grows until it is cleared.
+/// The choices of an agent as a tree for each level of the goal stack (`rl --trace`). A node contains the candidate
+/// operators by their appearance; the branch of the selected one leads to the next choice. It grows until it is
+/// cleared.
 class ChoiceGraph {
  public:
   struct Node;
   struct Branch {
-    std::uint64_t begun = 0;            ///< How often the agent had begun anew when it was last a candidate.
-    std::optional<double> probability;  ///< That it had then; none if no learning rule spoke for it or it was alone.
-    std::unique_ptr<Node> next;         ///< Null if it was never taken.
+    std::uint64_t begun = 0;            ///< Number of restarts at the time when it was last a candidate.
+    std::optional<double> probability;  ///< Its probability at that time; none if no learning rule supported it or if
+                                        ///< it was the only candidate.
+    std::unique_ptr<Node> next;         ///< Null if it was never selected.
   };
   struct Node {
-    std::map<std::vector<std::string>, Branch> branches;  ///< By "^name x", then its other attributes and values.
+    std::map<std::vector<std::string>, Branch> branches;  ///< By "^name x" and the other attributes and values.
   };
 
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const SymbolTable& symbols;
     const WorkingMemory& memory;
@@ -44,24 +46,24 @@ class ChoiceGraph {
   };
   explicit ChoiceGraph(const Uses& uses) : uses_(uses) {}
 
-  /// A choice in the goal of this level. `learned`: for each candidate, whether a learning rule speaks for it.
+  /// Adds a choice in the goal of this level. `learned`: for each candidate, whether a learning rule supports it.
   void Add(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner,
            const std::vector<bool>& learned);
-  /// The goal of this level is new: choices begin at the root.
+  /// The goal of this level is new: its choices begin at the root.
   void Begin(GoalLevel level);
-  /// All levels begin at their roots, and branches count from there on as of a new beginning.
+  /// Restarts: the choices of all levels begin at their roots, and branches are marked with the new number of restarts.
   void BeginAll();
   void BeginAt(GoalLevel level);
-  /// Forgets the choices of a level, or of all.
+  /// Removes the choices of a level; without an argument, of all levels.
   void Clear(GoalLevel level);
   void ClearAll();
-  /// Where a level's choices begin; null if there is no such goal, or they were cleared and not begun since.
+  /// The root of a level's tree; null if there is no such goal, or if it was cleared and not used since.
   const Node* Root(GoalLevel level) const;
 
  private:
   struct Level {
     Node root;
-    Node* at = nullptr;  ///< Where its goal stands; null: at the root.
+    Node* at = nullptr;  ///< The current node of its goal; null: the root.
     bool cleared = false;
     bool used = false;
   };
@@ -70,7 +72,7 @@ class ChoiceGraph {
 
   Uses uses_;
   std::map<GoalLevel, Level> levels_;
-  std::uint64_t begun_ = 0;  ///< By command.
+  std::uint64_t begun_ = 0;  ///< Number of restarts by command.
   inline static const Node kEmpty{};
 };
 

@@ -48,7 +48,7 @@ Chunker::Chunker(const Uses& uses)
 Chunker::~Chunker() = default;
 
 void Chunker::ModeChanged() {
-  // Until now nobody told of the elements that came.
+  // Elements created before were not reported.
   if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
   notes_elements_ = settings_.learning() && settings_.automatic_singletons;
   uses_.changes.TellOfAttributes(notes_elements_);
@@ -110,7 +110,7 @@ void Chunker::StateMade(GoalLevel level) {
   if (level == 2) next_identity_ = 1;
   if (substate_identity_.size() <= level) substate_identity_.resize(level + 1u, 0);
   substate_identity_[level] = next_identity_;
-  CountIdentities(2);  // Of the state and its superstate.
+  CountIdentities(2);  // For the state and its superstate.
 }
 
 void Chunker::CountIdentities(std::uint32_t count) {
@@ -159,7 +159,7 @@ void Chunker::NoteFiring(InstantiationId id) {
 void Chunker::NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied) {
   reader_.NoteCopied(id, copied);
   if (!uses_.instantiations[id].has_identities) return;
-  // Each identifier in what was read counts as one.
+  // Each identifier in the copied elements counts as an identity.
   std::uint32_t created = 0;
   for (const RuleContext::Copied& element : copied) {
     created += 1u + (element.attribute.IsIdentifier() ? 1u : 0u) + (element.value.IsIdentifier() ? 1u : 0u);
@@ -181,8 +181,8 @@ void Chunker::NoteSelection(InstantiationId id) {
     });
   }
   if (uses_.preferences.prohibits() != 0) {
-    // As in Soar 9.6.3: what is prohibited where an element was made counts even if the element is another, or of a
-    // higher state.
+    // As in Soar 9.6.3, prohibit preferences in the slot where an element was created count, even if they are about
+    // another element or one of a higher state.
     std::vector<PreferenceId> prohibits;
     for (std::size_t n = traces.size(); n-- > 0;) uses_.selections.CollectProhibits(traces[n].wme, prohibits);
     if (!prohibits.empty()) {
@@ -196,7 +196,7 @@ void Chunker::NoteSelection(InstantiationId id) {
   uses_.selections.AddReference(selection);
 }
 
-// What becomes of a firing --------------------------------------------------------------------------------------------
+// Considering a firing ------------------------------------------------------------------------------------------------
 
 void Chunker::BeginCycle() {
   if (cycle_ == uses_.counters.decision_cycles) return;
@@ -354,7 +354,7 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   if (counts) ++count;
   if (settings_.numbered_names) {
     if (!is_chunk) return kind + std::to_string(uses_.justifier.TakeNumber());
-    // They go up by two, as in Soar 9.6.3, and on by one past those that there are.
+    // Numbers increase by two, as in Soar 9.6.3, or by one as long as the name is in use.
     for (++next_number_;; ++next_number_) {
       const std::string name = kind + std::to_string(next_number_);
       if (uses_.rule_changes.Find(name) != ProductionId::kNone) continue;
@@ -366,7 +366,7 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   std::string name = kind;
   if (origin.depth > 0) name += "x" + std::to_string(origin.depth + 1);
   name += "*" + origin.base;
-  // The impasse above the one in which the rule matched.
+  // The impasse one level above that in which the rule matched.
   const GoalLevel level = uses_.instantiations[base].level;
   if (level > 2) {
     switch (uses_.goals.at(static_cast<GoalLevel>(level - 1)).impasse) {
@@ -404,7 +404,7 @@ void Chunker::Interrupt(const std::string& reason) {
   uses_.run.InterruptAfterPhase(reason);
 }
 
-// A learned rule ------------------------------------------------------------------------------------------------------
+// Adding a learned rule -----------------------------------------------------------------------------------------------
 
 InstantiationId Chunker::BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed) {
   const std::string name = NewName(base, true, true);
@@ -440,7 +440,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     goal_level = std::max(goal_level, goal_levels[uses_.memory.wme(wme).id.index()]);
   }
   if (goal_level == 0) goal_level = static_cast<GoalLevel>(explanation_.level - 1);
-  // Of duplicates, too.
+  // Also counted for duplicates.
   if (explanation_.local_negation) ++statistics_.chunks_with_local_negation;
   if (explanation_.long_term_memory) ++statistics_.chunks_with_long_term_memory;
   const InstantiationId id = uses_.instantiations.Make();
@@ -456,7 +456,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     uses_.observers.Notify(Event::kLearning,
                            [&](Observer& o) { o.OnDuplicateLearned(uses_.agent, rule->name, original); });
     uses_.justifier.CountDuplicate(base);
-    // What nothing holds yet goes: these firings leave no preferences, the known rule fires by itself.
+    // Unused results are freed: these firings leave no preferences, because the existing rule fires itself.
     for (const PreferenceId result : explanation_.results) uses_.preferences.FreeIfUnused(result);
     log_.CountDuplicate(original);
     return InstantiationId::kNone;
@@ -465,7 +465,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
   const ExplanationLog::Made made{rule->name, rule, id, goal_level, repaired};
   if (explained) {
     log_.Add(explanation_, explanation_number_, made);
-    // What is learned from it in turn is of interest, too.
+    // Rules that are learned from this one are recorded, too.
     if (!log_.all) log_.watched_learned.emplace_back(rule->name);
   }
   if (log_.noting) log_.Note(explanation_, made);
@@ -500,7 +500,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     const FiringInfo info = uses_.descriptions.DescribeInstantiation(id);
     uses_.observers.Notify(Event::kLearning, [&](Observer& o) { o.OnLearned(uses_.agent, info); });
   }
-  // The learned rule's own instance holds its results by o-support if they apply or elaborate an operator above.
+  // The learned rule's own instance gives its results o-support if they apply or elaborate an operator above.
   const Symbol goal = uses_.goals.at(goal_level).id;
   const bool o_support = !uses_.justifier.Proposes(base) &&
                          std::ranges::any_of(explanation_.operator_grounds,

@@ -48,16 +48,15 @@ class SymbolTable;
 class WmeChanges;
 class WorkingMemory;
 
-/// Explanation-based chunking: when a rule in a substate gives something to a higher state, this explains why, and
-/// turns the explanation into a rule that does in one step what the substate did. Where that is not wanted or not
-/// right, and always while learning is off, the result gets a justification instead (justification.h), which supports
-/// it.
+/// Explanation-based chunking. When a rule in a substate creates a result for a higher state, Chunker explains the
+/// result. It generalizes the explanation to a rule that creates the result in one step. If this is not wanted or would
+/// be incorrect, and always while learning is off, a justification (justification.h) supports the result instead.
 ///
-/// The stages, each with a file of its own: results, backtrace, identity_analysis, rule_builder (conditions, actions,
-/// repair), and entering the rule here.
+/// Each stage has its own file: results, backtrace, identity_analysis, rule_builder (conditions, actions, repair). The
+/// rule is added here.
 class Chunker final : public Module {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     Agent& agent;
     SymbolTable& symbols;
@@ -85,7 +84,7 @@ class Chunker final : public Module {
   ~Chunker() override;
 
   const LearnSettings& settings() const { return settings_; }
-  /// For `chunk`. Call ModeChanged after `mode` or `automatic_singletons` changed.
+  /// For `chunk`. Call ModeChanged after changes of `mode` or `automatic_singletons`.
   LearnSettings& mutable_settings() { return settings_; }
   void ModeChanged();
   const LearnStatistics& statistics() const { return statistics_; }
@@ -93,32 +92,33 @@ class Chunker final : public Module {
   Singletons& singletons() { return singletons_; }
   const Singletons& singletons() const { return singletons_; }
 
-  /// Called for each instantiation of a substate right after it fired; goes on upwards as long as there are results.
+  /// Called for each instantiation of a substate immediately after it fired. Continues with the next higher state as
+  /// long as there are results.
   [[gnu::noinline]] void Consider(InstantiationId id);
-  /// A rule fired in a substate, and learning is on: its identities begin.
+  /// A rule fired in a substate while learning is on: its identities are numbered.
   [[gnu::noinline]] void NoteFiring(InstantiationId id);
-  /// A firing in a substate copied objects, and its trace has what it read.
+  /// A firing in a substate copied objects, and its trace contains the elements that it read for that.
   [[gnu::noinline]] void NoteCopied(InstantiationId id, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId id) { reader_.ForgetCopied(id); }
   void ForgetTurned(InstantiationId id) { reader_.ForgetTurned(id); }
-  /// The same for a rule that tests the selected operator of its substate.
+  /// Like NoteFiring, for a rule that tests the selected operator of its substate.
   [[gnu::noinline]] void NoteSelection(InstantiationId id);
-  /// The number of an identity that is no rule's: the name of a substate or of its superstate.
+  /// The number of an identity that no rule created: that of the name of a substate or of its superstate.
   std::uint32_t NumberOfSpecial(IdentityGraph::Key key) const;
-  /// The firing behind an item.
+  /// The firing of the architecture that created an item.
   struct ItemFiring {
     std::uint32_t serial = 0;
-    std::uint32_t identity = 0;  ///< The number of the operator's; 0 for none.
+    std::uint32_t identity = 0;  ///< The number of the operator's identity; 0 for none.
   };
-  /// Null for items that came while nothing was to be learned.
+  /// Returns null for items that were created while learning was off.
   const ItemFiring* FiringOfItem(WmeId item) const;
   ExplanationLog& explanations() { return log_; }
   const ExplanationLog& explanations() const { return log_; }
-  /// (dont-learn <s>) and (force-learn <s>): states that learning leaves out, or is limited to.
+  /// (dont-learn <s>) and (force-learn <s>): states that learning excludes, or is limited to.
   void SetLearning(Symbol state, bool learn);
   std::vector<Symbol> forced_states() const { return force_learn_; }
   std::vector<Symbol> excluded_states() const { return dont_learn_; }
-  /// What a learned rule was learned from: the name of the first rule, and how often rules were learned from rules.
+  /// The origin of a learned rule: the name of the original rule, and the number of generations since.
   struct Origin {
     std::string base;
     std::uint32_t depth = 0;
@@ -129,7 +129,7 @@ class Chunker final : public Module {
 
   // Module
   void StateMade(GoalLevel level) override;
-  /// Each item stands for a firing that names its state and its operator.
+  /// Each item counts as a firing with its own identities for the state and the operator.
   void ItemsMade(std::uint32_t firings) override;
   void ItemMade(WmeId item, std::uint32_t index) override;
   void StateRemoved(GoalLevel level) override;
@@ -143,18 +143,19 @@ class Chunker final : public Module {
  private:
   void AskForHooks();
   InstantiationId Learn(InstantiationId base);
-  /// `made`: none if it was a duplicate.
+  /// `made` is none if it was a duplicate.
   InstantiationId CountJustification(InstantiationId made);
-  /// True if a rule may be learned from the explanation.
+  /// Returns true if a rule may be learned from the explanation.
   bool MayLearn() const;
   void CountIdentities(std::uint32_t count);
-  /// Says why nothing is learned from a firing, to those who want to know.
+  /// Reports to observers why nothing is learned from a firing.
   void TellNotLearned(InstantiationId firing, NotLearned why) const;
-  /// Whether the settings leave the firing's state out; says so.
+  /// Returns whether the settings exclude the firing's state, and reports it.
   bool IsLeftOut(InstantiationId firing) const;
   InstantiationId BuildChunk(InstantiationId base, GoalLevel goal_level, bool& failed);
   InstantiationId Enter(InstantiationId base, bool repaired);
-  /// `counts`: it is one more of its kind in this cycle.
+  /// A name for a new rule. `counts`: increases the number of rules of this kind in this cycle, which is part of the
+  /// name.
   std::string NewName(InstantiationId base, bool is_chunk, bool counts);
   void Tell(const std::string& name);
   void BeginCycle();
@@ -175,14 +176,14 @@ class Chunker final : public Module {
   Explanation explanation_;
   std::vector<Symbol> dont_learn_, force_learn_;
   bool notes_elements_ = false;
-  std::uint32_t explanation_number_ = 0;  ///< Of what is being learned, if it is to be kept.
-  bool left_out_ = false;                 ///< The state of the firing that is considered.
+  std::uint32_t explanation_number_ = 0;  ///< The number of the explanation of the current rule, if it is to be kept.
+  bool left_out_ = false;                 ///< The settings exclude the state of the current firing.
   std::uint32_t next_identity_ = 1;
-  std::uint32_t next_number_ = 0;  ///< Of numbered names.
+  std::uint32_t next_number_ = 0;  ///< For numbered names.
   std::vector<std::uint32_t>
-      substate_identity_;  ///< By level: the number of the state's name; its superstate's follows.
-  std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Of the substates that there are, also of items that left.
-  ItemFiring first_item_;                               ///< Of those that ItemsMade told of last.
+      substate_identity_;  ///< By level: the identity number of the state's name; that of its superstate follows.
+  std::unordered_map<WmeId, ItemFiring> item_firings_;  ///< Items of the existing substates, including removed ones.
+  ItemFiring first_item_;                               ///< The first item of the last ItemsMade.
   std::uint64_t cycle_ = ~std::uint64_t{0};
   std::uint32_t rules_in_cycle_ = 0, justifications_in_cycle_ = 0;
   std::unordered_map<ProductionId, Origin> learned_;

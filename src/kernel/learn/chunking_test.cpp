@@ -49,14 +49,14 @@ TEST(IdentityGraph, AgreesWithClosureByHandOverRandomLinks) {
   }
 }
 
-/// A task in the top state, solved by rules of a substate.
+/// A task in the top state that rules solve in a substate.
 class ChunkingTest : public testing::Test {
  protected:
   void Load(Agent& agent, std::string_view body) { ASSERT_TRUE(agent.LoadProduction(body).loaded) << body; }
   void Learn(Agent& agent) {
     agent.ChangeLearning([](LearnSettings& settings) { settings.mode = LearnMode::kAlways; });
   }
-  /// What the top state says under an attribute, sorted.
+  /// The values of an attribute of the top state, sorted.
   std::vector<std::string> Top(const Agent& agent, std::string_view attribute) {
     std::vector<std::string> found;
     for (const WmeId wme : agent.memory().WmesOf(agent.goals().top().id)) {
@@ -109,8 +109,8 @@ TEST_F(ChunkingTest, ALearnedRuleDoesInOneStepWhatTheSubstateDid) {
   EXPECT_EQ(agent.CheckInvariants(), "");
 }
 
-/// The oracle: a learned rule alone, in an agent that has nothing but a task of the same shape, gives what the substate
-/// gives for that task, and nothing where the substate gives nothing.
+/// The oracle: a learned rule is loaded alone in an agent with a task of the same shape. It must create exactly the
+/// results that the substate creates for that task.
 TEST_F(ChunkingTest, ALearnedRuleIsRightForOtherValuesToo) {
   Agent teacher("a");
   Learn(teacher);
@@ -142,7 +142,8 @@ TEST_F(ChunkingTest, ALearnedRuleIsRightForOtherValuesToo) {
 }
 
 TEST_F(ChunkingTest, AVariableThatIsMarkedLiteralStaysAConstant) {
-  // The mark counts where the superstate is tested, and where the substate passes the value on.
+  // The mark must count in the condition on the superstate, and in the condition through which the substate passes the
+  // value on.
   for (const bool marks_superstate : {false, true}) {
     Agent agent("a");
     Learn(agent);

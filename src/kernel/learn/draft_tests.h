@@ -13,10 +13,10 @@
 #include "kernel/rules/draft.h"
 #include "kernel/rules/production.h"
 
-/// Small tools for reading the tests of rules and putting together those of learned ones.
+/// Functions that read the tests of rules and build those of learned rules.
 namespace soarbox::kernel {
 
-/// Calls visit(part) for each single test of a field.
+/// Calls visit(part) for each elementary test of a field.
 template <typename Visit>
 void ForEachTest(const Test& test, Visit&& visit) {
   if (test.kind != TestKind::kConjunction) {
@@ -26,7 +26,7 @@ void ForEachTest(const Test& test, Visit&& visit) {
   for (const Test& part : test.parts()) visit(part);
 }
 
-/// Calls visit(test) for each test of a condition that stands for something, in an order that its instances share.
+/// Calls visit(test) for each elementary test of a condition, in an order that is the same for all its instances.
 template <typename Visit>
 void ForEachTest(TestDraft& test, Visit&& visit) {
   if (test.kind != TestKind::kConjunction) visit(test);
@@ -38,7 +38,7 @@ void ForEachTest(ConditionDraft& condition, Visit&& visit) {
   for (ConditionDraft& inner : condition.conditions) ForEachTest(inner, visit);
 }
 
-/// True for tests that ask for more than which value it is: comparisons, types, lists of values, long-term links.
+/// Returns true for tests other than equality: comparisons, types, disjunctions, long-term links.
 constexpr bool IsCarried(TestKind kind) {
   return kind != TestKind::kBlank && kind != TestKind::kEqual && kind != TestKind::kConjunction &&
          kind != TestKind::kState && kind != TestKind::kImpasse && kind != TestKind::kLiteral;
@@ -47,14 +47,16 @@ constexpr bool IsCarried(TestKind kind) {
 inline bool Contains(const std::vector<Symbol>& symbols, Symbol symbol) {
   return std::ranges::find(symbols, symbol) != symbols.end();
 }
-/// What a class of conditions was, by what they matched when they fired.
+/// The value of a class of conditions in the firing that matched `matched`.
 Symbol ValueOfClass(const IdentityPlan& plan, std::uint16_t identity_class, std::span<const ConditionTrace> matched,
                     const WorkingMemory& memory);
 void AppendPart(TestDraft& test, TestDraft* part, Arena& arena);
 void PrependPart(TestDraft& test, TestDraft* part, Arena& arena);
-/// If both tests are lists of values, or `kept` has one, leaves in it what both allow.
+/// If `other` is a disjunction and `kept` contains one, reduces that of `kept` to the common values and returns true.
+/// Else returns false.
 bool UniteDisjunctions(TestDraft& kept, const TestDraft& other, Arena& arena);
-/// Adds the tests of `other` to those of `kept`, which tests the same value; how many lists of values became one.
+/// Adds the tests of `other` to those of `kept`, which tests the same value. Returns the number of disjunctions that
+/// were merged.
 std::uint32_t UniteTests(TestDraft& kept, TestDraft& other, Arena& arena);
 
 }  // namespace soarbox::kernel

@@ -28,7 +28,7 @@ const Test& TestOf(const Condition& condition, Field field) {
   return field == Field::kId ? condition.id : field == Field::kAttribute ? condition.attribute : condition.value;
 }
 
-/// { part part } if there are several.
+/// Returns "{ part part }" if there are several parts.
 std::string Joined(const std::vector<std::string>& parts) {
   if (parts.size() == 1) return parts.front();
   std::string text = "{";
@@ -36,7 +36,8 @@ std::string Joined(const std::vector<std::string>& parts) {
   return text + " }";
 }
 
-/// "i 3 (rule)" of the shortest way from each firing to one that made a result; none from those that only selected.
+/// The shortest path from each firing to one that created a result, as "i 3 (rule)". Firings that were only relevant
+/// for selections have no path.
 class ShortestPaths {
  public:
   ShortestPaths(const InstantiationTable& instantiations, const WorkingMemory& memory, const Chunker& chunker,
@@ -46,7 +47,7 @@ class ShortestPaths {
     const auto begin = [&](InstantiationId firing) {
       if (next_.try_emplace(SerialOf(firing), 0).second) wave.push_back(firing);
     };
-    // Of equal ways the one counts that tracing back found first.
+    // Among paths of equal length, the one that backtracing found first is used.
     for (auto result = explanation.results.rbegin(); result != explanation.results.rend(); ++result) {
       begin(memory.preference(*result).instantiation);
     }
@@ -66,7 +67,7 @@ class ShortestPaths {
       wave = std::move(following);
     }
   }
-  /// From a firing, or from the one behind an item.
+  /// The path from a firing, or from the firing for an item.
   template <typename Begin>
   std::vector<std::uint32_t> From(Begin begin) const {
     std::vector<std::uint32_t> path;
@@ -109,7 +110,7 @@ std::string ExplanationLog::Name(Symbol symbol) const {
   return symbol ? ToString(uses_.symbols, symbol) : std::string("<?>");
 }
 
-/// A constant stands for itself.
+/// Constants are returned as their own text.
 std::string ExplanationLog::NumberOfVariable(Symbol symbol) const {
   const auto found = number_of_variable_.find(symbol.bits());
   return found == number_of_variable_.end() ? Name(symbol) : "[" + std::to_string(found->second) + "]";
@@ -207,7 +208,7 @@ ExplainedRule::Action ExplanationLog::DescribeAction(PreferenceId id, bool own) 
   return out;
 }
 
-/// A function with the identities of its arguments, or with what they were.
+/// The text of a function with the identities of its arguments, or with their values.
 std::string ExplanationLog::FunctionText(const RhsValue& function, InstantiationId firing, bool identities) {
   std::string text;
   AppendRhsValue(text, uses_.symbols, function);
@@ -281,7 +282,7 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
         out.conditions.push_back(DescribeNegated(source, source, literal->conditions.front(), id, explanation.level));
       }
     }
-    // What it copied stands behind.
+    // The copied elements follow.
     for (; positive < traces.size(); ++positive) describe(positive, nullptr);
   }
   for (PreferenceId p = instantiation.preferences; p != PreferenceId::kNone;
@@ -294,7 +295,7 @@ ExplainedRule::Firing ExplanationLog::Describe(InstantiationId id, const Explana
   return out;
 }
 
-/// It names the operator's proposal in the superstate and the substate's link to that.
+/// The firing of an item tests the operator's proposal in the superstate and the substate's link to the superstate.
 ExplainedRule::Firing ExplanationLog::Describe(WmeId item, std::uint32_t serial, const Explanation& explanation) {
   ExplainedRule::Firing out;
   out.serial = serial;
@@ -325,7 +326,7 @@ ExplainedRule::Firing ExplanationLog::Describe(WmeId item, std::uint32_t serial,
   out.conditions = {std::move(proposal), std::move(link)};
   ExplainedRule::Action action;
   action.id = field(wme.id, state);
-  action.attribute = field(words::kItem, IdentityGraph::kNone);  // Of non-numeric ones, too.
+  action.attribute = field(words::kItem, IdentityGraph::kNone);  // Also for non-numeric items.
   action.value = field(wme.value, op);
   out.actions.push_back(std::move(action));
   return out;
@@ -400,7 +401,7 @@ ExplainedRule::Condition ExplanationLog::DescribeNegated(const Condition& writte
   return out;
 }
 
-/// The conditions and actions of the learned rule beside the identities that they came from.
+/// Describes the conditions and actions of the learned rule, with the identities of their origins.
 void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& explanation) {
   const ShortestPaths paths(uses_.instantiations, uses_.memory, uses_.chunker, explanation);
   negated_identities_.clear();
@@ -419,7 +420,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
                                                                   : condition.value;
         part = DescribeTest(source != nullptr ? &TestOf(*source, field) : nullptr, FieldOf(wme, field), ground.firing,
                             ground.condition, field);
-        // Constants of the rule, and what learning found to be constant.
+        // Constants of the rule, and variables that learning literalized.
         if (learned != nullptr && !EqualitySymbol(TestOf(*learned, field)).IsVariable()) {
           part.identity = Name(FieldOf(wme, field));
           part.number = 0;
@@ -448,7 +449,8 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       }
     }
     if (learned != nullptr) {
-      // The learned rule's own tests: the equality first, but last among the identities.
+      // The tests of the learned rule. The equality test is first in the rule's text, but last in the text with
+      // identities.
       const auto describe_test = [&](const Test& test, ExplainedRule::Field& into, bool& state) {
         const Symbol equal = EqualitySymbol(test);
         std::vector<std::string> texts =
@@ -475,7 +477,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
   };
   number_of_variable_.clear();
   if (out.rule != nullptr) {
-    // Which identity each variable of the finished rule stands for, and what it was.
+    // The identity and the value of each variable of the finished rule.
     std::map<std::uint32_t, Symbol> value_of_variable;
     const auto matched = [&](const Test& test, Symbol value) {
       std::vector<std::string> texts = Comparisons(test, false, [&](const Test& part) {
@@ -541,7 +543,7 @@ void ExplanationLog::DescribeLearned(ExplainedRule& out, const Explanation& expl
       out.conditions.back().tests_state = uses_.memory.identifier(id).is_goal && states.insert(id.bits()).second;
     }
   }
-  // As in Soar 9.6.3 the rule's own actions stand in its order, and the identities beside them in that of the results.
+  // As in Soar 9.6.3, the rule's actions are in its own order, but their identities are in the order of the results.
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
     ExplainedRule::Action action = DescribeAction(explanation.results[n], false);
     const Action* const learned =
@@ -574,7 +576,7 @@ void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, c
   ExplainedRule& out = rules_.emplace_back();
   out.number = number;
   Describe(out, explanation, made);
-  // As in Soar 9.6.3, the ways are shown from firings that no earlier explanation has.
+  // As in Soar 9.6.3, paths are shown only from firings that are in no earlier explanation.
   const auto drop_known = [&](std::vector<std::uint32_t>& path) {
     if (!path.empty() && explained_firings_.contains(path.front())) path.clear();
   };
@@ -582,7 +584,7 @@ void ExplanationLog::Add(const Explanation& explanation, std::uint32_t number, c
   for (ExplainedRule::Firing& firing : out.firings) drop_known(firing.path);
   for (const ExplainedRule::Firing& firing : out.firings) explained_firings_.insert(firing.serial);
   bytes_ += out.MemoryBytes();
-  // What `chunk stats` says of it is said of recorded rules alone.
+  // These counters of `chunk stats` include only recorded rules.
   uses_.statistics.identities_in_rules += out.identities.size();
 }
 

@@ -26,10 +26,10 @@ class Rete;
 class SymbolTable;
 class WorkingMemory;
 
-/// The explanations that are kept until init-soar, also of rules that have been excised since. Off, nothing is kept.
+/// Stores explanations until init-soar, even of rules that have been excised since. Stores nothing while disabled.
 class ExplanationLog {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const SymbolTable& symbols;
     const WorkingMemory& memory;
@@ -46,55 +46,56 @@ class ExplanationLog {
 
   bool all = false;             ///< `explain all`
   bool justifications = false;  ///< `explain justifications`
-  /// `explain record`: rules by name; also those marked with :explain.
+  /// `explain record`: names of rules. Rules marked with :explain are recorded, too.
   std::vector<std::string> watched;
-  std::vector<std::string> watched_learned;  ///< Rules learned from those.
+  std::vector<std::string> watched_learned;  ///< Rules learned from the watched ones.
 
-  /// Somebody watches the agent: explanations of all learned rules are noted for them, whatever the settings say. This
-  /// changes neither the settings nor what `explain` prints.
+  /// An observer is attached: explanations of all learned rules are stored in noted(), regardless of the settings. This
+  /// changes neither the settings nor the output of `explain`.
   bool noting = false;
-  static constexpr std::size_t kMostNoted = 1000;  ///< The oldest go.
+  static constexpr std::size_t kMostNoted = 1000;  ///< Maximum size of noted(); the oldest are removed.
 
   bool WantsChunkOf(InstantiationId base) const;
-  /// The rule that was just made.
+  /// The rule that was just built.
   struct Made {
     std::string_view name;
     ProductionPtr rule;  ///< None for justifications.
     InstantiationId instance = InstantiationId::kNone;
-    GoalLevel level = 0;  ///< Of the state that it matched.
+    GoalLevel level = 0;  ///< Level of the state that it matched.
     bool repaired = false;
   };
-  /// Each attempt to learn something that would be kept takes a number, whatever becomes of it.
+  /// Returns the number for an attempt to learn a rule whose explanation would be kept. Unsuccessful attempts use up a
+  /// number, too.
   std::uint32_t TakeNumber() { return ++last_number_; }
-  /// Keeps what the stages found out about the rule that was just made.
+  /// Stores the explanation of the rule that was just built.
   void Add(const Explanation& explanation, std::uint32_t number, const Made& made);
-  /// The same for those who watch.
+  /// Like Add, but stores it in noted().
   void Note(const Explanation& explanation, const Made& made);
   void CountDuplicate(std::string_view name);
   const std::vector<ExplainedRule>& rules() const { return rules_; }
-  const std::deque<ExplainedRule>& noted() const { return noted_; }  ///< init-soar keeps them, as it keeps the rules.
+  const std::deque<ExplainedRule>& noted() const { return noted_; }  ///< init-soar keeps them, like the rules.
   void Clear();
-  std::size_t MemoryBytes() const { return bytes_; }  ///< What all explanations take.
+  std::size_t MemoryBytes() const { return bytes_; }  ///< Size of all explanations.
 
  private:
   void Describe(ExplainedRule& out, const Explanation& explanation, const Made& made);
   ExplainedRule::Firing Describe(InstantiationId firing, const Explanation& explanation);
-  /// The firing behind an item of the impasse.
+  /// The architecture's firing for an item of the impasse.
   ExplainedRule::Firing Describe(WmeId item, std::uint32_t serial, const Explanation& explanation);
-  /// What a test asks for beside the value itself, part by part; `referent` says what a comparison compares with.
+  /// Describes each part of a test except equality. `referent` returns the text of a comparison's right side.
   std::vector<std::string> Comparisons(const Test& test, bool with_state,
                                        const std::function<std::string(const Test&)>& referent) const;
   ExplainedRule::Field DescribeTest(const Test* test, Symbol value, InstantiationId firing, std::size_t condition,
                                     Field field);
-  /// `own`: also the identities that fields had before all joining.
+  /// `own`: include the identities before they were joined.
   ExplainedRule::Action DescribeAction(PreferenceId preference, bool own);
   std::string FunctionText(const RhsValue& function, InstantiationId firing, bool identities);
   void DescribeLearned(ExplainedRule& out, const Explanation& explanation);
-  /// A negated condition: as it is written, as the rule that fired has it, and what it was.
+  /// Describes a negated condition: as in the learned rule, as in the rule that fired, and with the matched values.
   ExplainedRule::Condition DescribeNegated(const Condition& written, const Condition& source, const Condition& literal,
                                            InstantiationId firing, GoalLevel level);
   std::string IdentityText(const Test& test, InstantiationId firing);
-  /// What a negated condition of a rule was in a firing.
+  /// A negated condition with the values of a firing in place of variables.
   ProductionPtr Instantiated(const Condition& negation, InstantiationId firing);
   std::string Number(IdentityGraph::Node node);
   std::string Name(Symbol symbol) const;
@@ -105,12 +106,12 @@ class ExplanationLog {
   IdentityAnalysis& analysis_;
   RuleBuilder& builder_;
   std::vector<ExplainedRule> rules_;
-  std::unordered_set<std::uint32_t> explained_firings_;  ///< Serials of all that these rest on.
+  std::unordered_set<std::uint32_t> explained_firings_;  ///< Serial numbers of all firings in the explanations.
   std::deque<ExplainedRule> noted_;
   std::size_t bytes_ = 0;
   std::uint32_t last_number_ = 0;
   std::map<std::uint32_t, std::uint32_t> number_of_variable_;  ///< Scratch.
-  std::vector<std::uint32_t> negated_identities_;              ///< Those that negated conditions name; scratch.
+  std::vector<std::uint32_t> negated_identities_;              ///< Scratch: the identities in negated conditions.
 };
 
 }  // namespace soarbox::kernel

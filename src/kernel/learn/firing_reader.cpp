@@ -126,7 +126,7 @@ const IdentityPlan& FiringReader::UncommonPlan(InstantiationId firing) {
   return *without_rule_.back().second;
 }
 
-/// Identifiers are what they are in each place; constants stand for themselves.
+/// Each identifier forms one class in all its fields; constants have no class.
 IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
   IdentityPlan plan;
   for (const ConditionTrace& trace : uses_.instantiations.Trace(firing)) {
@@ -293,7 +293,7 @@ FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, st
       return term;
     }
   }
-  // Of the architecture, or made by a function.
+  // Created by the architecture or by a function.
   term.kind = Term::Kind::kSymbol;
   term.symbol = symbol;
   return term;
@@ -371,7 +371,7 @@ std::uint32_t FiringReader::CountIdentities(InstantiationId firing) {
                            ? uses_.goals.at(level).id
                            : Symbol();
   const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
-  const std::span<const Tested> tested = KnownOf(instantiation.production).positives;  // Stays where it is.
+  const std::span<const Tested> tested = KnownOf(instantiation.production).positives;  // The reference stays valid.
   for (std::size_t n = 0; n < tested.size(); ++n) {
     const ConditionTrace& trace = traces[n];
     const unsigned first = tested[n].first;
@@ -382,7 +382,7 @@ std::uint32_t FiringReader::CountIdentities(InstantiationId firing) {
     } else if (!state || uses_.memory.wme(trace.wme).id != state) {
       count += static_cast<std::uint32_t>(std::popcount(first));
     } else {
-      // Of the state itself, as the architecture made it.
+      // Elements of the state itself that the architecture created.
       for (unsigned bits = first; bits != 0; bits &= bits - 1) {
         const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
         count += SourceOf(firing, place) == Source::kOwn;

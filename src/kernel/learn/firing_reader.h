@@ -25,11 +25,11 @@ class Justifier;
 class Rete;
 class WorkingMemory;
 
-/// Reads the firings of substates for learning: the rule, the classes of its fields, and where identities come from. A
-/// firing may be of a rule, of a justification or of the architecture (what long-term memory recalled).
+/// Reads the firings of substates for learning: the rule, the classes of its fields, and the origins of identities. A
+/// firing may be that of a rule, of a justification, or of the architecture (results of long-term memory).
 class FiringReader {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const GoalStack& goals;
@@ -40,7 +40,7 @@ class FiringReader {
   };
   explicit FiringReader(const Uses& uses) : uses_(uses) {}
 
-  /// The rule that fired, or null for justifications and the architecture. Readable also after it was excised.
+  /// The rule that fired; null for justifications and the architecture. Also available for excised rules.
   const Production* Rule(InstantiationId firing);
   const IdentityPlan& Plan(InstantiationId firing) {
     const Instantiation& instantiation = uses_.instantiations[firing];
@@ -48,28 +48,29 @@ class FiringReader {
       return *KnownOf(instantiation.production).plan;
     return UncommonPlan(firing);
   }
-  /// A positive condition of the rule that fired.
+  /// Properties of a positive condition of the fired rule.
   struct Tested {
     const Condition* condition = nullptr;
-    std::uint8_t carried = 0;  ///< Bit n: field n asks for more than which value it is.
-    std::uint8_t first = 0;    ///< Bit n: field n is the first place of its class.
-    std::uint8_t follows = 0;  ///< Bit n: field n is the first place of its class, and no superstate link is another.
+    std::uint8_t carried = 0;  ///< Bit n: field n has tests other than equality.
+    std::uint8_t first = 0;    ///< Bit n: field n is the first field of its class.
+    std::uint8_t follows = 0;  ///< Bit n: field n is the first field of its class, and no field of a superstate link
+                               ///< belongs to the class.
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
-  /// Of what the firing copied there is no condition.
+  /// `condition` must not be one of the trace entries for copied elements.
   const Tested& TestedBy(InstantiationId firing, std::size_t condition);
-  /// False if no condition of the firing asks for more than which value something is.
+  /// Returns false if no condition of the firing has tests other than equality.
   bool CarriesTests(InstantiationId firing);
 
-  /// What the action that made a preference says in one of its fields.
+  /// The term in one field of the action that created a preference.
   struct Term {
     enum class Kind : std::uint8_t {
-      kUnknown,   ///< It was made before learning was on.
+      kUnknown,   ///< The preference was created before learning was on.
       kLiteral,   ///< A constant.
-      kClass,     ///< Something that a condition binds, or a new identifier.
-      kSymbol,    ///< An identifier that the architecture made.
-      kFunction,  ///< The value of a function.
+      kClass,     ///< A variable of a condition, or a new identifier.
+      kSymbol,    ///< An identifier that the architecture created.
+      kFunction,  ///< The result of a function.
     };
     Kind kind = Kind::kLiteral;
     std::uint16_t identity_class = 0;
@@ -78,15 +79,16 @@ class FiringReader {
   };
   enum class Part : std::uint8_t { kId, kAttribute, kValue, kReferent };
   Term TermOf(PreferenceId preference, Part part);
-  /// Soar numbers the identifiers that a firing makes from the last action to the first.
+  /// The rank of a new identifier of a firing: Soar numbers them from the last action to the first.
   std::uint32_t RankOfNew(InstantiationId firing, std::uint16_t new_index);
   /// The class of a bound or new term of a rule.
   std::uint16_t ClassOf(const RhsValue& value, InstantiationId firing) { return ClassOf(value, Plan(firing)); }
 
-  /// The identity of a class of a firing: that of the preference that made the first element which has it, if the
-  /// element is of the substate, or else one of its own. Leaves the firing where it was found in `firing`.
+  /// The origin of the identity of a class of a firing. If the first element with the class belongs to the substate,
+  /// the identity is that of the preference that created it; this is followed from firing to firing. Else it is one of
+  /// the firing's own. Sets `firing` to the firing where the search ended.
   IdentityGraph::Key Origin(InstantiationId& firing, std::uint16_t identity_class);
-  /// The identities of the substate's own name and of its superstate's are given.
+  /// The predefined identities of the substate's name and of its superstate.
   static IdentityGraph::Key SuperstateLink(GoalLevel level, Part part) {
     return {kSuperstateKey, 2u * level + (part == Part::kId ? 0u : 1u)};
   }
@@ -96,11 +98,11 @@ class FiringReader {
   static WmeId ItemOf(IdentityGraph::Key key) { return static_cast<WmeId>(key.place); }
   static IdentityGraph::Key OfSymbol(Symbol symbol) { return {kSymbolKey, symbol.bits()}; }
   bool IsSuperstateLink(WmeId wme, GoalLevel level) const;
-  /// What they test there names the substate and its superstate, wherever else the class occurs: the key of these, if
-  /// the class is one of them.
+  /// Conditions that match the superstate link name the substate and its superstate. If the class is that of one of
+  /// these names, sets `key` to its identity and returns true.
   bool IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key);
 
-  /// Bit n: the class of field n of a condition has the identity that the element's maker gave it, if it gave it one.
+  /// Bit n: the class of field n of a condition has the identity that the element's creator gave it.
   std::uint8_t FollowsMaker(InstantiationId firing, std::uint16_t condition) {
     const Instantiation& instantiation = uses_.instantiations[firing];
     if (instantiation.production == ProductionId::kNone || instantiation.copied) return 0;
@@ -108,33 +110,34 @@ class FiringReader {
     return KnownOf(instantiation.production).positives[condition].follows;
   }
 
-  /// How the first place of a class comes by its identity.
+  /// How the first field of a class gets its identity.
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
-  /// How many classes of conditions have an identity that is the firing's own. Of a firing that has copied nothing.
+  /// The number of classes of conditions whose identity is the firing's own. The firing must not have copied objects.
   std::uint32_t CountIdentities(InstantiationId firing);
 
-  /// The firing copied objects. To learning, the copy is the original: what is said of it is said of that.
+  /// The firing copied objects. Learning treats a copy like its original.
   void NoteCopied(InstantiationId firing, std::span<const RuleContext::Copied> copied);
   void ForgetCopied(InstantiationId firing);
 
-  /// A comparison of a learned rule that was turned round when the rule was put in order.
+  /// A comparison of a learned rule whose sides were swapped when its conditions were reordered.
   struct TurnedTest {
     std::uint16_t condition = 0;
     Field field = Field::kValue;
     TestKind kind = TestKind::kBlank;
     Symbol referent;  ///< A variable of the rule.
   };
-  /// The firing is a learned rule's own instance. To what is learned from it in turn, such a comparison has kept the
-  /// identity of its old referent, which is now the value tested: it compares that with itself. So it is in Soar 9.6.3.
+  /// The firing is a learned rule's own instance. When something is learned from it in turn, a swapped comparison still
+  /// has the identity of its old referent, which is now the tested value: it compares the value with itself. Soar 9.6.3
+  /// behaves so, too.
   void NoteTurned(InstantiationId firing, const std::vector<TurnedTest>& tests);
   void ForgetTurned(InstantiationId firing);
   bool IsTurned(InstantiationId firing, std::uint16_t condition, Field field, const Test& test) const;
 
-  /// Until the next call, what is known of a rule is not compared with the rule again: as long as a firing of it is
-  /// looked at, no other rule takes its number.
+  /// Until the next call, cached data of a rule are not compared with the rule again: while one of its firings is
+  /// analysed, no other rule gets its number.
   void BeginAnalysis() { ++analysis_; }
-  /// Plans that are not a rule's are kept until then.
+  /// Frees the plans of this analysis, except those of rules.
   void EndAnalysis() {
     ++analysis_;
     without_rule_.clear();
@@ -144,13 +147,13 @@ class FiringReader {
  private:
   static constexpr std::uint32_t kSuperstateKey = 0xFFFFFFF0u, kItemKey = 0xFFFFFFF1u, kSymbolKey = 0xFFFFFFF2u;
   IdentityPlan PlanOfArchitecture(InstantiationId firing) const;
-  /// The rule's, and behind it what the firing copied.
+  /// The rule's plan, followed by the classes of what the firing copied.
   [[gnu::noinline]] IdentityPlan PlanWithCopied(InstantiationId firing);
   [[gnu::noinline]] Term TermOfCopier(const Preference& preference, Part part);
   [[gnu::noinline]] const IdentityPlan& UncommonPlan(InstantiationId firing);
-  /// Whether IsOfSuperstateLink need be asked.
+  /// Whether IsOfSuperstateLink needs to be called.
   bool MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class);
-  /// Which parts of the action that made a preference give an identity: bit n for part n.
+  /// Which fields of the action that created a preference have an identity: bit n for field n.
   std::uint8_t GivenBy(PreferenceId preference);
 
   Uses uses_;
@@ -158,12 +161,12 @@ class FiringReader {
     ProductionPtr rule;
     std::unique_ptr<IdentityPlan> plan;
     std::vector<Tested> positives;
-    bool carries_tests = false;                      ///< One of them does.
-    std::vector<std::uint16_t> may_test_superstate;  ///< Those that may match the superstate link.
-    std::vector<std::uint16_t> link_classes;         ///< The classes of the identifiers and values of these.
-    std::vector<Term> terms;                         ///< What its actions say, four for each.
-    std::vector<std::uint8_t> given;                 ///< For each action: bit n if part n has a class.
-    std::uint32_t analysis = 0;                      ///< The last one that looked at the rule.
+    bool carries_tests = false;                      ///< At least one of them carries tests.
+    std::vector<std::uint16_t> may_test_superstate;  ///< Conditions that may match the superstate link.
+    std::vector<std::uint16_t> link_classes;         ///< The classes of their identifiers and values.
+    std::vector<Term> terms;                         ///< The terms of its actions, four per action.
+    std::vector<std::uint8_t> given;                 ///< Per action: bit n if field n has a class.
+    std::uint32_t analysis = 0;                      ///< The last analysis that used this record.
   };
   const Known& KnownOf(ProductionId production) {
     const std::uint32_t index = Index(production);
@@ -174,14 +177,14 @@ class FiringReader {
   [[gnu::noinline]] const Known& LookAt(ProductionId production);
   static std::uint16_t ClassOf(const RhsValue& value, const IdentityPlan& plan);
   static Term TermOf(const RhsValue& value, const IdentityPlan& plan);
-  /// Of what no action of a rule made.
+  /// The term of a preference that no action of a rule created.
   [[gnu::noinline]] Term UncommonTermOf(const Preference& preference, std::size_t place, Part part);
 
-  std::vector<Known> rules_;  ///< By ProductionId; of rules that learning has looked at.
+  std::vector<Known> rules_;  ///< By ProductionId, for rules that learning has used.
   std::uint32_t analysis_ = 1;
   std::vector<std::pair<InstantiationId, std::unique_ptr<IdentityPlan>>> without_rule_;
   std::unordered_map<std::uint32_t, std::vector<std::pair<Symbol, Symbol>>> copied_;  ///< By serial: copy, original.
-  std::unordered_map<std::uint32_t, std::vector<TurnedTest>> turned_;                 ///< By serial.
+  std::unordered_map<std::uint32_t, std::vector<TurnedTest>> turned_;                 ///< By serial number.
 };
 
 }  // namespace soarbox::kernel

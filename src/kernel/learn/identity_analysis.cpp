@@ -97,7 +97,8 @@ void IdentityAnalysis::LiteralizeMarked(InstantiationId firing, std::size_t cond
 }
 
 void IdentityAnalysis::LiteralizeArguments(const RhsValue& function, InstantiationId firing, InstantiationId tester) {
-  // What a function shields, concat for one, stays as general as it is: over-general, but that is how Soar has it.
+  // Arguments of functions that do not literalize, such as concat, stay variables. This is over-general, but equals
+  // Soar.
   if (!BuiltinFunctions()[function.function_index()].literalizes) return;
   for (const RhsValue& argument : function.arguments()) {
     if (argument.kind == RhsValueKind::kFunction) {
@@ -123,7 +124,7 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
     switch (made.kind) {
       case Said::Kind::kClass:
       case Said::Kind::kSymbol:
-        if ((follows >> static_cast<unsigned>(field) & 1u) != 0) break;  // They are one from the beginning.
+        if ((follows >> static_cast<unsigned>(field) & 1u) != 0) break;  // They were one identity from the beginning.
         if (tests_constant) {
           Literalize(link.firing, OfTerm(made, maker), JoinReason::kConstantTested);
         } else {

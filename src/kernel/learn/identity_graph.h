@@ -6,9 +6,9 @@
 
 namespace soarbox::kernel {
 
-/// Which places of the rules behind a result have the same value of necessity, and which have a value that some rule
-/// names literally. An identity is a name, not an object: the number of a firing and a class of fields of its rule.
-/// Lives for the analysis of one result.
+/// A union-find structure of identities. Identities are in one set if the fields that they belong to must have the same
+/// value. A set is literal if a rule mentions its value as a constant. An identity is a key, not an object: the number
+/// of a firing and a class of fields of its rule. Used for the analysis of one result.
 class IdentityGraph {
  public:
   using Node = std::uint32_t;
@@ -21,9 +21,9 @@ class IdentityGraph {
 
   void Clear();
   Node Of(Key key);
-  /// The node that stands for the whole set.
+  /// The representative of the node's set.
   Node Root(Node node) const;
-  /// The name of the larger set stays; that of `b` if they are equally large.
+  /// Merges two sets. The representative of the larger set is kept; that of `b` if they have the same size.
   void Join(Node a, Node b);
   void Literalize(Node node) { records_[Root(node)].literal = true; }
   bool literal(Node node) const { return records_[Root(node)].literal; }
@@ -40,8 +40,8 @@ class IdentityGraph {
   };
   std::uint32_t Slot(const Key& key) const;
 
-  mutable std::vector<Record> records_;  ///< Paths are shortened by looking.
-  std::vector<Node> slots_;              ///< By hash; a power of two.
+  mutable std::vector<Record> records_;  ///< Lookups shorten paths, thus mutable.
+  std::vector<Node> slots_;              ///< A hash table whose size is a power of two.
   std::uint32_t joins_ = 0;
 };
 

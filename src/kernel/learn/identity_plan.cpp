@@ -17,10 +17,10 @@ std::uint16_t IdentityPlan::ClassOf(Symbol variable) const {
 
 namespace {
 
-/// The classes of variables while a plan is made. Learned rules have many.
+/// Maps variables to classes while a plan is built. Learned rules have many variables.
 class ClassTable {
  public:
-  /// The class of a variable: the one that it has, or else `next`, which it has from now on.
+  /// Returns the class of a variable; a new variable gets the class `next`.
   std::uint16_t FindOrAdd(Symbol variable, std::uint16_t next) {
     if (2 * (used_ + 1) > slots_.size()) Grow();
     Entry& entry = Find(variable);
@@ -50,7 +50,7 @@ class ClassTable {
     }
   }
 
-  std::vector<Entry> slots_;  ///< By hash; a power of two.
+  std::vector<Entry> slots_;  ///< A hash table whose size is a power of two.
   std::size_t used_ = 0;
 };
 

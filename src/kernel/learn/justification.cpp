@@ -37,10 +37,10 @@ ValueDraft Constant(Symbol symbol) {
 
 }  // namespace
 
-// The justification ---------------------------------------------------------------------------------------------------
+// Support -------------------------------------------------------------------------------------------------------------
 
-/// Whether the actions of the rule that fired last propose an operator to a state. As in Soar 9.6.3 that is not asked
-/// of a rule whose last condition is a negated one.
+/// Whether the actions of the rule that fired last propose an operator for a state. As in Soar 9.6.3, false for rules
+/// whose last condition is negated.
 bool Justifier::Proposes(InstantiationId base) const {
   const WorkingMemory& memory = uses_.memory;
   const Instantiation& instantiation = uses_.instantiations[base];
@@ -104,14 +104,14 @@ std::uint32_t Justifier::NewRecord() {
   return index;
 }
 
-// The justification ---------------------------------------------------------------------------------------------------
+// Creating justifications ---------------------------------------------------------------------------------------------
 
 InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_level, Making making) {
   const std::uint32_t digest = Digest(explanation);
   std::uint32_t original = OriginalOf(explanation, digest);
   if (original != Instantiation::kNoJustification && uses_.settings.like != SoarVersion::k963 &&
       uses_.instantiations[records_[original].instantiation].o_support) {
-    // What it made may have been taken away since, by o-support alone: the new one makes it again.
+    // Its results may have been removed since, although it still matches: the new justification creates them again.
     Excise(original);
     CountDuplicate(explanation.base);
     original = Instantiation::kNoJustification;
@@ -127,7 +127,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   if (original != Instantiation::kNoJustification) {
     uses_.instantiations.SkipSerials(1);
     CountDuplicate(explanation.base);
-    // What nothing holds yet goes with the justification that is not made: these firings leave no preferences.
+    // Unused results are freed together with the discarded justification: these firings leave no preferences.
     for (const PreferenceId result : explanation.results) uses_.preferences.FreeIfUnused(result);
     return InstantiationId::kNone;
   }
@@ -190,7 +190,7 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   return id;
 }
 
-/// Clones of the results, one level up. The list is newest first, so the last result is made first.
+/// Creates clones of the results one level higher. The list is newest first, so the last result is cloned first.
 void Justifier::MakeClones(const Explanation& explanation, InstantiationId holder,
                            std::span<const std::uint16_t> actions, bool o_support) {
   WorkingMemory& memory = uses_.memory;
@@ -209,8 +209,9 @@ void Justifier::MakeClones(const Explanation& explanation, InstantiationId holde
   }
 }
 
-/// What tells when the justification no longer holds: the elements of a fixed match, or the literal rule if negated
-/// conditions matter. None if it does not hold even now: then only what is o-supported will be asserted.
+/// The match that ends when the justification is no longer valid: a fixed match of its elements or, if negated
+/// conditions matter, the match of a literal rule. None if it is invalid already: then only o-supported results will be
+/// asserted.
 MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level) {
   Record& record = records_[index];
   if (record.negations != nullptr) {
@@ -228,7 +229,7 @@ MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel go
   if (record.plan == nullptr) {
     return uses_.rete.AddFixedMatch(record.grounds, uses_.instantiations[id].goal, goal_level, id);
   }
-  // Two conditions may have tested one element.
+  // Two conditions may have tested the same element.
   std::vector<WmeId> elements;
   for (const WmeId ground : record.grounds) {
     if (std::ranges::find(elements, ground) == elements.end()) elements.push_back(ground);
@@ -285,7 +286,7 @@ std::vector<std::uint32_t> Justifier::Live() const {
 
 std::string_view Justifier::Name(std::uint32_t index) const {
   if (!records_[index].name.empty()) return records_[index].name;
-  // Room for all, so that the texts stay where they are.
+  // Reserves memory for all names, so that they do not move.
   if (names_.size() < records_.size()) names_.resize(records_.capacity());
   if (names_[index].empty()) names_[index] = NameOfNumber(records_[index].number);
   return names_[index];
@@ -293,7 +294,7 @@ std::string_view Justifier::Name(std::uint32_t index) const {
 
 namespace {
 
-/// A function of a justification with what its arguments were.
+/// A function of a justification with the values of its arguments.
 ValueDraft LiteralFunction(const RhsValue& function, std::span<const WmeId> grounds, const WorkingMemory& memory,
                            Arena& arena) {
   ValueDraft out;
@@ -323,7 +324,7 @@ ProductionPtr Justifier::AsRule(std::uint32_t index, bool shown) const {
   rule.name = Name(index);
   rule.type = ProductionType::kJustification;
   std::vector<Symbol> states;
-  // What its conditions ask beside holds for its elements, so only the text shows it.
+  // The other tests of its conditions are true for its elements, so only the text shows them.
   const auto add_tests = [&](std::size_t number, Field field, TestDraft& out) {
     TestDraft both = MakeTest(TestKind::kConjunction);
     for (const IdentityPlan::KeptTest& kept : record.tests) {

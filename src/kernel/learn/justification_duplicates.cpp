@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What says the same as a live justification is not made again; a rule that leads to many such in a decision makes no
-// more of them.
+// A justification with the same contents as a live one is not created. A rule that causes many duplicates in a decision
+// creates no more of them.
 #include <algorithm>
 #include <utility>
 

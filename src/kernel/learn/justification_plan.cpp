@@ -142,7 +142,7 @@ std::vector<IdentityPlan::KeptTest> JustificationPlanner::Tests(const Explanatio
     test.kind = kind;
     test.referent = referent;
     test.referent_class = ClassOf(node);
-    // An object that no condition names may go before the justification does.
+    // An object that is in no condition may be removed before the justification is.
     if (referent.IsIdentifier() && test.referent_class == IdentityPlan::kLiteral) return;
     test.disjuncts.assign(disjuncts.begin(), disjuncts.end());
     kept.push_back(std::move(test));
@@ -159,7 +159,7 @@ std::vector<IdentityPlan::KeptTest> JustificationPlanner::Tests(const Explanatio
       });
     }
   }
-  // Tests of local conditions go where the identity has its place.
+  // Tests of local conditions are assigned to the field where their identity first occurs.
   carried_.Collect(explanation, constraints_);
   const auto place_of = [&](IdentityGraph::Node node) -> std::pair<std::size_t, Field> {
     if (node == IdentityGraph::kNone || analysis_.graph().literal(node)) return {explanation.grounds.size(), {}};
@@ -188,7 +188,7 @@ std::vector<IdentityPlan::KeptTest> JustificationPlanner::Tests(const Explanatio
       ++placed;
     }
   }
-  // As in a learned rule, they stand before what the conditions ask themselves, the last one first.
+  // As in a learned rule, they come before the conditions' own tests, the last one first.
   std::rotate(kept.begin(), kept.begin() + of_conditions, kept.end());
   std::reverse(kept.begin(), kept.end() - of_conditions);
   if (counts) {

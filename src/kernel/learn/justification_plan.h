@@ -17,11 +17,12 @@ namespace soarbox::kernel {
 
 struct LearnStatistics;
 
-/// What a justification keeps of the reasoning that it stands for, so that what is learned above it is as general as
-/// if it had been learned from that reasoning. Plan comes first; the others use what it found.
+/// Extracts the data on the reasoning for a justification that learning at higher levels needs. With these data, rules
+/// learned from the justification are as general as rules learned from the reasoning itself. Call Plan first; the other
+/// functions use its results.
 class JustificationPlanner {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const InstantiationTable& instantiations;
@@ -30,21 +31,21 @@ class JustificationPlanner {
   JustificationPlanner(const Uses& uses, FiringReader& reader, IdentityAnalysis& analysis, CarriedTests& carried)
       : uses_(uses), reader_(reader), analysis_(analysis), carried_(carried) {}
 
-  /// Its identity sets as classes: the class of each field of the conditions, and of the actions.
+  /// The identity sets as classes: those of each field of the conditions, and of the actions.
   IdentityPlan Plan(const Explanation& explanation);
-  /// What its conditions test beside equality. `counts`: its tests are new to the statistics.
+  /// The tests, other than equality, of its conditions. `counts`: add the tests to the statistics.
   std::vector<IdentityPlan::KeptTest> Tests(const Explanation& explanation, bool counts);
-  /// For each negated condition, the classes of what its tests name, in the order of ForEachTest.
+  /// Per negated condition, the classes of its referents, in the order of ForEachTest.
   std::vector<std::vector<std::uint16_t>> NegatedClasses(const Explanation& explanation);
-  /// What its results are computed by, as actions of a rule; none if none is.
+  /// The functions that compute its results, as actions of a rule; none if there are none.
   ProductionPtr Functions(const Explanation& explanation, const IdentityPlan& plan);
 
  private:
-  /// A function of a firing's rule, over the conditions of the justification.
+  /// Converts a function of a firing's rule so that it refers to the conditions of the justification.
   ValueDraft MoveFunction(const RhsValue& function, InstantiationId firing, const IdentityPlan& plan);
-  /// The class of an identity; kLiteral if it stands for a constant or if no condition or result has it.
+  /// The class of an identity; kLiteral if it was literalized or if no condition or result has it.
   std::uint16_t ClassOf(IdentityGraph::Node node) const;
-  /// The same, but it gets the class `next` if it has none (second: true).
+  /// Like ClassOf, but an identity without a class gets the class `next`, and `second` is true.
   std::pair<std::uint16_t, bool> Classify(IdentityGraph::Node node, std::uint16_t next);
 
   Uses uses_;
@@ -52,7 +53,7 @@ class JustificationPlanner {
   IdentityAnalysis& analysis_;
   CarriedTests& carried_;
   Arena arena_;
-  std::unordered_map<IdentityGraph::Node, std::uint16_t> class_of_;  ///< By root.
+  std::unordered_map<IdentityGraph::Node, std::uint16_t> class_of_;  ///< By representative of the identity set.
   std::vector<CarriedTest> constraints_;
 };
 

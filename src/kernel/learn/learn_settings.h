@@ -10,37 +10,37 @@
 
 namespace soarbox::kernel {
 
-/// In which states rules are learned.
+/// The states in which rules are learned.
 enum class LearnMode : std::uint8_t {
   kNever,
   kAlways,
-  kOnly,    ///< In states that (force-learn <s>) names.
-  kExcept,  ///< In all but those that (dont-learn <s>) names.
+  kOnly,    ///< Only states named by (force-learn <s>).
+  kExcept,  ///< All states except those named by (dont-learn <s>).
 };
 
-/// What `chunk` sets. Changes hold from the next firing on.
+/// The settings of `chunk`. Changes take effect at the next firing.
 struct LearnSettings {
   LearnMode mode = LearnMode::kNever;
-  bool bottom_only = false;          ///< Learn in the lowest state only.
+  bool bottom_only = false;          ///< Learn only in the lowest state.
   bool numbered_names = false;       ///< chunk7 instead of chunk*RULE*t3-1.
-  std::uint32_t max_chunks = 50;     ///< Rules learned in one decision cycle.
-  std::uint32_t max_duplicates = 3;  ///< Of one rule in one decision cycle.
-  bool interrupt = false;            ///< Stop the run after learning a rule.
-  bool explain_interrupt = false;    ///< The same, for rules that are recorded.
-  bool warning_interrupt = false;    ///< Stop the run after a rule that had to be repaired or could not be.
-  bool automatic_singletons = true;  ///< Every attribute that is a string counts as a singleton.
+  std::uint32_t max_chunks = 50;     ///< Maximum number of rules learned in one decision cycle.
+  std::uint32_t max_duplicates = 3;  ///< Maximum number of duplicates of one rule in one decision cycle.
+  bool interrupt = false;            ///< Interrupt the run after a rule was learned.
+  bool explain_interrupt = false;    ///< Interrupt the run after a rule with a recorded explanation was learned.
+  bool warning_interrupt = false;    ///< Interrupt the run after a rule was repaired or could not be repaired.
+  bool automatic_singletons = true;  ///< Treat every string attribute as a singleton.
   bool add_ltm_links = false;
-  bool add_selection_knowledge = true;  ///< Rules rest on what made their operators better than others.
-  bool allow_local_negations = true;    ///< ... on what was absent in the substate.
-  bool allow_opaque = true;             ///< ... on what long-term memory recalled.
+  bool add_selection_knowledge = true;  ///< Rules depend on the preferences that selected their operators.
+  bool allow_local_negations = true;    ///< Rules may depend on the absence of local elements.
+  bool allow_opaque = true;             ///< Rules may depend on results of long-term memory.
 
   bool learning() const { return mode != LearnMode::kNever; }
 };
 
-/// Counted since the agent was made or initialized (`chunk stats`).
+/// Counters of `chunk stats`, since the agent was created or initialized.
 struct LearnStatistics {
   std::uint64_t chunks = 0, justifications = 0;
-  std::uint64_t analyzed = 0;  ///< Firings with results, whatever became of them.
+  std::uint64_t analyzed = 0;  ///< Number of firings with results, including those from which nothing was learned.
   std::uint64_t backtraced = 0;
   std::uint64_t merged_conditions = 0, merged_disjunctions = 0;
   std::uint64_t operational_constraints = 0, constraints_found = 0, constraints_placed = 0;
@@ -53,10 +53,10 @@ struct LearnStatistics {
   std::uint64_t unrepairable = 0, did_not_match = 0;
 };
 
-/// The rules that were learned and not excised, and the rule that most of them come from.
+/// The number of learned rules that are not excised, and the rule that most of them were learned from.
 struct LearnedRules {
   std::size_t count = 0;
-  std::string source;  ///< Of equals the first by name.
+  std::string source;  ///< If several rules are equal, the first by name.
   std::size_t of_source = 0;
 };
 

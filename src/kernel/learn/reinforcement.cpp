@@ -75,7 +75,7 @@ void Reinforcement::Forget(GoalRecord& record) {
 ProductionId Reinforcement::LearningRuleOf(PreferenceId preference) const {
   const Instantiation& maker = uses_.instantiations[uses_.memory.preference(preference).instantiation];
   if (maker.production == ProductionId::kNone || maker.justification != kNoJustification) return ProductionId::kNone;
-  // (A rule that has just been excised may still have matches.)
+  // (A rule that was just excised may still have matches.)
   if (!uses_.productions[Index(maker.production)].Is(ProductionRecord::kLive)) return ProductionId::kNone;
   return uses_.rete.production(maker.production)->is_rl ? maker.production : ProductionId::kNone;
 }
@@ -110,7 +110,7 @@ void Reinforcement::OperatorChosen(GoalLevel level, std::span<const Candidate> c
   Future next = Judge(goal, winner.value);
   chosen_ratio_ = 1;
   if (candidates.size() > 1 && IsOffPolicy(settings_.policy)) {
-    // What would have been best counts, whatever was chosen.
+    // The best candidate counts, whichever one was selected.
     const Candidate* best = &candidates.front();
     double highest = NumericValue(*best, uses_.exploration);
     std::uint32_t ties = 0;
@@ -226,7 +226,7 @@ void Reinforcement::AfterInit() {
   statistics_ = RlStatistics();
 }
 
-// Rules that nobody uses ----------------------------------------------------------------------------------------------
+// Removing unused rules -----------------------------------------------------------------------------------------------
 
 bool Reinforcement::IsUnused(ProductionId rule) const {
   const Production& production = *uses_.rete.production(rule);
@@ -333,7 +333,8 @@ void Reinforcement::AdvanceTraces(GoalRecord& record, double discount, bool has_
   if (HasCorrection(settings_.policy)) {
     for (Trace& trace : record.traces) trace.weight *= record.ratio;
   }
-  // A choice that is still being worked out in a substate has not ended: it counts as updated, but does not move.
+  // While an operator is being implemented in a substate, its decision has not ended. The rules count as updated, but
+  // their numbers do not change.
   const double share = has_substate ? 0 : 1.0 / static_cast<double>(record.previous.size());
   for (const ProductionId rule : record.previous) {
     const auto at = std::ranges::lower_bound(record.traces, rule, {}, &Trace::rule);
@@ -395,7 +396,8 @@ void Reinforcement::CorrectGradient(const Goal& goal, const GoalRecord& record, 
   }
 }
 
-// As in Soar 9.6.3 all of them get the number of the rule that moved last. Slots are not decided anew.
+// As in Soar 9.6.3, all of these preferences get the number of the rule that was updated last. Slots are not decided
+// again.
 void Reinforcement::ShowInPreferences(Symbol shown) {
   WorkingMemory& memory = uses_.memory;
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {

@@ -33,22 +33,23 @@ class RuleChanges;
 class SymbolTable;
 class WorkingMemory;
 
-/// What `rl --stats` shows.
+/// The statistics of `rl --stats`.
 struct RlStatistics {
-  double reward = 0;        ///< Of the last decision that collected any.
+  double reward = 0;        ///< The reward of the last decision that collected any.
   double total_reward = 0;  ///< Since init-soar.
 };
 
-/// Reinforcement learning: moves the numbers of rules whose only action is a numeric preference for an operator.
+/// Reinforcement learning: updates the numbers of rules whose only action is a numeric preference for an operator.
 ///
-/// When an operator is chosen in a goal, the reward of all goals is collected, and the rules that spoke for the
-/// goal's previous operator move towards reward plus the discounted value of the new one. Then the rules that speak for
-/// the new one are noted. Reward is what (reward-link ^reward.value) says: numbers, all summed.
+/// When an operator is selected in a goal, the rewards of all goals are collected. The rules that supported the goal's
+/// previous operator are updated towards the reward plus the discounted value of the new operator. Then the rules that
+/// support the new operator are stored for the next update. The reward is the sum of the numbers at (reward-link
+/// ^reward.value).
 ///
-/// Belongs to one agent; shared rules and networks are only read.
+/// Each agent has its own. Shared rules and networks are only read.
 class Reinforcement final : public Module {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     Agent& agent;
     SymbolTable& symbols;
@@ -69,7 +70,7 @@ class Reinforcement final : public Module {
 
   bool learning() const { return settings_.learning; }
   const RlSettings& settings() const { return settings_; }
-  /// Switching learning off forgets what was noted for the next update; values stay.
+  /// Disabling learning discards the data for the next update; learned values stay.
   void Set(const RlSettings& settings);
 
   RlValues& values() { return values_; }
@@ -79,46 +80,46 @@ class Reinforcement final : public Module {
   RlTemplates& templates() { return templates_; }
   const Apoptosis& apoptosis() const { return apoptosis_; }
 
-  // Module. While learning is on:
+  // Module. Called while learning is on:
   void OperatorChosen(GoalLevel level, std::span<const Candidate> candidates, const Candidate& winner) override;
   void OperatorInstalled(GoalLevel level, Symbol op) override;
-  /// Nothing follows in a substate that goes, so only its reward counts.
+  /// A substate is removed: its last update uses only the reward, because no decision follows.
   void StateEnds(GoalLevel level) override;
-  /// The episode ends in all goals.
+  /// Ends the episode in all goals.
   void Halted() override;
-  // While apoptosis is on:
+  // Called while apoptosis is on:
   void MatchEnded(ProductionId rule) override;
-  /// Learned rules that nobody uses go.
+  /// Removes learned rules that are not used.
   void OutputEnd() override;
-  // Always:
+  // Called always:
   void RuleAdded(ProductionId rule, const Production& production) override;
   void RuleExcised(ProductionId rule) override;
-  /// Goals are forgotten, values stay.
+  /// Discards the data of goals; learned values stay.
   void AfterInit() override;
   void Mark(const std::function<void(Symbol)>& mark) override;
 
  private:
-  /// How much a rule shares in the next update.
+  /// The eligibility of a rule: its share in the next update.
   struct Trace {
     ProductionId rule;
     double weight;
   };
-  /// What learning keeps for a goal.
+  /// The data of a goal.
   struct GoalRecord {
-    std::vector<ProductionId> previous;  ///< Rules that spoke for the last operator: one entry for each match.
+    std::vector<ProductionId> previous;  ///< Rules that supported the last operator: one entry per match.
     std::vector<Trace> traces;           ///< By rule.
-    double reward = 0;                   ///< Collected since the last update.
-    double ratio = 1;                    ///< Chance of the last choice when greedy, by its chance as explored.
-    std::uint32_t gap = 0;               ///< Decisions without such rules since the last update.
-    std::uint32_t held = 0;              ///< Decisions below while this goal waited (hrl_discount).
+    double reward = 0;                   ///< The reward collected since the last update.
+    double ratio = 1;  ///< Probability of the last selection under the greedy policy divided by that under exploration.
+    std::uint32_t gap = 0;   ///< Number of decisions without learning rules since the last update.
+    std::uint32_t held = 0;  ///< Number of decisions below this goal while it waited (hrl_discount).
   };
-  /// What follows an operator, as an update sees it.
+  /// The future of an operator, as an update needs it.
   struct Future {
-    double value = 0;        ///< Of the next operator; 0 if there is none.
-    bool from_rules = true;  ///< A rule speaks for that operator: a gap ends.
-    bool expected = true;    ///< False where nothing can follow: the expected part is left as it is.
+    double value = 0;        ///< Value of the next operator; 0 if there is none.
+    bool from_rules = true;  ///< A learning rule supports that operator: a gap ends.
+    bool expected = true;    ///< False if nothing can follow: the expected part is not updated.
   };
-  /// How much one update moves every rule that has a trace, by the weight of that.
+  /// The step size of one update, by the weight of a rule's trace.
   struct Step {
     double current_error = 0, future_error = 0, error = 0;
     bool expected = true;
@@ -128,20 +129,20 @@ class Reinforcement final : public Module {
   void Collect(GoalLevel level);
   double RewardOf(Symbol reward_link) const;
   void Update(GoalLevel level, const Future& future);
-  /// Lets old traces fade and adds the rules to be updated.
+  /// Decays old traces and adds the rules to be updated.
   void AdvanceTraces(GoalRecord& record, double discount, bool has_substate);
   void Move(const Trace& trace, const Step& step, Symbol& shown);
   double RateOf(RlValue& value, double error) const;
   void CorrectGradient(const Goal& goal, const GoalRecord& record, double trace_product, double previous_product);
-  /// Gives the preferences of the rules that moved in this update their number.
+  /// Sets the updated numbers in the preferences of the rules changed by this update.
   void ShowInPreferences(Symbol shown);
-  /// The value of a candidate as the sum or mean of its numbers, and whether a learning rule gave one of them.
+  /// The value of a candidate, as the sum or mean of its numbers, and whether one of them is from a learning rule.
   Future Judge(const Goal& goal, Symbol value) const;
-  /// The rule of this kind that made a preference, or kNone.
+  /// The learning rule that created a preference, or kNone.
   ProductionId LearningRuleOf(PreferenceId preference) const;
   void Forget(GoalRecord& record);
   void ForgetPrevious(GoalRecord& record);
-  /// Whether apoptosis may take a rule, as far as learning goes.
+  /// Whether apoptosis may remove a rule, as far as its learned value is concerned.
   bool IsUnused(ProductionId rule) const;
   void KeepChoice(const Goal& goal, std::span<const Candidate> candidates, const Candidate& winner);
   void Note(GoalRecord& record, ProductionId rule);
@@ -154,8 +155,8 @@ class Reinforcement final : public Module {
   RlTemplates templates_;
   Apoptosis apoptosis_;
   std::vector<GoalRecord> goals_;  ///< By level, from 1.
-  double chosen_ratio_ = 1;        ///< Of the operator that is about to be installed.
-  std::uint32_t update_ = 0;       ///< Counts updates, to mark the rules that one moves.
+  double chosen_ratio_ = 1;        ///< For the operator that is about to be installed.
+  std::uint32_t update_ = 0;       ///< Number of updates; marks the rules that one update changes.
 };
 
 }  // namespace soarbox::kernel

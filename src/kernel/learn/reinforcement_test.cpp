@@ -123,7 +123,7 @@ TEST_F(ReinforcementTest, AThousandAgentsWithTheSameRulesLearnEachForThemselves)
   for (int n = 0; n < kAgents; ++n) {
     const double first = 0.5 + 0.3 * (n - 0.5);
     EXPECT_DOUBLE_EQ(Number(*agents[static_cast<std::size_t>(n)], "learner"), first + 0.3 * (n - first));
-    if (n == 0) continue;  // The first one made what the others share.
+    if (n == 0) continue;  // The first agent creates the data that the others share.
     EXPECT_EQ(agents[static_cast<std::size_t>(n)]->rete().network().get(), shared) << n;
   }
   EXPECT_EQ(agents.front()->production(agents.front()->FindProduction("learner")).actions.front().referent.symbol(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What to do when a learned rule tests objects that no state leads to: the substate reached them by links of its own.
+// Repairs learned rules that test objects to which no state is connected, because the substate reached them by its own
+// links.
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +25,7 @@ bool HasStateTest(const TestDraft& test) {
 
 }  // namespace
 
-/// Of the conditions the first are those that were made, in their order; the others are negated.
+/// The first conditions are the positive ones in order of creation; the others are negated.
 std::vector<Symbol> RuleBuilder::Unconnected(const DraftList<ConditionDraft>& conditions,
                                              const VariableIndex& variables) const {
   constexpr std::uint8_t kConnected = 1, kIsValue = 2, kHanging = 4;
@@ -86,7 +87,7 @@ bool RuleBuilder::ActionsAreGrounded() const {
   return std::ranges::all_of(actions_, [&](const ActionDraft* action) { return Contains(known, action->id.symbol); });
 }
 
-/// Depth first, in the order in which elements are listed, each object once.
+/// Depth-first search in the order in which elements are listed; visits each object once.
 bool RuleBuilder::FindPath(Symbol from, Symbol to, std::vector<WmeId>& path) {
   struct Open {
     std::vector<WmeId> elements;
@@ -171,7 +172,7 @@ bool RuleBuilder::Repair(GoalLevel results_level) {
       if (!tested) add(variable);
     }
   }
-  // What only the result itself makes hangs on what the others lead to.
+  // Objects that only the result creates need no path, because the other objects lead to them.
   if (targets.empty()) return false;
   for (std::size_t n = 0; n < targets.size(); ++n) {
     const auto& [variable, identifier] = targets[n];

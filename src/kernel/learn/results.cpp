@@ -21,7 +21,7 @@ bool ResultCollector::Collect(InstantiationId id, Explanation& out) {
        p = memory.preference(p).next_of_instantiation) {
     if (memory.level(memory.preference(p).id) >= out.level) continue;
     parts_.push_back({p, Symbol(), {}});
-    // Depth first, with a stack of our own: structures may be as long as memory is.
+    // Depth-first search with an explicit stack, because structures may be arbitrarily deep.
     while (!parts_.empty()) {
       const Part part = parts_.back();
       parts_.pop_back();
@@ -44,7 +44,7 @@ void ResultCollector::Add(PreferenceId preference, const Explanation::Child& fro
   if (from.parent != PreferenceId::kNone) out.children.push_back({preference, from.parent, from.by_referent});
   if (std::exchange(memory.mutable_preference(preference).seen, out.trace_number) == out.trace_number) return;
   const Preference& content = memory.preference(preference);
-  // A result that says the same as another one adds nothing.
+  // A result that equals another one adds nothing.
   if (std::ranges::any_of(out.results, [&](PreferenceId other) {
         const Preference& p = memory.preference(other);
         return p.id == content.id && p.attribute == content.attribute && p.value == content.value &&
@@ -57,8 +57,8 @@ void ResultCollector::Add(PreferenceId preference, const Explanation::Child& fro
   parts_.push_back({PreferenceId::kNone, content.value, {PreferenceId::kNone, preference, false}});
 }
 
-/// An object of the substate that becomes part of a result brings all it consists of: a state, too, which then hangs on
-/// nothing but what it is made of.
+/// An object of the substate that becomes part of a result is added with all its contents. The object may even be a
+/// state; then it is kept only by the preferences for its elements.
 void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out) {
   const WorkingMemory& memory = uses_.memory;
   if (!id.IsIdentifier() || memory.level(id) < out.level) return;
@@ -76,7 +76,7 @@ void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanat
         parts_.push_back({p, Symbol(), from});
       }
     }
-    // Newest first, whatever their level and type.
+    // Newest first, regardless of level and type.
     std::sort(parts_.begin() + static_cast<std::ptrdiff_t>(first_preference), parts_.end(),
               [&](const Part& a, const Part& b) {
                 return memory.preference(a.preference).stamp > memory.preference(b.preference).stamp;
@@ -86,7 +86,7 @@ void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanat
       parts_.push_back({PreferenceId::kNone, memory.wme(wme).value, {}});
     }
   }
-  // What the same firing says of it is not in its slots yet.
+  // Preferences of the same firing are not in their slots yet.
   for (PreferenceId p = uses_.instantiations[base].preferences; p != PreferenceId::kNone;
        p = memory.preference(p).next_of_instantiation) {
     if (memory.preference(p).id == id) parts_.push_back({p, Symbol(), from});
@@ -95,7 +95,7 @@ void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanat
 }
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-/// What is left out would lose its support with the substate.
+/// A missing preference would lose its support when the substate is removed.
 void ResultCollector::Check(const Explanation& explanation) const {
   const WorkingMemory& memory = uses_.memory;
   std::vector<Symbol> reached;

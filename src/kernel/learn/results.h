@@ -13,10 +13,10 @@ class InstantiationTable;
 class SymbolTable;
 class WorkingMemory;
 
-/// The first stage of learning: what a firing gave to higher states.
+/// The first stage of learning: finds the results that a firing created for higher states.
 class ResultCollector {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     WorkingMemory& memory;
     InstantiationTable& instantiations;
@@ -25,9 +25,9 @@ class ResultCollector {
   };
   explicit ResultCollector(const Uses& uses) : uses_(uses) {}
 
-  /// Fills in `results` and `children` of a firing; false if it gave nothing to a higher state.
+  /// Fills in `results` and `children` of a firing. Returns false if it created no result.
   bool Collect(InstantiationId firing, Explanation& out);
-  /// In builds that check themselves: aborts if something that the results reach is not one of them.
+  /// In builds that check invariants: aborts if something reachable from the results is missing in them.
   void Check(const Explanation& explanation) const;
   void Clear() { seen_identifiers_.clear(); }
 
@@ -36,7 +36,8 @@ class ResultCollector {
   void AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out);
 
   Uses uses_;
-  /// Still to be added: a preference, or else all that is said of an object; and the result that led there.
+  /// A task that remains: a preference to add, or an object whose preferences are to be added; and the result that led
+  /// to it.
   struct Part {
     PreferenceId preference = PreferenceId::kNone;
     Symbol object;

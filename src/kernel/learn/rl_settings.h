@@ -5,48 +5,48 @@
 
 namespace soarbox::kernel {
 
-/// Whose value stands for the future when a choice is judged.
+/// Which operator's value an update uses as the expected future.
 enum class RlPolicy : std::uint8_t {
-  kSarsa,             ///< The operator that was chosen.
-  kQLearning,         ///< The best candidate; traces end where the choice was not the best one.
-  kOnPolicyGqLambda,  ///< As kSarsa, with a second set of weights that corrects the gradient.
-  kOffPolicyGqLambda  ///< As kQLearning, with corrected gradient and importance ratios.
+  kSarsa,             ///< The selected operator.
+  kQLearning,         ///< The best candidate. Traces are cleared if the selected operator was not the best one.
+  kOnPolicyGqLambda,  ///< Like kSarsa, with a second set of weights that corrects the gradient.
+  kOffPolicyGqLambda  ///< Like kQLearning, with corrected gradient and importance ratios.
 };
 
-/// What becomes of the learning rate of a rule that is updated often.
+/// How the learning rate of a rule depends on its number of updates.
 enum class RlDecay : std::uint8_t {
   kNormal,        ///< Always `learning_rate`.
   kExponential,   ///< 1 / (updates + 1).
   kLogarithmic,   ///< 1 / (ln(updates + 1) + 1).
-  kDeltaBarDelta  ///< Each rule has a rate of its own, which is learned too.
+  kDeltaBarDelta  ///< Each rule has its own rate, which is learned, too.
 };
 
-/// Which learned rules are forgotten when they are not used.
+/// Which learned rules are removed if they are not used.
 enum class ApoptosisMode : std::uint8_t {
   kNone,
   kChunks,   ///< Rules of reinforcement learning that were never updated, and all other chunks.
-  kRlChunks  ///< Only the former.
+  kRlChunks  ///< Only rules of reinforcement learning that were never updated.
 };
 
-/// What `rl --set` sets. (`chunk-stop` is AgentSettings::ignore_numbers_of_duplicates.)
+/// The settings of `rl --set`. (`chunk-stop` is AgentSettings::ignore_numbers_of_duplicates.)
 struct RlSettings {
   bool learning = false;
-  bool temporal_extension = true;  ///< Decisions without such rules are a gap in an episode; else they end it.
-  bool temporal_discount = true;   ///< Each decision of a gap discounts once more.
-  bool hrl_discount = false;       ///< So does each decision in a substate.
-  bool meta = false;               ///< A rule's documentation says how often it was updated, and is read for it.
-  bool trace = false;              ///< Choices are kept as a graph (`rl --trace`).
+  bool temporal_extension = true;  ///< Decisions without learning rules are a gap in an episode; else they end it.
+  bool temporal_discount = true;   ///< The discount applies once per decision of a gap.
+  bool hrl_discount = false;       ///< The discount applies once per decision in a substate.
+  bool meta = false;  ///< A rule's documentation contains its number of updates, which is read when the rule is loaded.
+  bool trace = false;  ///< Choices are recorded as a graph (`rl --trace`).
   RlPolicy policy = RlPolicy::kSarsa;
   RlDecay decay = RlDecay::kNormal;
   ApoptosisMode apoptosis = ApoptosisMode::kNone;
   double discount_rate = 0.9;       ///< 0 to 1.
   double learning_rate = 0.3;       ///< 0 to 1.
-  double step_size = 1;             ///< Of the second weights, 0 to 1.
+  double step_size = 1;             ///< Step size of the second weights, 0 to 1.
   double trace_decay = 0;           ///< Eligibility traces: 0 (none) to 1.
-  double trace_tolerance = 0.001;   ///< Traces below are dropped.
-  double meta_learning_rate = 0.1;  ///< Of kDeltaBarDelta.
-  double apoptosis_decay = 0.5;     ///< How fast a rule's activation falls, 0 to 1.
-  double apoptosis_threshold = -2;  ///< The activation below which it is forgotten.
+  double trace_tolerance = 0.001;   ///< Traces below this value are dropped.
+  double meta_learning_rate = 0.1;  ///< For kDeltaBarDelta.
+  double apoptosis_decay = 0.5;     ///< Decay rate of a rule's activation, 0 to 1.
+  double apoptosis_threshold = -2;  ///< Rules with a lower activation are removed.
 };
 
 }  // namespace soarbox::kernel

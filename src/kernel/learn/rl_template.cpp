@@ -18,13 +18,13 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Puts a match's symbols in place of a template's variables.
+/// Replaces a template's variables by the symbols of a match.
 class Substitution {
  public:
   Substitution(SymbolTable& symbols, const WorkingMemory& memory, Arena& arena)
       : symbols_(symbols), memory_(memory), arena_(arena) {}
 
-  /// What a variable of the template stands for, from the positive conditions.
+  /// Binds variables in positive conditions to the values of the matched element.
   void Bind(const Condition& condition, const Wme& wme) {
     Bind(condition.id, wme.id);
     Bind(condition.attribute, wme.attribute);
@@ -50,14 +50,14 @@ class Substitution {
     return draft;
   }
 
-  /// A constant, for the rule to keep; for an identifier its variable.
+  /// For constants, the constant, which the rule must keep; for identifiers, their variable.
   Symbol TermOf(Symbol symbol) {
     if (symbol.IsIdentifier()) {
       const auto known = std::ranges::find(variables_, symbol, &Pair::first);
       if (known != variables_.end()) return known->second;
       return variables_.emplace_back(symbol, NewVariable(ToLower(symbols_.Letter(symbol)))).second;
     }
-    SymbolTable& symbols = symbols_;  // Interning pins what an element alone would not keep.
+    SymbolTable& symbols = symbols_;  // Interning pins symbols that only an element uses.
     if (symbol.IsFloat()) return symbols.Float(symbols.FloatValue(symbol));
     if (symbol.IsInteger()) return symbols.Integer(symbols.IntegerValue(symbol));
     return symbol.IsString() ? symbols.String(std::string(symbols.Text(symbol))) : symbol;
@@ -76,7 +76,7 @@ class Substitution {
     return symbols_.Variable("<" + std::string(1, letter) + std::to_string(number) + ">");
   }
 
-  /// One conjunction of both, however many parts each of them has.
+  /// One conjunction of both tests, each of which may be a conjunction.
   TestDraft And(const TestDraft& first, const TestDraft& second) {
     TestDraft both = MakeTest(TestKind::kConjunction);
     for (const TestDraft* test : {&first, &second}) {
@@ -114,7 +114,7 @@ class Substitution {
       if (bound != bindings_.end()) {
         test.referent = TermOf(bound->second);
       } else {
-        // One of the negation's own: it gets a name that no identifier has.
+        // A variable of the negation itself: it gets an unused name.
         auto own = std::ranges::find(own_, test.referent, &Pair::first);
         test.referent = own != own_.end() ? own->second : own_.emplace_back(test.referent, NewVariable('v')).second;
       }
@@ -125,10 +125,10 @@ class Substitution {
   SymbolTable& symbols_;
   const WorkingMemory& memory_;
   Arena& arena_;
-  std::vector<Pair> bindings_;   ///< Variables of the template and what they matched.
+  std::vector<Pair> bindings_;   ///< Variables of the template and their values.
   std::vector<Pair> variables_;  ///< Identifiers and their variables in the new rule.
-  std::vector<Pair> own_;        ///< Variables of negations, in the template and in the new rule.
-  std::vector<Symbol> goals_;    ///< Those that have been called states.
+  std::vector<Pair> own_;        ///< Variables of negations: in the template and in the new rule.
+  std::vector<Symbol> goals_;    ///< States that have a state test already.
   std::array<int, 26> counts_{};
 };
 

@@ -18,13 +18,13 @@ class RuleChanges;
 class SymbolTable;
 class WorkingMemory;
 
-/// Makes rules out of templates: for each match of a rule with :template one rule rl*NAME*n that has the matched
-/// constants in place of variables, and whose number is learned on its own. Identifiers stay variables. Of comparisons
-/// only `<>` between identifiers stays: all others hold for the constants. A rule that there is already is not made
-/// again.
+/// Builds rules from templates. For each match of a rule with :template, it adds one rule rl*NAME*n with the matched
+/// constants instead of variables. The number of each such rule is learned separately. Identifiers remain variables. Of
+/// all comparisons, only `<>` between identifiers is kept: the others are true for the constants. A rule that exists
+/// already is not added again.
 class RlTemplates {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     SymbolTable& symbols;
     const WorkingMemory& memory;
@@ -33,23 +33,23 @@ class RlTemplates {
   };
   explicit RlTemplates(const Uses& uses) : uses_(uses) {}
 
-  /// A template matched these elements, one for each positive condition, and its action gave this value. No rule is
-  /// made of a value that is no number. The new rule is matched at once.
+  /// A template matched these elements, one per positive condition, and its action computed `value`. If the value is
+  /// not a number, no rule is added. The new rule is matched immediately.
   void Instantiate(ProductionId source, const Production& rule, std::span<const WmeId> wmes, Symbol value);
-  /// A rule was loaded: one that is called rl*NAME*n, as saved ones are, makes the numbers go on behind it.
+  /// A rule was loaded. If its name is rl*NAME*n, as that of a saved rule, later numbers continue after n.
   void RuleAdded(std::string_view name);
   void RuleExcised(ProductionId rule);
 
  private:
-  /// What a match gives to its rule: the constants, and which identifiers are equal.
+  /// The properties of a match that determine its rule: the constants, and which identifiers are equal.
   using Pattern = std::vector<std::uint64_t>;
 
   Pattern PatternOf(ProductionId source, std::span<const WmeId> wmes) const;
   ProductionPtr Build(const Production& rule, std::span<const WmeId> wmes, Symbol value, std::string_view name) const;
 
   Uses uses_;
-  std::uint64_t next_ = 1;                ///< Of all templates together.
-  std::map<Pattern, ProductionId> made_;  ///< So that a template that fires again costs little.
+  std::uint64_t next_ = 1;                ///< Shared by all templates.
+  std::map<Pattern, ProductionId> made_;  ///< Avoids rebuilding the rule when a template fires again.
 };
 
 }  // namespace soarbox::kernel

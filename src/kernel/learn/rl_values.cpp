@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kUpdates = "rl-updates=";
 constexpr std::string_view kH = "delta-bar-delta-h=";
 
-/// The number behind a key, as far as the semicolon.
+/// The number after a key, up to the semicolon.
 std::optional<double> NumberAfter(std::string_view text, std::string_view key) {
   const std::size_t begin = text.find(key);
   if (begin == std::string_view::npos) return {};

@@ -14,50 +14,49 @@
 
 namespace soarbox::kernel {
 
-/// What an agent has learned of one rule whose only action is a numeric preference.
+/// The learned data of one rule whose only action is a numeric preference.
 struct RlValue {
   ProductionId rule = ProductionId::kNone;
-  Symbol value;                   ///< What its preferences say. Until the first update the number of its text.
-  double current = 0;             ///< The part of the value that is reward of the decision itself...
-  double future = 0;              ///< ... and the part that is expected of what follows.
-  double updates = 0;             ///< How often it was updated.
+  Symbol value;                   ///< The number in its preferences. Before the first update, the number in its text.
+  double current = 0;             ///< The part of the value that is the reward of the decision itself.
+  double future = 0;              ///< The part of the value that is the expected future reward.
+  double updates = 0;             ///< Number of updates.
   double correction = 0;          ///< The second weight of the gq-lambda policies.
-  double beta = -3;               ///< Delta-bar-delta: the logarithm of its learning rate...
-  double h = 0;                   ///< ... and a trace of its latest updates.
-  std::uint32_t previous_in = 0;  ///< How many entries of goals' lists of rules to be updated name it.
-  std::uint32_t mark = 0;         ///< The last update that moved it.
+  double beta = -3;               ///< Delta-bar-delta: the logarithm of its learning rate.
+  double h = 0;                   ///< Delta-bar-delta: a trace of its latest updates.
+  std::uint32_t previous_in = 0;  ///< Number of entries for it in goals' lists of rules to update.
+  std::uint32_t mark = 0;         ///< The last update that changed it.
 };
 
-/// The learned numbers of one agent. Rules are shared by agents and say what a value is in the beginning; a record is
-/// made when learning first has to do with a rule, and goes with the rule. Agents without reinforcement learning have
-/// none.
+/// The learned numbers of one agent. Shared rules contain the initial values. A record is created when learning first
+/// uses a rule, and is removed with the rule. Agents without reinforcement learning have no records.
 class RlValues {
  public:
   explicit RlValues(SymbolTable& symbols) : symbols_(symbols) {}
 
   bool empty() const { return rows_.empty(); }
-  /// Null if nothing has been learned of it.
+  /// Returns null if nothing has been learned for the rule.
   const RlValue* Find(ProductionId rule) const {
     return Index(rule) < row_of_.size() && row_of_[Index(rule)] != 0 ? &rows_[row_of_[Index(rule)] - 1] : nullptr;
   }
   RlValue* Find(ProductionId rule) { return const_cast<RlValue*>(std::as_const(*this).Find(rule)); }
-  /// The record of a rule that is_rl. Valid until the next call.
+  /// The record of a rule that is_rl; created if necessary. Valid until the next call.
   RlValue& Of(ProductionId rule, const Production& production);
-  /// The number that a preference of the rule gets; `text`: the one in the rule's text.
+  /// The number for a preference of the rule. `text` is the number in the rule's text.
   Symbol Number(ProductionId rule, Symbol text) const {
     const RlValue* const learned = Find(rule);
     return learned != nullptr ? learned->value : text;
   }
   void Forget(ProductionId rule);
 
-  /// What a rule's documentation says instead of that of its text; null if nothing.
+  /// The documentation that replaces the one in the rule's text; null if there is none.
   const std::string* DocumentationOf(ProductionId rule) const;
-  /// Lets the documentation tell updates and h (`rl --set meta on`).
+  /// Writes updates and h into the documentation (`rl --set meta on`).
   void Document(const RlValue& value);
-  /// Takes updates and h from the documentation of a rule that is loaded.
+  /// Reads updates and h from the documentation of a loaded rule.
   void ReadDocumentation(ProductionId rule, const Production& production);
 
-  /// The rule with what was learned of it, for printing and saving; `production` itself if that is nothing.
+  /// The rule with its learned data, for printing and saving; `production` itself if there are none.
   ProductionPtr AsLearned(ProductionId rule, const ProductionPtr& production) const;
 
   template <typename Visit>
@@ -69,8 +68,8 @@ class RlValues {
 
  private:
   SymbolTable& symbols_;
-  std::vector<std::uint32_t> row_of_;  ///< By ProductionId: its row and 1; 0 for none.
-  std::vector<RlValue> rows_;          ///< Free ones have no rule.
+  std::vector<std::uint32_t> row_of_;  ///< By ProductionId: its row plus 1; 0 for none.
+  std::vector<RlValue> rows_;          ///< Free rows have no rule.
   std::vector<std::uint32_t> free_;
   std::map<ProductionId, std::string> documentation_;
 };

@@ -130,7 +130,7 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
     }
     made_.push_back(made);
   }
-  // The tests refer to variables of other fields, so they come when all variables are known.
+  // The tests refer to variables of other fields, so they are added after all variables are known.
   for (const Made& made : made_) {
     const Explanation::Ground& ground = explanation.grounds[made.ground];
     if (ground.firing == InstantiationId::kNone) continue;
@@ -144,7 +144,7 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
   }
 }
 
-/// What else the rule that fired asked of the element, unless it has become a constant.
+/// Adds the other tests of the fired rule for this field, unless the field has become a constant.
 void RuleBuilder::AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
   if (ground.firing == InstantiationId::kNone) return;
   carried_.ForEach(ground.firing, ground.condition, field, [&](const CarriedTest& carried) {
@@ -189,12 +189,13 @@ void RuleBuilder::PlaceConstraints() {
   }
 }
 
-/// Where the tested value has its place in the learned rule, or else turned round where the other one has it.
+/// Adds the test to the first field of the tested identity or, if that is not possible, with swapped sides to that of
+/// the other one.
 bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
   TestDraft* const here = PlaceOf(constraint.tested);
   TestDraft* const there = PlaceOf(constraint.referent_node);
   if (here == nullptr && (there == nullptr || constraint.kind == TestKind::kDisjunction)) return false;
-  // An object of the substate says nothing above. As in Soar, the test counts all the same.
+  // An object of the substate has no meaning at higher levels. As in Soar, the test is counted nevertheless.
   if (here == nullptr || there == nullptr) {
     const Symbol other = here == nullptr ? constraint.value : constraint.referent;
     if (!carried_.IsKnownAbove(constraint.firing, other)) return true;
@@ -232,7 +233,7 @@ bool RuleBuilder::ComparesWithUnreached(const TestDraft& test, InstantiationId f
 }
 
 void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
-  // A comparison with an object of the substate says nothing above.
+  // A comparison with an object of the substate has no meaning at higher levels.
   if (ComparesWithUnreached(draft, firing)) {
     draft = MakeTest(TestKind::kBlank);
     return;
@@ -250,15 +251,15 @@ void RuleBuilder::VariablizeNegated(TestDraft& draft, InstantiationId firing) {
     const IdentityPlan& plan = reader_.Plan(firing);
     const std::uint16_t bound = plan.ClassOf(draft.referent);
     if (bound == IdentityPlan::kLiteral) {
-      // It is the condition's own.
+      // The variable occurs only in this condition.
       Symbol& own = own_variables_[draft.referent.bits()];
       if (!own) own = NewVariable(Symbol());
       draft.referent = own;
     } else {
       const Symbol value = ValueOfClass(plan, bound, uses_.instantiations.Trace(firing), uses_.memory);
       const IdentityGraph::Node node = analysis_.OfClass(firing, bound);
-      // (A constant without a place is what the architecture said of the substate. As in Soar it matches anything
-      // here.)
+      // (A constant without a field comes from an element of the architecture in the substate. As in Soar, it matches
+      // anything here.)
       draft.referent =
           PlaceOf(node) == nullptr && value.IsIdentifier() ? VariableOfIdentifier(value) : Meaning(node, value);
     }
@@ -286,7 +287,7 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
     own_variables_.clear();
     ConditionDraft* const draft =
         arena_.New(negation.source != nullptr ? ToDraft(*negation.source, arena_) : Copy(negation.literal, arena_));
-    // What a justification names by a constant may be what one of its conditions binds.
+    // A constant in a justification may represent a variable that one of its conditions binds.
     std::vector<std::pair<TestDraft*, std::uint16_t>> bound;
     if (!negation.classes.empty()) {
       std::size_t number = 0;
@@ -309,7 +310,7 @@ void RuleBuilder::MakeNegations(const Explanation& explanation) {
 
 void RuleBuilder::MergeConditions() {
   LearnStatistics& statistics = uses_.statistics;
-  // Most elements stand for one condition only.
+  // Most elements belong to one condition only.
   std::array<std::uint8_t, 256> seen{};
   const auto place = [](WmeId wme) { return Index(wme) % 256u; };
   for (const Made& made : made_) {
@@ -328,7 +329,7 @@ void RuleBuilder::MergeConditions() {
           EqualitySymbol(kept.value) != EqualitySymbol(other.value)) {
         continue;
       }
-      // (What else was asked of the object is not kept of the later one: so it is in Soar 9.6.3.)
+      // (Other tests of the later condition's identifier are dropped, as in Soar 9.6.3.)
       for (const Field field : {Field::kAttribute, Field::kValue}) {
         merged_disjunctions_ += UniteTests(FieldOf(kept, field), FieldOf(*made_[candidate].draft, field), arena_);
       }
@@ -341,7 +342,8 @@ void RuleBuilder::MergeConditions() {
   statistics.merged_disjunctions += merged_disjunctions_;
 }
 
-/// Each state whose elements the rule tests must be one. (Where one leads to the next, reordering drops the test.)
+/// Adds a state test for each state whose elements the rule tests. (If one state is linked to the next, reordering
+/// drops the test.)
 void RuleBuilder::AddStateTests() {
   std::vector<Symbol> states;
   for (const Made& made : made_) {
@@ -386,12 +388,13 @@ ValueDraft RuleBuilder::MakeTerm(PreferenceId result, Part part, Symbol symbol) 
   switch (term.kind) {
     case Said::Kind::kClass:
     case Said::Kind::kSymbol: {
-      // A constant that no condition tests is what the architecture said of the substate.
+      // A constant that no condition tests comes from an element of the architecture in the substate.
       const IdentityGraph::Node node = analysis_.OfTerm(term, firing);
       if (symbol.IsIdentifier() || PlaceOf(node) != nullptr) {
         out.symbol = Meaning(node, symbol);
       } else if (HasVariable(node)) {
-        // A negated condition has it, and its variables are its own: the action makes something new, as in Soar 9.6.3.
+        // The symbol is in a negated condition, whose variables are local: the action creates a new identifier, as in
+        // Soar 9.6.3.
         Symbol& made = variable_of_symbol_[symbol.bits()];
         if (!made) made = NewVariable(symbol);
         out.symbol = made;
@@ -415,7 +418,7 @@ ValueDraft RuleBuilder::MakeTerm(PreferenceId result, Part part, Symbol symbol) 
 }
 
 void RuleBuilder::MakeActions(const Explanation& explanation) {
-  // The list is newest first, so the last result is made first.
+  // The list is newest first, so the last result is built first.
   actions_.assign(explanation.results.size(), nullptr);
   for (std::size_t n = explanation.results.size(); n-- > 0;) {
     const PreferenceId result = explanation.results[n];
@@ -434,7 +437,7 @@ void RuleBuilder::MakeActions(const Explanation& explanation) {
 
 namespace {
 
-/// A rule's constants stay as long as the agent.
+/// Pins the constants of a rule for the lifetime of the agent.
 class Pinner {
  public:
   explicit Pinner(SymbolTable& symbols) : symbols_(symbols) {}
@@ -477,7 +480,7 @@ class Pinner {
 
   static constexpr unsigned kLatelyBits = 5;
   SymbolTable& symbols_;
-  std::array<Symbol, std::size_t{1} << kLatelyBits> lately_;  ///< Pinned: rules name few constants, again and again.
+  std::array<Symbol, std::size_t{1} << kLatelyBits> lately_;  ///< Pinned recently.
 };
 
 }  // namespace
@@ -487,7 +490,7 @@ bool RuleBuilder::Finish(std::string_view name) {
   RuleDraft rule;
   rule.name = name;
   rule.type = ProductionType::kChunk;
-  // Both lists are linked anew at each attempt, through copies of their items.
+  // Each attempt links copies of the conditions and actions into new lists.
   ConditionDraft* const copies_of_made = arena_.NewRoom<ConditionDraft>(made_.size());
   for (std::size_t n = 0; n < made_.size(); ++n) {
     rule.conditions.Add(new (copies_of_made + n) ConditionDraft(Copy(*made_[n].draft, arena_)));

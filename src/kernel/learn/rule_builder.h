@@ -29,11 +29,11 @@ class SymbolTable;
 class VariableIndex;
 class WorkingMemory;
 
-/// The fourth to sixth stages of learning: conditions and actions of the learned rule, made from what was tested and
-/// what it is known to mean.
+/// The fourth to sixth stages of learning: builds the conditions and actions of the learned rule from the grounds and
+/// their identities.
 class RuleBuilder {
  public:
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     SymbolTable& symbols;
     const WorkingMemory& memory;
@@ -47,26 +47,26 @@ class RuleBuilder {
       : uses_(uses), reader_(reader), analysis_(analysis), carried_(carried) {}
 
   enum class Outcome : std::uint8_t { kMade, kRepaired, kFailed };
-  /// Makes the rule of an explanation that has been analysed.
+  /// Builds the rule of an analysed explanation.
   Outcome Build(Explanation& explanation, std::string_view name, GoalLevel results_level);
 
-  // What was made; valid until the next call.
+  // The result of Build; valid until the next call.
   const ProductionPtr& rule() const { return rule_; }
-  /// The elements that the rule's positive conditions stand for, in its order.
+  /// The elements that the rule's positive conditions matched, in the order of the conditions.
   const std::vector<WmeId>& elements() const { return elements_; }
-  /// Which action makes each result.
+  /// The index of the action of each result.
   const std::vector<std::uint16_t>& action_of_result() const { return action_of_result_; }
-  /// Which ground each positive condition came from (its index in the explanation), or none if it was put in.
+  /// The index of the ground of each positive condition in the explanation; none for added conditions.
   const std::vector<std::uint32_t>& ground_of_condition() const { return ground_of_condition_; }
-  /// Which negation of the explanation each negated condition came from.
+  /// The index of the negation of each negated condition in the explanation.
   const std::vector<std::uint32_t>& negation_of_condition() const { return negation_of_condition_; }
-  /// The comparisons of its positive conditions that were turned round when it was put in order.
+  /// The comparisons in its positive conditions whose sides were swapped by reordering.
   const std::vector<FiringReader::TurnedTest>& turned_tests() const { return turned_tests_; }
   const std::vector<CarriedTest>& constraints() const { return constraints_; }
   std::uint32_t merged_conditions() const { return merged_conditions_; }
   std::uint32_t merged_disjunctions() const { return merged_disjunctions_; }
   std::uint32_t operational_constraints() const { return operational_constraints_; }
-  /// How the variable of an identity was called before the rule was finished; empty if it has none.
+  /// The name of an identity's variable before the rule was finished; empty if it has none.
   std::string VariableNameOf(IdentityGraph::Node node) const;
 
  private:
@@ -77,9 +77,9 @@ class RuleBuilder {
     std::array<IdentityGraph::Node, 3> nodes{IdentityGraph::kNone, IdentityGraph::kNone, IdentityGraph::kNone};
   };
   void MakeConditions(const Explanation& explanation);
-  /// The test of equality of a field: a variable, or the constant.
+  /// The symbol of a field's equality test: a variable or the constant.
   Symbol Meaning(IdentityGraph::Node node, Symbol value);
-  /// Some condition has the variable of the set already.
+  /// Returns true if a condition contains the variable of the set.
   bool HasVariable(IdentityGraph::Node node) const;
   void AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out);
   void PlaceConstraints();
@@ -96,12 +96,12 @@ class RuleBuilder {
   void MakeActions(const Explanation& explanation);
   ValueDraft MakeTerm(PreferenceId result, FiringReader::Part part, Symbol symbol);
   ValueDraft MakeFunction(const RhsValue& function, InstantiationId firing);
-  /// Conditions that lead from the state of the results' level to what hangs in the air.
+  /// Adds conditions that connect unconnected objects with the state of the results' level.
   bool Repair(GoalLevel results_level);
-  /// Variables that stand for identifiers which no state leads to.
+  /// Variables of identifiers that are not connected with a state.
   std::vector<Symbol> Unconnected(const DraftList<ConditionDraft>& conditions, const VariableIndex& variables) const;
   bool ActionsAreGrounded() const;
-  /// What a variable was made for, or none.
+  /// The identifier that a variable was created for, or none.
   Symbol IdentifierOf(Symbol variable) const;
   bool Finish(std::string_view name);
   Symbol NewVariable(Symbol of);
@@ -118,17 +118,17 @@ class RuleBuilder {
   std::vector<Made> made_;
   std::vector<ConditionDraft*> negated_;
   std::vector<CarriedTest> constraints_;
-  std::vector<Symbol> variable_of_;                                ///< By root; none: it has none yet.
-  std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;   ///< Of identifiers without an identity.
+  std::vector<Symbol> variable_of_;                                ///< By representative; none: it has no variable yet.
+  std::unordered_map<std::uint32_t, Symbol> variable_of_symbol_;   ///< For identifiers without an identity.
   std::vector<std::pair<Symbol, Symbol>> identifier_of_variable_;  ///< Variable, identifier.
-  std::unordered_map<std::uint32_t, Symbol> own_variables_;        ///< Of the negation at hand.
-  std::vector<Symbol> reached_;                                    ///< Objects that the grounds lead to.
-  std::vector<Symbol> hanging_;  ///< Variables that the last attempt found in the air.
+  std::unordered_map<std::uint32_t, Symbol> own_variables_;        ///< For the current negation.
+  std::vector<Symbol> reached_;                                    ///< Objects reachable from the grounds.
+  std::vector<Symbol> hanging_;                                    ///< Unconnected variables of the last attempt.
   std::vector<std::uint32_t> visited_;
   std::vector<ActionDraft*> actions_;
   std::array<std::uint32_t, 26> letters_{};
   std::uint32_t merged_conditions_ = 0, merged_disjunctions_ = 0, operational_constraints_ = 0;
-  // What was made.
+  // The result of Build.
   ProductionPtr rule_;
   std::vector<WmeId> elements_;
   std::vector<FiringReader::TurnedTest> turned_tests_;

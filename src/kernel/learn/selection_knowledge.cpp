@@ -78,8 +78,8 @@ bool SelectionKnowledge::SaysTheSame(PreferenceId a, PreferenceId b) const {
   return compares(x) && compares(y) && x.value == y.referent && x.referent == y.value;
 }
 
-/// Of several that say the same the first is enough. Numbers are summed up, so all of them count; all that prohibit an
-/// operator do, too, as in Soar 9.6.3.
+/// If several preferences have equal contents, the first is sufficient. But numeric preferences are summed up, so all
+/// of them count. All prohibit preferences count, too, as in Soar 9.6.3.
 void SelectionKnowledge::Add(PreferenceId preference) {
   const PreferenceType type = uses_.memory.preference(preference).type;
   if (type != PreferenceType::kNumericIndifferent && type != PreferenceType::kProhibit &&
@@ -89,7 +89,7 @@ void SelectionKnowledge::Add(PreferenceId preference) {
   collected_.push_back(preference);
 }
 
-/// The steps of the decision once more (PreferenceSemantics), each with the preferences that made a difference in it.
+/// Repeats the steps of the decision (PreferenceSemantics) and collects the preferences that made a difference in each.
 void SelectionKnowledge::Collect(SlotId slot, Symbol winner) {
   const WorkingMemory& memory = uses_.memory;
   const Slot& record = memory.slot(slot);
@@ -144,7 +144,7 @@ void SelectionKnowledge::Collect(SlotId slot, Symbol winner) {
   candidates_ = left_;
   for_each(PreferenceType::kWorst, [&](PreferenceId, const Preference& p) { std::erase(left_, p.value); });
   if (left_.empty()) {
-    left_ = candidates_;  // All of them are: none is worse than the others.
+    left_ = candidates_;  // All of them are worst, so none is dropped.
   } else {
     for_each(PreferenceType::kWorst, [&](PreferenceId id, const Preference& p) {
       if (Contains(candidates_, p.value)) Add(id);
@@ -152,7 +152,7 @@ void SelectionKnowledge::Collect(SlotId slot, Symbol winner) {
   }
   if (left_.size() < 2) return;
 
-  // A choice among equals.
+  // A choice among indifferent candidates.
   std::vector<Symbol>& with_number = candidates_;
   with_number.clear();
   for_each(PreferenceType::kNumericIndifferent, [&](PreferenceId id, const Preference& p) {

@@ -14,14 +14,14 @@ class GoalStack;
 class PreferenceChanges;
 class WorkingMemory;
 
-/// What decided the operators of substates: the preferences without which another one, or none, would have been
-/// selected. Noted when the operator is selected; a rule that fires in the substate and tests it keeps them, so that
-/// its results rest on them (operator selection knowledge).
+/// The preferences that decided the selection of operators in substates: without them, another operator or none would
+/// have been selected. They are recorded at the selection. A rule that fires in the substate and tests the operator
+/// refers to them, so that its results depend on them (operator selection knowledge).
 class SelectionKnowledge {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const GoalStack& goals;
@@ -29,21 +29,22 @@ class SelectionKnowledge {
   };
   explicit SelectionKnowledge(const Uses& uses) : uses_(uses) {}
 
-  /// The operator of a substate has been selected: notes what decided it. `forced`: by command, so nothing did.
+  /// The operator of a substate was selected: records the preferences that decided. `forced`: selected by command,
+  /// without such preferences.
   void OperatorSelected(GoalLevel level, Symbol winner, bool forced);
   void GoalRemoved(GoalLevel level);
-  /// What decided the operator of the goal at this level, or kNone.
+  /// The preferences that decided the operator of the goal at this level, or kNone.
   std::uint32_t OfGoal(GoalLevel level) const { return level < of_goal_.size() ? of_goal_[level] : kNone; }
 
   std::span<const PreferenceId> preferences(std::uint32_t selection) const { return sets_[selection].preferences; }
-  /// Adds the preferences that prohibit something in the slot of an element, the oldest first.
+  /// Appends the prohibit preferences in the slot of an element, oldest first.
   void CollectProhibits(WmeId wme, std::vector<PreferenceId>& out) const;
-  /// A set of these and what another set has, if there is one; with one reference.
+  /// Returns a set of these preferences and those of the set `selection`, if given; with one reference.
   std::uint32_t With(std::vector<PreferenceId> preferences, std::uint32_t selection);
   void AddReference(std::uint32_t selection) { ++sets_[selection].references; }
-  /// `later`: what nothing refers to any more goes with the next preference that is freed.
+  /// `later`: preferences without references are freed together with the next freed preference.
   [[gnu::noinline]] void DropReference(std::uint32_t selection, bool later);
-  /// All that is held, once for each set that holds it.
+  /// Visits all referenced preferences, once for each set that refers to them.
   template <typename Visit>
   void ForEachPreference(Visit&& visit) const {
     for (const Set& set : sets_) {
@@ -57,7 +58,7 @@ class SelectionKnowledge {
     std::uint32_t references = 0;
     std::vector<PreferenceId> preferences;
   };
-  /// A set with one reference, which holds its preferences.
+  /// Creates a set with one reference; the set refers to its preferences.
   std::uint32_t Make(std::vector<PreferenceId> preferences);
   void Collect(SlotId slot, Symbol winner);
   void Add(PreferenceId preference);

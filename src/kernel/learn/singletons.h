@@ -13,15 +13,15 @@ class GoalStack;
 class SymbolTable;
 class WorkingMemory;
 
-/// What a pattern of `chunk singleton` asks of an identifier or a value.
+/// The requirement of a `chunk singleton` pattern for an identifier or a value.
 enum class SingletonType : std::uint8_t { kAny, kConstant, kIdentifier, kOperator, kState };
 
-/// Elements that are the only ones of their kind: an object has one ^name, whatever rules test it. Conditions of
-/// different rules that tested one such element of a higher state are about the same value of necessity, so that one
-/// condition of the learned rule is enough.
+/// Elements that are the only ones of their kind: an object has one ^name, whichever rule tests it. Conditions of
+/// different rules that tested the same singleton of a higher state must have the same value, so one condition in the
+/// learned rule is enough.
 ///
-/// An attribute has one pattern at most. With `chunk automatically-create-singletons` each string that has been the
-/// attribute of an element gets the pattern that fits all of them.
+/// An attribute has at most one pattern. With `chunk automatically-create-singletons`, each string that has been the
+/// attribute of an element gets the pattern that matches all elements.
 class Singletons {
  public:
   struct Pattern {
@@ -29,7 +29,7 @@ class Singletons {
     SingletonType id = SingletonType::kAny, value = SingletonType::kAny;
   };
 
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     const WorkingMemory& memory;
     const GoalStack& goals;
@@ -37,26 +37,27 @@ class Singletons {
   };
   explicit Singletons(const Uses& uses) : uses_(uses) {}
 
-  /// An element with this attribute has come into working memory.
+  /// An element with this attribute was added to working memory.
   void Note(Symbol attribute) {
     if (attribute.IsString() && (attribute.index() >= codes_.size() || codes_[attribute.index()] == 0)) {
       Put({attribute, SingletonType::kAny, SingletonType::kAny});
     }
   }
-  /// Notes the attributes of all elements that there are: while nothing is learned nobody tells of them.
+  /// Adds the attributes of all existing elements, because Note is not called while learning is off.
   void NoteAll();
 
-  /// True if the element is a singleton: by a pattern, or because the architecture makes only one of its kind.
+  /// Returns true if the element is a singleton: by a pattern, or because the architecture creates only one of its
+  /// kind.
   bool Fits(WmeId wme) const;
-  /// Replaces the pattern of the same attribute; true if there was one.
+  /// Replaces the pattern of the same attribute. Returns true if there was one.
   bool Set(const Pattern& pattern);
-  /// Takes the pattern of an attribute away; false if it has none.
+  /// Removes the pattern of an attribute. Returns false if there is none.
   bool Remove(Symbol attribute);
-  /// Takes all of them away.
+  /// Removes all patterns.
   void Clear() { codes_.assign(codes_.size(), 0); }
-  /// True for attributes that the architecture gives to states.
+  /// Returns true for attributes that the architecture gives to states.
   static bool IsArchitecture(Symbol attribute);
-  /// All patterns, by age of the attribute's name.
+  /// All patterns, sorted by the age of the attribute's symbol.
   std::vector<Pattern> Patterns() const;
 
   template <typename Mark>

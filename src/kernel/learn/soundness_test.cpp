@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Whatever is learned must be right, and that needs no other kernel to compare with: rules that were learned in one
-// world are put alone into others, where they may give only what the substate gives there. The others are drawn, or
-// hold nothing but what one learned rule asks for.
+// Checks, without a reference kernel, that learned rules are right. Rules learned in one world are loaded alone in
+// other worlds, where they may create only what the substate creates there. The other worlds are random, or contain
+// only what one learned rule requires.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -24,10 +24,10 @@ constexpr std::uint32_t kMethods = 400;  // Each phase of each agent is checked,
 constexpr std::uint32_t kMethods = 4000;
 #endif
 
-/// Draws worlds, and methods to solve a task in a substate: chains of local copies that meet in one rule, constants,
-/// comparisons, disjunctions, sums, tests of what is absent above. It leaves out what makes rules too general by
-/// nature, in Soar 9.6.3 as here: what is absent in the substate itself, comparisons with computed values, and results
-/// that go up two states within one phase.
+/// Generates worlds, and methods that solve a task in a substate: chains of local copies that meet in one rule,
+/// constants, comparisons, disjunctions, sums, tests of absent elements of higher states. Excludes constructs that make
+/// learned rules over-general in Soar 9.6.3, too: tests of absent elements in the substate, comparisons with computed
+/// values, and results that rise two levels within one phase.
 class MethodMaker {
  public:
   explicit MethodMaker(std::uint32_t seed) : random_(seed) {}
@@ -80,12 +80,12 @@ class MethodMaker {
       default:
         rule += " (<i> ^weight { <v> " + Compare() + " " + Number() + " })";
     }
-    // A value, or the object with it.
+    // A value, or the object with the value.
     const std::string name = " ^a" + std::to_string(n);
     return rule + " --> (<s>" + name + " <x>) (<x> ^value <v> ^of <i>)";
   }
 
-  /// Something that was found so far.
+  /// A value or object that was found so far.
   std::string Known(int copies, int steps) {
     const auto which = static_cast<int>(Below(static_cast<std::uint32_t>(copies + steps)));
     return which < copies ? "a" + std::to_string(which) : "b" + std::to_string(which - copies);
@@ -96,7 +96,7 @@ class MethodMaker {
         "step" + std::to_string(n) + " (state <s> ^" + Known(copies, n) + " <x> ^a" + Number2(copies) + " <y>)";
     const std::string make = " --> (<s> ^b" + std::to_string(n) + " <z>) (<z> ^of <i> ^value ";
     const std::uint32_t kind = Below(5);
-    // Comparisons with what becomes a constant because somebody computes with it are lost.
+    // Comparisons with a variable that becomes a constant because of arithmetic are lost.
     switch (sums_ && kind == 0 ? 3 : !sums_ && kind == 3 ? 1 : kind) {
       case 0:
         return rule + " (<x> ^value <v> ^of <i>) (<y> ^value " + Compare() + " <v>)" + make + "<v>)";
@@ -133,7 +133,7 @@ class MethodMaker {
 
 constexpr const char* kPropose = "go (state <s> ^superstate nil) --> (<s> ^operator.name go)";
 
-/// What hangs below an object, in words that do not depend on its name.
+/// The structure below an object, in words that do not depend on its name.
 std::string Portrait(const Agent& agent, Symbol symbol, int depth) {
   if (!symbol.IsIdentifier() || depth == 0) return symbol.IsIdentifier() ? "..." : ToString(agent.symbols(), symbol);
   std::multiset<std::string> parts;
@@ -157,7 +157,7 @@ std::set<std::string> Results(const Agent& agent) {
   return found;
 }
 
-/// What stands between the braces of a rule.
+/// The text between the braces of a rule.
 std::string Body(const Agent& agent, ProductionId id) {
   const std::string text = PrintProduction(agent.symbols(), agent.production(id));
   const std::size_t open = text.find('{'), close = text.rfind('}');
@@ -172,8 +172,8 @@ std::vector<std::string> LearnedRules(const Agent& agent) {
   return bodies;
 }
 
-/// Draws worlds that hold nothing but what a learned rule asks for: an object for each of its identifiers, a value for
-/// each of its other variables. Whether the values pass the rule's comparisons is left to chance.
+/// Generates worlds that contain only what a learned rule requires: an object for each of its identifiers, a value for
+/// each of its other variables. Whether the values satisfy the rule's comparisons is random.
 class WorldOfRule {
  public:
   WorldOfRule(const SymbolTable& symbols, const Production& rule, std::mt19937& random)
@@ -210,7 +210,7 @@ class WorldOfRule {
  private:
   std::string Name(const Test& test) const {
     const Symbol symbol = EqualitySymbol(test);
-    // What is not equated with anything is named after its place.
+    // A field without an equality test is named after its position.
     return symbol ? ToString(symbols_, symbol) : "<free" + std::to_string(&test - &rule_.conditions.front().id) + ">";
   }
 
@@ -275,14 +275,14 @@ TEST(LearnedRules, GiveInOtherWorldsOnlyWhatTheSubstateGivesThere) {
                                             << all << "learned:\n"
                                             << rules.front();
       }
-      // At home nothing may be missing.
+      // In its own world, nothing may be missing.
       if (round == 0) {
         EXPECT_EQ(right, found) << "seed " << seed << "\n" << other << "\n" << all;
         missing += right.size() - found.size();
       }
     }
   }
-  // A generator that draws nothing of interest would test nothing.
+  // A generator that produces nothing interesting would test nothing.
   EXPECT_GT(learned, kMethods / 2);
   EXPECT_GT(given, kMethods);
   EXPECT_EQ(missing, 0u);
@@ -315,7 +315,7 @@ TEST(LearnedRules, GiveWhatTheSubstateGivesWhereNothingIsThereButTheirConditions
         if (testing::Test::HasFatalFailure()) return;
         found = Results(fast);
       }
-      if (found.empty()) continue;  // The values never passed its comparisons.
+      if (found.empty()) continue;  // The values never satisfied its comparisons.
       ++tried;
       Agent slow("slow");
       RunIn(slow, drawn, method);

@@ -34,7 +34,7 @@ double Activations::BaseLevel(const Touched& record) const {
     const std::size_t kept = std::min<std::size_t>(record.count, kHistory);
     for (std::size_t n = 0; n < kept; ++n) sum += power(now - static_cast<double>(record.ticks[n]));
     if (record.count > kHistory) {
-      // The older touches, as if they lay evenly between the first and the oldest that is remembered.
+      // The older touches are assumed to be evenly distributed between the first one and the oldest stored one.
       const double oldest = now - static_cast<double>(record.first);
       const double recent = now - static_cast<double>(record.ticks[kHistory - 1]);
       const double older = static_cast<double>(record.count - kHistory);
@@ -46,7 +46,7 @@ double Activations::BaseLevel(const Touched& record) const {
   }
   const double base = std::log(sum / (1 + sum));
   if (!settings_.base_inhibition || record.count == 0) return base;
-  // What was used a moment ago is held back for a while.
+  // A recently used object is inhibited for a while.
   const double odds = 1 / (1 + 10 / (now - static_cast<double>(record.ticks[0])));
   return base + std::log(odds / (1 + odds));
 }
@@ -55,7 +55,8 @@ bool Activations::Touch(std::uint32_t object, bool advance) {
   const bool first = Find(object) == nullptr;
   Touched& record = RecordOf(object);
   if (!advance) {
-    // To store is no use: it only works the activation out. What was never used is as old as the clock.
+    // Storing does not count as a use: it only recomputes the activation. An object that was never used is as old as
+    // the clock.
     ++updates_;
     const bool is_counted = settings_.activation_mode == ActivationMode::kFrequency && record.count > 0;
     record.activation = settings_.activation_mode == ActivationMode::kRecency ? static_cast<double>(tick_ + 1)
@@ -65,7 +66,7 @@ bool Activations::Touch(std::uint32_t object, bool advance) {
   }
   if (record.forget_last) {
     record.forget_last = false;
-    // (Frequency counts all uses, those that were taken back included.)
+    // (Frequency counts all uses, including undone ones.)
     if (record.count > 0 && settings_.activation_mode == ActivationMode::kBaseLevel) {
       std::copy(record.ticks.begin() + 1, record.ticks.end(), record.ticks.begin());
       --record.count;
@@ -107,7 +108,7 @@ void Activations::Update(std::uint32_t object) {
 }
 
 void Activations::Prohibit(std::uint32_t object) {
-  // Of what was never used there is no last use.
+  // An object that was never used has no last use.
   if (Find(object) != nullptr) RecordOf(object).forget_last = true;
 }
 

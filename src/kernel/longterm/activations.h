@@ -14,7 +14,8 @@
 
 namespace soarbox::kernel {
 
-/// How active each object is for one agent. Only objects that were touched have a record; all others have activation 0.
+/// The activation of each object for one agent. Only objects that were touched have a record; all others have
+/// activation 0.
 ///
 /// The clock counts touches, not decisions: nothing happens while nothing is touched, and init-soar does not reset it.
 /// recency: the clock at the last touch. frequency: how often. base-level: ln(s / (1 + s)), where s is the sum of
@@ -42,20 +43,20 @@ class Activations {
     const std::uint32_t at = by_object_.Find(object + 1ull);
     return at == FlatMap::kNone ? nullptr : &records_[at];
   }
-  /// s of an object that was never used: as if it was used once, when the clock began.
+  /// The strength s of an object that was never used: as if it had been used once, when the clock started.
   double UnusedStrength() const;
-  /// A touch. The clock advances by one, unless `advance` is false: storing leaves the clock, and the next touch has
-  /// the same time. True if it is the object's first touch.
+  /// Touches an object. The clock advances by one, unless `advance` is false: storing does not advance it, so the next
+  /// touch has the same time. Returns true if it is the object's first touch.
   bool Touch(std::uint32_t object, bool advance = true);
-  /// Computes a base-level activation as of now, without a touch.
+  /// Recomputes a base-level activation for the current time, without a touch.
   void Update(std::uint32_t object);
   void Prohibit(std::uint32_t object);
   std::uint64_t tick() const { return tick_; }
-  /// How often an activation was computed (`smem --stats act_updates`).
+  /// Number of computed activations (`smem --stats act_updates`).
   std::uint64_t updates() const { return updates_; }
   std::span<const Touched> records() const { return records_; }
 
-  /// Restores everything from its written form.
+  /// Restores everything from stored data.
   void Restore(std::uint64_t tick, std::span<const Touched> records);
   void Clear();
   std::size_t MemoryBytes() const {

@@ -23,8 +23,8 @@ class SymbolTable;
 class WmeChanges;
 class WorkingMemory;
 
-/// The parts of an agent that long-term memory uses. LongTerm holds them; modules, which are made while the agent
-/// lives, get them from there.
+/// The parts of an agent that long-term memory uses. LongTerm stores them; modules, which may be created later, receive
+/// them from it.
 struct AgentParts {
   Agent& agent;
   SymbolTable& symbols;

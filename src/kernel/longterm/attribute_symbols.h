@@ -9,11 +9,11 @@
 
 namespace soarbox::kernel {
 
-/// Attributes met recently: their symbols and their terms. Most agents have few and use them all the time. Valid until
-/// a sweep frees symbols or other knowledge is loaded.
+/// A cache of recently used attributes: their symbols and their terms. Most agents use few attributes. Valid until a
+/// sweep frees symbols or other knowledge is loaded.
 class AttributeSymbols {
  public:
-  /// None: not met recently.
+  /// Returns none if the attribute is not in the cache.
   Symbol SymbolOf(StoreTerm term) const {
     const Entry& entry = by_term_[term.bits() % kPlaces];
     return entry.term == term ? entry.symbol : Symbol();

@@ -12,8 +12,8 @@
 
 namespace soarbox::kernel {
 
-/// Tells a module whether any state's command may have changed, so that it reads commands only then: it watches the
-/// identifiers of the commands. Each module has its own, and passes Flushed and IdentifierFreed on.
+/// Reports whether the command of a state may have changed, so that a module reads commands only then. It watches the
+/// identifiers in the commands. Each module has its own and must forward Flushed and IdentifierFreed to it.
 class CommandWatch {
  public:
   /// From now on the elements of `id` belong to a command.
@@ -35,10 +35,10 @@ class CommandWatch {
   void IdentifierFreed(Symbol id) {
     if (id.index() < watched_.size()) watched_[id.index()] = 0;
   }
-  /// A state is new, or its command moved: commands must be read again.
+  /// A state is new, or its command has another identifier: commands must be read again.
   void Touch() { changed_ = true; }
   bool changed() const { return changed_; }
-  /// True once after something changed.
+  /// Returns true once after a change.
   bool TakeChanged() { return std::exchange(changed_, false); }
   void Clear() {
     watched_.clear();

@@ -67,12 +67,12 @@ bool EpisodeCommands::ReadElement(Command& command, Symbol attribute, Symbol val
   if (!value.IsInteger()) return false;
   command.refined = true;
   if (name == "before") {
-    // No number below 1 bounds anything.
+    // Numbers below 1 have no effect.
     if (number > 0) command.before = std::min(number, command.before.value_or(number));
     return true;
   }
   if (name == "after") {
-    // Nothing comes after a number below 0.
+    // After a negative number no episode qualifies.
     const std::int64_t after = number < 0 ? std::numeric_limits<std::int64_t>::max() : number;
     command.after = std::max(after, command.after.value_or(after));
     return true;
@@ -120,7 +120,7 @@ EpisodeCue EpisodeCommands::CueOf(const Reach& reach) const {
   return EpisodeCue(elements, static_cast<std::uint32_t>(reach.objects.size()));
 }
 
-// Answering -----------------------------------------------------------------------------------------------------------
+// Executing commands --------------------------------------------------------------------------------------------------
 
 Symbol EpisodeCommands::Word(const char* text) const {
   return uses_.symbols.String(text);
@@ -146,7 +146,7 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
   const auto object = [&](EpisodeNode node, EpisodeTerm attribute) {
     const auto [found, is_new] = known.try_emplace(node);
     if (is_new) {
-      // An identifier is named by the attribute that leads to it, but none looks like a state.
+      // An identifier is named after the attribute that refers to it, but never like a state.
       char letter = terms_.kind(attribute) == SymbolKind::kString && !terms_.Text(attribute).empty()
                         ? terms_.Text(attribute)[0]
                         : 'I';
@@ -170,8 +170,8 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
       contents.push_back({{id, terms_.ToSymbol(uses_.symbols, triple.attribute), value}, *fact, triple.value.IsNode()});
     }
   }
-  // Links are made first, then constants, by age; of one attribute the youngest first. (What is said last is made
-  // first.)
+  // Links are created first, then constants, sorted by age; for one attribute the newest first. (What Soar lists last
+  // is created first.)
   std::ranges::sort(contents,
                     [](const Content& a, const Content& b) { return a.links != b.links ? b.links : a.fact > b.fact; });
   for (const Content& content : contents) output.contents.push_back(content.triple);
@@ -181,7 +181,7 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
 }
 
 std::vector<std::uint32_t> EpisodeCommands::ListingOrder(const EpisodeCue& positive, const EpisodeCue& negative) {
-  std::vector<std::uint32_t> taken;  // For the cue itself, then its elements.
+  std::vector<std::uint32_t> taken;  // For the cue itself, then for its elements.
   for (std::size_t n = 1 + positive.edges().size() + negative.edges().size(); n > 0; --n) {
     if (free_places_.empty()) {
       taken.push_back(places_++);
@@ -271,7 +271,7 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
   counters_.query_positive = query.positive.edges().size();
   counters_.query_negative = query.negative.edges().size();
   counters_.query_literals = counters_.query_positive + counters_.query_negative;
-  // Who finds nothing leaves what was found before.
+  // If nothing was found, the last result is kept.
   if (answer.episode != 0) {
     counters_.query_retrieved = answer.episode;
     counters_.query_cardinality = answer.cardinality;
@@ -291,8 +291,8 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
   }
   const auto objects = Recall(level, answer.episode, output);
   const auto variable = [&](std::size_t n) { return query.positive.edge(order[n]).to; };
-  // What is said last is made first; of one attribute, what is said last is listed first. An object that several links
-  // of the cue lead to is told of once, with the last of them.
+  // What is listed last is created first; for one attribute, the last one is listed first. An object to which several
+  // links of the cue refer is reported once, with the last of them.
   std::map<EpisodeNode, std::size_t, std::greater<>> listed;
   for (std::size_t n = 0; n < pairs.size(); ++n) listed[answer.nodes[variable(n)]] = n;
   for (const auto& [node, n] : listed) {

@@ -20,17 +20,19 @@
 
 namespace soarbox::kernel {
 
-/// Answers the commands that rules put on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command
-/// is answered once. When anything below it changes, its answer leaves ^epmem.result, and it is answered again.
+/// Executes the commands that rules put on ^epmem.command of each state: ^retrieve, ^next, ^previous, ^query. A command
+/// is executed once. When anything below it changes, its result is removed from ^epmem.result, and it is executed
+/// again.
 class EpisodeCommands {
  public:
   EpisodeCommands(const AgentParts& parts, const EpisodeStore& store, const EpisodeTerms& terms,
                   const EpisodicSettings& settings, EpisodicCounters& counters)
       : uses_(parts), store_(store), terms_(terms), settings_(settings), counters_(counters), installer_(parts) {}
 
-  /// Answers new commands, the lowest state first. True if working memory changed; the caller must settle.
+  /// Executes new commands, the lowest state first. Returns true if working memory changed; then the caller must
+  /// settle.
   bool Process();
-  /// A state was made or removed, or init-soar.
+  /// A state was created or removed, or init-soar ran.
   void StateMade() { watch_.Touch(); }
   void StateRemoved(GoalLevel level);
   /// The episodes have been replaced: ^next and ^previous have no starting point.
@@ -38,7 +40,7 @@ class EpisodeCommands {
   void Clear();
   void ForEachHeld(const std::function<void(PreferenceId)>& visit) const;
   CommandWatch& watch() { return watch_; }
-  /// Prints which episodes queries found better than earlier ones (`trace --epmem`).
+  /// Prints each episode that a query found to be better than the earlier ones (`trace --epmem`).
   void SetTrace(bool on) { traced_ = on; }
 
  private:
@@ -55,7 +57,7 @@ class EpisodeCommands {
     struct Element {
       WmeId wme = WmeId::kNone;
       std::uint32_t object = 0;
-      std::uint32_t value = 0;  ///< An object, if it is one.
+      std::uint32_t value = 0;  ///< An object if the value is an identifier.
     };
     std::vector<Element> elements;
   };
@@ -66,10 +68,10 @@ class EpisodeCommands {
     Symbol argument, negative;  ///< ^query, ^next, ^previous; ^neg-query
     std::optional<std::int64_t> before, after;
     std::vector<EpisodeNumber> prohibited;
-    bool refined = false;     ///< By any of the last three.
+    bool refined = false;     ///< It has one of the last three arguments.
     bool is_counted = false;  ///< A query, although its window is empty.
   };
-  /// What goes into working memory.
+  /// The elements to add to working memory.
   struct Output {
     std::vector<Triple> results, contents;
   };
@@ -81,13 +83,13 @@ class EpisodeCommands {
   void Execute(GoalLevel level, const Command& command, Output& output);
   void Query(GoalLevel level, const Command& command, Output& output);
   EpisodeCue CueOf(const Reach& reach) const;
-  /// Puts the contents of an episode below a new identifier on ^retrieved; returns the identifiers by node.
+  /// Adds the contents of an episode below a new identifier on ^retrieved. Returns the identifiers by node.
   std::vector<std::pair<EpisodeNode, Symbol>> Recall(GoalLevel level, EpisodeNumber episode, Output& output);
-  /// The links of a cue to objects, in the order in which Soar lists them: that of the places where it keeps the
-  /// elements of cues, which each query takes and frees again.
+  /// The links of a cue to objects, in Soar's order: that of the memory addresses of the cue's elements, which each
+  /// query allocates and frees.
   std::vector<std::uint32_t> ListingOrder(const EpisodeCue& positive, const EpisodeCue& negative);
   void Say(Output& output, GoalLevel level, const char* attribute, Symbol value) const;
-  /// Tells observers the result of a command, and why.
+  /// Reports the result of a command, with the reason, to observers.
   void Tell(GoalLevel level, EpisodeNumber episode, std::string_view question, std::string_view reason) const;
   void TellQuery(GoalLevel level, const Command& command, const EpisodeQuery& query, const EpisodeAnswer& answer) const;
   void TraceQuery(const EpisodeQuery& query) const;

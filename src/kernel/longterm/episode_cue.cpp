@@ -8,13 +8,13 @@ namespace {
 
 enum class CueStage : std::uint8_t { kUnknown, kOnTheWay, kDone, kLeftOut };
 
-/// An object whose elements are being read.
+/// The state of reading an object's elements.
 struct CueVisit {
   std::uint32_t object = 0;
-  std::uint32_t next = 0;     ///< The element to read next.
-  std::uint32_t through = 0;  ///< The edge that led here.
+  std::uint32_t next = 0;     ///< The index of the next element.
+  std::uint32_t through = 0;  ///< The edge that refers to this object.
   bool has_edges = false;
-  bool left_out = false;  ///< An element of it.
+  bool left_out = false;  ///< One of its elements was omitted.
 };
 
 }  // namespace
@@ -24,7 +24,7 @@ EpisodeCue::EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_
   for (std::uint32_t n = 0; n < elements.size(); ++n) of_object[elements[n].object].push_back(n);
   std::vector<CueStage> stage(objects, CueStage::kUnknown);
   std::vector<std::uint32_t> variable_of(objects, kNoVariable);
-  // Edges lead to objects until it is known which of those stay.
+  // Edges refer to objects until the remaining objects are known.
   std::vector<bool> dropped;
   const auto add = [&](const EpisodeCueElement& element, std::uint32_t to, bool leaf) {
     edges_.push_back({element.object, to, element.attribute, element.value_is_object ? 0 : element.value, leaf,
@@ -73,7 +73,7 @@ EpisodeCue::EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_
         break;
     }
   }
-  // What was left out goes; the rest is numbered in the order in which it was met.
+  // Removes the omitted edges and numbers the others in order of first visit.
   std::size_t kept = 0;
   object_of_.push_back(0);
   variable_of[0] = 0;
@@ -81,7 +81,7 @@ EpisodeCue::EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_
     Edge edge = edges_[n];
     if (dropped[n] || stage[edge.from] == CueStage::kLeftOut) continue;
     if (edge.to != kNoVariable) {
-      // Of an object without elements each link is a leaf of its own.
+      // For an object without elements, each link is a separate leaf.
       if (edge.leaf || variable_of[edge.to] == kNoVariable) {
         variable_of[edge.to] = variable_count();
         object_of_.push_back(edge.to);
@@ -137,7 +137,7 @@ EpisodeNumber EpisodeWindow::Latest(EpisodeNumber episode, EpisodeNumber least) 
   while (at != prohibited.begin() && *std::prev(at) == episode) {
     --at;
     --episode;
-    while (at != prohibited.begin() && *std::prev(at) > episode) --at;  // Given twice.
+    while (at != prohibited.begin() && *std::prev(at) > episode) --at;  // It may be in the list twice.
   }
   return episode >= least ? episode : 0;
 }

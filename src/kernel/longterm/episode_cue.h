@@ -10,35 +10,35 @@
 
 namespace soarbox::kernel {
 
-/// The contents of a cue, as the agent wrote it: elements of objects. Object 0 is the cue itself, which represents the
-/// top state of the episode.
+/// An element of a cue as the agent wrote it. Object 0 is the cue itself, which represents the top state of the
+/// episode.
 struct EpisodeCueElement {
   std::uint32_t object = 0;
   EpisodeTerm attribute = kUnknownEpisodeTerm;
   bool value_is_object = false;
-  std::uint32_t value = 0;  ///< An object, or a term.
+  std::uint32_t value = 0;  ///< The number of an object, or a term.
   double weight = 1;
 };
 
-/// A cue as a graph without cycles: variables, and the attributes that link them to each other and to constants. An
-/// element that leads back to an object on the way from the cue is left out, and so is one that leads only to such
-/// elements. Variable 0 is the top state. An object without elements is a separate variable for each link that leads to
-/// it: two links to such an object may match two nodes.
+/// A cue as an acyclic graph: variables, and attributes that link them to each other and to constants. Elements that
+/// lead back to an object on the path from the cue are omitted, and so are elements that lead only to such elements.
+/// Variable 0 is the top state. An object without elements becomes a separate variable for each link to it: two links
+/// to such an object may match two nodes.
 class EpisodeCue {
  public:
   static constexpr std::uint32_t kNoVariable = 0xFFFFFFFF;
 
   struct Edge {
     std::uint32_t from = 0;          ///< A variable.
-    std::uint32_t to = kNoVariable;  ///< A variable, or none: `value` is a constant.
+    std::uint32_t to = kNoVariable;  ///< A variable, or none if `value` is a constant.
     EpisodeTerm attribute = 0;
     EpisodeTerm value = 0;
-    bool leaf = false;  ///< Scores count these: a constant, or an object without elements.
+    bool leaf = false;  ///< It counts in scores: its value is a constant or an object without elements.
     double weight = 0;
   };
 
   EpisodeCue() = default;
-  /// `elements` of `objects` objects, in the order in which the agent's memory lists them.
+  /// `elements` belong to `objects` objects, and are in the order of the agent's working memory.
   EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_t objects);
 
   std::uint32_t variable_count() const { return static_cast<std::uint32_t>(object_of_.size()); }
@@ -53,7 +53,7 @@ class EpisodeCue {
   std::span<const std::uint32_t> TopDown() const { return top_down_; }
   std::uint32_t leaf_count() const { return leaf_count_; }
   double leaf_weight() const { return leaf_weight_; }
-  /// All leaves have a weight above 0.
+  /// True if all leaves have a weight above 0.
   bool all_weigh() const { return all_weigh_; }
 
  private:
@@ -78,14 +78,14 @@ class EpisodeCue {
 /// Which episodes a query may return.
 struct EpisodeWindow {
   EpisodeNumber first = 1, last = 0;      ///< Both included.
-  std::vector<EpisodeNumber> prohibited;  ///< In order.
+  std::vector<EpisodeNumber> prohibited;  ///< Sorted.
 
-  /// The latest episode up to `episode` that may be returned; 0 if there is none.
+  /// The latest allowed episode up to `episode`; 0 if there is none.
   EpisodeNumber Latest(EpisodeNumber episode) const { return Latest(episode, first); }
-  /// The same with `least` as the first.
+  /// Same, with `least` as the first allowed episode.
   EpisodeNumber Latest(EpisodeNumber episode, EpisodeNumber least) const;
-  /// Whether the first episode is prohibited. Then a walk back that skips prohibited episodes may leave the window: as
-  /// in Soar 9.6.3, what it finds there may be returned.
+  /// Whether the first episode is prohibited. If so, a search backwards that skips prohibited episodes may leave the
+  /// window and, as in Soar 9.6.3, return an episode before it.
   bool is_open() const { return std::binary_search(prohibited.begin(), prohibited.end(), first); }
 };
 

@@ -13,7 +13,7 @@
 
 namespace soarbox::kernel {
 
-/// The number of an episode: the first is 1. 0: none.
+/// The number of an episode, from 1. 0 means none.
 using EpisodeNumber = std::uint32_t;
 
 /// The episodes from `start` to `end`, both included.
@@ -23,8 +23,8 @@ struct EpisodeInterval {
   friend bool operator==(const EpisodeInterval&, const EpisodeInterval&) = default;
 };
 
-/// Many growing lists of intervals in one array. The room of a list is a power of two; the room that it leaves when it
-/// outgrows it serves the next list of that size.
+/// Many growing lists of intervals in one array. The capacity of a list is a power of two. When a list outgrows its
+/// block, the block is reused for another list of that size.
 class EpisodeIntervals {
  public:
   struct List {
@@ -46,9 +46,9 @@ class EpisodeIntervals {
   std::size_t MemoryBytes() const { return all_.capacity() * sizeof(EpisodeInterval); }
 
  private:
-  /// Moves a full list to a room of twice the size.
+  /// Moves a full list to a block of twice the size.
   void Grow(List& list) {
-    const std::size_t old_class = static_cast<std::size_t>(std::bit_width(list.count));  // 0: no room yet.
+    const std::size_t old_class = static_cast<std::size_t>(std::bit_width(list.count));  // 0: no block yet.
     const std::uint32_t room = list.count == 0 ? 1 : list.count * 2;
     std::uint32_t first = 0;
     if (std::vector<std::uint32_t>& free = free_[old_class]; !free.empty()) {
@@ -64,7 +64,7 @@ class EpisodeIntervals {
   }
 
   PlainVector<EpisodeInterval> all_;
-  std::array<std::vector<std::uint32_t>, 34> free_;  ///< By the logarithm of the room.
+  std::array<std::vector<std::uint32_t>, 34> free_;  ///< By the binary logarithm of the capacity.
 };
 
 }  // namespace soarbox::kernel

@@ -25,12 +25,11 @@ struct EpisodeAnswer {
   std::vector<EpisodeNode> nodes;  ///< If so: by variable of the positive cue.
 };
 
-/// The episode that answers a query: the latest in which the positive cue matches as a graph and no leaf of the
-/// negative one matches. If there is none, or graphs are not requested, the one with the best surface score.
+/// The result of a query: the latest episode in which the positive cue matches as a graph and no leaf of the negative
+/// cue matches. If there is none, or if graph matching is off, the one with the best surface score.
 EpisodeAnswer Answer(const EpisodeStore& store, const EpisodeQuery& query);
 
-/// The successive best episodes when a query is answered as Soar answers it, one episode at a time from the latest
-/// back.
+/// The successive best episodes of a query that is executed like Soar, one episode at a time from the latest backwards.
 std::vector<SurfaceStep> StepsOf(const EpisodeStore& store, const EpisodeQuery& query);
 
 /// Finds the episodes in which a leaf of a negative cue matches.

@@ -22,7 +22,7 @@ bool IsExcluded(std::span<const std::string> exclusions, std::string_view attrib
 
 }  // namespace
 
-/// In the order in which elements are taken up: input, then the architecture's, then slots; each newest first.
+/// Visits elements in the order in which they are recorded: input, the architecture's, then slots; each newest first.
 template <typename Visit>
 void EpisodeRecorder::ForEachElement(Symbol id, Visit visit) const {
   const WorkingMemory& memory = uses_.memory;
@@ -42,14 +42,14 @@ void EpisodeRecorder::ForEachElement(Symbol id, Visit visit) const {
   }
 }
 
-// What goes -----------------------------------------------------------------------------------------------------------
+// Removals ------------------------------------------------------------------------------------------------------------
 
 void EpisodeRecorder::Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) {
   if (!recording_) return;
   for (const WmeId wme : added) {
     const Wme& element = uses_.memory.wme(wme);
     added_.push_back({wme, element.timetag});
-    // What is moved stays what it is: the new link counts before the old one goes.
+    // An object that moves keeps its node: the new link is counted before the old one is removed.
     if (element.live && element.value.IsIdentifier()) Refer(wme, NodeOf(element.value));
   }
   for (const WmeId wme : removed) Drop(wme);
@@ -70,7 +70,7 @@ bool EpisodeRecorder::IsNew(const Added& added) const {
          (Index(added.wme) >= fact_of_.size() || fact_of_[Index(added.wme)] == kNoEpisodeFact);
 }
 
-/// Episodes may be far apart.
+/// Drops notes about elements that no longer exist, because episodes may be far apart.
 void EpisodeRecorder::DropStale() {
   std::erase_if(added_, [&](const Added& added) { return !IsNew(added); });
   stale_check_at_ = std::max<std::size_t>(1024, added_.size() * 2);
@@ -93,7 +93,7 @@ void EpisodeRecorder::Drop(WmeId wme) {
   }
 }
 
-/// Nothing leads to the node any more: what is recorded of its object goes, too.
+/// No element refers to the node any more: the recorded elements of its object are removed, too.
 void EpisodeRecorder::DropNode(EpisodeNode node) {
   const Symbol object = nodes_[node].object;
   node_of_[object.index()] = kNoEpisodeNode;
@@ -115,7 +115,7 @@ void EpisodeRecorder::MakeFree(EpisodeNode node) {
   }
 }
 
-// What comes ----------------------------------------------------------------------------------------------------------
+// Additions -----------------------------------------------------------------------------------------------------------
 
 void EpisodeRecorder::NoteFact(EpisodeFact fact) {
   if (fact < listed_.size()) return;
@@ -142,7 +142,8 @@ void EpisodeRecorder::LinkChanged(Symbol id) {
   if (node != kNoEpisodeNode) store_.SetLink(node, id.index() < links.size() ? links[id.index()] : 0);
 }
 
-/// A node for an object that is new under this parent: one that stood there before and is free, or a new one.
+/// A node for an object that is new below this parent: a free one that was used with the same parent and attribute, or
+/// a new one.
 EpisodeNode EpisodeRecorder::Place(EpisodeNode parent, EpisodeTerm attribute, Symbol object) {
   EpisodeNode node = kNoEpisodeNode;
   if (const auto found = free_.find(PlaceKey(parent, attribute)); found != free_.end()) {
@@ -193,9 +194,9 @@ EpisodeNumber EpisodeRecorder::Record(std::span<const std::string> exclusions) {
   if (!recording_) {
     recording_ = true;
     Bind(0, uses_.goals.top().id);
-    nodes_[0].references = 1;  // The top state leads to itself.
+    nodes_[0].references = 1;  // The top state refers to itself.
   }
-  // What came last is taken up first; of one object in the order in which it lists them.
+  // The newest objects are recorded first; the elements of an object in the order of its lists.
   std::erase_if(added_, [&](const Added& added) { return !IsNew(added); });
   for (const Added& added : added_) {
     const EpisodeNode parent = NodeOf(uses_.memory.wme(added.wme).id);
@@ -215,7 +216,7 @@ EpisodeNumber EpisodeRecorder::Record(std::span<const std::string> exclusions) {
     }
   }
   added_.clear();
-  // found_ grows as objects are found in objects.
+  // found_ grows while objects are found in objects.
   for (std::size_t n = 0; n < found_.size(); ++n) TakeUpAll(found_[n], exclusions);
   found_.clear();
   return store_.Commit();
@@ -231,7 +232,7 @@ void EpisodeRecorder::Restart() {
   added_.clear();
   free_.clear();
   listed_.clear();
-  // Every node is free. The lowest serve first: they are taken from the end.
+  // Every node is free. The lowest are reused first, because they are removed from the end of the list.
   for (EpisodeFact fact = 0; fact < store_.fact_count(); ++fact) NoteFact(fact);
   for (std::size_t node = nodes_.size(); node-- > 1;) MakeFree(static_cast<EpisodeNode>(node));
 }

@@ -19,12 +19,13 @@ class GoalStack;
 class SymbolTable;
 class WorkingMemory;
 
-/// Makes episodes of working memory: everything below the top state except excluded attributes. It notes what comes and
-/// goes, so that an episode costs only what changed since the last one.
+/// Creates episodes from working memory: everything below the top state except excluded attributes. It records
+/// additions and removals, so that an episode costs only as much as the changes since the last one.
 ///
-/// An element is recorded when its identifier has a node and its attribute is not excluded; this is decided once. When
-/// an object gets a node, its elements are recorded however old they are. When no recorded element leads to an object
-/// any longer, its node serves the next object in the same place, so that the store stays as large as memory ever was.
+/// An element is recorded if its identifier has a node and its attribute is not excluded; this is decided once. When an
+/// object gets a node, all its elements are recorded. When no recorded element refers to an object any more, its node
+/// is reused for the next object with the same parent and attribute. So the store is never larger than working memory
+/// has been.
 class EpisodeRecorder {
  public:
   /// The parts of the agent that it uses.
@@ -36,14 +37,14 @@ class EpisodeRecorder {
   EpisodeRecorder(const Uses& uses, EpisodeStore& store, EpisodeTerms& terms)
       : uses_(uses), store_(store), terms_(terms) {}
 
-  /// What came and went in working memory. You can still read removed elements.
+  /// The changes of working memory. Removed elements can still be read.
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed);
   /// The object is now linked to another object of semantic memory.
   void LinkChanged(Symbol id);
-  /// Makes the next episode.
+  /// Creates the next episode.
   EpisodeNumber Record(std::span<const std::string> exclusions);
-  /// Forgets what is in working memory: the next episode begins again at the top state. Nodes of the store are used
-  /// again.
+  /// Forgets the contents of working memory: the next episode starts again at the top state. The nodes of the store are
+  /// reused.
   void Restart();
   bool recording() const { return recording_; }
 
@@ -59,7 +60,7 @@ class EpisodeRecorder {
   void TakeUpAll(Symbol id, std::span<const std::string> exclusions);
   EpisodeNode Place(EpisodeNode parent, EpisodeTerm attribute, Symbol object);
   void Bind(EpisodeNode node, Symbol object);
-  /// Notes that an element leads to the node.
+  /// An element refers to the node.
   void Refer(WmeId wme, EpisodeNode node);
   void Drop(WmeId wme);
   void DropNode(EpisodeNode node);
@@ -74,22 +75,22 @@ class EpisodeRecorder {
   EpisodeTerms& terms_;
   bool recording_ = false;
   std::vector<EpisodeFact> fact_of_;  ///< By WmeId.
-  std::vector<bool> refers_;          ///< By WmeId: counts among the references of its value's node.
+  std::vector<bool> refers_;          ///< By WmeId: it is counted in the references of its value's node.
   std::vector<EpisodeNode> node_of_;  ///< By identifier index.
   struct Node {
     Symbol object;                  ///< None: the node is free.
-    std::uint32_t references = 0;   ///< Elements that lead to it.
-    std::uint32_t news = 0;         ///< New elements of its object while an episode is recorded.
-    std::vector<EpisodeFact> ways;  ///< The facts whose value it is.
+    std::uint32_t references = 0;   ///< Number of elements that refer to it.
+    std::uint32_t news = 0;         ///< Number of new elements of its object while an episode is recorded.
+    std::vector<EpisodeFact> ways;  ///< The facts with this node as their value.
   };
   std::vector<Node> nodes_;
   std::vector<Added> added_;
   std::size_t stale_check_at_ = 1024;
-  std::vector<Symbol> found_;   ///< Objects that got a node and whose elements are still to be recorded.
-  std::vector<WmeId> leaving_;  ///< Recorded elements that are leaving.
-  /// Free nodes by their former place, given as the facts that led there.
+  std::vector<Symbol> found_;   ///< Objects that got a node and whose elements are not recorded yet.
+  std::vector<WmeId> leaving_;  ///< Recorded elements that are being removed.
+  /// Free nodes by the facts that referred to them.
   std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> free_;
-  std::vector<bool> listed_;  ///< By fact: is in free_.
+  std::vector<bool> listed_;  ///< By fact: it is in free_.
 };
 
 }  // namespace soarbox::kernel

@@ -6,7 +6,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// What a constant's record begins with.
+/// The first byte of a constant's record.
 enum class ConstantKind : std::uint8_t { kText = 1, kInteger, kFloat };
 
 void WriteConstant(ByteWriter& out, const EpisodeTerms& terms, EpisodeTerm term) {
@@ -26,7 +26,7 @@ void WriteConstant(ByteWriter& out, const EpisodeTerms& terms, EpisodeTerm term)
   }
 }
 
-/// A constant that is there already has another number than the next: the record lies.
+/// Returns false if the record is invalid: an existing constant must not get a new number.
 bool ReadConstant(ByteReader& in, EpisodeTerms& terms) {
   const std::size_t next = terms.size();
   switch (static_cast<ConstantKind>(in.Byte())) {
@@ -43,7 +43,7 @@ bool ReadConstant(ByteReader& in, EpisodeTerms& terms) {
 bool ReadFact(ByteReader& in, EpisodeStore& store, const EpisodeTerms& terms) {
   const std::uint64_t parent = in.Number(), attribute = in.Number(), value = in.Number();
   if (in.failed() || parent >= store.node_count() || attribute >= terms.size()) return false;
-  // Nodes are numbered as facts first lead to them.
+  // Nodes are numbered in the order in which facts first refer to them.
   const bool is_node = value % 2 == 1;
   if (value / 2 >= (is_node ? store.node_count() + std::uint64_t{1} : terms.size())) return false;
   const auto index = static_cast<std::uint32_t>(value / 2);

@@ -11,15 +11,15 @@
 
 namespace soarbox::kernel {
 
-/// Writes episodes for a journal, one after the other: the constants and facts that each adds to those before it, which
-/// facts came and went, and which nodes were linked to objects of semantic memory.
+/// Writes episodes for a journal, one after the other: the constants and facts that are new in each, the facts that
+/// became true or false, and the links of nodes to objects of semantic memory.
 class EpisodeWriter {
  public:
   EpisodeWriter(const EpisodeStore& store, const EpisodeTerms& terms) : store_(store), terms_(terms) {}
 
   /// The episodes since the last call.
   std::string Write();
-  /// Marks everything in the store as written, because it was read from there.
+  /// Marks everything in the store as written, because it was read from the journal.
   void SkipAll();
   /// The next call writes everything.
   void Restart() { *this = EpisodeWriter(store_, terms_); }
@@ -38,8 +38,8 @@ class EpisodeWriter {
   EpisodeNumber episodes_written_ = 0;
 };
 
-/// Reads episodes into a store, after those that it has. False if the bytes make no sense; the store then holds what
-/// came before, and the caller must clear it.
+/// Appends episodes to a store. Returns false if the bytes are invalid; then the store contains the episodes before the
+/// error, and the caller must clear it.
 bool ReadEpisodes(std::string_view bytes, EpisodeStore& store, EpisodeTerms& terms);
 
 }  // namespace soarbox::kernel

@@ -208,7 +208,7 @@ std::vector<EpisodeFact> EpisodeStore::Replay(EpisodeNumber episode) const {
     facts.assign(frame_facts_.data() + frame.begin, frame_facts_.data() + frame.end);
     at = frame.episode;
   }
-  // Facts that come: all that did after the frame. Those that are not true in the episode go in one pass.
+  // Adds all facts that became true after the frame. One pass then removes those that are false in the episode.
   const std::size_t from_frame = facts.size();
   while (at < episode) {
     for (const std::uint32_t change : ChangesOf(++at)) {

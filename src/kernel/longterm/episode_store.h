@@ -15,14 +15,14 @@ namespace soarbox::kernel {
 
 /// An object in episodes. 0 is the top state.
 using EpisodeNode = std::uint32_t;
-/// A triple that was true in some episode. Dense from 0; never removed.
+/// A triple that was true in some episode. Numbered from 0 without gaps; never removed.
 using EpisodeFact = std::uint32_t;
 /// A constant in episodes: an attribute or a value (see EpisodeTerms).
 using EpisodeTerm = std::uint32_t;
 
 inline constexpr EpisodeNode kNoEpisodeNode = 0x7FFFFFFF;
 inline constexpr EpisodeFact kNoEpisodeFact = 0x7FFFFFFF;
-/// A term that is in no episode: nothing matches it.
+/// A term that is in no episode and therefore matches nothing.
 inline constexpr EpisodeTerm kUnknownEpisodeTerm = 0x7FFFFFFF;
 
 /// The third part of a fact: a constant or a node.
@@ -56,34 +56,34 @@ struct EpisodeTriple {
 };
 
 /// All episodes of an agent as facts about nodes: for each fact the intervals of episodes in which it was true, and a
-/// log of what changed from each episode to the next, with key frames.
+/// log of the changes between episodes, with key frames.
 ///
-/// An episode costs what changed since the last one. Frames are written after as many changes as there are true facts,
-/// so they at most double the log, and any episode can be computed in time proportional to its size.
+/// Storing an episode costs as much as its changes. A key frame is written after as many changes as there are true
+/// facts. So frames at most double the log, and any episode can be computed in time proportional to its size.
 ///
-/// Invariants: intervals of a fact are in order, disjoint and not adjacent; a fact is open exactly if it was true in
-/// the newest episode; replay of an episode gives the facts whose intervals contain it.
+/// Invariants: the intervals of a fact are sorted, disjoint and not adjacent. A fact is open exactly if it was true in
+/// the newest episode. Replay of an episode returns the facts whose intervals contain it.
 class EpisodeStore {
  public:
   EpisodeStore() { Clear(); }
 
   // Recording -------------------------------------------------------------------------------------------------------
 
-  /// A node that no fact mentions yet.
+  /// A node without facts.
   EpisodeNode NewNode() { return node_count_++; }
-  /// The fact, made if it is new.
+  /// The fact of a triple; created if it is new.
   EpisodeFact Intern(const EpisodeTriple& triple);
-  /// Adds or removes one reason why the fact is true in the coming episode.
+  /// Adds or removes one reason why the fact is true in the next episode.
   void Hold(EpisodeFact fact);
   void Release(EpisodeFact fact);
-  /// From the coming episode on, the node is the object with that number in semantic memory; 0: none.
+  /// From the next episode on, the node is linked to the object with this number in semantic memory; 0: to none.
   void SetLink(EpisodeNode node, std::uint64_t lti);
-  /// Makes the next episode from what is true now.
+  /// Creates the next episode from the facts that are true now.
   EpisodeNumber Commit();
   /// The changes of the last Commit: twice the fact, plus one if it became true.
   std::span<const std::uint32_t> LastChanges() const;
   bool IsHeld(EpisodeFact fact) const { return now_[fact].holders != 0; }
-  /// Makes all facts untrue: the objects of the previous life are gone. The next Commit records it.
+  /// Makes all facts false, because the objects were removed (init-soar). The next Commit records this.
   void ReleaseAll();
   void Clear();
 
@@ -97,9 +97,9 @@ class EpisodeStore {
     const Fact& f = facts_[fact];
     return {f.parent, f.attribute, f.value};
   }
-  /// The fact, or kNoEpisodeFact.
+  /// The fact of a triple, or kNoEpisodeFact.
   EpisodeFact Find(const EpisodeTriple& triple) const;
-  /// The facts with this parent and attribute whose value is a node, in the order in which they were made.
+  /// The facts with this parent and attribute whose value is a node, in order of creation.
   std::span<const EpisodeFact> Children(EpisodeNode parent, EpisodeTerm attribute) const;
   /// The latest episode up to `episode` in which the fact was true; 0 if there is none. `episode` must exist.
   EpisodeNumber Latest(EpisodeFact fact, EpisodeNumber episode) const {
@@ -107,13 +107,13 @@ class EpisodeStore {
     return f.open != 0 && f.open <= episode ? episode : LatestClosed(f, episode);
   }
   bool Holds(EpisodeFact fact, EpisodeNumber episode) const { return Latest(fact, episode) == episode; }
-  /// The first episode since which the fact has been as in `episode`: true or not.
+  /// The first episode since which the fact has been true (or false) without change up to `episode`.
   EpisodeNumber SameSince(EpisodeFact fact, EpisodeNumber episode) const;
-  /// The facts of an episode in no particular order. The episode must exist.
+  /// The facts of an episode in unspecified order. The episode must exist.
   std::vector<EpisodeFact> Replay(EpisodeNumber episode) const;
-  /// The node's number in semantic memory in that episode; 0: none.
+  /// The node's object in semantic memory in this episode; 0: none.
   std::uint64_t Link(EpisodeNode node, EpisodeNumber episode) const;
-  /// The links that were set for that episode, in order.
+  /// The links that were set in this episode, in order.
   std::vector<std::pair<EpisodeNode, std::uint64_t>> LinksOf(EpisodeNumber episode) const;
   /// The closed intervals of a fact; the open one, if any, begins at `open`.
   std::span<const EpisodeInterval> Intervals(EpisodeFact fact) const { return intervals_.Of(facts_[fact].intervals); }
@@ -122,7 +122,7 @@ class EpisodeStore {
   std::span<const std::uint32_t> ChangesOf(EpisodeNumber episode) const;
 
   std::size_t MemoryBytes() const;
-  /// The first violation of the invariants in words, or empty. Walks everything.
+  /// Returns a description of the first violated invariant, or an empty text. Slow: walks all data.
   const char* CheckInvariants() const;
 
  private:
@@ -130,18 +130,18 @@ class EpisodeStore {
     EpisodeNode parent = 0;
     EpisodeTerm attribute = 0;
     EpisodeValue value;
-    EpisodeNumber open = 0;  ///< True since this episode, as of the newest; 0: not true in the newest.
+    EpisodeNumber open = 0;  ///< True since this episode; 0: not true in the newest episode.
     EpisodeIntervals::List intervals;
   };
   /// Data that only recording needs.
   struct Now {
     std::uint32_t holders = 0;
-    std::uint32_t live_at : 31 = 0;  ///< Its place in live_ while open.
-    std::uint32_t touched : 1 = 0;   ///< Is in touched_.
+    std::uint32_t live_at : 31 = 0;  ///< Its index in live_ while it is open.
+    std::uint32_t touched : 1 = 0;   ///< It is in touched_.
   };
   struct Frame {
     EpisodeNumber episode = 0;
-    std::size_t begin = 0, end = 0;  ///< In frame_facts_.
+    std::size_t begin = 0, end = 0;  ///< Range in frame_facts_.
   };
   struct Link_ {
     EpisodeNumber from = 0;
@@ -166,7 +166,7 @@ class EpisodeStore {
   PlainVector<std::uint32_t> by_content_;  ///< Open addressing: fact + 1, or 0.
   std::unordered_map<std::uint64_t, std::vector<EpisodeFact>> children_;
   PlainVector<std::uint32_t> changes_;
-  PlainVector<std::uint32_t> begins_;  ///< Where the changes of episode n begin: [n - 1]. One extra entry at the end.
+  PlainVector<std::uint32_t> begins_;  ///< By episode - 1: where its changes begin. One extra entry at the end.
   PlainVector<EpisodeFact> frame_facts_;
   std::vector<Frame> frames_;
   std::size_t changes_since_frame_ = 0;

@@ -118,7 +118,7 @@ TEST(EpisodeCue, AnObjectWithoutElementsIsALeaf) {
   const std::vector<EpisodeCueElement> elements = {{0, kPart, true, 1, 1}, {0, kColor, true, 1, 1}};
   const EpisodeCue cue(elements, 2);
   EXPECT_EQ(cue.leaf_count(), 2u);
-  // Each link is met by itself.
+  // Each link is matched separately.
   EXPECT_EQ(cue.variable_count(), 3u);
   EXPECT_EQ(cue.ObjectOf(1), cue.ObjectOf(2));
 }
@@ -178,7 +178,7 @@ class RandomWorld {
     store.Commit();
   }
 
-  /// A cue cut from an episode and spoilt a little: nodes become objects, some of them two.
+  /// A cue that is copied from an episode with small changes: nodes become objects, and some become two objects.
   EpisodeCue DrawCue(unsigned largest, bool uneven) {
     const std::set<NaiveEpisodes::Fact>& episode = naive.Episode(1 + Draw(store.last()));
     std::vector<EpisodeCueElement> elements;
@@ -214,7 +214,7 @@ class RandomWorld {
     query.window.last = Draw(2) == 0 ? store.last() : Draw(store.last() + 1);
     query.window.first = 1 + (Draw(2) == 0 ? 0 : Draw(store.last()));
     for (unsigned n = Draw(2) * Draw(8); n > 0; --n) query.window.prohibited.push_back(1 + Draw(store.last()));
-    // Where the first is prohibited, Soar steps out of the window: trying everything would not.
+    // If the first episode is prohibited, Soar leaves the window; exhaustive search does not.
     std::erase(query.window.prohibited, query.window.first);
     std::sort(query.window.prohibited.begin(), query.window.prohibited.end());
     query.graph_match = Draw(4) != 0;
@@ -264,7 +264,7 @@ TEST(EpisodeStoreRandom, QueriesAreAnsweredAsByTryingEverything) {
       }
     }
   }
-  // The generator makes all three kinds.
+  // The generator must produce all three kinds.
   EXPECT_GT(graphs, 100u);
   EXPECT_GT(surfaces, 100u);
   EXPECT_GT(failures, 100u);

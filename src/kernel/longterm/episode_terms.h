@@ -15,34 +15,34 @@
 
 namespace soarbox::kernel {
 
-/// The constants of episodes, with their own numbers: an agent's symbols are swept, but episodes stay. Dense from 0;
-/// never removed.
+/// The constants in episodes. They have their own numbers, because an agent's symbols are swept, but episodes stay.
+/// Numbered from 0 without gaps; never removed.
 class EpisodeTerms {
  public:
   EpisodeTerms() = default;
   EpisodeTerms(const EpisodeTerms&) = delete;
   EpisodeTerms& operator=(const EpisodeTerms&) = delete;
 
-  /// The term of a constant symbol, made if it is new.
+  /// The term of a constant symbol; created if it is new.
   EpisodeTerm Intern(const SymbolTable& symbols, Symbol constant);
   EpisodeTerm Intern(std::string_view text);
   EpisodeTerm Intern(std::int64_t value);
   EpisodeTerm Intern(double value);
-  /// kUnknownEpisodeTerm if no episode contains it.
+  /// Returns kUnknownEpisodeTerm if no episode contains the constant.
   EpisodeTerm Find(const SymbolTable& symbols, Symbol constant) const;
   EpisodeTerm Find(std::string_view text) const;
 
   std::size_t size() const { return terms_.size(); }
   SymbolKind kind(EpisodeTerm term) const { return terms_[term].kind; }
-  /// Contents; the kind must fit.
+  /// Returns the contents; the term must be of the right kind.
   std::string_view Text(EpisodeTerm term) const { return *terms_[term].text; }
   std::int64_t Integer(EpisodeTerm term) const { return terms_[term].integer; }
   double Float(EpisodeTerm term) const { return terms_[term].real; }
   Symbol ToSymbol(SymbolTable& symbols, EpisodeTerm term) const;
-  /// As Soar shows constants of episodes: text unchanged, floats with sixteen decimals.
+  /// The text in which Soar prints constants of episodes: strings unchanged, floats with sixteen decimals.
   std::string Show(EpisodeTerm term) const;
 
-  /// The agent's symbols are swept: handles may name other constants from now on.
+  /// The agent's symbols were swept: their handles may now belong to other constants.
   void ForgetSymbols() { known_.fill({}); }
   void Clear();
   std::size_t MemoryBytes() const;
@@ -65,8 +65,8 @@ class EpisodeTerms {
   std::deque<std::string> texts_;
   std::unordered_map<std::string_view, EpisodeTerm> by_text_;
   std::unordered_map<std::int64_t, EpisodeTerm> by_integer_;
-  std::unordered_map<std::uint64_t, EpisodeTerm> by_float_;  ///< By the bits.
-  std::array<Known, 1024> known_{};                          ///< By the symbol's low bits.
+  std::unordered_map<std::uint64_t, EpisodeTerm> by_float_;  ///< By the bits of the number.
+  std::array<Known, 1024> known_{};                          ///< A cache by the low bits of the symbol.
 };
 
 }  // namespace soarbox::kernel

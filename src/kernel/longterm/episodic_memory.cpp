@@ -49,7 +49,7 @@ void EpisodicMemory::SetLearning(bool on) {
   if (settings_.learning == on) return;
   settings_.learning = on;
   if (!on) return;
-  // From now on notes are taken, also while it is switched off again: episodes say what changed.
+  // From now on changes are recorded, even while learning is disabled again, because episodes are stored as changes.
   uses_.long_term.SetHooks(LongTerm::ModuleKind::kEpisodic,
                            ModuleHook::kFlush | ModuleHook::kAfterDecision | ModuleHook::kOutput | ModuleHook::kStates);
   commands_.watch().Touch();
@@ -74,7 +74,7 @@ void EpisodicMemory::Forget() {
 }
 
 void EpisodicMemory::Close() {
-  SetJournal(nullptr);  // What it has not written yet it writes as it goes.
+  SetJournal(nullptr);  // Its destructor writes what was not written yet.
   Forget();
   counters_ = {};
   opened_ = false;
@@ -110,7 +110,7 @@ void EpisodicMemory::SetJournal(std::unique_ptr<Journal> journal) {
   warned_ = false;
 }
 
-/// Writes down what is new. What cannot be written stays with the journal and is tried again: one warning is enough.
+/// Writes new episodes to the journal. After an error the journal tries again later; one warning is printed.
 void EpisodicMemory::Keep() {
   if (journal_ == nullptr) return;
   journal_->Append(writer_.Write());
@@ -133,7 +133,7 @@ bool EpisodicMemory::Load(std::string_view image, std::span<const std::string> r
   }
   writer_.SkipAll();
   decisions_.assign(store_.last(), 0);
-  // The objects of a past life serve again.
+  // The nodes of removed objects are reused.
   recorder_.Restart();
   return true;
 }
@@ -153,7 +153,7 @@ void EpisodicMemory::Output(bool /*output_changed*/) {
   if (settings_.learning && settings_.phase == EpisodicSettings::Phase::kOutput) Respond();
 }
 
-/// Whether an episode is to be taken now.
+/// Whether an episode is due now.
 bool EpisodicMemory::IsDue() {
   using Trigger = EpisodicSettings::Trigger;
   using Force = EpisodicSettings::Force;
@@ -178,11 +178,11 @@ void EpisodicMemory::Respond() {
     Keep();
     ShowTime();
   }
-  // The new time alone waits for the next change of working memory.
+  // If only the time changed, matching waits for the next change of working memory.
   if (commands_.Process()) uses_.elaboration.ApplyWorkingMemoryChanges();
 }
 
-/// Puts the number of the next episode on every state's link.
+/// Sets the number of the next episode on every state's link.
 void EpisodicMemory::ShowTime() {
   const std::int64_t next = store_.last() + std::int64_t{1};
   uses_.goal_changes.SetPresentId(next);
@@ -196,7 +196,7 @@ void EpisodicMemory::ShowTime() {
   }
 }
 
-// States and lives ----------------------------------------------------------------------------------------------------
+// Creation of states, init-soar ---------------------------------------------------------------------------------------
 
 void EpisodicMemory::StateMade(GoalLevel /*level*/) {
   commands_.StateMade();

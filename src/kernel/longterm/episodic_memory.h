@@ -26,22 +26,22 @@ namespace soarbox::kernel {
 class Journal;
 class LongTerm;
 
-/// Episodic memory of an agent: records episodes of working memory, and retrieves them when rules ask.
+/// Episodic memory of an agent: records episodes of working memory, and retrieves them for commands of rules.
 ///
-/// In the output phase (or at the end of the decide phase, by setting) it records an episode if the trigger says so,
-/// and then answers commands, so that a query finds the new episode.
+/// In the output phase (or, by setting, at the end of the decide phase) it records an episode if the trigger requires
+/// one. Then it executes commands, so that a query can find the new episode.
 ///
-/// Episodes live in memory and end with init-soar. To let them outlive the process, give an Opener: it is called at the
+/// Episodes are in memory and are removed by init-soar. To keep them in a file, set an Opener. It is called at the
 /// first use of the memory, and again after the memory was closed.
 class EpisodicMemory final : public Module {
  public:
   explicit EpisodicMemory(const AgentParts& parts);
   ~EpisodicMemory() override;
 
-  /// The agent's episodic memory; null if nobody has asked for it yet.
+  /// The agent's episodic memory; null if it was not created.
   static EpisodicMemory* Find(LongTerm& long_term);
   static const EpisodicMemory* Find(const LongTerm& long_term);
-  /// The same, made if it does not exist.
+  /// The agent's episodic memory; created if it does not exist.
   static EpisodicMemory& Of(LongTerm& long_term);
 
   const EpisodicSettings& settings() const { return settings_; }
@@ -54,32 +54,32 @@ class EpisodicMemory final : public Module {
   const EpisodeStore& store() const { return store_; }
   const EpisodeTerms& terms() const { return terms_; }
   const EpisodicCounters& counters() const { return counters_; }
-  /// The decision in which an episode was recorded; 0: in an earlier run. The episode must exist.
+  /// The decision in which an episode was recorded; 0: in an earlier process. The episode must exist.
   std::uint64_t DecisionOf(EpisodeNumber episode) const { return decisions_[episode - 1]; }
   /// The number that the next episode will have.
   EpisodeNumber time() const { return store_.last() + 1; }
-  /// `trace --epmem`.
+  /// Enables `trace --epmem`.
   void SetTrace(bool on) { commands_.SetTrace(on); }
-  /// Closes the file, if any, which keeps its contents, and starts again without episodes.
+  /// Closes the file, if any, which keeps its contents, and continues without episodes.
   void Close();
 
   // The journal -----------------------------------------------------------------------------------------------------
 
   /// Opens the file: loads its contents (Load), and gives the memory its journal (SetJournal). `continues`: the
-  /// contents are continued (append), and the file must be opened as soon as a run begins again. Null: episodes stay in
-  /// memory.
+  /// contents are continued (append), so the file must be opened as soon as a run begins again. Null: episodes are only
+  /// in memory.
   using Opener = std::function<Result<void>(EpisodicMemory&)>;
   void SetOpener(Opener opener, bool continues);
-  /// Calls the opener if the memory was not used yet. A failure is printed, and the memory works without a file.
+  /// Calls the opener if the memory was not used yet. An error is printed, and the memory works without a file.
   void EnsureOpen();
-  /// The same; the caller must report a failure.
+  /// Like EnsureOpen, but returns the error.
   Result<void> TryOpen();
   bool opened() const { return opened_; }
-  /// From now on all episodes go to the journal, which must already hold the existing ones. Null: none.
+  /// From now on all episodes are written to the journal, which must contain the existing ones. Null: none.
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
-  /// All episodes as a record for a journal, and the inverse. False if the records make no sense: then there are no
-  /// episodes.
+  /// All episodes as a record for a journal, and the inverse. Load returns false if the records are invalid: then there
+  /// are no episodes.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 
@@ -115,7 +115,7 @@ class EpisodicMemory final : public Module {
   std::unique_ptr<Journal> journal_;
   Opener opener_;
   bool continues_ = false, opened_ = false;
-  bool warned_ = false;              ///< About a journal that cannot be written.
+  bool warned_ = false;              ///< A warning about an unwritable journal was printed.
   std::uint64_t newest_output_ = 0;  ///< Time tag of the newest element on the output link at the last check.
 };
 

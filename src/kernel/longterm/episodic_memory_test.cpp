@@ -17,7 +17,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Constants that hang on the top state in working memory, as "attribute value", and its links, as "attribute".
+/// The constants of the top state in working memory, as "attribute value", and its links, as "attribute".
 std::multiset<std::string> Remembered(const Agent& agent) {
   std::multiset<std::string> found;
   std::vector<Symbol> objects = {agent.goals().top().id};
@@ -84,7 +84,7 @@ TEST_F(EpisodicMemoryTest, AnEpisodeIsWhatHangsOnTheTopState) {
     ASSERT_EQ(Recorded(memory(), step), Remembered(agent_)) << "step " << step;
     ASSERT_STREQ(memory().store().CheckInvariants(), "");
   }
-  // Objects come and go, and the store stays as large as memory ever was.
+  // Objects are added and removed, and the store is never larger than working memory has been.
   EXPECT_LT(memory().store().node_count(), 30u);
 }
 

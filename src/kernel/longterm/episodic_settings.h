@@ -7,7 +7,7 @@
 
 namespace soarbox::kernel {
 
-/// What `epmem --set` sets.
+/// The settings of `epmem --set`.
 struct EpisodicSettings {
   enum class Phase : std::uint8_t { kOutput, kSelection };
   enum class Trigger : std::uint8_t { kNone, kOutput, kDecision };
@@ -15,14 +15,14 @@ struct EpisodicSettings {
 
   bool learning = false;
   Phase phase = Phase::kOutput;          ///< When episodes are recorded and commands answered.
-  Trigger trigger = Trigger::kDecision;  ///< An episode per decision, or when rules made something on the output link.
-  Force force = Force::kOff;             ///< For the next opportunity only, overriding the trigger.
-  std::vector<std::string> exclusions = {"epmem", "smem"};  ///< Attributes that episodes leave out.
-  double balance = 1;  ///< Below 1, each leaf of a cue weighs as much as it is active in working memory.
+  Trigger trigger = Trigger::kDecision;  ///< After each decision, or when rules created an element on the output link.
+  Force force = Force::kOff;             ///< Overrides the trigger once, at the next opportunity.
+  std::vector<std::string> exclusions = {"epmem", "smem"};  ///< Attributes that episodes exclude.
+  double balance = 1;  ///< Below 1, the weight of a cue's leaf depends on its activation in working memory.
   bool graph_match = true;
 };
 
-/// What `epmem --stats` shows besides the store.
+/// The counters of `epmem --stats`.
 struct EpisodicCounters {
   std::uint64_t retrievals = 0, queries = 0, nexts = 0, previous = 0;
   std::uint64_t last_retrieval_wmes = 0;

@@ -7,7 +7,7 @@
 
 namespace soarbox::kernel {
 
-/// A map from 64-bit keys to 32-bit numbers: open addressing, at most three quarters full. Keys are not 0.
+/// A map from non-zero 64-bit keys to 32-bit numbers, with open addressing; at most three quarters full.
 class FlatMap {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -19,7 +19,7 @@ class FlatMap {
       if (entries_[at].key == 0) return kNone;
     }
   }
-  /// The number of a key; a new key gets `value`.
+  /// Returns the number of a key; a new key gets the number `value`.
   std::uint32_t FindOrAdd(std::uint64_t key, std::uint32_t value) {
     if ((count_ + 1) * 4 > entries_.size() * 3) Grow();
     for (std::size_t at = Home(key);; at = (at + 1) & (entries_.size() - 1)) {

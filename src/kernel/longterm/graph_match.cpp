@@ -12,7 +12,7 @@ bool GraphMatch::AddFact(const EpisodeTriple& triple) {
   return true;
 }
 
-/// Lowers latest_ to an episode in which all facts hold. False if none beats the best so far.
+/// Lowers latest_ to an episode in which all facts are true. Returns false if none beats the best one so far.
 bool GraphMatch::Narrow() {
   std::size_t agree = 0, at = 0;
   EpisodeNumber episode = (*allowed_)(latest_);
@@ -31,7 +31,8 @@ bool GraphMatch::Narrow() {
   return episode > best_;
 }
 
-/// Binds the variable and takes in what its elements need. False if that cannot be, or cannot beat the best.
+/// Binds the variable and adds the facts that its elements require. Returns false if this is impossible or cannot beat
+/// the best assignment.
 bool GraphMatch::Bind(std::uint32_t variable, EpisodeNode node, std::uint32_t by_edge) {
   nodes_[variable] = node;
   for (const std::uint32_t index : cue_.EdgesTo(variable)) {
@@ -57,7 +58,7 @@ bool GraphMatch::Bind(std::uint32_t variable, EpisodeNode node, std::uint32_t by
   return true;
 }
 
-/// Begins to try the variable with the fewest candidates.
+/// Selects the variable with the fewest candidates and starts to try them.
 void GraphMatch::Choose() {
   Try attempt;
   std::size_t fewest = ~std::size_t{0};
@@ -96,7 +97,7 @@ void GraphMatch::Unbind(Try& attempt) {
 }
 
 bool GraphMatch::Find(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed) {
-  // The youngest nodes lead to the latest episode; which nodes it is to be there is asked again.
+  // The newest nodes lead to the latest episode fastest. A second search determines which nodes match in it.
   if (!Search(first, last, allowed, false)) return false;
   const EpisodeNumber found = best_;
   return Search(
@@ -149,7 +150,7 @@ bool GraphMatch::Search(EpisodeNumber first, EpisodeNumber last, const LatestAll
       if (!forward) Unbind(attempt);
     }
     if (forward) continue;
-    // All candidates are through: the variable waits again.
+    // All candidates have been tried: the variable is unbound again.
     frontier_.push_back(attempt.variable);
     std::swap(frontier_[attempt.frontier_place], frontier_.back());
     tries_.pop_back();

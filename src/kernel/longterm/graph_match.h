@@ -11,21 +11,22 @@
 
 namespace soarbox::kernel {
 
-/// The latest episode in which the whole cue matches as a graph: each variable is a node, and variables of two objects
-/// of the cue are two nodes. (Only the cue itself, the top state, may also be another variable's node.)
+/// Finds the latest episode in which the entire cue matches as a graph: each variable is assigned a node, and variables
+/// of two objects of the cue are assigned different nodes. (Only the cue itself, the top state, may share its node with
+/// another variable.)
 ///
-/// It tries assignments over nodes, of which there are as many as there were things at a time, not over episodes. For
-/// each, it finds the latest common episode of the facts in their intervals, and drops an assignment as soon as it
-/// cannot beat the best so far. If several match in the latest episode, variables get the nodes that came first, as in
-/// Soar 9.6.3.
+/// The search is over assignments of nodes. Their number depends on the number of simultaneous objects, not on that of
+/// episodes. For each assignment, it intersects the intervals of the facts to find the latest common episode. It drops
+/// an assignment as soon as it cannot beat the best one. If several assignments match in the latest episode, variables
+/// get the oldest nodes, as in Soar 9.6.3.
 class GraphMatch {
  public:
-  /// The latest episode up to the given one that may be returned, or 0.
+  /// The latest allowed episode up to the given one, or 0.
   using LatestAllowed = std::function<EpisodeNumber(EpisodeNumber)>;
 
   GraphMatch(const EpisodeStore& store, const EpisodeCue& cue) : store_(store), cue_(cue) {}
 
-  /// True if there is one from `first` to `last`.
+  /// Searches the episodes from `first` to `last`. Returns true if one matches.
   bool Find(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed);
   EpisodeNumber episode() const { return best_; }
   /// By variable: its node in the match.
@@ -37,14 +38,14 @@ class GraphMatch {
     std::uint32_t variable = 0;
     std::uint32_t edge = 0;            ///< The edge by which its candidates were found.
     std::uint32_t frontier_place = 0;  ///< The variable's place in the frontier.
-    std::uint32_t frontier_size = 0;   ///< Before its successors were added.
-    std::size_t next = 0;              ///< Candidates before this one are left to try.
-    std::size_t facts = 0;             ///< Before the candidate's were added.
-    EpisodeNumber latest = 0;          ///< Before the candidate.
+    std::uint32_t frontier_size = 0;   ///< The size of the frontier before its successors were added.
+    std::size_t next = 0;              ///< The index of the next candidate, counted down: those before it are untried.
+    std::size_t facts = 0;             ///< The number of facts before the candidate's were added.
+    EpisodeNumber latest = 0;          ///< The value of latest_ before the candidate was assigned.
     bool bound = false;
   };
 
-  /// Tries the nodes that came last first, or those that came first.
+  /// Tries the newest nodes first, or, if `oldest_first`, the oldest.
   bool Search(EpisodeNumber first, EpisodeNumber last, const LatestAllowed& allowed, bool oldest_first);
   bool Bind(std::uint32_t variable, EpisodeNode node, std::uint32_t by_edge);
   bool AddFact(const EpisodeTriple& triple);
@@ -56,16 +57,16 @@ class GraphMatch {
   const EpisodeCue& cue_;
   const LatestAllowed* allowed_ = nullptr;
   std::vector<EpisodeNode> nodes_, best_nodes_;
-  /// A bound node: to variables of which object, and to how many.
+  /// For a bound node: the object of its variables, and their number.
   struct Use {
     std::uint32_t object = 0, count = 0;
   };
   std::unordered_map<EpisodeNode, Use> used_;
-  std::vector<std::uint32_t> frontier_;  ///< Variables that a bound one leads to.
-  std::vector<std::uint8_t> waiting_;    ///< By variable: is in frontier_, or bound.
-  std::vector<EpisodeFact> facts_;       ///< All facts that the assignment so far needs.
+  std::vector<std::uint32_t> frontier_;  ///< Unbound variables to which a bound one is linked.
+  std::vector<std::uint8_t> waiting_;    ///< By variable: it is in frontier_, or bound.
+  std::vector<EpisodeFact> facts_;       ///< All facts that the current assignment requires.
   std::vector<Try> tries_;
-  EpisodeNumber latest_ = 0;  ///< The latest episode in which all of them hold.
+  EpisodeNumber latest_ = 0;  ///< The latest episode in which all these facts are true.
   EpisodeNumber best_ = 0;
 };
 

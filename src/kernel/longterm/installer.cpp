@@ -26,7 +26,7 @@ Symbol Installer::NewIdentifier(char letter, GoalLevel level, std::uint64_t long
 
 bool Installer::GivesOSupport() const {
   const Elaboration& elaboration = uses_.elaboration;
-  // An apply phase in which nothing fires counts as one of o-supported rules.
+  // As in Soar, an apply phase without firings counts as one of o-supported rules.
   const bool nothing_fired = uses_.run.phase() == Phase::kOutput && elaboration.count() == 0;
   return nothing_fired || elaboration.firing_type() == FiringType::kPe;
 }
@@ -48,7 +48,7 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
     uses_.firing.TraceConditions(id, command);
     if (uses_.chunker.settings().learning()) uses_.chunker.NoteFiring(id);
   }
-  // An instantiation lists its preferences last first.
+  // The list of an instantiation's preferences is last first.
   preferences_.clear();
   for (const Triple& triple : triples) {
     preferences_.push_back(uses_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),

@@ -27,14 +27,16 @@ struct Triple {
   Symbol id, attribute, value;
 };
 
-/// Puts the answers of long-term memory into working memory: preferences of an instantiation that no rule made ("Memory
-/// System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets follow it as
-/// they follow any rule's. Only Retract removes them, but as in Soar 9.6.3 they count as o-supported only if the rules
-/// that fired last were: only then the goal dependency set and the activation of working memory include them.
+/// Adds the results of long-term memory to working memory, as preferences of an instantiation without a rule ("Memory
+/// System Recall"). Its traces are the elements of the command, so that learning and goal dependency sets treat it like
+/// the instantiation of a rule. The preferences are removed only by Retract. As in Soar 9.6.3, they count as
+/// o-supported only if the last rules that fired were o-supported: only then goal dependency sets and the activation of
+/// working memory include them.
 ///
-/// A retrieval calls Install twice: first for the contents of ^result (the caller keeps these preferences and gives
-/// them to Retract when the command changes), then for the contents of the retrieved objects, which live as long as
-/// they are linked; then Settle. In this order the contents get the lower time tags, as in Soar 9.6.3.
+/// A retrieval calls Install twice: first for the contents of ^result, then for the contents of the retrieved objects.
+/// Then it calls Settle. Slots that changed last are decided first, so the contents of the retrieved objects get the
+/// lower time tags, as in Soar 9.6.3. The caller stores the preferences of ^result and passes them to Retract when the
+/// command changes. Retrieved objects live as long as they are linked.
 class Installer {
  public:
   /// The parts of the agent that it uses.
@@ -54,18 +56,18 @@ class Installer {
 
   /// A new identifier for the contents, at the level of a state; linked to the long-term identifier unless that is 0.
   Symbol NewIdentifier(char letter, GoalLevel level, std::uint64_t long_term_identifier = 0);
-  /// Asserts all triples as one instantiation of the state at `level`, which rests on `command`. Appends what entered
-  /// its slot to `made`, if given, in order. Triples that exist already are left out.
+  /// Asserts all triples as one instantiation of the state at `level`, which depends on `command`. Appends the
+  /// preferences that entered their slots to `made`, if given, in order. Skips existing triples.
   void Install(GoalLevel level, std::span<const WmeId> command, std::span<const Triple> triples,
                std::vector<PreferenceId>* made = nullptr);
-  /// Retracts preferences, last first, and empties the list.
+  /// Retracts preferences, the last first, and empties the list.
   void Retract(std::vector<PreferenceId>& made);
-  /// Decides the slots that changed and updates the match. Call after something was installed or retracted.
+  /// Decides the changed slots and updates the match. Call it after Install or Retract.
   void Settle();
 
  private:
   bool GivesOSupport() const;
-  /// Null if working memory has none.
+  /// Returns null if working memory has none.
   WmActivation* Activation() const;
 
   Uses uses_;

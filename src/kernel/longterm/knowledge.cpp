@@ -74,7 +74,7 @@ std::vector<Edge> Knowledge::OrderedEdgesAt(std::uint32_t place) const {
 }
 
 std::size_t MemberList::FirstNotBefore(std::uint32_t row) const {
-  // What a layer adds has greater rows than all that it inherits.
+  // The rows of a layer are greater than all inherited ones.
   const auto first_in = [row](std::span<const Member> members) {
     return static_cast<std::size_t>(std::ranges::lower_bound(members, row, {}, &Member::row) - members.begin());
   };
@@ -99,7 +99,7 @@ bool Knowledge::Hides(const Member& member) const {
 bool Knowledge::Has(std::uint32_t place, StoreTerm attribute, StoreTerm value) const {
   const std::span<const Edge> edges = EdgesAt(place);
   if (edges.size() > kManyEdges) {
-    // Whoever shares a value is often fewer than what an object has.
+    // The list of a value is often shorter than the list of an object's augmentations.
     const std::uint32_t list = FindList(attribute, value);
     if (list == kNowhere) return false;
     const MemberList members = ListAt(list);
@@ -222,7 +222,7 @@ std::string Knowledge::CheckInvariants() const {
     if (std::string problem = check(ListAt(list)); !problem.empty()) return problem;
   }
   if (base_ != nullptr) {
-    // What no list of the layer continues is as it was.
+    // Lists that the layer does not continue are unchanged.
     std::vector<bool> is_continued(base_->lists_.size());
     for (const Continued& continued : continued_) {
       if (continued.list != kNowhere) is_continued[continued.list] = true;

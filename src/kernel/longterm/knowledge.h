@@ -15,14 +15,14 @@
 
 namespace soarbox::kernel {
 
-/// One augmentation of an object: ^attribute value. `row` counts augmentations in order of creation: among equally
-/// active objects, the one with the youngest augmentation answers a query.
+/// One augmentation of an object: ^attribute value. `row` is a running number of augmentations: among objects with
+/// equal activation, the one with the newest augmentation is the result of a query.
 struct Edge {
   StoreTerm attribute, value;
   std::uint32_t row = 0;
 };
 
-/// An augmentation with the rank of its attribute in the order in which the store met them.
+/// An augmentation with the rank of its attribute, in order of first use in the store.
 struct RankedEdge {
   std::uint32_t rank = 0;
   Edge edge;
@@ -36,20 +36,19 @@ struct Member {
 
 class Knowledge;
 
-/// The members of an index, in the order of rows: those of shared knowledge that this agent has not removed, and its
-/// own.
+/// The members of an index, sorted by row: those of shared knowledge that this agent has not removed, and its own.
 class MemberList {
  public:
-  /// How many there are.
+  /// The number of members.
   std::size_t size() const { return inherited_.size() + own_.size() - hidden_count_; }
   bool empty() const { return size() == 0; }
-  /// The slots of the list, some of which may be hidden: those are no longer members.
+  /// The number of slots of the list. Some may be hidden: they are no longer members.
   std::size_t slots() const { return inherited_.size() + own_.size(); }
   const Member& At(std::size_t slot) const {
     return slot < inherited_.size() ? inherited_[slot] : own_[slot - inherited_.size()];
   }
   bool IsHidden(std::size_t slot) const;
-  /// The first slot whose row is not below `row`, or slots().
+  /// The first slot whose row is at least `row`, or slots().
   std::size_t FirstNotBefore(std::uint32_t row) const;
   template <class Function>
   void ForEach(const Function& function) const {
@@ -67,17 +66,17 @@ class MemberList {
   const Knowledge& owner_;
 };
 
-/// What semantic memory knows: objects with numbers, and their augmentations; indices from (attribute, value) and from
-/// attribute to the objects that have it. The activation of objects is elsewhere (activations.h), so agents may share
-/// one Knowledge as long as none of them changes it.
+/// The contents of semantic memory: objects with numbers, and their augmentations; indices from (attribute, value) and
+/// from attribute to objects. The activation of objects is stored elsewhere (activations.h), so that agents may share a
+/// Knowledge as long as none of them changes it.
 ///
-/// To change shared knowledge, put a layer over it: a Knowledge of its own that begins equal and holds only the
-/// differences: added objects, copies of changed ones, and the new members of each index. It costs what was changed,
-/// not what is known. The base of a layer is complete knowledge, never another layer.
+/// Shared knowledge is changed by a layer over it: a Knowledge that starts equal and stores only the differences: added
+/// objects, copies of changed ones, and new members of indices. Its cost depends on the changes, not on the total size.
+/// The base of a layer is complete knowledge, never another layer.
 ///
-/// Invariants: an object has an augmentation once; each augmentation is in both indices, in the order of rows; an
-/// object's place never changes, and only Clear removes objects. What a layer adds has greater places and rows than
-/// everything in its base.
+/// Invariants: an object has each augmentation once. Each augmentation is in both indices, which are sorted by row. An
+/// object's place never changes; only Clear removes objects. Places and rows of a layer are greater than all those of
+/// its base.
 class Knowledge {
  public:
   static constexpr std::uint32_t kNowhere = FlatMap::kNone;
@@ -98,9 +97,9 @@ class Knowledge {
     return own != kNowhere || base_ == nullptr ? own : base_->by_number_.Find(number);
   }
   std::uint32_t FindOrAdd(Lti number);
-  /// A new object with the lowest free number above those given out before.
+  /// Adds an object with the lowest free number above those assigned before.
   std::uint32_t AddNew();
-  /// Moves the search for the next new number past the taken ones, once for everyone who will share this.
+  /// Moves the search for the next free number past the used ones, once for all agents that will share this.
   void SkipTakenNumbers();
   Lti NumberAt(std::uint32_t place) const {
     return place >= first_place_ ? objects_[place - first_place_].number : base_->objects_[place].number;
@@ -108,26 +107,26 @@ class Knowledge {
   std::span<const Edge> EdgesAt(std::uint32_t place) const {
     return place >= first_place_ ? objects_[place - first_place_].edges : InheritedEdgesAt(place);
   }
-  /// The order in which an object's augmentations are shown and retrieved: by attribute; for one attribute, first the
-  /// objects by number, then the constants. Attributes and constants are in the order in which the store met them.
+  /// The order in which augmentations are shown and retrieved: sorted by attribute; within one attribute, first objects
+  /// by number, then constants. Attributes and constants are in order of their first use in the store.
   std::vector<Edge> OrderedEdgesAt(std::uint32_t place) const;
-  /// The same, writing to `edges` and replacing its contents.
+  /// Like OrderedEdgesAt, but replaces the contents of `edges`.
   void OrderEdgesAt(std::uint32_t place, std::vector<RankedEdge>& edges) const;
   bool Has(std::uint32_t place, StoreTerm attribute, StoreTerm value) const;
   bool Has(std::uint32_t place, StoreTerm attribute) const;
-  /// False if it exists already.
+  /// Returns false if it exists already.
   bool AddEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
-  /// False if it does not exist.
+  /// Returns false if it does not exist.
   bool RemoveEdge(std::uint32_t place, StoreTerm attribute, StoreTerm value);
   void Clear();
-  /// The number at which the search for a new one begins.
+  /// The number at which the search for a free one begins.
   Lti next_number() const { return next_number_; }
   void set_next_number(Lti number) { next_number_ = number; }
 
   // Indices ---------------------------------------------------------------------------------------------------------
 
-  /// The index of (attribute, value), or of an attribute with any value if `value` is none; kNowhere if nobody ever had
-  /// it. Valid until something changes.
+  /// The index of (attribute, value), or of an attribute with any value if `value` is none; kNowhere if it was never
+  /// used. Valid until the next change.
   std::uint32_t FindList(StoreTerm attribute, StoreTerm value) const {
     const std::uint64_t key = Key(attribute, value);
     const std::uint32_t own = lists_by_key_.Find(key);
@@ -141,25 +140,25 @@ class Knowledge {
   Terms& terms() { return terms_; }
   const Terms& terms() const { return terms_; }
 
-  /// The object with this name: (@steel ^name x).
+  /// The object with this alias: (@steel ^name x).
   Lti FindAlias(std::string_view name) const;
   void SetAlias(std::string_view name, Lti number) { aliases_.insert_or_assign(std::string(name), number); }
   std::map<std::string, Lti, std::less<>> Aliases() const;
 
   /// Without the base.
   std::size_t MemoryBytes() const;
-  /// The first violation of the class's invariants in words, or empty.
+  /// Returns a description of the first violated invariant, or an empty text.
   std::string CheckInvariants() const;
 
  private:
   friend class MemberList;
-  static constexpr std::uint32_t kInherited = 0x80000000u;  ///< Of a list that only the base has.
+  static constexpr std::uint32_t kInherited = 0x80000000u;  ///< For a list that only the base has.
 
   struct Object {
     Lti number = 0;
     std::vector<Edge> edges;
   };
-  /// Of a list of a layer: the list of the base that it continues, or kNowhere, and how many of that are hidden.
+  /// For a list of a layer: the base's list that it continues, or kNowhere, and the number of its hidden members.
   struct Continued {
     std::uint32_t list = kNowhere;
     std::uint32_t hidden = 0;
@@ -173,19 +172,19 @@ class Knowledge {
   std::uint32_t OwnList(std::uint64_t key);
   void Enter(std::uint64_t key, Member member);
   void Leave(std::uint64_t key, std::uint32_t row);
-  /// Whether a member of the base's lists is not one here.
+  /// Whether a member of a list of the base was removed here.
   bool Hides(const Member& member) const;
 
   std::shared_ptr<const Knowledge> base_;
   Terms terms_;
-  std::uint32_t first_place_ = 0;  ///< Of objects_; those before are the base's.
+  std::uint32_t first_place_ = 0;  ///< The place of the first object in objects_; smaller places belong to the base.
   std::uint32_t first_row_ = 1;
   std::vector<Object> objects_;
   FlatMap by_number_;
   FlatMap lists_by_key_;
   std::vector<std::vector<Member>> lists_;
-  std::vector<Continued> continued_;  ///< Of a layer: for each of lists_.
-  FlatMap changed_;                   ///< Of a layer: place + 1 of an object of the base -> changed_edges_.
+  std::vector<Continued> continued_;  ///< For a layer: parallel to lists_.
+  FlatMap changed_;                   ///< For a layer: 1 + place of an object of the base -> index in changed_edges_.
   std::vector<std::vector<Edge>> changed_edges_;
   std::map<std::string, Lti, std::less<>> aliases_;
   std::uint64_t edge_count_ = 0;

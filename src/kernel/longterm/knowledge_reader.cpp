@@ -15,24 +15,24 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Texts of so many bytes are read once for all agents that begin with them.
+/// Minimum size in bytes of texts that are parsed once for all agents.
 constexpr std::size_t kWorthRecognising = 1 << 18;
 
-/// What stands for an object or a value in such a text.
+/// An object or a value in the text.
 struct WrittenValue {
   enum class Kind : std::uint8_t { kNumber, kAlias, kVariable, kString, kIdentifier, kInteger, kFloat };
   Kind kind = Kind::kString;
-  std::string text;  ///< kAlias, kVariable, kString, kIdentifier.
+  std::string text;  ///< For kAlias, kVariable, kString, kIdentifier.
   std::int64_t integer = 0;
   double real = 0;
-  Lti number = 0;     ///< kNumber.
-  double weight = 0;  ///< Of a link: how much of the activation that spreads it passes on; 0 if none was written.
+  Lti number = 0;     ///< For kNumber.
+  double weight = 0;  ///< For a link: its fraction of the spreading activation; 0 if none was written.
 
   bool IsObject() const { return kind <= Kind::kVariable; }
 };
 
 struct WrittenAugmentation {
-  std::vector<WrittenValue> path;  ///< The attribute, and those behind its dots.
+  std::vector<WrittenValue> path;  ///< The attribute, and those after its dots.
   std::vector<WrittenValue> values;
   bool negative = false;
   std::uint32_t place = 0;  ///< See WrittenOrder.
@@ -44,19 +44,19 @@ struct WrittenClause {
   bool has_weights = false;
 };
 
-/// Cuts a text into clauses. Stops at the first that cannot be read.
+/// Splits a text into clauses. Stops at the first invalid one.
 class ClauseReader {
  public:
   explicit ClauseReader(std::string_view text) : text_(text), lexer_(text, arena_) { Advance(); }
 
-  /// Whether another clause begins. As in Soar 9.6.3, what follows the last one is not read.
+  /// Whether there is another clause. As in Soar 9.6.3, text after the last clause is ignored.
   bool HasMore() const { return token_.kind == TokenKind::kLeftParen; }
-  /// Of the clause that Read could not read: whether even its object was missing or none.
+  /// For the clause that Read failed to read: whether its object was missing or invalid.
   bool failed_at_object() const { return failed_at_object_; }
-  /// What is wrong with weights, in lines.
+  /// Problems with weights, one per line.
   const std::string& notes() const { return notes_; }
 
-  /// `needs_values`: an attribute without one is an error.
+  /// `needs_values`: an attribute without a value is an error.
   std::optional<WrittenClause> Read(bool needs_values) {
     failed_at_object_ = true;
     if (token_.kind != TokenKind::kLeftParen) return {};
@@ -142,7 +142,7 @@ class ClauseReader {
     return value;
   }
 
-  /// "(0.5)". What is wrong with it is told, and the value stands without it.
+  /// Reads "(0.5)". Problems are added to the notes, and the value gets no weight.
   void ReadWeight(const WrittenValue& object, WrittenValue& value) {
     const auto note = [&](std::string_view what) {
       notes_ += "Edge weight input for smem -add clause for @" + std::to_string(object.number) + " is " +
@@ -173,15 +173,15 @@ std::string InClause(std::size_t number) {
   return "Error parsing clause #" + std::to_string(number);
 }
 
-/// Carries clauses out.
+/// Executes clauses.
 class Adder {
  public:
-  /// `as_written`: attributes are met in the order in which they are written, whatever the agent knows.
+  /// `as_written`: attributes are processed in the order of the text, regardless of the symbols that the agent knows.
   explicit Adder(SemanticMemory& memory, bool as_written) : memory_(memory), as_written_(as_written) {}
 
   void Add(WrittenClause& clause) {
     const bool is_ordered = Order(clause.augmentations);
-    // A path's objects are made from its end, and may take the number of the clause's object.
+    // The objects of a path are created from its end, and may get the number of the clause's object.
     std::vector<std::vector<std::uint32_t>> paths;
     const auto make_path = [&](const WrittenAugmentation& augmentation) {
       std::vector<std::uint32_t>& between = paths.emplace_back(augmentation.path.size() - 1);
@@ -237,7 +237,8 @@ class Adder {
   static bool IsText(const WrittenValue& value) {
     return value.kind == WrittenValue::Kind::kString || value.kind == WrittenValue::Kind::kIdentifier;
   }
-  /// Puts augmentations into the order in which the store meets them. False if that is how they are written.
+  /// Sorts augmentations in the order in which the store processes them. Returns false if that is the order of the
+  /// text.
   bool Order(std::vector<WrittenAugmentation>& augmentations) {
     if (as_written_) return false;
     std::size_t texts = 0;
@@ -287,7 +288,7 @@ class Adder {
   struct Weighted {
     LinkWeights::Weights before, added;
   };
-  std::map<std::uint32_t, Weighted> weighted_;  ///< Whose links a clause weighs.
+  std::map<std::uint32_t, Weighted> weighted_;  ///< Objects whose links have weights in a clause.
 };
 
 std::uint32_t FindObject(const SemanticMemory& memory, const WrittenValue& value) {
@@ -315,7 +316,8 @@ struct Removal {
   StoreTerm attribute, value;
 };
 
-/// What a clause removes. What it names and is not there is told in `errors`; false if the clause fails for it.
+/// Determines what a clause removes. Appends missing things to `errors`. Returns false if the clause fails because of
+/// them.
 bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force, std::vector<Removal>& plan,
           std::string& errors) {
   const Knowledge& knowledge = memory.knowledge();
@@ -333,7 +335,7 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
   for (const WrittenAugmentation& augmentation : clause.augmentations) {
     const StoreTerm attribute = FindTerm(memory, augmentation.path.front());
     const bool has = attribute && knowledge.Has(object, attribute);
-    // An attribute that the agent knows is nothing to complain of, unless a value is named, too.
+    // An attribute that the agent knows is no error, unless a value is specified, too.
     const WrittenValue& named = augmentation.path.front();
     const bool is_text = named.kind == WrittenValue::Kind::kString || named.kind == WrittenValue::Kind::kIdentifier;
     if (!has && augmentation.path.size() == 1 && augmentation.values.empty() && is_text &&
@@ -342,7 +344,7 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
     }
     if (augmentation.path.size() > 1 || !has) {
       note("Attribute was not found.");
-      // Force passes over an attribute alone that another one follows.
+      // `force` skips a missing attribute without values if another one follows.
       if (force && augmentation.values.empty() && &augmentation != &clause.augmentations.back()) continue;
       return false;
     }
@@ -366,7 +368,7 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
 }  // namespace
 
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::string& notes) {
-  // What agents may share must not depend on any of them.
+  // Shared knowledge must not depend on a particular agent.
   const bool is_large = text.size() >= kWorthRecognising;
   const bool is_first = is_large && memory.knowledge().object_count() == 0 && memory.knowledge().terms().empty();
   if (is_first && memory.TakeText(text)) return {};
@@ -374,7 +376,7 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::str
   ClauseReader reader(text);
   Adder adder(memory, is_large);
   std::size_t number = 0;
-  // What stands before a clause that cannot be read is added.
+  // Clauses before an invalid clause are added.
   do {
     std::optional<WrittenClause> clause = reader.Read(true);
     notes = reader.notes();

@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 
 namespace {
-/// More do not wait: whoever never asks does not fill the memory.
+/// Maximum number of buffered uses, so that objects that spreading never reaches do not exhaust the memory.
 constexpr std::size_t kMostWaiting = 4096;
 }  // namespace
 
@@ -63,7 +63,7 @@ bool LinkWeights::Set(const Knowledge& knowledge, std::uint32_t object, Weights 
 void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const std::vector<Uses>& uses) {
   Weights links = Effective(knowledge, object);
   const double factor = settings_.spreading_edge_update_factor;
-  // (A link that is in working memory alone takes its part of the sum, too, as long as this lasts.)
+  // (A link that is only in working memory gets its share, too, while these uses are applied.)
   Weights weights = links;
   for (std::size_t n = 0; n < uses.size();) {
     const std::uint64_t cycle = uses[n].cycle;

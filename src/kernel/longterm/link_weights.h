@@ -13,36 +13,37 @@
 
 namespace soarbox::kernel {
 
-/// How much of the activation that an object passes on goes to each object that it links to (spreading-edge-updating):
-/// equal parts at first, and more along the links that working memory uses.
+/// The distribution of an object's outgoing activation over its links (spreading-edge-updating): equal at first, and
+/// more along links that working memory uses.
 ///
-/// Uses wait until spreading reaches the object. Then they count, one decision cycle after the other: each use of a
-/// link adds (1 - weight) (1 - factor) to it; the other links, except in the first of these cycles, keep factor^uses of
-/// their weight; and the weights are scaled to sum to 1 again.
+/// Uses are buffered until spreading reaches the object. Then they are applied, one decision cycle after the other.
+/// Each use of a link adds (1 - weight) (1 - factor) to its weight. The other links, except in the first of these
+/// cycles, are multiplied by factor^uses. Then the weights are scaled so that their sum is 1.
 ///
-/// Weights belong to the knowledge, as links do: they stay when spreading is switched off, and files keep them. Waiting
-/// uses are not kept.
+/// Weights are part of the knowledge, like links: they are kept when spreading is disabled, and are written to files.
+/// Buffered uses are not.
 class LinkWeights {
  public:
   using Weights = std::map<std::uint32_t, double>;  ///< By linked object.
 
   explicit LinkWeights(const SmemSettings& settings) : settings_(settings) {}
 
-  /// Notes one use of a link of an object. Cycles only grow.
+  /// Adds one use of a link of an object. Cycles must not decrease.
   void Use(const Knowledge& knowledge, std::uint32_t object, std::uint32_t linked, std::uint64_t cycle);
-  /// The weights of an object's links, after its waiting uses have counted; null if they are equal.
+  /// The weights of an object's links, after applying its buffered uses; null if they are equal.
   const Weights* Of(const Knowledge& knowledge, std::uint32_t object);
-  /// The weights without waiting uses; null if they are equal.
+  /// The weights without buffered uses; null if they are equal.
   const Weights* Known(std::uint32_t object) const {
     const auto known = weights_.find(object);
     return known == weights_.end() ? nullptr : &known->second;
   }
-  /// The same for each link, including links without a stored weight.
+  /// The weight of each link, including links without a stored weight.
   Weights Effective(const Knowledge& knowledge, std::uint32_t object) const;
   static Weights Equal(const Knowledge& knowledge, std::uint32_t object);
-  /// Sets the weights of an object's links. False, and no change, unless it has exactly these links.
+  /// Sets the weights of an object's links. Returns false, and changes nothing, unless the object has exactly these
+  /// links.
   bool Set(const Knowledge& knowledge, std::uint32_t object, Weights weights);
-  /// The links of an object changed: their weights become equal again.
+  /// The links of an object changed: resets their weights to equal ones.
   void Forget(std::uint32_t object) { weights_.erase(object); }
   void ForgetUses() { uses_.clear(); }
   void Clear() {
@@ -50,14 +51,14 @@ class LinkWeights {
     weights_.clear();
     changed_.clear();
   }
-  /// Replaces everything by what was loaded from a file.
+  /// Replaces everything by weights that were loaded from a file.
   void TakeOver(LinkWeights& loaded) {
     weights_ = std::move(loaded.weights_);
     uses_.clear();
     changed_.clear();
   }
   bool empty() const { return weights_.empty(); }
-  /// Whether changes are noted for TakeChanged.
+  /// Whether changes are recorded for TakeChanged.
   void NoteChanges(bool on) {
     notes_changes_ = on;
     changed_.clear();

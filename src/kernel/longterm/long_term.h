@@ -11,9 +11,9 @@
 
 namespace soarbox::kernel {
 
-/// Long-term memory of one agent: it owns the modules, and registers them with the decision cycle (decide/modules.h). A
-/// module is made at the first request (by its command); an agent without modules pays one test per place of the cycle
-/// and no memory.
+/// The long-term memories of one agent: owns the modules, and registers them with the decision cycle
+/// (decide/modules.h). A module is created at the first request (by its command). An agent without modules needs no
+/// memory for them and only one test per hook.
 class LongTerm {
  public:
   /// In the order in which the cycle calls them.
@@ -23,13 +23,14 @@ class LongTerm {
   LongTerm(const LongTerm&) = delete;
   LongTerm& operator=(const LongTerm&) = delete;
 
-  /// The module, or null if nobody has made it yet.
+  /// The module, or null if it was not created.
   Module* module(ModuleKind kind) const { return modules_[static_cast<std::size_t>(kind)].get(); }
   /// Adds a module. It lives as long as the agent.
   void Attach(ModuleKind kind, std::unique_ptr<Module> module);
-  /// The calls that a module wants from now on; it always gets the call for freed identifiers.
+  /// Sets the hooks of a module. A module always receives the call for freed identifiers.
   void SetHooks(ModuleKind kind, ModuleHooks hooks);
-  /// Tells the modules that an identifier of working memory is now linked to another long-term identifier, or to none.
+  /// Reports to the modules that an identifier of working memory is now linked to another long-term identifier, or to
+  /// none.
   void LinkChanged(Symbol id);
 
   const AgentParts& parts() const { return parts_; }

@@ -22,7 +22,7 @@ bool Linked(const Facts& episode, EpisodeNode from, EpisodeTerm attribute, Episo
   return episode.contains({from, attribute, EpisodeValue::Node(to).bits()});
 }
 
-/// Whether a variable may be a node as far as single leaves are concerned.
+/// Whether a variable may be assigned to a node, judged by single leaves.
 bool MayBe(const Facts& episode, const std::set<EpisodeNode>& nodes, const EpisodeCue& cue, std::uint32_t variable,
            EpisodeNode node) {
   if (variable == 0) return node == 0;
@@ -35,7 +35,7 @@ bool MayBe(const Facts& episode, const std::set<EpisodeNode>& nodes, const Episo
   });
 }
 
-/// The edges of a cue that are leaves and hold in an episode.
+/// The edges of a cue that are leaves and are true in an episode.
 std::vector<const EpisodeCue::Edge*> HeldLeaves(const Facts& episode, const EpisodeCue& cue) {
   std::vector<const EpisodeCue::Edge*> held;
   const std::set<EpisodeNode> nodes = NodesOf(episode);

@@ -19,7 +19,7 @@ Origins::Origins(const AgentParts& parts)
     : uses_{parts.memory,   parts.goals,        parts.instantiations, parts.rete,
             parts.counters, parts.goal_changes, parts.modules} {}
 
-/// If memory runs out, nothing more is noted. The agent goes on.
+/// If memory runs out, recording ends. The agent continues.
 template <typename Work>
 void Origins::Guarded(Work work) {
   try {
@@ -41,8 +41,7 @@ void Origins::Begin(Describe describe) {
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) installed_.push_back(level);
 }
 
-// When something happens
-// -----------------------------------------------------------------------------------------------
+// Events --------------------------------------------------------------------------------------------------------------
 
 void Origins::OperatorInstalled(GoalLevel level, Symbol) {
   Guarded([&] {
@@ -51,7 +50,7 @@ void Origins::OperatorInstalled(GoalLevel level, Symbol) {
   });
 }
 
-/// Nothing has fired since the operators were installed: their preferences are those that the decision was made with.
+/// Nothing has fired since the operators were installed, so their preferences are those of the decision.
 void Origins::RulesFire() {
   if (installed_.empty()) return;
   Guarded([&] {
@@ -81,7 +80,7 @@ void Origins::AfterElaboration() {
     for (const Pending& pending : pending_) {
       const WmeId wme = ElementOf(pending);
       if (wme == WmeId::kNone) continue;
-      // An element that was there keeps the origin that it has.
+      // An existing element keeps its origin.
       const std::uint32_t old = Of(wme);
       if (old == kNone || !origins_[old].o_supported) Attach(wme, pending.origin);
     }
@@ -118,8 +117,7 @@ void Origins::Mark(const std::function<void(Symbol)>& mark) {
     for (const Symbol symbol : {pending.id, pending.attribute, pending.value}) mark(symbol);
 }
 
-// What is noted
-// --------------------------------------------------------------------------------------------------------
+// Recording -----------------------------------------------------------------------------------------------------------
 
 bool Origins::IsOutput(Symbol id) const {
   return id == uses_.goal_changes.output_link();
@@ -136,7 +134,7 @@ bool Origins::GivesCommand(const Preference& preference) {
   return gives_command_;
 }
 
-/// The same result as the rule of the lowest substate made it: each level above holds it by a justification or a chunk.
+/// The preference for the same result in the lowest substate: each higher level has it by a justification or a chunk.
 const Preference& Origins::MadeBy(const Preference& preference) const {
   const Preference* made = &preference;
   const auto look = [&](PreferenceId p) {
@@ -159,7 +157,7 @@ std::span<const WmeId> Origins::MatchedBy(InstantiationId id) {
   return traced_;
 }
 
-/// The origin of what the firing made; one for all that it made in this elaboration. Nobody holds it yet.
+/// The origin of the elements that a firing created: one for all of them in this elaboration. It has no references yet.
 std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_t depth) {
   if (preference.instantiation == InstantiationId::kNone) return kNone;
   const Instantiation& firing = uses_.instantiations[preference.instantiation];
@@ -169,7 +167,7 @@ std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_
   const std::vector<WmeId> matched(span.begin(), span.end());
 
   const std::uint32_t place = Take();
-  Hold(place);  // While it is made.
+  Hold(place);  // While it is being built.
   Origin made;
   made.rule = uses_.rete.production(firing.production);
   made.serial = firing.serial;
@@ -220,13 +218,13 @@ std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_
   return place;
 }
 
-/// That of an element that a rule matched. If it has none, as it has i-support, its maker still matches: it is noted
-/// now.
+/// The origin of an element that a rule matched. An i-supported element has none, but its creator still matches:
+/// records it now.
 std::uint32_t Origins::OriginOfElement(WmeId wme, std::uint32_t depth) {
   const WmeRecord& record = uses_.memory.record(wme);
   const std::uint32_t old = Of(wme);
   if (old != kNone && origins_[old].o_supported) return old;
-  // That an operator is proposed or selected is the origin of the operator.
+  // The origin of a proposed or selected operator is that of the operator itself.
   if (record.slot() == SlotId::kNone) return old;
   const Slot& slot = uses_.memory.slot(record.slot());
   if (slot.is_operator) return kNone;
@@ -264,7 +262,7 @@ void Origins::NoteSelected(GoalLevel level) {
     }
   }
   const std::uint32_t place = Take();
-  Hold(place);  // The level's, when it is made.
+  Hold(place);  // The reference of the level.
   {
     Origin& origin = origins_[place];
     origin.is_operator = true;
@@ -301,8 +299,7 @@ WmeId Origins::ElementOf(const Pending& pending) const {
   return WmeId::kNone;
 }
 
-// Keeping and freeing
-// --------------------------------------------------------------------------------------------------
+// References and freeing ----------------------------------------------------------------------------------------------
 
 void Origins::Attach(WmeId wme, std::uint32_t origin) {
   if (of_.size() <= Index(wme)) of_.resize(Index(wme) + 1u, kNone);
@@ -362,7 +359,7 @@ void Origins::ReleaseLinks(std::uint32_t place, std::vector<std::uint32_t>& work
   origin.proposals.clear();
 }
 
-/// Chains of origins are as long as the reasoning was: they are worked off here, not by recursion.
+/// Chains of origins may be as long as the reasoning was, so this is a loop instead of a recursion.
 void Origins::Drop(std::uint32_t dropped) {
   std::vector<std::uint32_t> work = std::exchange(work_, {});
   work.assign(1, dropped);
@@ -380,8 +377,8 @@ void Origins::Drop(std::uint32_t dropped) {
   work_ = std::move(work);
 }
 
-/// Keeps what an origin leads to within bounds: breadth first, and origins beyond the bounds whose elements have gone
-/// lose their links.
+/// Limits the origins that can be reached from one: breadth first; origins beyond the limits whose elements were
+/// removed lose their references.
 void Origins::CutBehind(std::uint32_t first) {
   ++seen_;
   queue_.assign(1, {first, 0});

@@ -35,80 +35,82 @@ struct OriginElement {
   std::uint64_t timetag = 0;
   bool acceptable = false;
   Source source = Source::kRule;
-  std::uint32_t origin = 0xFFFFFFFFu;  ///< Place of the element's own origin, or Origins::kNone.
+  std::uint32_t origin = 0xFFFFFFFFu;  ///< Index of the element's own origin, or Origins::kNone.
 };
 
-/// What made an element: the rule, and what it matched when it fired. Of a selected operator: who proposed it.
+/// What created an element: the rule, and the elements that it matched when it fired. For a selected operator: its
+/// proposals.
 struct Origin {
-  ProductionPtr rule;          ///< Also after the rule was excised. Null for an operator.
-  std::uint64_t decision = 0;  ///< In which the rule fired or the operator was selected; 0 if that was not noted.
+  ProductionPtr rule;          ///< Valid even after the rule was excised. Null for an operator.
+  std::uint64_t decision = 0;  ///< The decision of the firing or selection; 0 if unknown.
   bool o_supported = false;
   bool is_operator = false;
-  GoalLevel level = 0;  ///< Of `state`.
-  Symbol state;         ///< The lowest state that the rule matched, or the state that the operator was selected in.
-  /// The operator that was selected in `state`, or in the nearest state above it that had one; none if none had. Of an
-  /// operator: itself.
+  GoalLevel level = 0;  ///< Level of `state`.
+  Symbol state;         ///< The lowest state that the rule matched, or the state in which the operator was selected.
+  /// The operator selected in `state` or, if there was none, in the nearest state above; none if there was none at all.
+  /// For an operator: itself.
   Symbol op, op_name;
   std::uint32_t op_origin = 0xFFFFFFFFu;
-  std::vector<OriginElement> matched;    ///< No more than Origins::kMostMatched.
-  std::uint32_t left_out = 0;            ///< How many more were matched.
-  std::vector<std::uint32_t> proposals;  ///< Of an operator: the origins of its proposals.
-  std::string decided;                   ///< Of an operator: why it was selected, as Origins::Describe wrote it.
+  std::vector<OriginElement> matched;    ///< At most Origins::kMostMatched.
+  std::uint32_t left_out = 0;            ///< Number of further matched elements.
+  std::vector<std::uint32_t> proposals;  ///< For an operator: the origins of its proposals.
+  std::string decided;                   ///< For an operator: why it was selected, as returned by Origins::Describe.
 
  private:
   friend class Origins;
-  std::uint32_t references = 0;  ///< 0: the place is free.
-  std::uint32_t serial = 0;      ///< Of the instantiation, to find out whether it is still the maker.
+  std::uint32_t references = 0;  ///< 0: the entry is free.
+  std::uint32_t serial = 0;      ///< Serial number of the instantiation, to check whether it still exists.
   std::uint32_t seen = 0;
-  std::uint32_t attached = 0;  ///< How many elements that live, or selected operators, have it.
+  std::uint32_t attached = 0;  ///< Number of live elements and selected operators with this origin.
 };
 
-/// Remembers what made each element with o-support, each element of a command, and each selected operator. Off until
-/// somebody asks for it; then it begins with what is made from that moment on.
+/// Records the origin of each o-supported element, each element of a command, and each selected operator. Off until it
+/// is first needed; it records only what is created afterwards.
 ///
-/// Bounds: an origin is freed with its element unless a younger origin links to it. From each origin one can follow
-/// links through no more than kDeepest origins of elements that have gone, and no more than kMostBehind in all.
+/// Limits: an origin is freed with its element, unless a newer origin refers to it. A chain of references from an
+/// origin contains at most kDeepest origins of removed elements. In total, an origin leads to at most kMostBehind of
+/// them.
 ///
-/// It only reads: an agent runs the same with it and without.
+/// Read-only: the agent's behaviour does not depend on it.
 class Origins final : public Module {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   static constexpr std::size_t kMostMatched = 24, kMostBehind = 48;
   static constexpr std::uint32_t kDeepest = 6;
   static constexpr std::size_t kMostPast = 8;
-  static constexpr int kPlace = 100;  ///< Among the modules.
+  static constexpr int kPlace = 100;  ///< Its place among the modules.
 
-  /// Of an agent that lives no longer than this. Nothing is noted before Begin.
+  /// The agent must outlive this object. Nothing is recorded before Begin.
   explicit Origins(const AgentParts& parts);
 
-  /// Why the operator of a goal is selected (Agent::ExplainDecision), as bytes.
+  /// Returns the encoded reason why the operator of a goal is selected (Agent::ExplainDecision).
   using Describe = std::function<std::string(const Goal&)>;
 
-  /// Begins, between two runs. Forgets nothing if it has begun already.
+  /// Starts recording. Call it between two runs. A second call has no effect on what was recorded.
   void Begin(Describe describe);
   bool on() const { return on_; }
 
-  /// The place of an element's origin, or kNone.
+  /// The index of an element's origin, or kNone.
   std::uint32_t Of(WmeId wme) const { return Index(wme) < of_.size() ? of_[Index(wme)] : kNone; }
-  /// That of the operator that is selected at a level, or kNone.
+  /// The index of the origin of the operator selected at a level, or kNone.
   std::uint32_t OfOperator(GoalLevel level) const { return level < selected_.size() ? selected_[level] : kNone; }
   const Origin& at(std::uint32_t place) const { return origins_[place]; }
-  /// An element that was directly on the output link and has gone: the last kMostPast of them are kept.
+  /// A removed element that was directly on the output link. The last kMostPast of them are kept.
   struct Past {
     Symbol attribute;
     std::uint64_t timetag = 0;
     std::uint32_t origin = kNone;
   };
-  /// The last one that passes the test, or null.
+  /// The latest one that satisfies `test`, or null.
   template <typename Test>
   const Past* FindPast(Test test) const {
     for (std::size_t n = past_.size(); n-- > 0;)
       if (test(past_[n])) return &past_[n];
     return nullptr;
   }
-  /// How many origins there are.
+  /// The number of origins.
   std::size_t count() const { return origins_.size() - free_.size(); }
-  /// What they take, about. Not part of the agent's MemoryBytes: limits must not depend on who looks.
+  /// Approximate size in bytes. Not part of the agent's MemoryBytes, because limits must not depend on observers.
   std::size_t Bytes() const;
 
  private:
@@ -121,7 +123,7 @@ class Origins final : public Module {
   void BeforeInit() override;
   void Mark(const std::function<void(Symbol)>& mark) override;
 
-  /// An element that is about to be made.
+  /// An element that is about to be created.
   struct Pending {
     Symbol id, attribute, value;
     std::uint32_t origin = kNone;
@@ -130,7 +132,7 @@ class Origins final : public Module {
   template <typename Work>
   void Guarded(Work work);
   bool IsOutput(Symbol id) const;
-  /// Whether the firing that made the preference made something directly below the output link.
+  /// Whether the firing that created the preference also created an element directly on the output link.
   bool GivesCommand(const Preference& preference);
   const Preference& MadeBy(const Preference& preference) const;
   std::uint32_t OriginOfFiring(const Preference& preference, std::uint32_t depth);
@@ -149,7 +151,7 @@ class Origins final : public Module {
   void CutBehind(std::uint32_t origin);
   void Clear();
 
-  /// What it uses of the agent.
+  /// The parts of the agent that it uses.
   struct Uses {
     WorkingMemory& memory;
     const GoalStack& goals;
@@ -166,11 +168,11 @@ class Origins final : public Module {
   std::vector<std::uint32_t> free_, of_, selected_;  ///< of_: by element; selected_: by level.
   std::vector<Pending> pending_;                     ///< Each holds its origin.
   std::vector<Past> past_;                           ///< Oldest first. Each holds its origin.
-  std::vector<GoalLevel> installed_;                 ///< Levels whose operators have not been noted yet.
-  /// The last origin of an instantiation that was noted in this elaboration, by its serial.
+  std::vector<GoalLevel> installed_;                 ///< Levels whose operators are not recorded yet.
+  /// The last origin recorded in this elaboration for an instantiation, by its serial number.
   std::uint32_t last_serial_ = 0, last_origin_ = kNone;
   std::uint32_t asked_serial_ = 0;
-  bool gives_command_ = false;  ///< Of the firing with asked_serial_.
+  bool gives_command_ = false;  ///< For the firing with asked_serial_.
   std::uint32_t seen_ = 0;
   std::vector<std::uint32_t> work_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> queue_;

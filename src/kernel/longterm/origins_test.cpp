@@ -19,7 +19,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// An agent that notes origins, with the questions that these tests ask.
+/// An agent that records origins, with the questions of these tests.
 struct Mind {
   explicit Mind(std::initializer_list<std::string_view> rules, bool notes = true) {
     for (const std::string_view rule : rules) EXPECT_TRUE(agent.LoadProduction(rule).loaded) << rule;
@@ -50,7 +50,7 @@ struct Mind {
   }
   void Run(std::uint64_t decisions) { agent.Run(RunUnit::kDecision, decisions); }
 
-  std::unique_ptr<Origins> made;  ///< Before the agent, which calls it until it ends.
+  std::unique_ptr<Origins> made;  ///< Declared before the agent, which calls it until it is destroyed.
   Agent agent{"mind"};
   Origins& origins = *(made = std::make_unique<Origins>(agent.long_term().parts()));
 };
@@ -106,7 +106,7 @@ TEST(Origins, AreFreedWithTheirElements) {
   EXPECT_EQ(mind.origins.count(), 0u);
 }
 
-/// Each value of the counter rests on the one before: a chain without end if links were never cut.
+/// Each value of the counter depends on the previous one: an endless chain unless links are cut.
 TEST(Origins, StayBoundedOver100000Decisions) {
   Mind mind({"start (state <s> ^superstate nil) --> (<s> ^begun yes)",
              "propose*init (state <s> ^superstate nil -^n) --> (<s> ^operator.name init)",
@@ -151,7 +151,7 @@ TEST(Origins, OfResultsNameTheRuleOfTheSubstate) {
     EXPECT_EQ(origin->level, 2) << learns;
     EXPECT_EQ(mind.agent.CheckInvariants(), "");
     if (!learns) continue;
-    // In its next life the learned rule fires itself.
+    // After init-soar the learned rule fires itself.
     mind.agent.InitSoar();
     mind.Run(3);
     const Origin* const again = mind.Of(mind.Top("holds"));

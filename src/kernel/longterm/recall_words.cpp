@@ -19,7 +19,7 @@ class CueWriter {
 
   void Write(Symbol object, const std::string& path, int depth) {
     open_.push_back(object);
-    // Newest first is how an object lists its elements.
+    // An object lists its elements newest first.
     std::vector<WmeId> elements = memory_.WmesOf(object);
     std::ranges::sort(elements, {}, [&](WmeId wme) { return memory_.wme(wme).timetag; });
     for (const WmeId element : elements) {

@@ -11,13 +11,13 @@
 
 namespace soarbox::kernel {
 
-/// A fingerprint of a command: the command changed if this did.
+/// A fingerprint of a command. The command has changed if the fingerprint has.
 struct CommandStamp {
   std::uint64_t count = 0, time = 0;
   friend bool operator==(const CommandStamp&, const CommandStamp&) = default;
 };
 
-/// The command of one state, as its elements express it.
+/// The command of one state, parsed from its elements.
 struct SemanticCommand {
   enum class Kind { kNone, kBad, kStore, kStoreNew, kRetrieve, kQuery };
 
@@ -44,9 +44,9 @@ struct SemanticCommand {
   }
 };
 
-/// What a retrieval puts into working memory.
+/// The elements that a retrieval adds to working memory.
 struct Retrieval {
-  /// The identifier of an object, and whether the contents include, or will include, its augmentations.
+  /// The identifier of an object, and whether its augmentations are or will be added.
   struct Made {
     std::uint32_t object = 0;
     Symbol id;
@@ -54,8 +54,8 @@ struct Retrieval {
   };
   std::vector<Triple> contents;
   std::vector<Made> made;      ///< One per object, by object.
-  std::vector<Symbol> deeper;  ///< What ^depth added, in order.
-  std::vector<Triple> meta;    ///< Of ^result.
+  std::vector<Symbol> deeper;  ///< Objects added by ^depth, in order.
+  std::vector<Triple> meta;    ///< The elements of ^result.
   // Scratch.
   std::vector<RankedEdge> edges;
   std::vector<std::uint32_t> wave, next;

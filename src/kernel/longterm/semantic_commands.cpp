@@ -16,7 +16,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// An element of a slot that no preference made: a link of the architecture. kNone if there is none.
+/// The element of a slot without a preference: a link of the architecture. kNone if there is none.
 WmeId ElementOf(const WorkingMemory& memory, Symbol id, Symbol attribute) {
   const SlotId slot = memory.FindSlot(id, attribute);
   return slot == SlotId::kNone ? WmeId::kNone : memory.slot(slot).wmes;
@@ -45,7 +45,7 @@ const SemanticCommand& SemanticMemory::Read(GoalLevel level) {
     watch_.Watch(wme.value);
     memory.ForEachWmeOf(wme.value, [&](WmeId inner) { add(inner, is_store); });
   }
-  // An answer rests on its place, too.
+  // A result depends on the ^result link, too.
   const WmeId place = ElementOf(memory, goal.smem.link, words::kResult);
   if (!command.wmes.empty() && place != WmeId::kNone) command.wmes.push_back(place);
   return command;
@@ -57,8 +57,8 @@ void SemanticMemory::Parse() {
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
   int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0;
   bool bad = false, link_to_new = false;
-  // Read in the order of the slots, the youngest first: a link that follows what it does not belong to is bad. One that
-  // comes before is ignored where it has no meaning, as is the depth of what is stored.
+  // Elements are read in the order of the slots, the newest first. An attribute after one that it does not belong to
+  // makes the command invalid. An attribute before it is ignored if it has no meaning there, as is ^depth with a store.
   enum class Path { kNone, kRecall, kStoreNew, kOther } path = Path::kNone;
   for (const WmeId id : command.wmes) {
     const Wme& wme = memory.wme(id);
@@ -108,7 +108,7 @@ void SemanticMemory::Parse() {
     }
   }
   const int kinds = (retrieves > 0) + (queries > 0) + (stores > 0) + (new_stores > 0);
-  // What is only prohibited asks for nothing, and is not answered.
+  // A command that only prohibits requests nothing, and is not executed.
   const bool only_prohibits = kinds == 0 && !command.prohibited.empty() && negatives + maths == 0;
   bad = bad || (kinds != 1 && !only_prohibits) || retrieves > 1 || queries > 1 || negatives > 1 || maths > 1;
   bad = bad || (queries == 0 && (negatives > 0 || maths > 0 || (!command.prohibited.empty() && !only_prohibits)));
@@ -130,15 +130,15 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
   Parse();
   const bool store_changed = command.store != state.store;
   if (store_only && command.store.count == 0) {
-    // The store that was answered has gone, and its answer with it. What else there is waits for the output phase, if
-    // it has not been answered: what stood beside the store is not asked again.
+    // The executed store was removed, and its result with it. Other parts of the command wait for the output phase,
+    // unless they were executed already: parts next to the store are not executed again.
     state.store = command.store;
     if (state.results.empty()) return false;
     installer_.Retract(state.results);
     return true;
   }
   state.store = command.store;
-  // A change of what else there is takes the answer back in the output phase.
+  // If anything else on the command link changed, the result is removed in the output phase.
   if (!store_only) state.other = command.other;
   const bool had = !state.results.empty();
   installer_.Retract(state.results);
@@ -152,7 +152,8 @@ bool SemanticMemory::RespondTo(GoalLevel level, bool store_only) {
       return true;
     }
     case SemanticCommand::Kind::kStore:
-      // Stored once alone, and again with each change of what stands beside it; when that has gone, so does the answer.
+      // A store is executed once if it is alone, and again with each change of other parts next to it. When these are
+      // removed, so is the result.
       if (!store_changed && command.other.count == 0) return had;
       AnswerStore(level, command);
       return true;
@@ -208,7 +209,7 @@ std::uint32_t SemanticMemory::Store(Symbol id, std::map<std::uint32_t, std::uint
     edges.emplace_back(attribute,
                        wme.value.IsIdentifier() ? StoreTerm::Object(object_of(wme.value)) : TermOf(wme.value));
   }
-  // Its augmentations are made anew: their rows are the youngest.
+  // Its augmentations are removed and added again, so that their rows are the newest.
   const std::vector<Edge> old(knowledge_->EdgesAt(object).begin(), knowledge_->EdgesAt(object).end());
   TraceGone(object);
   for (const Edge& edge : old) RemoveEdge(object, edge.attribute, edge.value);
@@ -226,7 +227,7 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
     const StoreTerm attribute = FindAttribute(wme.attribute);
     if (!wme.attribute.IsConstant()) return false;
     const std::vector<WmeId> tests = wme.value.IsIdentifier() ? memory.WmesOf(wme.value) : std::vector<WmeId>();
-    cue.impossible = cue.impossible || tests.empty();  // A demand that tests nothing is met by nobody.
+    cue.impossible = cue.impossible || tests.empty();  // A requirement without a test is never met.
     for (const WmeId test : tests) {
       const Wme& bound = memory.wme(test);
       constexpr std::pair<Symbol, MathTest> kTests[] = {
@@ -243,7 +244,8 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
       CueElement made{attribute, StoreTerm()};
       made.math = found->second;
       if (made.math == MathTest::kMax || made.math == MathTest::kMin) {
-        // Only one may be the largest, only one the smallest. Of an attribute that nobody has the last object is both.
+        // Only one requirement may ask for the largest and one for the smallest value. If no object has the attribute,
+        // the last object counts as both.
         cue.impossible =
             cue.impossible || std::ranges::find(cue.elements, made.math, &CueElement::math) != cue.elements.end();
         cue.takes_last = cue.takes_last || !attribute;
@@ -251,10 +253,10 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
         if (bound.value.IsNumber()) {
           made.bound = uses_.symbols.NumberValue(bound.value);
         } else {
-          cue.impossible = true;  // Nothing is less than a word.
+          cue.impossible = true;  // Nothing is less than a string.
         }
       }
-      // Bounds of an attribute that nobody has bound nothing.
+      // If no object has the attribute, its bounds restrict nothing.
       if (attribute) cue.elements.push_back(made);
     }
   }
@@ -275,7 +277,7 @@ bool SemanticMemory::MakeCue(const SemanticCommand& command, Cue& cue) {
       const bool any = wme.value.IsIdentifier() && memory.long_term_identifiers()[wme.value.index()] == 0;
       const StoreTerm value = any ? StoreTerm() : FindTerm(wme.value);
       const bool unknown = !attribute || (!any && !value);
-      if (unknown && negative) return;  // Nobody has it.
+      if (unknown && negative) return;  // No object has it.
       cue.impossible = cue.impossible || unknown;
       cue.elements.push_back({attribute, value, negative});
     });
@@ -289,7 +291,7 @@ bool SemanticMemory::MakeCue(const SemanticCommand& command, Cue& cue) {
 
 Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
   Retrieval& retrieval = retrieval_;
-  // (The result holds until the next call.)
+  // (The reference is valid until the next call.)
   const auto made_of = [&](std::uint32_t object) -> Retrieval::Made& {
     const auto place = std::ranges::lower_bound(retrieval.made, object, {}, &Retrieval::Made::object);
     if (place != retrieval.made.end() && place->object == object) return *place;
@@ -298,7 +300,7 @@ Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
   };
   const Symbol id = made_of(root).id;
   made_of(root).is_opened = true;
-  // Breadth first, each object once.
+  // Breadth first; each object once.
   retrieval.wave.assign(1, root);
   for (std::int64_t left = std::max<std::int64_t>(command_.depth, 1); left > 0 && !retrieval.wave.empty(); --left) {
     retrieval.next.clear();
@@ -325,14 +327,14 @@ Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
     }
     retrieval.wave.swap(retrieval.next);
   }
-  // What is said last is made first.
+  // What is listed last is created first.
   std::ranges::reverse(retrieval.contents);
   return id;
 }
 
 void SemanticMemory::Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue,
                           std::span<const std::uint32_t> prohibited, std::uint32_t object) {
-  // More candidates are not compared: what rules ask must not become slow because somebody looks.
+  // Maximum number of candidates that are compared, so that queries do not become slow while they are observed.
   constexpr std::size_t kMostCompared = 1000;
   const bool found = object != Knowledge::kNowhere;
   const bool by_number = command.kind == SemanticCommand::Kind::kRetrieve;
@@ -353,7 +355,7 @@ void SemanticMemory::Tell(GoalLevel level, const SemanticCommand& command, const
     }
     const bool is_naive = settings_.activation_mode == ActivationMode::kBaseLevel &&
                           settings_.base_update_policy == BaseUpdatePolicy::kNaive;
-    const bool compares = candidates <= kMostCompared && !is_naive;  // (A naive search counts what it works out.)
+    const bool compares = candidates <= kMostCompared && !is_naive;  // (A naive search counts its activations.)
     const Spreading* const spreading = settings_.spreading ? &spreading_ : nullptr;
     if (found) {
       std::vector<std::uint32_t> others;
@@ -422,7 +424,7 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const SemanticCommand& com
     return;
   }
   const bool success = object != Knowledge::kNowhere;
-  // What is to be shown first is made last.
+  // What is to be listed first is created last.
   const Symbol verdict = success ? words::kSuccess : words::kFailure;
   if (success) {
     const Symbol retrieved = Retrieve(level, object);

@@ -20,7 +20,7 @@
 namespace soarbox::kernel {
 
 namespace {
-/// Objects.
+/// Minimum number of objects for sharing.
 constexpr std::uint32_t kWorthSharing = 64;
 }  // namespace
 
@@ -75,7 +75,7 @@ Knowledge& SemanticMemory::Writable() {
 }
 
 void SemanticMemory::Share() {
-  // What is small, or kept in a file of its own, is not worth the trouble.
+  // Sharing is not worthwhile for small knowledge, or for knowledge with its own file.
   if (shared_ || knowledge_->is_layer() || journal_ != nullptr || knowledge_->object_count() < kWorthSharing) return;
   knowledge_->SkipTakenNumbers();
   knowledge_ = ShareKnowledge(std::move(knowledge_));
@@ -135,7 +135,7 @@ std::uint32_t SemanticMemory::NewObject() {
 
 bool SemanticMemory::AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value) {
   if (traced_) TraceAdded(object, attribute, value);
-  // (What is there already is no reason for a layer.)
+  // (Adding an existing augmentation requires no layer.)
   if (shared_ && knowledge_->Has(object, attribute, value)) return false;
   if (!Writable().AddEdge(object, attribute, value)) return false;
   if (journal_ != nullptr) journal_->Append(records::Edge(*knowledge_, object, attribute, value, true));
@@ -243,7 +243,7 @@ void SemanticMemory::Rewrite(std::uint32_t object) {
   for (const Edge& edge : edges) AddEdge(object, edge.attribute, edge.value);
 }
 
-// Keeping -------------------------------------------------------------------------------------------------------------
+// Persistence ---------------------------------------------------------------------------------------------------------
 
 void SemanticMemory::SetJournal(std::unique_ptr<Journal> journal) {
   journal_ = std::move(journal);
@@ -259,7 +259,7 @@ void SemanticMemory::Keep() {
   }
   Result<void> kept = journal_->Commit();
   if (kept.ok() && journal_->WantsImage()) kept = journal_->Replace(Image());
-  // What could not be written stays in memory and is tried again: one warning is enough.
+  // Unwritten data stay in the journal and are written later; one warning is printed.
   if (!kept && !warned_) uses_.observers.Print("Semantic memory: " + Format(kept.error()));
   warned_ = !kept;
 }
@@ -296,7 +296,7 @@ bool SemanticMemory::Load(std::string_view image, std::span<const std::string> r
 }
 
 std::size_t SemanticMemory::MemoryBytes() const {
-  // What agents share is counted once, by none of them.
+  // Shared knowledge is not counted for any agent.
   return sizeof(*this) + activations_.MemoryBytes() + (shared_ ? 0 : knowledge_->MemoryBytes());
 }
 
@@ -405,7 +405,7 @@ void SemanticMemory::Respond(bool store_only) {
   }
   if (!changed) return;
   if (store_only) {
-    // In the trace it is one more change of working memory within the elaboration.
+    // The trace shows it as one more change of working memory in the elaboration.
     const FiringType type = uses_.elaboration.firing_type();
     uses_.observers.Notify(Event::kElaboration, [&](Observer& o) { o.OnWorkingMemoryPhase(uses_.agent, type); });
   }
@@ -424,7 +424,7 @@ void SemanticMemory::Spread(const Cue& cue) {
                     [&](const auto& give) { members.ForEach([&](const Member& member) { give(member.object); }); });
 }
 
-/// The sources of spreading: objects an instance of which has elements, with how active these are.
+/// Determines the sources of spreading: objects with an instance that has elements, and their activations.
 void SemanticMemory::UpdateSources() {
   std::map<std::uint32_t, double> sources;
   const WmeTable& wmes = uses_.memory.wmes();
@@ -438,7 +438,7 @@ void SemanticMemory::UpdateSources() {
     const auto id = static_cast<WmeId>(&wme - &wmes[0]);
     if (activation != nullptr && activation->HistoryOf(id) != nullptr) strength += std::exp(activation->Of(id));
   }
-  // A source that working memory does not weigh is as strong as an object that was never used.
+  // A source whose instance has no activation is as strong as an object that was never used.
   const double unused = activations_.UnusedStrength();
   for (auto& [object, strength] : sources) strength = strength > 0 ? strength : unused;
   spreading_.SetSources(*knowledge_, sources);

@@ -33,25 +33,24 @@ namespace soarbox::kernel {
 class Journal;
 class LongTerm;
 
-/// Counted since the agent was made (`smem --stats`).
+/// Counters of `smem --stats`, since the agent was created.
 struct SmemCounters {
   std::uint64_t retrieves = 0, queries = 0, stores = 0;
 };
 
-/// Semantic memory of one agent: what it knows (Knowledge), how active that is (Activations), and the commands that
-/// rules put on ^smem.command of any state, with their answers on ^smem.result.
+/// Semantic memory of one agent: the knowledge (Knowledge), its activation (Activations), and the commands that rules
+/// put on ^smem.command of a state, with their results on ^smem.result.
 ///
-/// A command is read when one of its elements changed: `store` after every elaboration, everything else in the output
-/// phase, the lowest state first. A changed command removes the old answer. Elements of ^query and ^store objects count
-/// as the command's; those of other objects, and anything deeper, do not.
+/// A command is read when one of its elements has changed: `store` after every elaboration, everything else in the
+/// output phase, the lowest state first. A changed command removes the old result. Elements of ^query and ^store
+/// objects belong to the command; elements of other objects, and anything deeper, do not.
 ///
-/// The knowledge lives in memory. To let it outlive the process, give a Journal (journal.h), which receives every
-/// change.
+/// The knowledge is in memory. To keep it in a file, set a Journal (journal.h), which receives every change.
 class SemanticMemory final : public Module {
  public:
-  /// The semantic memory of an agent; made if there is none.
+  /// The semantic memory of an agent; created if there is none.
   static SemanticMemory& Of(LongTerm& long_term);
-  /// The same, or null if nobody has asked for it yet.
+  /// The semantic memory of an agent; null if it was not created.
   static const SemanticMemory* Find(const LongTerm& long_term);
 
   explicit SemanticMemory(LongTerm& long_term);
@@ -64,18 +63,18 @@ class SemanticMemory final : public Module {
 
   const Knowledge& knowledge() const { return *knowledge_; }
   const Activations& activations() const { return activations_; }
-  /// How active an object is, including what spread to it when activation last spread.
+  /// The activation of an object, including the part that spread to it when activation last spread.
   double ActivationOf(std::uint32_t object) const {
     return search_.ActivationOf(object, settings_.spreading ? &spreading_ : nullptr);
   }
   const SmemCounters& counters() const { return counters_; }
-  /// True once. Soar shows the floats of the first object that an agent prints with as few digits as they need, and
-  /// those of all later objects with 16 decimals.
+  /// Returns true once. For the first object that an agent prints, Soar writes floats with as few digits as possible;
+  /// for all later objects with 16 decimals.
   bool TakeFirstLine() const { return std::exchange(first_line_, false); }
-  /// What `smem --stats spread_size` counts.
+  /// The number for `smem --stats spread_size`.
   std::size_t spread_size() const { return spreading_.size(); }
 
-  // Changes from outside. The journal receives them.
+  // Changes by users. The journal receives them.
   std::uint32_t ObjectOf(Lti number);
   std::uint32_t NewObject();
   bool AddEdge(std::uint32_t object, StoreTerm attribute, StoreTerm value);
@@ -86,60 +85,61 @@ class SemanticMemory final : public Module {
   StoreTerm FloatTerm(double value) { return Writable().terms().Float(value); }
   WrittenOrder& written_order() { return written_order_; }
   const SymbolTable& symbols() const;
-  /// Sets the weights of an object's new links, by linked object; all others keep theirs. `before`: the weights of its
-  /// links before the new ones came.
+  /// Sets the weights of an object's new links, by linked object. The other links keep their weights. `before`: the
+  /// weights before the new links were added.
   void SetWeights(std::uint32_t object, const LinkWeights::Weights& before, const LinkWeights::Weights& added);
   /// The current weights of an object's links.
   LinkWeights::Weights WeightsOf(std::uint32_t object) const { return link_weights_.Effective(*knowledge_, object); }
-  /// Makes the weights of an object's links equal.
+  /// Resets the weights of an object's links to equal ones.
   void ResetWeights(std::uint32_t object);
-  /// Where the search for the number of the next new object begins.
+  /// Sets the number at which the search for the next free number begins.
   void SetNextNumber(Lti number);
-  /// Forgets everything.
+  /// Removes everything.
   void Clear();
-  /// The objects that fit, best first, as `smem --query` lists them. Touches nothing.
+  /// The objects that fit, best first, as `smem --query` lists them. Touches no object.
   std::vector<std::uint32_t> Search(const Cue& cue, std::size_t limit);
 
-  /// Working memory used a link between instances of two objects: spreading activation learns from it.
+  /// Working memory used a link between instances of two objects: spreading activation adjusts its weight.
   void LinkUsed(Lti object, Lti linked, std::uint64_t cycle);
 
-  /// Prints additions and removals (`trace --smem`).
-  /// `brief`: a sign for each object that is stored, in the place of a line for each element.
+  /// Prints additions and removals (`trace --smem`). `brief`: one sign per stored object instead of a line for each
+  /// element.
   void SetTrace(bool on, bool brief) {
     traced_ = on;
     traces_briefly_ = brief;
   }
-  /// Makes all augmentations of an object again: they are then the youngest.
+  /// Removes and adds all augmentations of an object, so that they become the newest.
   void Rewrite(std::uint32_t object);
 
   // The journal -----------------------------------------------------------------------------------------------------
 
-  /// From now on all changes go to the journal, which must hold what is known now. Null: none.
+  /// From now on all changes are written to the journal, which must contain the current knowledge. Null: none.
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
-  /// Commits what changed; reports once if that fails. Called after every output phase, and after commands.
+  /// Commits the changes; reports an error once. Called after every output phase, and after commands.
   void Keep();
-  /// Called at the next first use of the memory, to open its file. Null: nothing. If it fails, the reason is printed
-  /// and the memory works without a file.
+  /// The opener is called at the next first use of the memory, to open its file. Null: none. If it fails, the error is
+  /// printed, and the memory works without a file.
   using Opener = std::function<Result<void>(SemanticMemory&)>;
   void SetOpener(Opener opener) { opener_ = std::move(opener); }
   void EnsureOpen();
   bool waits_for_file() const { return opener_ != nullptr; }
-  /// Whether it has been used since it was made or closed: some settings only take effect at the next opening.
+  /// Whether it was used since it was created or closed. Some settings take effect only at the next opening.
   bool opened() const { return opened_; }
   void NoteClosed() { opened_ = false; }
-  /// The whole memory and its activations, as records for a journal, and the inverse. False if the records make no
-  /// sense: then nothing has changed.
+  /// The entire memory with its activations, as records for a journal, and the inverse. Load returns false, and changes
+  /// nothing, if the records are invalid.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 
   // Sharing ---------------------------------------------------------------------------------------------------------
 
-  /// Shares the knowledge with other agents that know exactly the same, if any. Happens automatically at the agent's
-  /// first run. An agent that changes shared knowledge gets its own layer over it.
+  /// Shares the knowledge with other agents whose knowledge is equal, if there are any. Called automatically at the
+  /// agent's first run. An agent that changes shared knowledge gets its own layer over it.
   void Share();
-  /// Call before adding a large text of knowledge to an empty memory. True: the memory now shares what an agent made
-  /// from the same text before. Otherwise call NoteText once the whole text has been added.
+  /// Call it before adding a large text of knowledge to an empty memory. If it returns true, the memory now shares the
+  /// knowledge that an agent created from the same text before. Else call NoteText after the entire text has been
+  /// added.
   bool TakeText(std::string_view text);
   void NoteText(std::string_view text, Lti next_number);
   bool shares() const { return shared_; }
@@ -157,27 +157,28 @@ class SemanticMemory final : public Module {
   std::size_t MemoryBytes() const override;
 
  private:
-  /// What is known about the command of one state.
+  /// The stored data on the command of one state.
   struct State {
-    CommandStamp store, other;  ///< As of the last answer.
+    CommandStamp store, other;  ///< As of the last result.
     std::vector<PreferenceId> results;
   };
 
   Knowledge& Writable();
   void Respond(bool store_only);
   bool RespondTo(GoalLevel level, bool store_only);
-  /// Reads the current command of a state into command_. Parse then says what it asks for.
+  /// Reads the current command of a state into command_. Parse then determines its meaning.
   const SemanticCommand& Read(GoalLevel level);
   void Parse();
   void AnswerStore(GoalLevel level, const SemanticCommand& command);
   void AnswerRetrieval(GoalLevel level, const SemanticCommand& command);
   bool MakeCue(const SemanticCommand& command, Cue& cue);
-  /// Tells observers the result of a command, and why. `object` may be Knowledge::kNowhere.
+  /// Reports the result of a command, with the reason, to observers. `object` may be Knowledge::kNowhere.
   void Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
             std::uint32_t object);
   bool AddMath(Symbol object, Cue& cue);
-  /// The object that stores an identifier. With `made_new`, it and its children get new objects, whatever their links;
-  /// the map holds those that one command made, by identifier. An identifier without a link is linked to its object.
+  /// The object in which an identifier is stored. With `made_new`, the identifier and its children get new objects,
+  /// regardless of their links; the map contains those created by one command, by identifier. An identifier without a
+  /// link is linked to its object.
   std::uint32_t Store(Symbol id, std::map<std::uint32_t, std::uint32_t>* made_new);
   /// Adds an object's augmentations, and those of its children to the command's depth, to what will be installed.
   Symbol Retrieve(GoalLevel level, std::uint32_t object);
@@ -209,7 +210,7 @@ class SemanticMemory final : public Module {
   SmemCounters counters_;
   WrittenOrder written_order_;
   std::vector<State> states_;  ///< By level - 1.
-  // Of the current command.
+  // Data of the current command.
   SemanticCommand command_;
   Cue cue_;
   Retrieval retrieval_;
@@ -222,7 +223,7 @@ class SemanticMemory final : public Module {
   bool traced_ = false;
   bool traces_briefly_ = false;
   std::uint32_t last_traced_ = 0xFFFFFFFFu;  ///< The object whose sign was printed last; none after Keep.
-  bool warned_ = false;                      ///< About a journal that cannot be written.
+  bool warned_ = false;                      ///< A warning about an unwritable journal was printed.
   mutable bool first_line_ = true;
 };
 

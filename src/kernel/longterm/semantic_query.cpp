@@ -10,7 +10,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// With no more than this many objects to look at, an index of numbers is not worth making.
+/// With this number of objects or fewer, an index of numbers is not worthwhile.
 constexpr std::size_t kFewCandidates = 32;
 
 bool Meets(const Terms& terms, StoreTerm value, const CueElement& element) {
@@ -30,7 +30,7 @@ bool Meets(const Terms& terms, StoreTerm value, const CueElement& element) {
   }
 }
 
-/// The largest (or smallest) number that an object has for an attribute. It has one.
+/// The largest (or smallest) number that an object has for an attribute; it must have one.
 double Extreme(const Knowledge& knowledge, std::uint32_t object, const CueElement& element) {
   const bool largest = element.math == MathTest::kMax;
   bool any = false;
@@ -92,7 +92,7 @@ std::vector<std::uint32_t>& SemanticSearch::HotOf(const Knowledge& knowledge, st
   const MemberList members = knowledge.ListAt(list);
   const std::span<const Activations::Touched> touched = activations_.records();
   if (touched.size() < members.slots()) {
-    // What was touched is often less than what is known.
+    // The touched objects are often fewer than the members of the list.
     for (const Activations::Touched& record : touched) {
       if (RowIn(knowledge, record.object, driver) != 0) hot.push_back(record.object);
     }
@@ -150,7 +150,7 @@ double SemanticSearch::ActivationOf(std::uint32_t object, const Spreading* sprea
 }
 
 namespace {
-/// The rarest demand, and its list; null if a demand is met by nobody, or there is none.
+/// The rarest requirement, and its list; null if a requirement cannot be met, or if there is none.
 const CueElement* Driver(const Knowledge& knowledge, const Cue& cue, std::uint32_t& driving_list) {
   const CueElement* driver = nullptr;
   for (const CueElement& element : cue.elements) {
@@ -186,7 +186,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const auto is_prohibited = [&](std::uint32_t object) {
     return std::ranges::find(prohibited, object) != prohibited.end();
   };
-  // The largest of one attribute and the smallest of another may be wanted together.
+  // A query may ask for the largest value of one attribute and the smallest of another.
   const CueElement* extreme = nullptr;
   const CueElement* second_extreme = nullptr;
   for (const CueElement& element : cue.elements) {
@@ -194,7 +194,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     (extreme == nullptr ? extreme : second_extreme) = &element;
   }
 
-  // By base level what was ever used is more active than what was not.
+  // With base-level activation, any object that was ever used is more active than one that was not.
   const double cold_activation =
       settings_.activation_mode == ActivationMode::kBaseLevel ? -std::numeric_limits<double>::infinity() : 0;
   const auto with_spread = [&](std::uint32_t object) {
@@ -216,7 +216,8 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     return activations_.Find(object) == nullptr && (spreading == nullptr || !spreading->Reaches(object));
   };
   if (extreme != nullptr && second_extreme == nullptr && limit == 1 && list.size() > kFewCandidates) {
-    // From the end that is wanted: the first numbers that anybody has who fits. Of equal numbers the best object wins.
+    // Starts at the requested end: the first number of any object that fits. Of objects with equal numbers the best one
+    // wins.
     const std::vector<Number>& numbers = NumbersOf(knowledge, extreme->attribute);
     const std::size_t count = numbers.size();
     const auto nth = [&](std::size_t n) -> const Number& {
@@ -241,7 +242,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   const bool one_is_enough = limit == 1 && extreme == nullptr;
   const auto consider = [&](std::uint32_t object) {
     if (one_is_enough && !hot.empty()) {
-      // Most are out of the question before they are looked at.
+      // Most candidates can be excluded by their activation alone.
       double activation = OwnActivation(knowledge, object);
       if (spreading != nullptr) activation = with_spread(object);
       if (activation < hot.front().activation) return;
@@ -264,11 +265,12 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
   }
   std::ranges::sort(hot, Better);
 
-  // The others, merged in: all are equally active, the youngest row comes first.
+  // Merges the other objects: they have equal activation, and the newest row is first.
   std::vector<std::uint32_t> found;
   std::size_t next_hot = 0;
   std::size_t next_cold = list.slots();
-  std::vector<std::uint32_t> seen;  // Of an attribute with any value an object may stand in the list more than once.
+  std::vector<std::uint32_t> seen;  // If any value of the attribute matches, an object may be in the list several
+                                    // times.
   bool has_best = false;
   double best = 0, second_best = 0;
   const auto improves = [](const CueElement& element, double number, double least) {
@@ -279,7 +281,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
       found.push_back(object);
       return found.size() >= limit;
     }
-    // Who is to replace the best so far must be better in all that is wanted.
+    // An object must be better in all requested extremes to replace the best one.
     const double number = Extreme(knowledge, object, *extreme);
     const double second = second_extreme == nullptr ? 0 : Extreme(knowledge, object, *second_extreme);
     const bool is_better = improves(*extreme, number, best) &&

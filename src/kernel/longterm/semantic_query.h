@@ -19,18 +19,18 @@ enum class MathTest : std::uint8_t { kNone, kLess, kGreater, kLessOrEqual, kGrea
 /// One requirement on an object.
 struct CueElement {
   StoreTerm attribute;
-  StoreTerm value;        ///< None: any.
-  bool negative = false;  ///< The object must not have it.
+  StoreTerm value;        ///< None: any value.
+  bool negative = false;  ///< The object must not have the value.
   MathTest math = MathTest::kNone;
-  double bound = 0;  ///< Of a math test but the largest and the smallest.
+  double bound = 0;  ///< For a math test, except those for the largest and the smallest value.
 };
 
-/// What a query asks for. A term that the store does not contain is none: `impossible` says that a requirement needs
-/// one.
+/// The requirements of a query. A term that the store does not contain is none; `impossible` is set if a requirement
+/// needs such a term.
 struct Cue {
   std::vector<CueElement> elements;
   bool impossible = false;
-  bool takes_last = false;  ///< The last object that fits answers, not the first.
+  bool takes_last = false;  ///< The result is the last object that fits, not the first.
 
   void Clear() {
     elements.clear();
@@ -38,24 +38,25 @@ struct Cue {
   }
 };
 
-/// Finds the objects that fit a cue, the most active first. Among equally active ones, an object with many
-/// augmentations (SmemSettings::thresh) comes first if it was ever touched, then the one whose augmentation in the list
-/// of the rarest requirement is the youngest.
+/// Finds the objects that fit a cue, the most active first. Among objects with equal activation, an object with many
+/// augmentations (SmemSettings::thresh) is first if it was ever touched; then the one whose augmentation in the list of
+/// the rarest requirement is the newest.
 ///
-/// The rarest requirement drives: only objects that meet it are examined. Those never touched all have activation 0 and
-/// are in the right order already; touched ones are kept separately, for each list that ever drove.
+/// Only objects that meet the rarest requirement are examined (the driving list). Objects that were never touched have
+/// activation 0 and are in the right order already. Touched ones are stored separately, for each list that was ever the
+/// driving one.
 class SemanticSearch {
  public:
   SemanticSearch(const SmemSettings& settings, Activations& activations)
       : settings_(settings), activations_(activations) {}
 
-  /// The places of up to `limit` objects, best first. With spreading, its share is added to their activations.
+  /// The places of up to `limit` objects, best first. With `spreading`, its share is added to their activations.
   std::vector<std::uint32_t> Find(const Knowledge& knowledge, const Cue& cue, std::span<const std::uint32_t> prohibited,
                                   std::size_t limit, const Spreading* spreading = nullptr);
-  /// The list of the rarest requirement, whose members are the candidates; kNowhere if no object meets some
-  /// requirement.
+  /// The list of the rarest requirement, whose members are the candidates; kNowhere if no object meets one of the
+  /// requirements.
   std::uint32_t DrivingList(const Knowledge& knowledge, const Cue& cue) const;
-  /// How active an object is, including its share if `spreading` is given.
+  /// The activation of an object, including its share if `spreading` is given.
   double ActivationOf(std::uint32_t object, const Spreading* spreading) const;
   /// Call when an object is touched for the first time.
   void FirstTouched(const Knowledge& knowledge, std::uint32_t object);
@@ -80,10 +81,11 @@ class SemanticSearch {
     double number;
     std::uint32_t object;
   };
-  /// An object that was stored but never used counts as new: by frequency, and by recency if it is large.
+  /// The activation of an object alone. An object that was stored but never used counts as new: by frequency, and by
+  /// recency if it is large.
   double OwnActivation(const Knowledge& knowledge, std::uint32_t object) const;
   static bool Better(const Candidate& a, const Candidate& b);
-  /// The numbers that objects have as values of an attribute, in ascending order.
+  /// The numeric values of an attribute with their objects, sorted.
   const std::vector<Number>& NumbersOf(const Knowledge& knowledge, StoreTerm attribute);
   static bool Has(const Terms& terms, std::span<const Edge> edges, const CueElement& element);
   static bool Fits(const Knowledge& knowledge, const Cue& cue, const CueElement* driver, std::uint32_t object);
@@ -92,9 +94,9 @@ class SemanticSearch {
 
   const SmemSettings& settings_;
   Activations& activations_;
-  std::vector<Candidate> candidates_;                                  ///< Of the current query.
-  std::unordered_map<std::uint32_t, std::vector<Number>> numbers_;     ///< By attribute, for those that were asked for.
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> hot_;  ///< By list: its members that were touched.
+  std::vector<Candidate> candidates_;                               ///< For the current query.
+  std::unordered_map<std::uint32_t, std::vector<Number>> numbers_;  ///< By attribute, for attributes that were needed.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> hot_;  ///< By list: its touched members.
 };
 
 }  // namespace soarbox::kernel

@@ -22,7 +22,7 @@ enum class Kind : std::uint8_t {
   kNextNumber,
   kWeights
 };
-/// Since 2, images end with the weights of links.
+/// From version 2 on, images end with the weights of links.
 constexpr std::uint8_t kImageVersion = 2;
 
 std::string OfNumber(Kind kind, Lti number) {
@@ -192,7 +192,7 @@ std::string Image(const Knowledge& knowledge, const Activations& activations, co
   out.Number(knowledge.next_number());
   out.Number(knowledge.object_count());
   for (std::uint32_t place = 0; place < knowledge.object_count(); ++place) out.Number(knowledge.NumberAt(place));
-  // In the order in which they were made: rows decide ties.
+  // In order of creation, because rows decide ties.
   struct Entry {
     std::uint32_t row, object;
     StoreTerm attribute, value;
@@ -205,7 +205,7 @@ std::string Image(const Knowledge& knowledge, const Activations& activations, co
     }
   }
   std::ranges::sort(entries, {}, &Entry::row);
-  // Constants once, in the order in which the store met them.
+  // Each constant once, in order of first use in the store.
   FlatMap noted;
   std::vector<StoreTerm> constants;
   const auto note = [&](StoreTerm term) {

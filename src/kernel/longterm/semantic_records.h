@@ -9,8 +9,8 @@
 #include "kernel/longterm/knowledge.h"
 #include "kernel/longterm/link_weights.h"
 
-/// What semantic memory writes into its journal: an image of the whole memory, and one record per change. Records
-/// contain constants themselves and objects as numbers, so that a record means the same wherever it is read.
+/// The records that semantic memory writes to its journal: an image of the entire memory, and one record per change.
+/// Records contain constants as values and objects as numbers, so that their meaning does not depend on the agent.
 namespace soarbox::kernel::records {
 
 std::string Object(Lti number);
@@ -23,7 +23,7 @@ std::string Clear();
 std::string Weights(const Knowledge& knowledge, std::uint32_t object, const LinkWeights::Weights& weights);
 std::string Image(const Knowledge& knowledge, const Activations& activations, const LinkWeights& weights);
 
-/// Repeats the change in the record. False if it makes no sense here; what was done by then stays.
+/// Repeats the change in the record. Returns false if the record is invalid; changes before the error remain.
 bool Apply(std::string_view record, Knowledge& knowledge, Activations& activations, LinkWeights& weights);
 bool ReadImage(std::string_view image, Knowledge& knowledge, Activations& activations, LinkWeights& weights);
 

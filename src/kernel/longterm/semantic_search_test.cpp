@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Semantic memory beside a model that has no index at all: each cue is answered by walking all objects, each activation
-// worked out from all touches there ever were.
+// Compares semantic memory with a model without indices: each cue is matched against all objects, and each activation
+// is computed from all earlier touches.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct NaiveObject {
 };
 
 struct NaiveDemand {
-  int attribute, value;  ///< value -1: any.
+  int attribute, value;  ///< value -1: any value.
   bool negative = false;
 };
 
@@ -40,7 +40,7 @@ class NaiveMemory {
 
   std::map<Lti, NaiveObject> objects;
   std::uint64_t clock = 0;
-  std::map<Lti, double> kept;  ///< Base-level activation as it was worked out at the last touch.
+  std::map<Lti, double> kept;  ///< Base-level activation as computed at the last touch.
 
   void Touch(Lti number) {
     ++clock;
@@ -69,7 +69,7 @@ class NaiveMemory {
     return kept.at(number);
   }
 
-  /// By base level what was ever used goes before what was not.
+  /// With base-level activation, any object that was ever used precedes those that were not.
   double RankOf(Lti number) const {
     const bool is_cold = settings_.activation_mode == ActivationMode::kBaseLevel && objects.at(number).touches.empty();
     return is_cold ? -1e300 : ActivationOf(number);
@@ -82,7 +82,7 @@ class NaiveMemory {
     return false;
   }
 
-  /// The largest or smallest of the numbers (multiples of 3) that an object has for an attribute.
+  /// The largest or smallest numeric value (numbers are multiples of 3) of an object's attribute.
   static std::optional<int> Extreme(const NaiveObject& object, int attribute, bool largest) {
     std::optional<int> best;
     for (const NaiveEdge& edge : object.edges) {
@@ -92,7 +92,7 @@ class NaiveMemory {
     return best;
   }
 
-  /// `extreme`: the attribute whose largest or smallest number is wanted; negative: none.
+  /// `extreme`: the attribute whose largest or smallest number is requested; negative: none.
   std::optional<Lti> Find(const std::vector<NaiveDemand>& cue, const std::set<Lti>& prohibited, int extreme = -1,
                           bool largest = true) const {
     const NaiveDemand* driver = nullptr;
@@ -147,8 +147,8 @@ class RandomMemory {
     objects_ = seed % 4 == 0 ? 150 : 12;
   }
 
-  /// Another agent over the same knowledge, with what the first one did until now as its own past. From now on both
-  /// change layers.
+  /// Another agent with the same knowledge and a copy of the first agent's history. From now on both change their
+  /// layers.
   RandomMemory(RandomMemory& other, unsigned seed)
       : random_(seed),
         settings_(other.settings_),
@@ -303,7 +303,7 @@ TEST(SemanticSearch, AnswersAsAModelWithoutIndicesDoes) {
   }
 }
 
-/// Agents over shared knowledge, beside the same model: what one of them does, no other one sees.
+/// Agents with shared knowledge, compared with the same model: changes of one agent are not visible to others.
 TEST(SharedKnowledge, LayersAnswerAsAModelOfTheirOwnDoes) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -325,7 +325,7 @@ TEST(SharedKnowledge, LayersAnswerAsAModelOfTheirOwnDoes) {
   }
 }
 
-/// A layer holds what was changed, however much is known.
+/// The size of a layer depends on its changes, not on the size of the base.
 TEST(SharedKnowledge, ALayerCostsWhatItChanges) {
   const auto known = std::make_shared<Knowledge>();
   const StoreTerm kind = known->terms().String("kind"), thing = known->terms().String("thing");
@@ -359,7 +359,7 @@ TEST(LinkWeights, LinksThatAreUsedGainAndOthersLose) {
   for (const std::uint32_t object : {left, right}) knowledge.AddEdge(hub, next, StoreTerm::Object(object));
   LinkWeights weights(settings);
   EXPECT_EQ(weights.Of(knowledge, hub), nullptr);
-  // In the first cycle nothing is lost but by the division: 0.6 and 0.5.
+  // In the first cycle, weights decrease only by normalization: 0.6 and 0.5.
   weights.Use(knowledge, hub, left, 1);
   ASSERT_NE(weights.Of(knowledge, hub), nullptr);
   EXPECT_NEAR(weights.Of(knowledge, hub)->at(left), 0.6 / 1.1, 1e-9);
@@ -367,7 +367,7 @@ TEST(LinkWeights, LinksThatAreUsedGainAndOthersLose) {
   weights.Use(knowledge, hub, right, 2);
   weights.Use(knowledge, hub, right, 2);
   EXPECT_NEAR(weights.Of(knowledge, hub)->at(right), 0.5522, 1e-4);
-  // In the second of two cycles what is not used loses.
+  // In the second of two cycles, unused links lose weight.
   weights.Use(knowledge, hub, left, 3);
   weights.Use(knowledge, hub, left, 4);
   EXPECT_NEAR(weights.Of(knowledge, hub)->at(left), 0.6022, 1e-4);

@@ -14,7 +14,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Two words made of many: equal if the same was added in the same order, else different.
+/// A digest of two words: equal if the same was added in the same order, else (almost certainly) different.
 class Digest {
  public:
   using Words = std::pair<std::uint64_t, std::uint64_t>;
@@ -41,7 +41,7 @@ class Digest {
   Words words() const { return words_; }
 
  private:
-  /// Terms have the same indices where the same was read in the same order; what they say is added once.
+  /// Adds a term. Terms have equal indices if the same was read in the same order; their contents are added once.
   void AddTerm(StoreTerm term) {
     Add(term.bits());
     if (term.IsObject()) return;
@@ -63,7 +63,7 @@ class Digest {
   std::vector<std::uint8_t> told_;
 };
 
-/// Of everything: every object, augmentation and name.
+/// A digest of all objects, augmentations and aliases.
 Digest::Words DigestOf(const Knowledge& knowledge) {
   Digest digest(knowledge);
   digest.Add(knowledge.next_number());
@@ -75,7 +75,7 @@ Digest::Words DigestOf(const Knowledge& knowledge) {
   return digest.words();
 }
 
-/// Of a few objects and the counts: what differs here differs, and most that differs does so here.
+/// A digest of the counts and a few objects: most knowledge that differs, differs here.
 Digest::Words SketchOf(const Knowledge& knowledge) {
   constexpr std::uint32_t kSamples = 16;
   Digest digest(knowledge);
@@ -88,7 +88,7 @@ Digest::Words SketchOf(const Knowledge& knowledge) {
   return digest.words();
 }
 
-/// Knowledge that agents use. Its digest is made when other knowledge looks the same.
+/// Knowledge in use by agents. Its digest is computed when other knowledge has the same sketch.
 struct Known {
   std::weak_ptr<Knowledge> knowledge;
   std::optional<Digest::Words> digest;

@@ -10,16 +10,16 @@ namespace soarbox::kernel {
 enum class ActivationMode : std::uint8_t { kRecency, kFrequency, kBaseLevel };
 enum class BaseUpdatePolicy : std::uint8_t { kStable, kNaive, kIncremental };
 
-/// The settings of `smem --set` that matter to the kernel.
+/// The settings of `smem --set` that the kernel uses.
 struct SmemSettings {
   bool enabled = false;
-  std::uint64_t initial_number = 1;  ///< Where the numbers of new objects begin in an empty memory.
+  std::uint64_t initial_number = 1;  ///< The first number for new objects in an empty memory.
   ActivationMode activation_mode = ActivationMode::kRecency;
   bool activate_on_query = true;
   double base_decay = 0.5;
   BaseUpdatePolicy base_update_policy = BaseUpdatePolicy::kStable;
   std::vector<std::uint64_t> base_incremental_threshes = {10};
-  std::uint64_t thresh = 100;  ///< Among equally active objects, those with so many edges come first, once touched.
+  std::uint64_t thresh = 100;  ///< Minimum number of edges with which a touched object wins ties.
   bool base_inhibition = false;
   double base_unused_age_offset = 0;
 

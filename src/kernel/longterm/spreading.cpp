@@ -10,10 +10,10 @@ namespace soarbox::kernel {
 Spreading::Reach Spreading::ReachOf(const Knowledge& knowledge, std::uint32_t source) {
   Reach& known = reaches_[source];
   if (known != nullptr) return known;
-  // Best first: paths in the order of what is left of the activation; equal ones by number.
+  // Best first: paths sorted by their remaining activation; equal ones by number.
   struct Step {
     std::uint32_t object;
-    double weight;  ///< Of the augmentation that led here: a step is the same only if that is equal, too.
+    double weight;  ///< Of the augmentation of this step: equal steps must have equal weights, too.
     bool operator==(const Step&) const = default;
   };
   struct Path {

@@ -15,28 +15,30 @@
 
 namespace soarbox::kernel {
 
-/// Activation that spreads from the contents of working memory. An object is a source if a working memory identifier
-/// with elements is an instance of it. What it gives flows along augmentations, by their weights, and shrinks with each
-/// step.
+/// Activation that spreads from the contents of working memory. An object is a source if an identifier in working
+/// memory that has elements is an instance of it. Activation flows along augmentations according to their weights, and
+/// decreases with each step.
 ///
-/// A source's reach depends on the graph alone: each object's part of what the source gives. It is computed when the
-/// source comes, and stays until the source goes, whatever happens to the graph. If the graph has not changed when the
-/// source returns, the reach is used again. As in Soar 9.6.3, activation spreads when a query has more than one
-/// candidate, and only to its candidates: all others keep what they got last, as long as any source reaches them.
+/// The reach of a source is each object's share of the source's activation. It depends only on the graph. It is
+/// computed when the source appears, and is kept until the source disappears, even if the graph changes. If the graph
+/// has not changed when the source returns, the reach is reused. As in Soar 9.6.3, activation spreads when a query has
+/// more than one candidate, and only to its candidates: all other objects keep their last value as long as any source
+/// reaches them.
 ///
-/// A source of strength x gives x / (1 + x), and no object gets less than the least, which is baseline / (p (1 +
-/// p)^depth). What an object gets from all sources, t, adds ln(t) - ln(least) to its activation.
+/// A source of strength x emits x / (1 + x). The minimum for an object is baseline / (p (1 + p)^depth). An object that
+/// receives t from all sources gets ln(t) - ln(minimum) added to its activation.
 class Spreading {
  public:
   Spreading(const SmemSettings& settings, LinkWeights& weights) : settings_(settings), weights_(weights) {}
 
-  /// The current sources: how strong each is, by object. Spread computes the effect.
+  /// Sets the strengths of the current sources, by object. Spread computes the effect.
   void SetSources(const Knowledge& knowledge, const std::map<std::uint32_t, double>& sources);
-  /// What an object got: it adds `share` to the object's own activation, or to `unused` if it was never used.
+  /// The effect on an object: `share` is added to the object's own activation, or to `unused` if it was never used.
   struct Gift {
     double share, unused;
   };
-  /// Gives the candidates of a query their shares. `unused`: the current activation of objects that were never used.
+  /// Computes the shares of the candidates of a query. `unused`: the current activation of objects that were never
+  /// used.
   template <class ForEachCandidate>
   void Spread(double unused, ForEachCandidate&& for_each) {
     std::erase_if(shares_, [&](const auto& share) { return !totals_.contains(share.first); });
@@ -56,14 +58,14 @@ class Spreading {
   }
   void Clear();
   bool Reaches(std::uint32_t object) const { return shares_.contains(object); }
-  /// Null if nothing has spread to it.
+  /// Returns null if nothing has spread to the object.
   const Gift* GiftTo(std::uint32_t object) const {
     const auto share = shares_.find(object);
     return share == shares_.end() ? nullptr : &share->second;
   }
-  /// Whatever has a share, by object.
+  /// All objects with a share.
   const std::map<std::uint32_t, Gift>& shares() const { return shares_; }
-  /// How many objects the sources reach.
+  /// The number of objects that the sources reach.
   std::size_t size() const { return totals_.size(); }
 
  private:
@@ -76,8 +78,8 @@ class Spreading {
 
   const SmemSettings& settings_;
   LinkWeights& weights_;
-  std::unordered_map<std::uint32_t, Reach> reaches_;  ///< Those still valid, of current and former sources.
-  std::map<std::uint32_t, Reach> active_;             ///< Of the current sources.
+  std::unordered_map<std::uint32_t, Reach> reaches_;  ///< The valid ones, of current and former sources.
+  std::map<std::uint32_t, Reach> active_;             ///< Those of the current sources.
   std::map<std::uint32_t, double> known_;
   std::unordered_map<std::uint32_t, double> totals_;
   std::map<std::uint32_t, Gift> shares_;

@@ -5,7 +5,7 @@
 
 namespace soarbox::kernel {
 
-// What the cue can reach ----------------------------------------------------------------------------------------------
+// Collecting the reachable facts --------------------------------------------------------------------------------------
 
 std::uint32_t SurfaceMatch::CellOf(std::uint32_t variable, EpisodeNode node) {
   const auto [found, is_new] =
@@ -70,14 +70,14 @@ void SurfaceMatch::Expand(const EpisodeCue& cue, std::uint32_t first_variable, s
   }
 }
 
-// Walking back --------------------------------------------------------------------------------------------------------
+// Searching backwards -------------------------------------------------------------------------------------------------
 
 void SurfaceMatch::Schedule(std::uint32_t pair, EpisodeNumber episode) {
   heap_.emplace_back(episode, pair);
   std::push_heap(heap_.begin(), heap_.end());
 }
 
-/// One pair more, or one less, speaks for a leaf or for a cell.
+/// A pair starts or stops to support a leaf or a cell.
 void SurfaceMatch::Count(std::uint32_t pair, bool up) {
   work_.emplace_back(pair, up);
   while (!work_.empty()) {
@@ -111,7 +111,7 @@ void SurfaceMatch::Toggle(std::uint32_t at) {
   if (cells_[pair.cell].held()) Count(at, pair.holds);
 }
 
-/// Adds the weights up anew, always in the same order: sums that only change would drift.
+/// Sums up the weights again, always in the same order, because incremental sums would accumulate rounding errors.
 void SurfaceMatch::Add() {
   score_ = possible_ = 0;
   for (const Leaf& leaf : leaves_) {
@@ -135,7 +135,7 @@ SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on
     if (pairs_[pair].leaf != kNone) ++leaves_[pairs_[pair].leaf].possible;
   }
   Add();
-  // A negative leaf that weighs less than nothing would add; a cue of such weights is walked to its end.
+  // A negative leaf with a negative weight would increase the score, so with such weights the search goes to the end.
   const bool bounded = negative_.all_weigh() && positive_.all_weigh();
   const std::int32_t perfect = static_cast<std::int32_t>(positive_.leaf_count());
   const auto exhausted = [&](const Pair& pair) {
@@ -151,7 +151,7 @@ SurfaceScore SurfaceMatch::Find(const EpisodeWindow& window, const OnPerfect& on
       Pair& pair = pairs_[at];
       Toggle(at);
       if (pair.holds) {
-        // It ends, going back, before its interval begins.
+        // Going backwards, the pair ends before its interval begins.
         Schedule(at, store_.SameSince(pair.fact, episode) - 1);
       } else if (const EpisodeNumber earlier = episode == 0 ? 0 : store_.Latest(pair.fact, episode); earlier >= least) {
         Schedule(at, earlier);

@@ -12,29 +12,29 @@
 
 namespace soarbox::kernel {
 
-/// How well an episode agrees with a cue leaf by leaf.
+/// How well an episode matches a cue, counted by leaves.
 struct SurfaceScore {
-  EpisodeNumber episode = 0;  ///< 0: no leaf matched in any.
+  EpisodeNumber episode = 0;  ///< 0: no leaf matched in any episode.
   double score = 0;
   std::int32_t cardinality = 0;  ///< Positive leaves that matched minus negative leaves that matched.
 };
 
-/// An episode that scored more than all later ones, or the same and matches the cue as a graph.
+/// An episode with a higher score than all later ones, or with the same score and a graph match.
 struct SurfaceStep {
   EpisodeNumber episode = 0;
-  bool is_perfect = false;  ///< All positive leaves match, no negative one does.
+  bool is_perfect = false;  ///< All positive leaves match, and no negative one does.
   bool ends_search = false;
 };
 
-/// The episode with the best score, the latest of these. A leaf counts once per episode, and only if everything that
-/// leads to it matches; a variable may be any node there, and several at a time.
+/// Finds the episode with the best score; the latest one if there are several. A leaf counts once per episode, and only
+/// if the entire path to it matches. A variable may be matched by any node in the right position, even by several.
 ///
-/// Walks the interval ends of the facts that the cue can reach, latest first; stops as soon as leaves that were true
-/// still earlier cannot beat the best.
+/// Walks the interval ends of the facts that the cue can reach, latest first. Stops as soon as the leaves that were
+/// true in earlier episodes cannot beat the best score.
 class SurfaceMatch {
  public:
-  /// Called for each episode in which all positive leaves match and no negative one does, as long as no later one
-  /// scored more; true ends the search with this episode.
+  /// Called for each episode in which all positive leaves match and no negative one does, unless a later one scored
+  /// more. Return true to end the search with this episode.
   using OnPerfect = std::function<bool(EpisodeNumber)>;
 
   SurfaceMatch(const EpisodeStore& store, const EpisodeCue& positive, const EpisodeCue& negative)
@@ -45,31 +45,32 @@ class SurfaceMatch {
                     std::vector<SurfaceStep>* steps = nullptr);
 
  private:
-  /// A variable as a node: held when each edge to the variable has a fact that is true and comes from a held cell.
+  /// A variable matched by a node. It is held if each edge to the variable has a fact that is true and comes from a
+  /// held cell.
   struct Cell {
-    std::uint32_t variable = 0;  ///< Those of the negative cue after those of the positive one.
+    std::uint32_t variable = 0;  ///< Variables of the negative cue follow those of the positive one.
     EpisodeNode node = 0;
     std::uint32_t needed = 0, have = 0;
-    std::vector<std::uint32_t> pairs;  ///< The pairs that leave it.
+    std::vector<std::uint32_t> pairs;  ///< The pairs that start at it.
     bool held() const { return have == needed; }
   };
-  /// An edge of a cue as a fact.
+  /// An edge of a cue matched by a fact.
   struct Pair {
-    std::uint32_t leaf = 0;  ///< Index into leaves_, or none.
+    std::uint32_t leaf = 0;  ///< Index in leaves_, or none.
     EpisodeFact fact = 0;
-    std::uint32_t cell = 0;     ///< The cell that it leaves.
-    std::uint32_t arrival = 0;  ///< Index into arrivals_, or none.
+    std::uint32_t cell = 0;     ///< The cell at which it starts.
+    std::uint32_t arrival = 0;  ///< Index in arrivals_, or none.
     bool holds = false;
   };
-  /// An edge of a cue that leads to a cell: how many of its pairs support the cell.
+  /// An edge of a cue that leads to a cell: the number of its pairs that support the cell.
   struct Arrival {
     std::uint32_t cell = 0, count = 0;
   };
   struct Leaf {
     double weight = 0;           ///< Below 0 for negative leaves.
-    std::int32_t step = 1;       ///< What it adds to the cardinality.
-    std::uint32_t count = 0;     ///< Pairs that are true and reached.
-    std::uint32_t possible = 0;  ///< Pairs that are true at or before the current episode.
+    std::int32_t step = 1;       ///< Added to the cardinality if it matches.
+    std::uint32_t count = 0;     ///< Number of pairs that are true and reachable.
+    std::uint32_t possible = 0;  ///< Number of pairs that are true in the current or an earlier episode.
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -93,12 +94,12 @@ class SurfaceMatch {
   std::vector<Arrival> arrivals_;
   std::vector<Leaf> leaves_;
   std::unordered_map<std::uint64_t, std::uint32_t> cell_of_, arrival_of_;
-  std::vector<std::pair<EpisodeNumber, std::uint32_t>> heap_;  ///< When each pair changes next, going back.
+  std::vector<std::pair<EpisodeNumber, std::uint32_t>> heap_;  ///< The next change of each pair, going backwards.
   std::vector<std::pair<std::uint32_t, bool>> work_;
   double score_ = 0, possible_ = 0;
   std::int32_t cardinality_ = 0;
   bool leaf_seen_ = false;
-  bool changed_ = false;  ///< A leaf has changed since the weights were added up.
+  bool changed_ = false;  ///< A leaf has changed since the weights were summed up.
 };
 
 }  // namespace soarbox::kernel

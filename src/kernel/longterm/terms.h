@@ -11,13 +11,13 @@
 
 namespace soarbox::kernel {
 
-/// The number of a long-term identifier: @12 has 12. 0 is none.
+/// The number of a long-term identifier: 12 for @12. 0 means none.
 using Lti = std::uint64_t;
 
 enum class TermKind : std::uint32_t { kString, kInteger, kFloat, kObject };
 
-/// A symbol's counterpart in long-term memory: four bytes, compared by value. An object's index is its place in the
-/// store. (An agent's symbols are swept and its identifiers used again; terms stay.)
+/// The counterpart of a symbol in long-term memory: four bytes, compared by value. The index of an object is its place
+/// in the store. (An agent's symbols are swept and its identifiers reused; terms stay.)
 class StoreTerm {
  public:
   constexpr StoreTerm() = default;
@@ -37,13 +37,13 @@ class StoreTerm {
   std::uint32_t bits_ = 0;
 };
 
-/// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are three). Nothing is ever removed.
+/// The constants of a store: equal constants have equal terms (5, 5.0 and |5| are different). Never removed.
 ///
-/// Terms may have a base, which nobody changes any longer: they contain its constants and those added since.
+/// Terms may have a base, which is immutable: they contain its constants and those added since.
 class Terms {
  public:
   Terms() = default;
-  /// `base` must outlive this, never changes, and has no base itself.
+  /// `base` must outlive this object, must not change, and must not have a base itself.
   explicit Terms(const Terms* base);
   Terms(const Terms&) = delete;
   Terms& operator=(const Terms&) = delete;
@@ -53,7 +53,7 @@ class Terms {
   StoreTerm String(std::string_view text);
   StoreTerm Integer(std::int64_t value);
   StoreTerm Float(double value);
-  /// The term of an existing constant, otherwise none. Never adds.
+  /// The term of an existing constant, or none. Never adds one.
   StoreTerm FindString(std::string_view text) const;
   StoreTerm FindInteger(std::int64_t value) const;
   StoreTerm FindFloat(double value) const;
@@ -67,8 +67,7 @@ class Terms {
   double NumberValue(StoreTerm number) const {
     return number.kind() == TermKind::kFloat ? FloatValue(number) : static_cast<double>(IntegerValue(number));
   }
-  /// The rank of a constant in the order in which the store met them, whatever its kind: values are shown in this
-  /// order.
+  /// The rank of a constant in order of first use, for constants of all kinds. Values are shown in this order.
   std::uint32_t Order(StoreTerm constant) const {
     const std::uint32_t index = constant.index();
     switch (constant.kind()) {
@@ -83,12 +82,12 @@ class Terms {
     }
     return 0;
   }
-  /// Writes a constant as in `smem --add`: strings between bars if they need them, floats with 16 decimals or, if
-  /// `short_floats`, 16 digits.
+  /// Appends a constant in the notation of `smem --add`: strings between bars if necessary, floats with 16 decimals or,
+  /// if `short_floats`, 16 digits.
   void Append(std::string& out, StoreTerm constant, bool short_floats = false) const;
 
   bool empty() const { return next_order_ == 0; }
-  /// How many constants the store met.
+  /// Number of constants, including those of the base.
   std::uint32_t count() const { return next_order_; }
   /// Without the terms of the base.
   std::size_t MemoryBytes() const { return bytes_ + (integers_.size() + floats_.size()) * 64; }
@@ -107,7 +106,7 @@ class Terms {
   }
 
   const Terms* base_ = nullptr;
-  std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< How many terms `base_` has.
+  std::uint32_t first_string_ = 0, first_integer_ = 0, first_float_ = 0;  ///< The number of terms in `base_`.
   std::uint32_t next_order_ = 0;
   std::deque<std::string> strings_;
   std::vector<std::uint32_t> string_orders_;

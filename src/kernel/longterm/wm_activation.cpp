@@ -21,9 +21,9 @@
 namespace soarbox::kernel {
 
 namespace {
-/// What an element of which no history is kept counts among those that a new one rests on: activation 1.
+/// The strength of an element without a history in the mean for a new element: activation 1.
 constexpr double kWithoutHistory = 2.718281828459045;
-/// The activation of an element none of whose uses is entered yet.
+/// The activation of an element whose uses have not been added yet.
 constexpr double kUnused = -1e9;
 }  // namespace
 
@@ -78,7 +78,7 @@ double WmActivation::StrengthAt(const History& history, std::uint64_t cycle) con
     kept += history.uses[n];
   }
   if (settings_.petrov_approx && history.total > kept) {
-    // The older uses, as if they lay evenly between the first and the oldest that is remembered.
+    // The older uses are assumed to be evenly distributed between the first one and the oldest stored one.
     const double first = age(history.first), recent = age(history.cycles[history.count - 1u]);
     if (first > recent && d != -1) {
       sum += static_cast<double>(history.total - kept) * (std::pow(first, 1 + d) - std::pow(recent, 1 + d)) /
@@ -142,7 +142,7 @@ void WmActivation::Asserted(PreferenceId id) {
   for (WmeId wme = memory.slot(preference.slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
     if (memory.wme(wme).value != preference.value) continue;
     Use(wme);
-    // Traces and justifications keep what they rest on; matches of the top state do not.
+    // Traces and justifications store the elements on which they depend; matches of the top state do not.
     const Instantiation& maker = uses_.instantiations[preference.instantiation];
     if (!preference.o_supported || maker.level > 1 || maker.match == MatchId::kNone ||
         maker.justification != Instantiation::kNoJustification || HistoryOf(wme) != nullptr) {
@@ -167,7 +167,7 @@ void WmActivation::ReleaseGrounds() {
   while (!grounds_.empty()) ReleaseGroundsOf(static_cast<WmeId>(grounds_.begin()->first));
 }
 
-/// Begins the history of an element: it counts as made now, even if it was there before without o-support.
+/// Starts the history of an element. It counts as created now, even if it existed before without o-support.
 void WmActivation::Follow(WmeId wme, std::uint64_t uses) {
   History history;
   history.pending = uses + MeanStrength(wme);
@@ -203,7 +203,7 @@ void WmActivation::AddUse(WmeId wme) {
   TellOfLink(wme);
 }
 
-/// Of an element that links instances of stored objects, semantic memory is told.
+/// If the element links instances of stored objects, semantic memory is informed.
 void WmActivation::TellOfLink(WmeId wme) {
   const Wme& element = uses_.memory.wme(wme);
   const std::span<const std::uint64_t> linked = uses_.memory.long_term_identifiers();
@@ -214,8 +214,8 @@ void WmActivation::TellOfLink(WmeId wme) {
                                                    uses_.counters.decision_phases);
 }
 
-/// Of what the elements of open_ rest on, calls `held` with each o-supported element, or that was one, and `other` with
-/// each that no rule made. Each element is looked at once.
+/// Visits the elements on which the elements of open_ depend. Calls `held` with each that is or was o-supported, and
+/// `other` with each that no rule created. Visits each element once.
 template <class Held, class Other>
 void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
   const WorkingMemory& memory = uses_.memory;
@@ -236,7 +236,7 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
       continue;
     }
     if (!memory.wme(next).live) {
-      // What has left has lost its maker, but not its history.
+      // A removed element has no creator any more, but it has its history.
       if (HistoryOf(next) != nullptr) held(next);
       continue;
     }
@@ -255,7 +255,7 @@ void WmActivation::ForWhatHolds(const Held& held, const Other& other) {
   }
 }
 
-/// The o-supported elements that an i-supported one rests on, each once.
+/// Adds a use to each o-supported element on which an i-supported one depends.
 void WmActivation::UseWhatHolds(WmeId wme) {
   open_.assign(1, wme);
   held_.clear();
@@ -268,11 +268,11 @@ std::uint64_t WmActivation::OpenGrounds(WmeId wme, PreferenceId preference) {
   const auto open = [&](std::span<const WmeId> elements) {
     open_.insert(open_.end(), elements.begin(), elements.end());
   };
-  // (The last of a name: that of one that left nothing may have been given again.)
+  // (Searches from the end, because the id of an instantiation without results may have been reused.)
   for (std::size_t n = answers_.size(); n-- > 0;) {
     if (answers_[n].instantiation != maker) continue;
     open(answers_[n].grounds);
-    constexpr std::uint64_t kLinks = 3;  // That lead to the command and to the answer.
+    constexpr std::uint64_t kLinks = 3;  // Those that lead to the command and to the result.
     return kLinks;
   }
   if (const auto known = grounds_.find(Index(wme)); known != grounds_.end()) {
@@ -333,7 +333,7 @@ void WmActivation::RulesFire() {
   for (const MatchSet::List list : {MatchSet::List::kIAssertions, MatchSet::List::kOAssertions}) {
     for (const PendingMatch& match : matches.Pending(list)) {
       if (uses_.rete.production(match.production)->type == ProductionType::kJustification) continue;
-      // Uses change nothing that the match set holds.
+      // Uses do not change the match set.
       for (const WmeId wme : matches.Wmes(match.match)) Use(wme);
     }
   }
@@ -351,7 +351,7 @@ void WmActivation::Enter(WmeId wme, History& history) {
   history.pending = 0;
   if (history.count < kHistory) ++history.count;
   if (settings_.forgetting != WmaSettings::Forgetting::kBisection) return;
-  // A use only puts the day off: an element that falls due is judged again then.
+  // A use only postpones the due cycle: an element that becomes due is evaluated again then.
   const bool waits = history.due != 0;
   history.due = DueOf(history);
   if (!waits) due_[history.due].push_back(Index(wme));
@@ -418,7 +418,7 @@ void WmActivation::OutputEnd() {
       }
     }
   }
-  // The order in which they are forgotten is that in which they came.
+  // Elements are forgotten in the order of their creation.
   std::ranges::sort(low, {}, [&](std::uint32_t index) { return uses_.memory.wmes()[index].timetag; });
   low.erase(std::unique(low.begin(), low.end()), low.end());
   bool any = false;

@@ -17,18 +17,18 @@ namespace soarbox::kernel {
 
 class LongTerm;
 
-/// What `wm activation --set` sets.
+/// The settings of `wm activation --set`.
 struct WmaSettings {
   bool activation = false;
   double decay_rate = -0.5;
   double decay_thresh = -2;
   bool petrov_approx = false;
   enum class Forgetting : std::uint8_t { kOff, kNaive, kBisection } forgetting = Forgetting::kOff;
-  bool forget_linked_only = false;  ///< forget-wme lti: only elements of long-term identifiers' instances.
-  bool fake_forgetting = false;     ///< Counts what would be forgotten, but keeps it.
+  bool forget_linked_only = false;  ///< forget-wme lti: forget only elements of instances of long-term identifiers.
+  bool fake_forgetting = false;     ///< Count the elements that would be forgotten, but keep them.
 };
 
-/// How active the elements of working memory are, and forgetting of those that are no longer active.
+/// The activation of working memory elements, and forgetting of elements with low activation.
 ///
 /// An o-supported element made since this was switched on has a history: how often it was used in which decision cycle,
 /// for the last ten of them. Its creation counts 1 for each preference for it, plus the mean strength of what the
@@ -49,13 +49,13 @@ class WmActivation final : public Module {
   struct History {
     std::array<std::uint64_t, kHistory> cycles{};  ///< Newest first.
     std::array<std::uint64_t, kHistory> uses{};
-    std::uint64_t total = 0;    ///< All uses ever.
-    std::uint64_t first = 0;    ///< Cycle of the first.
+    std::uint64_t total = 0;    ///< Total number of uses.
+    std::uint64_t first = 0;    ///< Cycle of the first use.
     std::uint64_t pending = 0;  ///< Uses in this cycle.
-    std::uint8_t count = 0;     ///< Entries.
-    bool gone = false;          ///< The element has left, but elements that rested on it may still need its history.
-    std::uint64_t due = 0;      ///< The cycle in which it may be forgotten, unless it is used.
-    std::uint64_t timetag = 0;  ///< Of the element: its WmeId is used again.
+    std::uint8_t count = 0;     ///< Number of entries.
+    bool gone = false;      ///< The element was removed, but elements that depended on it may still need its history.
+    std::uint64_t due = 0;  ///< The cycle in which it may be forgotten unless it is used.
+    std::uint64_t timetag = 0;  ///< The element's time tag, because WmeIds are reused.
   };
 
   static WmActivation& Of(LongTerm& long_term);
@@ -66,25 +66,24 @@ class WmActivation final : public Module {
   WmaSettings& mutable_settings() { return settings_; }
   void SettingsChanged();
 
-  /// A module made the elements of `answer` with o-support from what existed: the elements of a command, and three
-  /// links of the architecture that lead to it and to its answer.
+  /// A module created the elements of `answer` with o-support from existing ones: the elements of a command, and the
+  /// three links of the architecture that lead to the command and its result.
   void NoteAnswer(InstantiationId answer, std::span<const WmeId> command);
-  /// The elements of all answers exist now.
+  /// The elements of all results exist now.
   void ForgetAnswers() { answers_.clear(); }
 
-  /// The current activation of an element: 1 without a history, -1e9 if its first use is not entered yet.
+  /// The current activation of an element: 1 without a history, -1e9 if its first use has not been added yet.
   double Of(WmeId wme) const;
-  /// The same for an element that is just entering working memory.
+  /// The activation of an element that is about to enter working memory.
   double OfNew(WmeId wme) const;
-  /// Null if the element has no history.
+  /// Returns null if the element has no history.
   const History* HistoryOf(WmeId wme) const;
   std::uint64_t forgotten() const { return forgotten_; }
-  /// The current decision cycle. Once the uses of a cycle are entered, the next one is current.
+  /// The current decision cycle. After the uses of a cycle were added, the next one is current.
   std::uint64_t now() const;
 
   // Module
-  /// Counts the uses of what each waiting match of the match set tested, including matches that wait for the apply
-  /// phase.
+  /// Adds the uses of the elements that each waiting match tests, including matches that wait for the apply phase.
   void RulesFire() override;
   void Flushed(std::span<const WmeId> added, std::span<const WmeId> removed) override;
   void Asserted(PreferenceId preference) override;
@@ -96,7 +95,7 @@ class WmActivation final : public Module {
 
  private:
   double ActivationAt(const History& history, std::uint64_t cycle) const;
-  /// Whether an element gets a history when it is made: o-supported ones do, except operators.
+  /// Whether an element gets a history when it is created: o-supported ones do, except operators.
   bool IsForHistory(WmeId wme) const;
   /// The sum of uses * age^decay_rate.
   double StrengthAt(const History& history, std::uint64_t cycle) const;
@@ -107,14 +106,16 @@ class WmActivation final : public Module {
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);
-  /// The mean strength that an element gets from what its makers rested on; elements as new as itself give nothing.
+  /// The mean strength that an element gets from the elements on which its preferences depend. Elements as new as
+  /// itself count 0.
   std::uint64_t MeanStrength(WmeId wme);
-  /// Adds the elements that a preference rests on to open_; returns how many others there are that no rule made.
+  /// Appends the elements on which a preference depends to open_. Returns the number of further ones that no rule
+  /// created.
   std::uint64_t OpenGrounds(WmeId wme, PreferenceId preference);
   void ReleaseGrounds();
   void ReleaseGroundsOf(WmeId wme);
   void Enter(WmeId wme, History& history);
-  /// The first cycle in which the element will be below the threshold if nobody uses it again.
+  /// The first cycle in which the element will be below the threshold if it is not used again.
   std::uint64_t DueOf(const History& history) const;
   bool Forget(WmeId wme);
 
@@ -124,22 +125,22 @@ class WmActivation final : public Module {
   std::unordered_map<std::uint32_t, History> histories_;  ///< By WmeId.
   std::vector<std::uint32_t> used_;                       ///< Elements with uses in this cycle.
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
-  std::uint64_t entered_ = kNever;                                     ///< The last cycle whose uses are entered.
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: which elements may be forgotten.
+  std::uint64_t entered_ = kNever;                                     ///< The last cycle whose uses were added.
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> due_;  ///< By cycle: elements that may be forgotten.
   struct Answer {
     InstantiationId instantiation;
     std::vector<WmeId> grounds;
   };
-  std::vector<Answer> answers_;  ///< Answers whose elements do not exist yet.
+  std::vector<Answer> answers_;  ///< Results whose elements do not exist yet.
   struct Grounds {
     PreferenceId preference;
-    std::vector<WmeId> elements;  ///< Held.
+    std::vector<WmeId> elements;  ///< References are held.
   };
-  /// By WmeId, for elements without a history: the grounds of their o-supported preferences, whose matches may end
-  /// before the history begins.
+  /// By WmeId, for elements without a history: the elements on which their o-supported preferences depend. Their
+  /// matches may end before the history starts.
   std::unordered_map<std::uint32_t, std::vector<Grounds>> grounds_;
   std::vector<WmeId> open_, held_;
-  std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that passed it.
+  std::vector<std::uint32_t> seen_;  ///< By WmeId: the last use that visited it.
   std::uint32_t pass_ = 0;
   std::uint64_t forgotten_ = 0;
 };

@@ -12,7 +12,7 @@ void AlphaMemories::Begin(std::uint32_t alpha) {
   states_[alpha] = AlphaState();
 }
 
-/// Makes a table of at least 2^bits buckets in place of another one, for as many items as there are.
+/// Replaces a table by one of at least 2^bits buckets, enough for the number of items.
 void AlphaMemories::MakeTable(AlphaState& memory, std::uint32_t& table, std::uint8_t& table_bits, std::uint8_t bits) {
   while (memory.count > 1u << bits) {
     ++bits;
@@ -33,7 +33,7 @@ std::uint32_t AlphaMemories::OldestItem(const AlphaState& memory) const {
   return index;
 }
 
-// Both walk from the oldest item, so that each bucket is newest first again.
+// Both functions start at the oldest item, so that each bucket is newest first again.
 void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = states_[alpha];
   MakeTable(memory, memory.id_table, memory.id_bits, bits);

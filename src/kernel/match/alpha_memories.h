@@ -14,12 +14,12 @@
 
 namespace soarbox::kernel {
 
-/// The key of an identifier and a value.
+/// A hash key for an identifier and a value.
 inline std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) {
   return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u);
 }
 
-/// Memories up to this size have no table.
+/// Memories up to this size have no hash tables.
 inline constexpr std::uint32_t kTinyMemory = 8;
 
 /// An element in an alpha memory.
@@ -37,11 +37,11 @@ struct AlphaItem {
 struct AlphaState {
   std::uint32_t first = kNil;  ///< The newest item.
   std::uint32_t count = 0;
-  std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants stand before ancestors.
+  std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants are before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
   std::uint8_t id_bits = 0, pair_bits = 0, value_bits = 0;  ///< 0: no table; the items are searched one by one.
   bool has_tables = false;                                  ///< At least one of them is not 0.
-  std::uint32_t sparse = 0;  ///< Joins that feed sparse memories; kInPaths, kBusy, kPrimed.
+  std::uint32_t sparse = 0;  ///< Number of joins that feed sparse memories, plus the flags kInPaths, kBusy, kPrimed.
 
   static constexpr std::uint32_t kInPaths = 0x80000000u;  ///< Joins of shared conjunctions use or have used it.
   static constexpr std::uint32_t kBusy = 0x40000000u;     ///< It has many right-linked nodes: see OnlyIds.
@@ -50,11 +50,11 @@ struct AlphaState {
 };
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
-/// The alpha memories of an agent: which elements pass which constant tests, newest first. The indexes by identifier
-/// and by identifier and value are made on demand.
+/// The alpha memories of an agent: the elements that pass each set of constant tests, newest first. Indexes by
+/// identifier, and by identifier and value, are created on demand.
 ///
 /// Invariants: an element has one item in each memory that it fits, on the memory's list, on its own list, and in each
-/// index of the memory. NodeStates knows which nodes are linked to a memory.
+/// index of the memory. NodeStates stores which nodes are linked to a memory.
 class [[gnu::visibility("hidden")]] AlphaMemories {
  public:
   AlphaState& operator[](std::uint32_t alpha) {
@@ -70,9 +70,9 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     return items_.records();
   }
 
-  /// Initialises a new, empty memory.
+  /// Initializes a new, empty memory.
   void Begin(std::uint32_t alpha);
-  /// Puts an element into a memory. `first_item`: the head of the element's own list.
+  /// Adds an element to a memory. `first_item` is the head of the element's own list.
   [[gnu::always_inline]] void Insert(std::uint32_t alpha, std::uint32_t wme, const Wme& element,
                                      std::uint32_t& first_item) {
     std::uint32_t index = free_;
@@ -120,8 +120,8 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     items_[index].next = free_;
     free_ = index;
   }
-  /// The memory with these constant tests, for one more node. If it does not exist, it is made and filled from the next
-  /// more general memory or from all elements, newest first; each becomes the first item.
+  /// Adds a use of the memory with these constant tests. If it does not exist, it is created and filled from the next
+  /// more general memory or from all elements, newest first; each item becomes the first one of its element's list.
   std::uint32_t Use(Network & network, ElementLinks & links, const WmeTable& wmes, const std::uint32_t(&constants)[3],
                     std::uint32_t mask, bool acceptable);
   /// A node no longer uses this memory.
@@ -142,7 +142,7 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
   std::uint32_t PairBucket(const AlphaState& memory, std::uint32_t key) const {
     return tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
   }
-  /// Calls visit(item) for the items whose element has a value. Makes an index if that pays off.
+  /// Calls visit(item) for the items whose element has this value. Creates an index if it is worthwhile.
   template <typename Visit>
   void ForEachWithValue(std::uint32_t alpha, std::uint32_t value, Visit && visit) {
     const AlphaState& memory = states_[alpha];
@@ -158,11 +158,11 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
       }
     }
   }
-  /// The number of items in an index, to compare with the memory's list.
+  /// The number of items in an index, for comparison with the memory's list.
   std::uint32_t CountInIdTable(const AlphaState& memory) const;
   std::uint32_t CountInPairTable(const AlphaState& memory) const;
 
-  /// Frees the memory of all items; afterwards no element is in any memory.
+  /// Frees the memory of all items. Afterwards no element is in any memory.
   void Release();
   void ShrinkToFit() {
     states_.shrink_to_fit();

@@ -10,18 +10,18 @@
 
 namespace soarbox::kernel {
 
-/// What the match stores about an element: the lists that it is on.
+/// The match's data on an element: the lists that contain it.
 struct WmeLinks {
   std::uint32_t first_item = kNil;
   std::uint32_t first_token = kNil;
-  std::uint32_t next = kNil, previous = kNil;  ///< All elements in the match, newest first.
-  std::uint64_t serial : 62 = 0;               ///< Of its arrival, later of its departure.
+  std::uint32_t next = kNil, previous = kNil;  ///< In the list of all elements of the match, newest first.
+  std::uint64_t serial : 62 = 0;  ///< Serial number of its arrival; after it began to leave, that of its departure.
   bool in_match : 1 = false;
   bool unsorted : 1 = false;  ///< The list of its tokens may be unsorted.
 };
 static_assert(sizeof(WmeLinks) == 24, "an agent has thousands");
 
-/// The elements in the match, newest first, and which of them is leaving.
+/// The elements in the match, newest first, and the element that is leaving.
 ///
 /// Invariants: an element is on the list exactly while it is in the match; once it begins to leave, `serial` is that of
 /// its departure.
@@ -35,7 +35,7 @@ class ElementLinks {
   std::uint64_t last_timetag() const { return last_timetag_; }
   void ForgetTimetags() { last_timetag_ = 0; }
 
-  /// An element arrives. `room`: how many elements fit before their table must grow.
+  /// An element arrives. `room`: number of elements for which the table has space.
   [[gnu::always_inline]] void Enter(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag, std::size_t room) {
     if (wme >= links_.size()) {
       links_.resize(std::max<std::size_t>(wme + 1u, room));
@@ -56,7 +56,7 @@ class ElementLinks {
     arrival_of_leaving_ = links_[wme].serial;
     links_[wme].serial = last_serial_ = serial;
   }
-  /// An element of the match leaves and one takes its place: nothing else refers to it.
+  /// An element leaves and another one takes its place, in one step. Nothing else may refer to it.
   void Renew(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag) {
     WmeLinks& link = links_[wme];
     link.serial = last_serial_ = serial;
@@ -92,7 +92,7 @@ class ElementLinks {
   std::size_t MemoryBytes() const { return links_.capacity() * sizeof(WmeLinks); }
 
  private:
-  /// The list of all elements, the newest first.
+  /// Inserts an element at the head of the list of all elements.
   void PutFirst(std::uint32_t wme) {
     WmeLinks& link = links_[wme];
     link.previous = kNil;

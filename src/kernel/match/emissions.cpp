@@ -32,7 +32,7 @@ void EmissionReader::AddTo(std::uint32_t index, std::vector<Emission>& emissions
       }
       if (nodes_[node.parent].count == 1 && alphas_[node.alpha].id_bits != 0 && node.IsJoinById() &&
           nodes_.marks(node.parent).HasList()) {
-        // With one token the elements are found from the left.
+        // With only one token, the elements are found from the left side.
         const std::uint32_t token = nodes_[node.parent].head;
         const std::uint32_t id = tokens_[token].key;
         const AlphaState& alpha = alphas_[node.alpha];
@@ -54,7 +54,7 @@ void EmissionReader::AddTo(std::uint32_t index, std::vector<Emission>& emissions
             emissions.emplace_back(token, wme);
           }
         }
-        if (nodes_.marks(node.parent).Is(NodeMarks::kSparse)) {  // Its buckets may be out of order.
+        if (nodes_.marks(node.parent).Is(NodeMarks::kSparse)) {  // Its buckets may be unsorted.
           std::sort(emissions.begin() + static_cast<std::ptrdiff_t>(first), emissions.end(),
                     [this](const Emission& a, const Emission& b) {
                       return tokens_[a.first].serial > tokens_[b.first].serial;
@@ -94,7 +94,7 @@ std::vector<std::uint32_t> EmissionReader::OwnersOf(std::uint32_t conjunctive, s
                                                     std::uint32_t wme) const {
   const Network& net = network_;
   const Node& node = net.node(conjunctive);
-  std::uint32_t below = 0;  // Conditions of the conjunction behind this one.
+  std::uint32_t below = 0;  // Number of later conditions of the conjunction.
   for (std::uint32_t n = net.node(net.node(node.partner()).parent).parent; n != join; ++below) {
     n = net.node(net.node(n).parent).parent;
   }
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> EmissionReader::OwnersOf(std::uint32_t conjunctive, s
     const Token& left = tokens_[owner];
     return left.pairs == anchor && std::ranges::all_of(net.tests(node), [&](const NodeTest& test) {
              if (test.count < below) {
-               return true;  // Of a condition that comes later.
+               return true;  // It belongs to a later condition.
              }
              const Wme& element = wmes_.data()[ElementAt(tokens_.records(), parent, wme, test.count - below)];
              return tests_.PassesOne(test, left.parent, left.wme, element);

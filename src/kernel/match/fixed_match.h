@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// Makes the tokens of a match that has no nodes: one for each element, in a list through their buckets that begins
-/// with the last token. `key` and `mark` are those of each token (Token::previous_in_bucket).
+/// Creates the tokens of a match without nodes: one per element, in a list that begins with the last token and is
+/// linked through their bucket links. `key` and `mark` are stored in each token (Token::previous_in_bucket).
 std::uint32_t MakeElementTokens(TokenPool& tokens, ElementLinks& links, std::span<const WmeId> elements,
                                 std::uint32_t key, std::uint32_t mark);
 /// Frees such a list.

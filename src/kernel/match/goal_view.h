@@ -9,13 +9,13 @@
 
 namespace soarbox::kernel {
 
-/// What the match must know of identifiers and goals; working memory owns it and keeps it current. The index is
-/// Symbol::index() of an identifier; entries beyond the end count as 0.
+/// The data on identifiers and goals for the match; working memory owns and maintains it. Indexed by Symbol::index() of
+/// identifiers; entries beyond the end count as 0.
 struct GoalView {
   std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
   std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
 
-  /// The same for any symbol.
+  /// The level of any symbol; 0 if it is no goal.
   GoalLevel LevelOf(Symbol id) const {
     return id.IsIdentifier() && id.index() < level_of_goal.size() ? level_of_goal[id.index()] : GoalLevel{0};
   }

@@ -13,8 +13,8 @@
 
 namespace soarbox::kernel {
 
-/// Links joins and negative nodes to their memories and alpha memories, and unlinks them: see NodeState on unlinking.
-/// Create one where you need it.
+/// Links joins and negative nodes to their memories and alpha memories, and unlinks them (unlinking is described at
+/// NodeState). Create it where you need it.
 class [[gnu::visibility("hidden")]] JoinLinks {
  public:
   [[gnu::always_inline]] JoinLinks(const Network& network, AlphaMemories& alphas, NodeStates& nodes, OnlyIds& only_ids,
@@ -44,8 +44,8 @@ class [[gnu::visibility("hidden")]] JoinLinks {
     nodes_.UnlinkRight(alphas_[network_.node(node).alpha], node);
   }
 
-  /// Links a join to its alpha memory because its own memory has tokens. False if there is nothing to join with; the
-  /// join then leaves its memory's list.
+  /// Links a join to its alpha memory because its own memory has tokens. Returns false if the alpha memory is empty;
+  /// the join then leaves its memory's list.
   [[gnu::always_inline]] bool LinkJoin(std::uint32_t join) {
     LinkRight(join);
     if (alphas_[network_.node(join).alpha].count == 0) {
@@ -54,7 +54,7 @@ class [[gnu::visibility("hidden")]] JoinLinks {
     }
     return true;
   }
-  /// A pair is about to enter a sparse memory, whose join is linked while there are other pairs.
+  /// A pair is about to enter a sparse memory. The memory's join is linked while there are other pairs.
   [[gnu::always_inline]] void LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
     if (nodes_[memory].count == 0 && nodes_.marks(join).Is(NodeMarks::kLeftLinked) &&
         !nodes_.marks(join).Is(NodeMarks::kRightLinked)) {
@@ -82,12 +82,12 @@ class [[gnu::visibility("hidden")]] JoinLinks {
   [[gnu::always_inline]] void FindOnlyId(std::uint32_t node) {
     FindOnlyId(network_, nodes_, only_ids_, tokens_, wmes_, node);
   }
-  /// One more node uses an alpha memory. It becomes busy when many of its nodes are linked; they need to be counted
-  /// only now and then.
+  /// One more node uses an alpha memory. The memory becomes busy when many of its nodes are linked; they are counted
+  /// only from time to time.
   void NoteNodes(std::uint32_t alpha);
 
  private:
-  // Static, so that objects made where they are needed stay in registers.
+  // Static, so that objects created on the stack stay in registers.
   [[gnu::noinline]] static void FindOnlyId(const Network& network, const NodeStates& nodes, OnlyIds& only_ids,
                                            const TokenPool& tokens, const WmeTable& wmes, std::uint32_t index);
 

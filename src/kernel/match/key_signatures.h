@@ -9,9 +9,9 @@
 
 namespace soarbox::kernel {
 
-/// Which identifiers the tokens of a memory or a negative node wait for, as a set of 64 hashes: an element with any
-/// other identifier joins with none of them. Used for nodes that are linked to busy alpha memories and have several
-/// tokens (OnlyIds serves those with one). Empty while no alpha memory is busy.
+/// For each memory or negative node, the identifiers that its tokens can join with, as a set of 64 hashes: an element
+/// with another identifier joins with none of them. Used for nodes with several tokens that are linked to busy alpha
+/// memories (OnlyIds is for those with one token). Empty while no alpha memory is busy.
 ///
 /// Invariant: the set contains the hash of each token's identifier. It may contain more, because a token that leaves
 /// does not remove its own.

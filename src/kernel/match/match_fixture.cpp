@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// The drafts that tests build live until the program ends.
+/// The drafts of tests are never freed.
 Arena& Drafts() {
   static Arena arena;
   return arena;
@@ -144,7 +144,7 @@ ConditionDraft Positive(const TestDraft& id, const TestDraft& attribute, const T
 }
 
 InstantiationId SomeInstantiation(std::size_t n) {
-  // The match only hands the name back: nothing stands behind it.
+  // Only the address is used.
   static std::byte places[128];
   return {reinterpret_cast<Instantiation*>(&places[n])};
 }

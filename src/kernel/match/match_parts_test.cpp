@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The parts of a match, each alone. What they do together is held by rete_test.cpp and rete_random_test.cpp.
+// Tests of the parts of a match in isolation. rete_test.cpp and rete_random_test.cpp test them together.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ Symbol Number(std::uint32_t number) {
 
 class MatchPartsTest : public testing::Test {
  protected:
-  /// An element of the match.
+  /// Adds an element to the match.
   std::uint32_t Enter(std::uint64_t timetag = 1) {
     const std::uint32_t wme = next_wme_++;
     elements.Enter(wme, tokens.TakeSerial(), timetag, 0);
@@ -58,7 +58,7 @@ class MatchPartsTest : public testing::Test {
     nodes.ForEachToken(tokens, node, [&](std::uint32_t token) { found.push_back(token); });
     return found;
   }
-  /// What the right side of a join on memory 0 offers for a key.
+  /// The elements that the right side of a join on memory 0 offers for a key.
   std::vector<std::uint32_t> Offered(KeyKind kind, Symbol id, Symbol value) {
     Node join;
     join.kind = NodeKind::kJoin;
@@ -123,7 +123,7 @@ TEST_F(MatchPartsTest, ATokenIsOnTheListsOfItsParentAndItsElementNewestFirst) {
   EXPECT_THAT(ChildrenOf(top), ElementsAre(second, first));
   EXPECT_THAT(TokensOf(b), ElementsAre(second, first));
   EXPECT_TRUE(tokens.Holds(second, b));
-  EXPECT_FALSE(tokens.Holds(second, a));  // The one at the top stands for no element of the path.
+  EXPECT_FALSE(tokens.Holds(second, a));  // The topmost token has no element.
   EXPECT_EQ(tokens.TopOf(second), top);
   tokens.Unlink(elements, second);
   tokens.Free(second);
@@ -239,7 +239,7 @@ TEST_F(MatchPartsTest, ATableGrowsWithItsKeysNotWithTokensOfTheSame) {
     nodes.Insert(tokens, 2, tokens.Make(elements, 2, kNil, wme), n < 1000 ? n % 3 : n, true);
   }
   EXPECT_EQ(nodes.marks(1).bits(), 8u);
-  EXPECT_EQ(nodes.marks(2).bits(), 12u);  // It was asked at 2,048 and 4,096 tokens, when there were many keys at last.
+  EXPECT_EQ(nodes.marks(2).bits(), 12u);  // Checked at 2,048 and 4,096 tokens, when there were many keys at last.
   EXPECT_EQ(TokensAt(1).size(), 5000u);
   EXPECT_EQ(TokensAt(2).size(), 5000u);
 }
@@ -319,7 +319,7 @@ TEST_F(MatchPartsTest, AFullLogKeepsThePairsWhoseElementsAndTokensAreStillThere)
   elements.BeginLeaving(b, tokens.TakeSerial());
   elements.Leave(elements[b]);
   tokens.ForgetPairs(tokens[second]);
-  for (int n = 0; n < 5; ++n) park(second, a);  // The last one finds the log full.
+  for (int n = 0; n < 5; ++n) park(second, a);  // The log is full at the last one.
   EXPECT_EQ(memory.saved, 8u);
   EXPECT_EQ(memory.logged, 4u + 5u);
   for (std::uint32_t n = 0; n < memory.logged; ++n) {
@@ -337,7 +337,7 @@ TEST_F(MatchPartsTest, ARunIsStaleOnceItsTokenHasLeftAndThenMakesRoom) {
                 {n == 0 ? second : first, 3, tokens.TakeSerial(), elements[b].serial, elements[a].serial});
     if (n == 10) tokens.ForgetPairs(tokens[first]);
   }
-  EXPECT_EQ(memory.saved, 3 * 10u);  // There was room for sixteen: ten were stale then.
+  EXPECT_EQ(memory.saved, 3 * 10u);  // The log has room for sixteen pairs; ten of them were stale then.
   EXPECT_EQ(memory.runs.size(), 10u);
   EXPECT_EQ(memory.runs.front().parent, second);
   EXPECT_TRUE(std::ranges::none_of(memory.runs, [&](const ParkedRun& run) { return sparse.IsStale(tokens, run); }));
@@ -348,7 +348,7 @@ TEST_F(MatchPartsTest, AMemoryBecomesSparseWhenItsScoreReachesTheThreshold) {
   sparse.ParkAfter(3);
   std::uint32_t score = 0;
   sparse.AddToScore(score, 5, false);
-  sparse.AddToScore(score, 5, true);  // A pair that joins takes back what others gave.
+  sparse.AddToScore(score, 5, true);  // A pair that joins lowers the score.
   for (int n = 0; n < 2; ++n) sparse.AddToScore(score, 5, false);
   EXPECT_FALSE(sparse.HasChanges());
   sparse.AddToScore(score, 5, false);

@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 64;
-/// Room for the matches of a small agent, so that its first decisions cost what the later ones do.
+/// Memory for the matches of a small agent, so that its first decisions do not allocate more than later ones.
 constexpr std::size_t kUsualRecords = 32;
 constexpr std::size_t kUsualMatchedElements = 128;
 
@@ -71,7 +71,7 @@ inline std::uint32_t MatchSet::TakeElements(std::size_t count) {
 
   const std::size_t count = arrival.elements.size();
   const std::uint32_t place = count == 0 ? 0 : TakeElements(count);
-  // A few words: cheaper one by one than by a call.
+  // Copying a few words one by one is cheaper than a call.
   WmeId* to = elements_.data() + place;
   const WmeId* from = arrival.elements.data();
   for (std::size_t n = 0; n < count; ++n) {
@@ -206,7 +206,7 @@ MatchId MatchSet::TakeRetraction(GoalLevel level) {
 void MatchSet::Release(MatchId match) {
   Record& record = records_[Index(match)];
   if (record.state == MatchState::kTaken || record.state == MatchState::kFired) {
-    record.state = MatchState::kFired;  // Its token stays; the record goes with it.
+    record.state = MatchState::kFired;  // Its token stays; the record is freed with it.
     record.instantiation = InstantiationId::kNone;
     return;
   }
@@ -237,7 +237,7 @@ void MatchSet::GoalRemoved(GoalLevel level) {
   }
   ++levels_[level].generation;
   for (std::uint8_t list = 0; list < 3; ++list) {
-    // From the tail, so that the order stays: newest at the head.
+    // Starts at the tail, so that the newest stays at the head.
     std::uint32_t last = levels_[level].head[list];
     if (last == kNil) {
       continue;
@@ -354,7 +354,7 @@ MatchId MatchSet::Revive(const Arrival& arrival, const WmeTable& wmes) {
         !std::ranges::equal(Wmes(static_cast<MatchId>(match)), arrival.elements)) {
       continue;
     }
-    // An index that has been used again since then names another element, with a larger time tag.
+    // An index that was reused since then belongs to another element, with a larger time tag.
     const bool same = std::ranges::all_of(
         arrival.elements, [&](WmeId element) { return wmes[Index(element)].timetag <= record.last_timetag; });
     if (!same) {

@@ -13,38 +13,38 @@
 
 namespace soarbox::kernel {
 
-/// A complete match of a rule (a token that reached its production node), from its appearance until it is gone and its
-/// instantiation has been retracted. After that its handle is used again.
+/// A complete match of a rule (a token that reached its production node). The handle is valid until the match has ended
+/// and its instantiation has been retracted; then it is reused.
 enum class MatchId : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 enum class MatchState : std::uint8_t {
   kFree,
-  kPendingAssertion,   ///< Matched, not fired yet. On a list.
-  kTaken,              ///< Taken from its list by TakeAssertion; MarkFired or PutBack comes next.
-  kFired,              ///< Has an instantiation.
-  kPendingRetraction,  ///< No longer matches; its instantiation is to be retracted. On a list.
-  kRetracting,         ///< Taken by TakeRetraction; Release comes next.
+  kPendingAssertion,   ///< Matched, but not fired yet. In a list.
+  kTaken,              ///< Taken from its list by TakeAssertion; MarkFired or PutBack must follow.
+  kFired,              ///< It has an instantiation.
+  kPendingRetraction,  ///< No longer matches; its instantiation is to be retracted. In a list.
+  kRetracting,         ///< Taken by TakeRetraction; Release must follow.
 };
 
-/// What you need to know of a match to fire or show it.
+/// The data of a match for firing and display.
 struct PendingMatch {
   MatchId match = MatchId::kNone;
   ProductionId production = ProductionId::kNone;
   Symbol goal;             ///< The lowest goal among the matched elements' identifiers; none if there is none.
-  GoalLevel level = 0;     ///< Of that goal; 0 if there is none or it has gone.
-  bool o_support = false;  ///< The support that its actions get.
+  GoalLevel level = 0;     ///< Level of that goal; 0 if there is none or if it was removed.
+  bool o_support = false;  ///< The support of its actions.
 
   explicit operator bool() const { return match != MatchId::kNone; }
 };
 
 /// The conflict set: complete matches that wait to fire or to be retracted, by level of their goal.
 ///
-/// Each level has a list of i-assertions, one of o-assertions and one of retractions; level 0 holds matches without a
-/// goal, or whose goal has gone. New entries go to the head, and lists are consumed from the head. A match's elements
-/// are kept here until it is released.
+/// Each level has a list of i-assertions, one of o-assertions and one of retractions. Level 0 contains matches without
+/// a goal, or whose goal was removed. New entries are added at the head, and taken from the head. The elements of a
+/// match are stored here until it is released.
 ///
-/// A new match that equals one that waits for its retraction (same rule, same elements) takes that one's place: nothing
-/// fires and nothing is retracted. A hash table finds the retractions that can come back.
+/// A new match that equals a match waiting for retraction (same rule, same elements) replaces it: nothing fires, and
+/// nothing is retracted. A hash table finds the retractions that can return.
 ///
 /// Filled by the Rete, consumed by the decision cycle. Single-threaded. No allocation in the steady state.
 class MatchSet {
@@ -57,14 +57,14 @@ class MatchSet {
     return level < levels_.size() && levels_[level].head[o_support ? 1 : 0] != kNil;
   }
   bool HasRetractions(GoalLevel level) const { return level < levels_.size() && levels_[level].head[2] != kNil; }
-  /// Retractions of matches that touch no goal, or whose goal has gone.
+  /// Retractions of matches without a goal, or whose goal was removed.
   bool HasNoGoalRetractions() const { return HasRetractions(0); }
 
-  /// Takes the newest assertion of a level; an empty PendingMatch if there is none. Then mark the match as fired, put
-  /// it back, or drop it (Release).
+  /// Takes the newest assertion of a level; returns an empty PendingMatch if there is none. The caller must then mark
+  /// the match as fired, put it back, or release it.
   PendingMatch TakeAssertion(GoalLevel level, bool o_support);
-  /// Returns taken matches to the head of their lists. `taken` is in the order of taking; they will be taken again in
-  /// this order.
+  /// Returns taken matches to the head of their lists. `taken` is in the order of taking; they will be taken in this
+  /// order again.
   void PutBack(std::span<const MatchId> taken);
   void MarkFired(MatchId match, InstantiationId instantiation);
   InstantiationId InstantiationOf(MatchId match) const { return records_[Index(match)].instantiation; }
@@ -72,14 +72,14 @@ class MatchSet {
   /// Takes the newest retraction of a level (0: the no-goal list), or kNone. Its elements, rule and instantiation stay
   /// readable until Release.
   MatchId TakeRetraction(GoalLevel level);
-  /// Forgets a taken match. You can also release a fired match whose instantiation ended otherwise; it stays matched
-  /// and silent.
+  /// Releases a taken match. Also allowed for a fired match whose instantiation ended otherwise: it still matches,
+  /// without effect.
   void Release(MatchId match);
 
-  /// How often GoalRemoved was called.
+  /// Number of calls of GoalRemoved.
   std::uint32_t goals_removed() const { return goals_removed_; }
-  /// The goal of this level is leaving: its retractions move to the no-goal list, and so do its assertions (they never
-  /// fire, and vanish when the goal's elements leave the match).
+  /// The goal of this level is being removed: its retractions and assertions move to the no-goal lists. (These
+  /// assertions never fire; they disappear when the goal's elements leave the match.)
   void GoalRemoved(GoalLevel level);
 
   PendingMatch Describe(MatchId match) const;
@@ -108,38 +108,38 @@ class MatchSet {
   };
   /// An equal match that waits for its retraction and that `arrival.token` matches again; kNone if there is none.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
-  /// False if no waiting retraction of the rule can come back.
+  /// Returns false if no waiting retraction of the rule can return.
   bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }
-  /// Call before the first match of a rule.
+  /// Must be called before the first match of a rule.
   void RuleAdded(std::uint32_t production, std::size_t elements, bool interrupts) {
     if (production >= rules_.size()) rules_.resize(production + 1u);
     rules_[production].interrupts = interrupts;
     ExpectElements(elements);
   }
-  /// Whether to note new assertions of a rule, see TakeInterrupting.
+  /// Whether to record new assertions of a rule; see TakeInterrupting.
   void SetInterrupts(std::uint32_t production, bool on) { rules_[production].interrupts = on; }
   bool HasInterrupting() const { return !interrupting_.empty(); }
-  /// The rules with interrupts that got a new assertion since the last call, each once.
+  /// The rules with interrupts that have new assertions since the last call, each once.
   std::vector<std::uint32_t> TakeInterrupting() { return std::exchange(interrupting_, {}); }
-  /// Frees the room for more rules.
+  /// Frees the memory reserved for more rules.
   void ShrinkRules() { rules_.shrink_to_fit(); }
-  /// A new pending assertion.
+  /// Adds a pending assertion.
   MatchId Assert(const Arrival& arrival);
-  /// A match that counts as fired from the start.
+  /// Adds a match that counts as fired from the start.
   MatchId AddFired(const Arrival& arrival, InstantiationId instantiation);
-  /// The match's token is gone: a pending assertion vanishes, a fired match becomes a retraction. `can_return` is false
-  /// when one of its own elements left (then no equal match can appear); `last_timetag` is the highest time tag so far.
-  /// Returns false if the record is now free.
+  /// The match's token was removed: a pending assertion disappears, a fired match becomes a retraction. `can_return` is
+  /// false if one of its own elements left (then no equal match can appear). `last_timetag` is the highest time tag so
+  /// far. Returns false if the record is now free.
   bool TokenGone(MatchId match, bool can_return, std::uint64_t last_timetag);
   /// Frees the record of a fixed match.
   void Drop(MatchId match);
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
-  /// An instantiation refers to the rule, although its match may be released: the rule keeps its number until the hold
+  /// An instantiation refers to the rule, although its match may be released. The rule keeps its number until the hold
   /// ends.
   void HoldRule(ProductionId production) { ++rules_[Index(production)].live; }
   void LetGoOfRule(ProductionId production) { --rules_[Index(production)].live; }
-  /// The records in use and the holds of a rule. At 0 its number is free.
+  /// Number of records in use and holds of a rule. If it is 0, the rule's number is free.
   std::uint32_t LiveCount(std::uint32_t production) const { return rules_[production].live; }
   void Clear();
   /// Calls visit(match) for each record in use. For checks.
@@ -157,23 +157,23 @@ class MatchSet {
   struct Record {
     union {
       std::uint32_t token = kNil;
-      std::uint32_t hash_next;  ///< If `hashed`: then the match has no token.
+      std::uint32_t hash_next;  ///< Valid if `hashed`: then the match has no token.
     };
     std::uint32_t production = 0;
-    std::uint32_t elements = 0;  ///< Where they begin in elements_.
+    std::uint32_t elements = 0;  ///< Index of the first one in elements_.
     std::uint16_t element_count = 0;
     GoalLevel level = 0;
     MatchState state = MatchState::kFree;
     std::uint8_t list = 0;
     bool o_support = false;
-    bool hashed = false;  ///< It is in the table of retractions that can come back.
+    bool hashed = false;  ///< It is in the table of retractions that can return.
     Symbol goal;
     InstantiationId instantiation = InstantiationId::kNone;
     std::uint32_t next = kNil, previous = kNil;  ///< In its list; `next` also in the free list.
-    std::uint32_t generation = 0;  ///< That of its level when it appeared: shows whether the goal has gone since.
+    std::uint32_t generation = 0;  ///< That of its level at its creation; shows whether the goal was removed since.
     std::uint32_t hash_previous = kNil;
-    std::uint64_t stamp = 0;         ///< Running number of an assertion or retraction, for display order.
-    std::uint64_t last_timetag = 0;  ///< The largest time tag when it became a retraction.
+    std::uint64_t stamp = 0;         ///< Running number of assertions and retractions, for the order of display.
+    std::uint64_t last_timetag = 0;  ///< The highest time tag when it became a retraction.
   };
   static_assert(sizeof(Record) == 64, "matches are addressed by a shift");
   struct RuleCounts {
@@ -183,7 +183,7 @@ class MatchSet {
   };
   struct Level {
     std::uint32_t head[3] = {kNil, kNil, kNil};
-    std::uint32_t generation = 0;  ///< Grows when a goal of this level leaves.
+    std::uint32_t generation = 0;  ///< Increased when a goal of this level is removed.
   };
 
   void ExpectElements(std::size_t count) {

@@ -3,10 +3,10 @@
 
 namespace soarbox::kernel {
 
-/// As in Soar 9.6.3 all matches that the rule has have a say, the newest first: the
-/// new one's actions are held against the operator that each of them tests. What elaborates the operator of one match
-/// and changes something else in that or a newer one is called mixed, and i-supported until a still older match
-/// objects.
+/// As in Soar 9.6.3, all matches of the rule matter, the newest first: the actions of the new match are checked against
+/// the operator that each of them tests. The support is mixed if an action changes the operator of one match, and
+/// another action, checked against that match or a newer one, changes something else. Mixed matches are i-supported
+/// unless an older match objects.
 bool MatchSupport::ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arrival, const GoalView& goals,
                              const TokenPool& tokens, std::uint32_t other, std::uint32_t count) {
   if (arrival.production >= shared_.size()) {
@@ -28,7 +28,8 @@ bool MatchSupport::ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arri
   if (count == 0) {
     shared = {own.selected, goals_removed, !has_a_say};
   }
-  // Rules with many matches stay linear: what none of them objects to is not asked of each.
+  // For rules with many matches: if none of them objects, they are not checked again for each new match, so that the
+  // total cost is linear.
   if (!has_a_say && shared.none_has_a_say && shared.goals_removed == goals_removed) {
     return false;
   }

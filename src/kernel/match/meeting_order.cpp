@@ -6,9 +6,9 @@
 
 namespace soarbox::kernel {
 
-/// Whether a token of a path was made when its element came, not when what is above it was made.
+/// Whether a token of a path was created when its element arrived, and not when the token above it was created.
 bool MeetingOrder::CameWithElement(const Token& token) const {
-  // Below the anchor it must have been: the owners were there.
+  // Below the anchor this is always so, because the owners existed before.
   const Token& above = tokens_[token.parent];
   return above.parent == kNil || elements_.ArrivalOf(token.wme) > above.serial;
 }
@@ -46,7 +46,7 @@ bool MeetingOrder::CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const
     if (x.serial == y.serial && x.prefix == y.prefix) {
       return a.place > b.place;
     }
-    // One element completed both: it was joined first with what had come last.
+    // One element completed both: it was joined first with the newest token.
     x.prefix = of_x.parent;
     y.prefix = of_y.parent;
     std::swap(x, y);

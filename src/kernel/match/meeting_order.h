@@ -13,10 +13,10 @@ struct OwnerAndPath {
   std::uint32_t owner = kNil;
   std::uint32_t prefix = kNil;
   std::uint32_t path = kNil;
-  std::uint32_t place = 0;    ///< Breaks ties.
-  std::uint32_t node = kNil;  ///< The owner's.
-  std::uint64_t serial = 0;   ///< The owner's.
-  std::uint64_t due = 0;      ///< For openings: tokens younger than this go first.
+  std::uint32_t place = 0;    ///< Decides ties.
+  std::uint32_t node = kNil;  ///< Of the owner.
+  std::uint64_t serial = 0;   ///< Of the owner.
+  std::uint64_t due = 0;      ///< For openings: tokens younger than this come first.
 };
 
 /// The order in which the owners of shared conjunctions meet the paths that block them (rete_shared.cpp).
@@ -26,7 +26,7 @@ class [[gnu::visibility("hidden")]] MeetingOrder {
 
   /// The meeting of an owner and a token on a path.
   OwnerAndPath Meeting(std::uint32_t owner, std::uint32_t prefix) const;
-  /// Whether the partial match of a's owner and prefix would have been made after b's.
+  /// Whether the partial match of a's owner and prefix would have been created after that of b.
   bool CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const;
 
  private:

@@ -14,7 +14,7 @@ class Search {
   Search(const SymbolTable& symbols, const WmeTable& wmes, std::span<const WmeId> live, const GoalView& goals)
       : symbols_(symbols), wmes_(wmes), live_(live), goals_(goals) {}
 
-  /// Visits every way to satisfy the conditions from `at` on; stops if visit returns false.
+  /// Visits every way to satisfy the conditions from `at` on; stops if `visit` returns false.
   bool Run(std::span<const Condition> conditions, std::size_t at, const std::function<bool()>& visit) {
     if (at == conditions.size()) {
       return visit();
@@ -145,7 +145,7 @@ class Search {
   const WmeTable& wmes_;
   std::span<const WmeId> live_;
   const GoalView& goals_;
-  std::vector<std::pair<Symbol, Symbol>> bindings_;  ///< Variables and their values; the last are taken back first.
+  std::vector<std::pair<Symbol, Symbol>> bindings_;  ///< Variables and their values, as a stack.
   std::vector<std::uint64_t> tags_;
 };
 

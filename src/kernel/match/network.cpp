@@ -16,13 +16,13 @@ namespace {
 constexpr std::uint32_t kFirstAlphaBits = 6;
 constexpr std::size_t kFirstShareBuckets = 256;
 
-/// Spreads a number over all bits of another one.
+/// Mixes a number into all bits of a hash.
 std::uint64_t Mixed(std::uint64_t hash, std::uint64_t value) {
   hash = (hash ^ value) * 0x9E3779B97F4A7C15ull;
   return hash ^ hash >> 32;
 }
 
-/// A test but for what it compares with.
+/// A test without its referent, as a number.
 std::uint64_t Bits(const NodeTest& test) {
   static_assert(offsetof(NodeTest, referent) == sizeof(std::uint64_t));
   std::uint64_t bits;
@@ -30,7 +30,7 @@ std::uint64_t Bits(const NodeTest& test) {
   return bits;
 }
 
-/// Copies and their images are made one at a time.
+/// Serializes the creation of copies and their images.
 std::mutex forks;
 
 template <typename T>
@@ -38,7 +38,7 @@ void MakeImage(const PlainVector<T, ForkableRoom>& records) {
   records.room().MakeImage(records.data(), records.size() * sizeof(T));
 }
 
-/// Takes `count` places from a pool with free lists by size.
+/// Allocates `count` places from a pool with free lists by size.
 template <typename T, typename Room, typename Next>
 std::uint32_t TakePlaces(PlainVector<T, Room>& pool, std::vector<std::uint32_t>& free, std::size_t count, Next next) {
   if (count == 0) {
@@ -63,7 +63,7 @@ Network::Network() {
   alpha_buckets_.assign(std::size_t{1} << kFirstAlphaBits, kNil);
   alpha_shift_ = 32 - static_cast<int>(kFirstAlphaBits);
   share_buckets_.assign(kFirstShareBuckets, kNil);
-  constexpr std::uint8_t kAnyAttribute = 0x33;  // Bits of the masks without the attribute's bit.
+  constexpr std::uint8_t kAnyAttribute = 0x33;  // The bits of masks that do not test the attribute.
   for (auto& masks : masks_of_attribute_) std::fill(std::begin(masks), std::end(masks), kAnyAttribute);
   nodes_.emplace_back();
   nodes_[0].kind = NodeKind::kRoot;
@@ -197,7 +197,7 @@ std::uint32_t Network::StoreTests(std::span<const NodeTest> tests, std::span<con
 }
 
 ValueFilter Network::FilterOf(const Node& join) const {
-  // The constant must be a small integer, and so will the value that is asked for be.
+  // The constant must be a small integer, and so must the compared value.
   const std::uint32_t smallest = static_cast<std::uint32_t>(Symbol::Tag::kSmallInteger) << Symbol::kIndexBits;
   std::uint32_t low = smallest;
   std::uint32_t high = smallest | Symbol::kIndexMask;
@@ -224,7 +224,7 @@ ValueFilter Network::FilterOf(const Node& join) const {
         break;
     }
   }
-  // An empty interval becomes one value that is none of a small integer.
+  // An empty interval is replaced by a value that no small integer has.
   return !any ? ValueFilter() : low > high ? ValueFilter{0, 0} : ValueFilter{low, high - low};
 }
 
@@ -375,7 +375,7 @@ void Network::Own(std::shared_ptr<Network>& network) {
     network->BeginChange();
     return;
   }
-  // One of two owners is the store of shared rules (decide/rule_sharing.h).
+  // If there are only two owners, one is the store of shared rules (decide/rule_sharing.h).
   network = network->Fork(network.use_count() > 2);
 }
 

@@ -21,9 +21,9 @@ inline constexpr std::uint32_t kNil = 0xFFFFFFFFu;
 /// The nodes of the beta network.
 ///
 /// Joins, negative nodes, conjunctive nodes and the root *emit* (token, element) pairs to their children. A memory
-/// turns each pair into a token; so do negative and conjunctive nodes, which are their own memories. A partner turns it
-/// into a result for its conjunctive node, and a production node into a complete match. The children of a memory are
-/// joins.
+/// converts each pair to a token; so do negative and conjunctive nodes, which are their own memories. A partner
+/// converts it to a result for its conjunctive node, and a production node to a complete match. The children of a
+/// memory are joins.
 enum class NodeKind : std::uint8_t {
   kFree,
   kRoot,
@@ -62,15 +62,15 @@ enum class TestOp : std::uint8_t {
   kIsNotLti,
 };
 
-/// A test of a join that neither the alpha memory nor the key covers.
+/// A test of a join that is covered neither by the alpha memory nor by the key.
 struct NodeTest {
   TestOp op = TestOp::kNever;
-  Field field = Field::kId;      ///< Of the element.
-  bool against_binding = false;  ///< Compared with a binding (levels, referent_field), else with `referent`.
+  Field field = Field::kId;      ///< Field of the element.
+  bool against_binding = false;  ///< Compare with a binding (levels, referent_field), else with `referent`.
   Field referent_field = Field::kId;
-  std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token up from the left one.
-  std::uint16_t count = 0;     ///< kDisjunction: how many constants, from `referent` on in Network::disjuncts.
-                               ///< Of a shared conjunction: steps up from its path to the element.
+  std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token above the left one.
+  std::uint16_t count = 0;     ///< kDisjunction: number of constants, from `referent` on in Network::disjuncts. In a
+                               ///< shared conjunction: steps up from its path to the element.
   std::uint32_t referent = 0;  ///< Symbol bits, or an index.
 
   friend bool operator==(const NodeTest&, const NodeTest&) = default;
@@ -95,8 +95,8 @@ struct NodeShape {
 };
 static_assert(sizeof(NodeShape) == 8);
 
-/// Which small integers as an element's value pass a join's comparisons with constants: those of an interval. Rules
-/// that sort one number into many bands make many joins below one memory; one comparison decides all but a few of them.
+/// The small integers that pass a join's comparisons with constants, as an interval of element values. Rules that sort
+/// one number into many bands have many joins below one memory; one comparison then excludes most of them.
 struct ValueFilter {
   std::uint32_t lowest = 0, range = 0xFFFFFFFFu;  ///< Passes: Place(value) - lowest <= range, unsigned.
 
@@ -120,11 +120,11 @@ struct Node : NodeShape {
   std::uint32_t only_memory = kNil;  ///< The only child, if it is a memory: the common case.
   ValueFilter filter;                ///< kJoin.
 
-  /// Between a conjunctive node and its partner. kPaths: the conjunctive node.
+  /// The other node of a conjunctive node and its partner. For kPaths: the conjunctive node.
   std::uint32_t partner() const { return counterpart; }
   /// Whether a conjunctive node belongs to a shared conjunction.
   bool IsShared() const { return kind == NodeKind::kConjunctive && key != KeyKind::kNone; }
-  /// A join whose memory is indexed by the element's identifier alone: the common case, in one comparison.
+  /// A join whose memory is indexed only by the element's identifier: the common case, tested in one comparison.
   bool IsJoinById() const {
     constexpr auto of_both = [](std::uint8_t of_kind, std::uint8_t of_key) {
       NodeShape shape;
@@ -143,7 +143,7 @@ struct Node : NodeShape {
     return key_id_levels == 0 && key_id_field == Field::kValue &&
            (key == KeyKind::kId || (key == KeyKind::kIdValue && key_value_levels != 0));
   }
-  /// kProduction, kGuard: its number.
+  /// For kProduction and kGuard: the rule's number.
   std::uint32_t rule() const { return counterpart; }
 
   friend bool operator==(const Node&, const Node&) = default;
@@ -151,35 +151,35 @@ struct Node : NodeShape {
 
 static_assert(sizeof(Node) == 64, "nodes are addressed by a shift");
 
-/// A description of a node to find or make.
+/// The description of a node to find or create.
 struct NodePlan {
-  // These make nodes equal: rules share equal nodes.
+  // These fields determine whether nodes are equal; rules share equal nodes.
   std::uint32_t parent = kNil;
   std::uint32_t alpha = kNil;
   NodeShape shape;
   std::span<const NodeTest> tests;
   std::span<const std::uint32_t> disjuncts;  ///< Of the tests.
   std::uint32_t digest = 0;                  ///< Distinguishes nodes that FindShared never looks for.
-  // These only matter if the node is made.
+  // These fields are used only if the node is created.
   std::uint32_t ancestor = kNil;
   std::uint32_t rule = kNil;
 
-  /// Of the fields that make nodes equal.
+  /// A hash of the fields that determine equality.
   std::uint32_t Hash() const;
 };
 
-/// An alpha memory: the elements that pass constant tests. Constants as symbol bits; 0 for "any".
+/// An alpha memory: the elements that pass constant tests. The constants are symbol bits; 0 means "any".
 struct Alpha {
   std::uint32_t constant[3] = {0, 0, 0};  ///< By Field.
   bool acceptable = false;
   std::uint8_t mask = 0;   ///< Bit n: constant[n] is tested.
-  std::uint32_t uses = 0;  ///< Nodes that use it; 0: free.
+  std::uint32_t uses = 0;  ///< Number of nodes that use it; 0: free.
   std::uint32_t hash_next = kNil;
 
   friend bool operator==(const Alpha&, const Alpha&) = default;
 };
 
-/// What an alpha memory's mask selects from an element.
+/// The selection of an element's fields by an alpha memory's mask.
 struct MaskUse {
   std::uint32_t field[3];         ///< All bits or none.
   std::uint32_t hash_of_kind[2];  ///< By whether the memory holds acceptable elements.
@@ -189,8 +189,8 @@ struct MaskUse {
         hash_of_kind{mask * 2 * 0x27D4EB2Fu, (mask * 2 + 1) * 0x27D4EB2Fu} {}
 };
 
-/// The topology of a Rete: the tests of each node. Holds nothing that changes while rules run, so agents with the same
-/// rules can share it. Node 0 is the root. Children are listed newest first.
+/// The topology of a Rete: the tests of each node. Contains nothing that changes while rules run, so agents with the
+/// same rules can share it. Node 0 is the root. Children are listed newest first.
 class [[gnu::visibility("hidden")]] Network {
  public:
   Network();
@@ -241,7 +241,7 @@ class [[gnu::visibility("hidden")]] Network {
                                  use.hash_of_kind[acceptable ? 1 : 0];
       for (std::uint32_t found = alpha_buckets_[hash >> alpha_shift_]; found != kNil;) {
         const Alpha& a = alphas_[found];
-        // No field of an element is 0, so that equal constants mean equal masks.
+        // Fields of elements are never 0, so equal constants imply equal masks.
         if (a.constant[1] == (fields[1] & use.field[1]) && a.constant[2] == (fields[2] & use.field[2]) &&
             a.constant[0] == (fields[0] & use.field[0]) && a.acceptable == acceptable) {
           visit(found);
@@ -270,7 +270,7 @@ class [[gnu::visibility("hidden")]] Network {
   void UseAlpha(std::uint32_t alpha) {
     ++alphas_[alpha].uses;
   }
-  /// True if that was the last use; then the memory is gone.
+  /// Returns true if this was the last use; then the memory was removed.
   bool DropAlpha(std::uint32_t alpha);
 
   /// A node equal to the plan, or kNil. Not for productions. `hash`: of the plan, here and below.
@@ -293,12 +293,12 @@ class [[gnu::visibility("hidden")]] Network {
 
   // Sharing. ------------------------------------------------------------------------------------------------------
 
-  /// Lets an agent change its network: forks it if others hold it, too.
+  /// Lets an agent change its network: forks it if others use it, too.
   static void Own(std::shared_ptr<Network> & network);
-  /// A copy to change. `many`: more copies may follow. They share unchanged pages, if there are enough. Any thread may
-  /// call it.
+  /// A mutable copy. `many`: more copies may follow; they share unchanged pages if there are enough. Callable from any
+  /// thread.
   std::shared_ptr<Network> Fork(bool many) const;
-  /// The network has one owner and is about to change: later copies start from the result.
+  /// The network has one owner and is about to change: later copies are based on the result.
   void BeginChange() {
     if (has_images_) {
       ForgetImages();
@@ -341,12 +341,12 @@ class [[gnu::visibility("hidden")]] Network {
   std::uint32_t alpha_count_ = 0;
   std::uint32_t mask_counts_[2][8] = {};
   std::uint32_t masks_in_use_[2] = {};  ///< Bit n: some memory of that kind has mask n.
-  /// Bit n: some memory with mask n has, or once had, an attribute of this class, or the mask leaves attributes open.
+  /// Bit n: some memory with mask n has or had an attribute of this class, or the mask does not test the attribute.
   static constexpr std::size_t kAttributeClasses = 512;
   std::uint8_t masks_of_attribute_[2][kAttributeClasses];
   std::vector<std::uint32_t> share_buckets_;
   std::uint32_t share_count_ = 0;
-  std::uint32_t most_per_bucket_ = 1;  ///< On average. More in a fork: sorting all nodes again would write to them all.
+  std::uint32_t most_per_bucket_ = 1;  ///< On average. Higher in forks, because rehashing writes to all pages.
   std::vector<std::shared_ptr<const RuleInfo>> rules_;
   std::uint64_t digest_ = 0x9E3779B97F4A7C15u;
   mutable bool has_images_ = false;  ///< Large arrays also exist as images, for copies to share.

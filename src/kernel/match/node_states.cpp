@@ -22,7 +22,7 @@ void NodeStates::Reset(std::uint32_t node) {
 
 // Tokens --------------------------------------------------------------------------------------------------------------
 
-/// Tokens of few keys would stand in chains as long as before.
+/// If tokens have few different keys, a larger table would not shorten the chains.
 bool NodeStates::IsWorthGrowing(std::uint32_t table, std::uint32_t bits) const {
   constexpr std::uint32_t kBucketsPerKey = 8;
   std::uint32_t used = 0;
@@ -30,9 +30,9 @@ bool NodeStates::IsWorthGrowing(std::uint32_t table, std::uint32_t bits) const {
   return used * kBucketsPerKey > 1u << bits;
 }
 
-// Each bucket is split in place, oldest token first, so that tokens with equal keys stay newest first.
+// Each bucket is split in place, starting at the oldest token, so that tokens with equal keys stay newest first.
 void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node) {
-  // Tokens are all over memory: each is looked at once, and those of later buckets are called for in time.
+  // Tokens are scattered in memory: each is read once, and those of later buckets are prefetched.
   constexpr std::uint32_t kAhead = 12;
   constexpr std::uint32_t kFirstBits = 4, kMoreBits = 2;
   NodeState& state = states_[node];
@@ -41,7 +41,8 @@ void NodeStates::GrowBuckets(TokenPool& tokens, std::uint32_t node) {
   if (old_bits >= kBitsForAll && !IsWorthGrowing(state.head, old_bits)) return;
   const std::uint32_t bits = old_bits == 0 ? kFirstBits : old_bits + kMoreBits;
   const std::uint32_t table = tables_.Allocate(bits);
-  const std::uint32_t parts = 1u << (bits - old_bits);  // A bucket's tokens go to so many neighbours.
+  const std::uint32_t parts = 1u << (bits - old_bits);  // The tokens of a bucket are distributed over this number of
+                                                        // neighbours.
   std::uint32_t last[1u << kFirstBits];
   for (std::uint32_t n = 0; n < 1u << old_bits; ++n) {
     std::uint32_t index = old_bits == 0 ? old_head : tables_[old_head + n];
@@ -108,8 +109,8 @@ void NodeStates::UnlinkLeft(std::uint32_t join, std::uint32_t memory) {
   marks_[join].Unset(NodeMarks::kLeftLinked);
 }
 
-// In front of the nearest linked ancestor with the same alpha memory, else at the end: a descendant must see a new
-// element before its ancestor makes tokens of it, or it would see the pair twice.
+// Inserts before the nearest linked ancestor with the same alpha memory, else at the end. A descendant must process a
+// new element before its ancestor creates tokens with it; else the descendant would process the pair twice.
 void NodeStates::LinkRight(const Network& network, AlphaState& alpha, std::uint32_t node) {
   NodeState& state = states_[node];
   std::uint32_t ancestor = network.node(node).ancestor;
@@ -130,7 +131,7 @@ void NodeStates::UnlinkRight(AlphaState& alpha, std::uint32_t node) {
   marks_[node].Unset(NodeMarks::kRightLinked);
 }
 
-// All at once ---------------------------------------------------------------------------------------------------------
+// Releasing everything ------------------------------------------------------------------------------------------------
 
 void NodeStates::Release() {
   std::fill(states_.begin(), states_.end(), NodeState());

@@ -15,8 +15,8 @@ namespace soarbox::kernel {
 /// A node's part of the agent's state, in the four words that this kind of node needs.
 ///
 /// Unlinking: a join is not in its memory's list while its alpha memory is empty, and not in the alpha memory's list
-/// while its memory is empty, but it is always in at least one of the two. A negative node is in its alpha memory's
-/// list exactly while it has tokens.
+/// while its memory is empty; but it is always in at least one of them. A negative node is in its alpha memory's list
+/// exactly while it has tokens.
 struct NodeState {
   union {
     std::uint32_t head = kNil;  ///< Tokens: the bucket if NodeMarks::bits() is 0, else a table of buckets.
@@ -27,8 +27,8 @@ struct NodeState {
     std::uint32_t previous_left;
   };
   union {
-    std::uint32_t first_linked = kNil;  ///< Memory: left-linked joins, last linked first. Guard: the tokens of its
-                                        ///< rule's elements; kNil: one has left.
+    std::uint32_t first_linked = kNil;  ///< For a memory: left-linked joins, last linked first. For a guard: the tokens
+                                        ///< of its rule's elements; kNil: one has left.
     std::uint32_t next_right;           ///< Join, negative: in the alpha memory's list.
   };
   union {
@@ -39,15 +39,15 @@ struct NodeState {
 };
 static_assert(sizeof(NodeState) == 16, "nodes are addressed by a shift");
 
-/// The small part of a node's state, in its own array to avoid padding. It is one number of 16 bits: stores of bytes,
-/// which may alias anything, would make the compiler reload its registers.
+/// The small part of a node's state, in a separate array to avoid padding. It is one 16-bit number, because stores of
+/// bytes, which may alias anything, would force the compiler to reload its registers.
 class NodeMarks {
  public:
   // How a node relates to sparse memories (rete_sparse.cpp).
-  static constexpr std::uint16_t kSparse = 0x100;       ///< It is one.
-  static constexpr std::uint16_t kAboveSparse = 0x200;  ///< Memory: its only join feeds one.
-  static constexpr std::uint16_t kFeedsSparse = 0x400;  ///< Join: its only child is one.
-  // What else matters when a token ends.
+  static constexpr std::uint16_t kSparse = 0x100;       ///< It is a sparse memory.
+  static constexpr std::uint16_t kAboveSparse = 0x200;  ///< Memory: its only join feeds a sparse memory.
+  static constexpr std::uint16_t kFeedsSparse = 0x400;  ///< Join: its only child is a sparse memory.
+  // Other properties that matter when a token is removed.
   static constexpr std::uint16_t kNegative = 0x800;  ///< It is a negative node.
   static constexpr std::uint16_t kOther = 0x1000;    ///< It is neither a negative node nor a memory.
   static constexpr std::uint16_t kUncommonEnd = kSparse | kAboveSparse | kOther;
@@ -61,7 +61,7 @@ class NodeMarks {
   void Set(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ | mark); }
   void Unset(std::uint16_t mark) { word_ = static_cast<std::uint16_t>(word_ & ~mark); }
 
-  /// Of the node's table of tokens; 0: it has none.
+  /// The logarithm of the size of the node's table of tokens; 0: there is none.
   std::uint32_t bits() const { return word_ & 0xFFu; }
   /// For a memory: all its tokens are in one list.
   bool HasList() const { return (word_ & (0xFFu | kSparse)) == 0; }
@@ -71,7 +71,7 @@ class NodeMarks {
   std::uint16_t word_ = 0;
 };
 
-/// An agent's part of each node: its tokens, by key, and which joins are linked on which side.
+/// An agent's part of each node: its tokens, by key, and the sides on which joins are linked.
 ///
 /// Invariants: see NodeState on unlinking; the tokens of a bucket are newest first, except in sparse memories marked as
 /// unsorted.
@@ -96,7 +96,7 @@ class [[gnu::visibility("hidden")]] NodeStates {
     return states_.size();
   }
 
-  /// Makes room for at least so many nodes.
+  /// Makes room for at least `count` nodes.
   void MakeRoom(std::size_t count);
   /// A node has been removed: resets its state.
   void Reset(std::uint32_t node);
@@ -212,8 +212,8 @@ class [[gnu::visibility("hidden")]] NodeStates {
   }
 
  private:
-  /// Up to so many bits a table grows as soon as it has as many tokens as buckets; a larger one is looked at whenever
-  /// its tokens are twice as many.
+  /// Up to this number of bits, a table grows as soon as it has as many tokens as buckets. A larger table is checked
+  /// each time the number of its tokens has doubled.
   static constexpr std::uint32_t kBitsForAll = 8;
   static bool MayGrow(std::uint32_t bits, std::uint32_t count) {
     return bits < kBitsForAll || (count & (count - 1)) == 0;

@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// For right-linked nodes of busy alpha memories: the identifier that an element must have to join, because the node's
-/// memory has one token; 0: unknown. Empty while no alpha memory is busy.
+/// For right-linked nodes of busy alpha memories whose memory has one token: the identifier that an element must have
+/// to join; 0: unknown. Empty while no alpha memory is busy.
 class OnlyIds {
  public:
   /// See Rete::BusyFrom.
@@ -22,13 +22,13 @@ class OnlyIds {
   std::uint32_t& operator[](std::uint32_t node) { return ids_[node]; }
   std::uint32_t operator[](std::uint32_t node) const { return ids_[node]; }
   const std::uint32_t* data() const { return ids_.data(); }
-  /// A memory gets its second token: elements with more than one identifier may now join with it.
+  /// A memory gets its second token: elements with more than one identifier can now join.
   [[gnu::noinline]] void SecondToken(const NodeStates& nodes, std::uint32_t first_join) {
     for (std::uint32_t join = first_join; join != kNil; join = nodes[join].next_left) {
       ids_[join] = 0;
     }
   }
-  /// Starts the table, for so many nodes.
+  /// Creates the table for `nodes` nodes.
   void Begin(std::size_t nodes) { ids_.resize(nodes); }
   /// The number of nodes is now `nodes`.
   void MakeRoom(std::size_t nodes) {

@@ -19,7 +19,7 @@ inline bool AreSmallIntegers(std::uint32_t left, std::uint32_t right) {
   return (left >> Symbol::kIndexBits) == kSmall && (right >> Symbol::kIndexBits) == kSmall;
 }
 
-/// One comparison with a constant or a binding. `decided` is false if it is not one of the common ones.
+/// A comparison with a constant or a binding. Sets `decided` to false if it is not one of the common ones.
 [[gnu::always_inline]] inline bool Compare(const TokenPool& tokens, const WmeTable& wmes, const NodeTest& test,
                                            std::uint32_t parent, std::uint32_t left, const Wme& element,
                                            bool& decided) {

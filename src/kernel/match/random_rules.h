@@ -9,8 +9,8 @@
 
 namespace soarbox::kernel {
 
-/// Draws rules and elements from a small world, so that many match: it has few identifiers, attributes and values, so
-/// an element often matches twice in a rule. The same seed draws the same.
+/// Generates random rules and elements with few identifiers, attributes and values. So many rules match, and an element
+/// often matches twice in a rule. Equal seeds give equal results.
 class RandomRules {
  public:
   RandomRules(MatchFixture& fixture, std::uint32_t seed);

@@ -22,9 +22,9 @@ class Records {
   Byte* base_;
 };
 
-/// A growing array of plain records for the innermost loops. A 32-bit handle addresses a record: its distance from the
-/// start in bytes, so that following a link needs no multiplication. Records are never destroyed one by one. The whole
-/// array moves by reallocation, which for large arrays copies nothing.
+/// A growing array of plain records for the innermost loops. A record is addressed by a 32-bit handle: its offset from
+/// the start in bytes, so that following a link needs no multiplication. Records are not destroyed individually. The
+/// array grows by reallocation, which copies nothing for large arrays.
 template <typename T>
 class RecordArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -48,11 +48,11 @@ class RecordArray {
     data_ = nullptr;
     used_ = capacity_ = 0;
   }
-  /// Limits its growth to `records` records, as if there were no memory for more. Existing records stay.
+  /// Limits the number of records; growing beyond it fails as if there were no memory. Existing records stay.
   void SetLimit(std::size_t records) {
     limit_ = static_cast<std::uint32_t>(std::min(records, kMostBytes / sizeof(T)) * sizeof(T));
   }
-  /// True if the limit left no room for another record. (Otherwise it was the system.)
+  /// True if growing failed because of the limit. (Otherwise the system had no memory.)
   bool at_limit() const { return used_ >= limit_; }
   /// Appends one record, uninitialised, and returns its handle.
   std::uint32_t Append() {

@@ -149,9 +149,9 @@ bool Rete::AdoptNetwork(const std::shared_ptr<const Network>& network) {
   if (!network->SameAs(*state_->network)) {
     return false;
   }
-  // Nobody changes a topology that has more than one owner: OwnNetwork copies it first.
+  // A topology with more than one owner is never changed: OwnNetwork copies it first.
   state_->network = std::const_pointer_cast<Network>(network);
-  // Many agents may share it, and hardly any of them gets more rules.
+  // Many agents may share it, and most of them get no more rules.
   state_->nodes.ShrinkToFit();
   state_->alphas.ShrinkToFit();
   matches_.ShrinkRules();

@@ -28,8 +28,8 @@ class Network;
 /// memories, links and pending matches (this class) belong to the agent. Adding or excising a rule first forks a shared
 /// topology. No allocation in the steady state.
 ///
-/// Order is part of the contract: every list is last in, first out, as kernel_algorithms says, so that firing order,
-/// identifiers and time tags equal those of the reference.
+/// The order is part of the contract: every list is last in, first out (docs/spec/kernel_algorithms.md), so that firing
+/// order, identifiers and time tags equal those of Soar.
 ///
 /// Single-threaded per agent.
 class Rete {
@@ -55,55 +55,55 @@ class Rete {
 
   // Rules -----------------------------------------------------------------------------------------------------------
 
-  /// Builds or shares nodes for the rule's conditions and matches it with working memory at once. A rule whose
-  /// conditions end at the same node as another's and whose actions are equal is a duplicate and is not added.
+  /// Builds or shares nodes for the rule's conditions, and matches it with working memory immediately. A rule is a
+  /// duplicate, and is not added, if its conditions end at the same node as another's and its actions are equal.
   Added AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options);
   Added AddProduction(ProductionPtr production, const GoalView& goals) {
     return AddProduction(std::move(production), goals, AddOptions());
   }
-  /// Removes the rule and its unshared nodes. Its pending assertions vanish; its fired matches become retractions,
-  /// which the caller sees as usual. The rule stays readable until the last of them is released.
+  /// Removes the rule and its unshared nodes. Its pending assertions disappear; its fired matches become retractions,
+  /// which the caller takes as usual. The rule is readable until the last of them is released.
   void ExciseProduction(ProductionId production);
   /// Null for a number that is not in use.
   const ProductionPtr& production(ProductionId id) const;
   /// Called when a match of a rule both elaborates and applies its operator; once per match. The match is then
   /// i-supported.
   void OnMixedSupport(std::function<void(ProductionId)> callback);
-  /// Whether such a match has o-support (then the callback is not called).
+  /// Whether such a match gets o-support (then the callback is not called).
   void MixedSupportIsO(bool is_o);
 
   // Working memory --------------------------------------------------------------------------------------------------
 
-  /// Adds to the match an element that the table already holds, or removes one that it still holds.
+  /// Adds an element that is in the table to the match, or removes one that is still in the table.
   void AddWme(WmeId wme, const GoalView& goals);
   void RemoveWme(WmeId wme, const GoalView& goals);
-  /// Forgets all elements and matches, keeps the rules (init-soar).
+  /// Removes all elements and matches, but keeps the rules (init-soar).
   void Clear();
-  /// Call when memory ran out in the middle of a change: frees the memory of partial matches. After that nothing may be
-  /// matched; rules and the match set stay readable, and the queries below find no matches.
+  /// Call it when memory ran out in the middle of a change: frees the memory of partial matches. Nothing may be matched
+  /// afterwards. Rules and the match set stay readable, and the queries below find no matches.
   void Abandon();
 
-  /// A match without a rule in the network, fired from the start: it becomes a retraction as soon as one of the
-  /// elements leaves the match. A justification without negated conditions needs no more. `production` of such a match
-  /// is ProductionId::kNone.
+  /// Adds a match without a rule in the network, fired from the start. It becomes a retraction as soon as one of the
+  /// elements leaves the match. This is sufficient for a justification without negated conditions. `production` of such
+  /// a match is ProductionId::kNone.
   MatchId AddFixedMatch(std::span<const WmeId> wmes, Symbol goal, GoalLevel level, InstantiationId instantiation);
-  /// Ends the match as if one of its elements left.
+  /// Ends the match as if one of its elements had left.
   void RetractFixedMatch(MatchId match);
 
-  /// The most partial matches at the same time: more throw std::bad_alloc, as if memory had run out. (Partial matches
-  /// that a memory parks are counted separately, memory by memory.)
+  /// Maximum number of simultaneous partial matches. Exceeding it throws std::bad_alloc, as if memory had run out.
+  /// (Pairs that a memory parks are counted separately, memory by memory.)
   void LimitPartialMatches(std::uint32_t most);
-  /// True if this limit left no room.
+  /// True if this limit was reached.
   bool at_limit() const;
 
-  /// A memory parks the partial matches that join with nothing once so many more have come in vain than not (256).
-  /// Changes speed only; for tests.
+  /// A memory starts to park pairs when the number of its pairs that joined with nothing exceeds the number of others
+  /// by `matches` (256). Changes only the speed; for tests.
   void ParkAfter(std::uint32_t matches);
-  /// How many nodes must wait for an alpha memory's elements before it tracks which node waits for which identifier
-  /// (32). Changes speed only; for tests.
+  /// An alpha memory starts to store which of its nodes waits for which identifier when the number of nodes that wait
+  /// for its elements reaches `nodes` (32). Changes only the speed; for tests.
   void BusyFrom(std::uint32_t nodes);
-  /// Whether conjunctive negations of rules added from now on may be shared (rete_shared.cpp): yes, unless a test
-  /// compares the two ways.
+  /// Whether conjunctive negations of rules added from now on may be shared (rete_shared.cpp). On, except in tests that
+  /// compare both ways.
   void ShareConjunctions(bool share);
 
   // The match set ---------------------------------------------------------------------------------------------------
@@ -115,10 +115,10 @@ class Rete {
   // Partial matches, for display ------------------------------------------------------------------------------------
   // A condition is addressed by its path: {2} is the third top-level condition, {1, 0} the first one inside the
   // conjunctive negation at place 1. A partial match lists the elements of the positive conditions from the first
-  // top-level condition to the one addressed (inside a conjunctive negation: those in front of it, then its own).
+  // top-level condition to the one addressed (inside a conjunctive negation: those before it, then its own).
 
   using PartialMatches = std::vector<std::vector<WmeId>>;
-  /// How many partial matches pass this condition (a negated one: are not blocked by it).
+  /// Number of partial matches that pass this condition (for a negated one: that it does not block).
   std::size_t CountAfter(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Oldest first.
   PartialMatches MatchesAfter(ProductionId production, std::span<const std::uint16_t> path) const;
@@ -162,11 +162,11 @@ class Rete {
   std::unique_ptr<struct ReteState> state_;
 };
 
-/// True for an element of the match that no rule tests, and that none would test with this value in place of its own.
+/// True for an element of the match that no rule tests, and that no rule would test if it had this value.
 bool IsUntested(const Rete& rete, WmeId wme, Symbol value);
-/// Does for such an element, when its value has changed, what removing it and adding another one in its place would do.
+/// Has the effect of removing such an element, whose value has changed, and adding another one in its place.
 void Renew(Rete& rete, WmeId wme);
-/// When an element entered the match, as a running number; 0 for one that is not in it.
+/// The running number of an element's arrival in the match; 0 if it is not in the match.
 std::uint64_t ArrivalOf(const Rete& rete, WmeId wme);
 
 }  // namespace soarbox::kernel

@@ -37,10 +37,10 @@ TestOp OpOf(TestKind kind) {
       return TestOp::kIsLti;
     case TestKind::kIsNotLti:
       return TestOp::kIsNotLti;
-    case TestKind::kImpasse:  // No identifier is an attribute impasse any more.
+    case TestKind::kImpasse:  // No identifier is an attribute impasse any more, so this test never succeeds.
     case TestKind::kBlank:
     case TestKind::kConjunction:
-    case TestKind::kLiteral:  // AddTest leaves it out.
+    case TestKind::kLiteral:  // AddTest skips it.
       break;
   }
   return TestOp::kNever;
@@ -59,7 +59,7 @@ void ReteBuilder::Unbind(std::size_t trail) {
 
 // Tests ---------------------------------------------------------------------------------------------------------------
 
-/// A node in front of the condition at a depth, indexed by an identifier that was bound earlier.
+/// The shape of a node before the condition at a depth, indexed by an identifier that was bound earlier.
 NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding& binding) {
   NodeShape shape;
   shape.kind = kind;
@@ -69,8 +69,8 @@ NodeShape ReteBuilder::ShapeOf(NodeKind kind, std::uint32_t depth, const Binding
   return shape;
 }
 
-/// In a shared conjunction: a comparison with a binding outside of it is to be made with its owners. The identifier of
-/// its first condition is what it hangs on.
+/// In a shared conjunction, a comparison with a binding outside of it is deferred to the meeting with its owners. The
+/// identifier of its first condition is the anchor.
 [[gnu::noinline, gnu::cold]] bool ReteBuilder::Defer(TestOp op, Field field, std::uint32_t depth,
                                                      const Binding& binding) {
   if (path_.Holds(binding.depth)) {
@@ -142,7 +142,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
   } else if (test.referent().IsVariable() && node_test.op != TestOp::kIsGoal && node_test.op != TestOp::kNever) {
     const Binding& binding = BindingOf(test.referent());
     if (binding.depth == kNil) {
-      node_test.op = TestOp::kNever;  // Rules are checked before they come here; this cannot be satisfied.
+      node_test.op = TestOp::kNever;  // Rules are checked before they are added; this test never succeeds.
     } else if (path_.IsBuilt() && Defer(node_test.op, field, depth, binding)) {
       return;
     } else {
@@ -156,7 +156,7 @@ void ReteBuilder::AddTest(const Test& test, Field field, std::uint32_t depth) {
   tests_.tests.push_back(node_test);
 }
 
-// All equalities first: the other tests may refer to what they bind.
+// Processes all equality tests first, because the other tests may refer to variables that they bind.
 void ReteBuilder::TakeApart(const Condition& condition, std::uint32_t depth) {
   tests_.tests.clear();
   tests_.disjuncts.clear();
@@ -188,8 +188,8 @@ void ReteBuilder::TakeApart(const Condition& condition, std::uint32_t depth) {
   }
 }
 
-// The key takes over the first equality of the identifier with an earlier binding, and of the value if the attribute is
-// a constant (then an alpha memory holds each pair at most once).
+// The key covers the first equality of the identifier with an earlier binding, and that of the value if the attribute
+// is a constant (then an alpha memory contains each pair at most once).
 void ReteBuilder::ChooseKey() {
   const auto take = [this](Field field, std::uint16_t& levels, Field& referent_field) {
     for (auto test = tests_.tests.begin(); test != tests_.tests.end(); ++test) {
@@ -214,7 +214,8 @@ void ReteBuilder::ChooseKey() {
 
 // Nodes ---------------------------------------------------------------------------------------------------------------
 
-// Through the conjunction of a conjunctive node: what comes after it must see an element before the conjunction does.
+// Searches through the conjunction of a conjunctive node: nodes after it must process an element before the conjunction
+// does.
 std::uint32_t ReteBuilder::NearestAncestor(std::uint32_t node, std::uint32_t alpha) const {
   const Network& network = *state_.network;
   while (node != kNil) {
@@ -234,7 +235,7 @@ std::uint32_t ReteBuilder::Make(const NodePlan& plan, std::uint32_t hash) {
   return made;
 }
 
-/// A memory at an end of a shared conjunction. `tests`: what makes it one of its own.
+/// Finds or creates a memory at an end of a shared conjunction. `tests` distinguish it from others.
 std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind, const NodeShape& shape,
                                             std::span<const NodeTest> tests) {
   NodePlan plan;
@@ -247,8 +248,8 @@ std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind,
   return shared != kNil ? shared : Make(plan, hash);
 }
 
-/// Of a memory the anchors, and of anchors the memory, that are indexed like it and have the same parent; kNil if there
-/// is none. Without sharing the two would be one node, so they stand side by side.
+/// For a memory, the anchors with the same index and parent; for anchors, such a memory. kNil if there is none. Without
+/// sharing the two would be one node, so they must be adjacent.
 std::uint32_t ReteBuilder::TwinOf(std::uint32_t index) const {
   const Node& node = state_.network->node(index);
   if (!state_.shared.exist || (node.kind != NodeKind::kAnchors && node.kind != NodeKind::kMemory)) {
@@ -261,7 +262,7 @@ std::uint32_t ReteBuilder::TwinOf(std::uint32_t index) const {
   return state_.network->FindShared(twin, twin.Hash());
 }
 
-/// The memory for joins with the key of the condition at hand. Most nodes that emit have one memory at most.
+/// Finds or creates the memory for joins with the key of the current condition. Most nodes have at most one memory.
 std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
   const Network& network = *state_.network;
   NodePlan plan;
@@ -286,7 +287,7 @@ std::uint32_t ReteBuilder::FindOrMakeMemory(std::uint32_t parent) {
   return made;
 }
 
-/// A join or negative node with the tests of the condition at hand.
+/// Finds or creates a join or negative node with the tests of the current condition.
 std::uint32_t ReteBuilder::FindOrMake(std::uint32_t parent, NodeKind kind, const Condition& condition) {
   const Network& network = *state_.network;
   NodePlan plan;
@@ -319,8 +320,8 @@ std::uint32_t ReteBuilder::BuildPositive(const Condition& condition, std::uint32
   return join;
 }
 
-/// In Soar a memory with one join is one node with it. It becomes a node of its own with the second join, and one node
-/// with the last: the new one is then its parent's newest child.
+/// In Soar a memory with one join is one node with the join. It becomes a separate node with the second join, and is
+/// merged again when only one is left; the merged node is then its parent's newest child.
 void ReteBuilder::MoveIfJoinsAre(std::uint32_t count, std::uint32_t memory) {
   Network& network = *state_.network;
   const std::uint32_t twin = TwinOf(memory);
@@ -347,8 +348,8 @@ std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32
   return FindOrMake(emitter, NodeKind::kNegative, condition);
 }
 
-// The conjunction's own nodes must see a token before the conjunctive node does, so that it is blocked in time: they
-// stand in front of it.
+// The conjunction's own nodes must process a token before the conjunctive node does, so that the token is blocked in
+// time. Therefore they are placed before it.
 std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   if (CanBeShared(condition, emitter, depth)) {
     return BuildShared(condition, emitter, depth);
@@ -357,7 +358,7 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
   const std::uint32_t bottom = BuildAll(condition.conditions(), emitter, depth);
   Unbind(trail);
   if (bottom == emitter) {
-    return emitter;  // An empty conjunction; the parser never makes one.
+    return emitter;  // The conjunction is empty; the parser never creates such a one.
   }
   NodePlan node;
   node.parent = emitter;
@@ -366,7 +367,7 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
   return MakeConjunctive(node, bottom, static_cast<std::uint32_t>(condition.conditions().size()));
 }
 
-/// The conjunctive node of a conjunction of `length` conditions that ends with the node `bottom`.
+/// Creates the conjunctive node of a conjunction of `length` conditions that ends with the node `bottom`.
 std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uint32_t bottom, std::uint32_t length) {
   Network& network = *state_.network;
   NodePlan partner;
@@ -395,7 +396,7 @@ std::uint32_t ReteBuilder::MakeConjunctive(const NodePlan& conjunctive, std::uin
   }
   state_.NodeAdded(node);
   state_.NodeAdded(made);
-  state_.shared.new_paths.clear();  // Those there were before will be found by the owners, which come now.
+  state_.shared.new_paths.clear();  // The owners, which are added now, find the existing paths.
   state_.Prime(made);
   state_.Prime(node);
   return node;

@@ -39,7 +39,7 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
     std::uint32_t variable = 0;
     Binding before;
   };
-  /// The tests of one condition, by where they are carried out.
+  /// The tests of one condition, by the place where they are evaluated.
   struct Tests {
     std::uint32_t constants[3] = {0, 0, 0};
     std::uint32_t mask = 0;
@@ -48,9 +48,9 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
     NodeShape key;  ///< Only its key fields.
   };
 
-  /// The node that emits the rule's complete matches.
+  /// Returns the node that emits the rule's complete matches.
   std::uint32_t Build(std::span<const Condition> conditions);
-  /// The node that emits while none of a rule's negated conditions matches, whatever else matches (rete_guard.cpp).
+  /// Returns the node that emits while none of a rule's negated conditions matches (rete_guard.cpp).
   std::uint32_t BuildGuard(std::span<const Condition> negations, std::uint32_t rule);
   bool CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const;
   bool AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number, const Rete::AddOptions& options);
@@ -89,17 +89,17 @@ class [[gnu::visibility("hidden")]] ReteBuilder {
     }
     return bindings_[variable.index()];
   }
-  /// Forgets the bindings made since the trail had this length.
+  /// Removes the bindings added since the trail had this length.
   void Unbind(std::size_t trail);
 
   ReteState& state_;
-  /// A shared conjunction under construction. Its own conditions are tested where they are; comparisons with earlier
-  /// bindings follow once they have all matched.
+  /// A shared conjunction under construction. Its own conditions are tested in their nodes; comparisons with earlier
+  /// bindings are evaluated when all of them have matched.
   struct Path {
     std::uint32_t first = kNil;  ///< Depth of its first condition; kNil: none is under construction.
     std::uint32_t last = 0;
     bool anchored = false;  ///< The identifier of the first condition has been seen.
-    NodeShape anchor;       ///< Where the owner has this identifier. Only its key fields.
+    NodeShape anchor;       ///< Where the owner has this identifier; only its key fields are used.
     std::vector<NodeTest> tests;
     bool IsBuilt() const { return first != kNil; }
     bool Holds(std::uint32_t depth) const { return depth >= first; }

@@ -4,12 +4,13 @@
 #include "kernel/match/rete_builder.h"
 #include "kernel/match/rete_state.h"
 
-/// Which conjunctions are shared, and their nodes. What that means: rete_shared.cpp.
+/// Determines which conjunctions are shared, and builds their nodes. Shared conjunctions are described in
+/// rete_shared.cpp.
 namespace soarbox::kernel {
 
 namespace {
 
-/// The variables that a field is tested for equality with.
+/// Visits the variables in a field's equality tests.
 template <typename Visit>
 void ForEachEqual(const Test& test, Visit visit) {
   if (test.kind == TestKind::kEqual && test.referent().IsVariable()) {
@@ -21,7 +22,7 @@ void ForEachEqual(const Test& test, Visit visit) {
   }
 }
 
-/// Whether a field is compared with a variable that `is` tells of.
+/// Whether a field is compared with a variable for which `is` returns true.
 template <typename Is>
 bool ComparesWith(const Test& test, Is is) {
   if (test.kind == TestKind::kConjunction) {
@@ -31,7 +32,7 @@ bool ComparesWith(const Test& test, Is is) {
          test.referent().IsVariable() && is(test.referent());
 }
 
-/// Whether what the test says of an element is the same as long as the element is there.
+/// Whether the result of a test of an element stays the same as long as the element exists.
 bool IsLasting(const Test& test) {
   switch (test.kind) {
     case TestKind::kSameLti:
@@ -48,14 +49,14 @@ bool IsLasting(const Test& test) {
 
 }  // namespace
 
-/// A conjunction can be shared if it is a path: two or more positive conditions, the first of an identifier bound
-/// outside, each other of an identifier bound inside. It is worth it if several tokens may have that identifier and
-/// something compares what they have with the path. What comes behind such a comparison must be of the same object:
-/// otherwise it might be much that the comparison would have kept away.
+/// A conjunction can be shared if it is a path: two or more positive conditions, where the identifier of the first is
+/// bound outside and that of each other condition inside. Sharing is worthwhile if several tokens may have that
+/// identifier, and if a test compares bindings of these tokens with the path. Conditions after such a comparison must
+/// be about the same object: otherwise the comparison might have prevented many partial matches.
 ///
-/// Not while several tokens wait for it already: the order in which they would have met its elements is not known. And
-/// not where the first condition is joined with a memory that other rules have as well: the order of its children says
-/// in which order their matches appear.
+/// Sharing is not possible if several tokens wait for the conjunction already, because the order in which they would
+/// have met its elements is unknown. It is also not possible if the first condition is joined with a memory that other
+/// rules use. The order of that memory's children determines the order of their matches.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
   if (!state_.shared.allowed || path_.IsBuilt() || conditions.size() < 2) {
@@ -64,7 +65,7 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
   std::vector<Symbol>& inside = inside_;
   inside.clear();
   Binding anchor;
-  Symbol compared;  // The identifier of the first condition that compares with something outside.
+  Symbol compared;  // The identifier of the first condition that compares with a binding outside.
   for (const Condition& part : conditions) {
     if (part.kind != ConditionKind::kPositive || !IsLasting(part.id) || !IsLasting(part.attribute) ||
         !IsLasting(part.value)) {
@@ -101,7 +102,7 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
   memory.parent = emitter;
   memory.shape = ShapeOf(NodeKind::kAnchors, depth, anchor);
   if (state_.network->FindShared(memory, memory.Hash()) != kNil) {
-    return true;  // As an equal rule would be.
+    return true;  // An equal rule would be shared, too.
   }
   memory.shape.kind = NodeKind::kMemory;
   return state_.network->FindShared(memory, memory.Hash()) == kNil && state_.emissions().Of(emitter).size() < 2;
@@ -141,7 +142,7 @@ std::uint32_t ReteBuilder::BuildShared(const Condition& condition, std::uint32_t
   paths.key = KeyKind::kId;
   paths.key_id_field = Field::kId;
   paths.key_id_levels = static_cast<std::uint16_t>(length - 1);
-  // Owners and paths meet by the identifier, and by the first other binding that must be equal.
+  // Owners and paths meet by the identifier and the first other binding that must be equal.
   const auto equal = std::ranges::find_if(path_.tests, [](const NodeTest& test) { return test.op == TestOp::kEqual; });
   if (equal != path_.tests.end()) {
     paths.key = owner.shape.key = KeyKind::kIdValue;

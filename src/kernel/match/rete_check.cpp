@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Walks all structures once and collects what is wrong.
+/// Walks all structures once and collects violations.
 class Checker {
  public:
   explicit Checker(const ReteState& state) : s_(state), network_(*state.network) {}
@@ -60,7 +60,7 @@ class Checker {
       Expect(s_.nodes.marks(node).Is(NodeMarks::kRightLinked) && network_.node(node).alpha == alpha,
              "wrong node in alpha memory's list", node);
       Expect(s_.nodes[node].previous_right == previous, "broken list of nodes", alpha);
-      // Nobody keeps it up to date while the alpha memory is empty; its first element does.
+      // It is not maintained while the alpha memory is empty; the first element updates it.
       if ((memory.sparse & AlphaState::kBusy) != 0 && memory.count != 0 && s_.only_ids[node] != 0) {
         CheckOnlyId(node);
       }
@@ -188,7 +188,7 @@ class Checker {
     }
   }
 
-  /// How many results the tokens of a conjunctive node have together.
+  /// The total number of results of a conjunctive node's tokens.
   std::size_t ResultsWanted(std::uint32_t index) {
     const std::uint32_t bottom = network_.node(network_.node(index).partner()).parent;
     if (network_.node(bottom).kind != NodeKind::kPaths) {
@@ -213,7 +213,7 @@ class Checker {
     return wanted + results_;
   }
 
-  /// Each identifier that tokens wait for a shared conjunction with has one anchor, which counts them.
+  /// Checks that each identifier with which tokens wait for a shared conjunction has one anchor, which counts them.
   void CheckAnchors(std::uint32_t index) {
     std::map<std::uint32_t, std::uint32_t> owners, ids;
     for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
@@ -232,7 +232,7 @@ class Checker {
     Expect(count == s_.nodes[index].count, "wrong count of anchors", index);
   }
 
-  /// Every pair is a token or parked, never both; tokens above know how many there are.
+  /// Checks that every pair is either a token or parked, and that the tokens above have the right counts.
   void CheckSparse(std::uint32_t index) {
     const Node& node = network_.node(index);
     const std::uint32_t above = network_.node(node.parent).parent;
@@ -279,8 +279,8 @@ class Checker {
     });
   }
 
-  /// Whether a node asks for links to long-term memory. A link that comes or goes later wakes no rule, as in Soar, so
-  /// that what is there now may differ from what was matched.
+  /// Whether a node tests links to long-term memory. As in Soar, later changes of a link affect no match, so the
+  /// current links may differ from those that were matched.
   bool TestsLinks(const Node& node) const {
     const auto tests = network_.tests(node);
     return std::any_of(tests.begin(), tests.end(), [](const NodeTest& test) {

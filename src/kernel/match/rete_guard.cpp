@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Justifications with negated conditions. Their positive conditions name the elements that match them, so these are
-// kept as a fixed match is: one token for each. Nodes are made of the negated conditions alone, below a node of their
-// own: a negation of what no element is, which is always open. What reaches the end of the chain (a node of the kind
-// kGuard) is the rule's match as long as all of its elements are there.
+// Justifications with negated conditions. Their positive conditions name the matched elements, so these are stored like
+// a fixed match: one token per element. Only the negated conditions have nodes. These are below a separate node that is
+// always open, because it negates a condition that no element matches. The end of the chain (a kGuard node) emits the
+// rule's match while all of its elements exist.
 #include <algorithm>
 #include <utility>
 
@@ -13,10 +13,10 @@
 
 namespace soarbox::kernel {
 
-/// The node above the negations of a rule. No two rules share it: what one element ends must go in the order in which
-/// it was made, rule by rule.
+/// Builds the node above the negations of a rule. Rules never share it: when an element ends the matches of several
+/// rules, they must end in the order in which the rules were added.
 std::uint32_t ReteBuilder::BuildGuard(std::span<const Condition> negations, std::uint32_t rule) {
-  // No identifier is a word, and so no element comes to this memory.
+  // Identifiers of elements are never words, so no element enters this memory.
   const std::uint32_t nothing[3] = {words::kSuperstate.bits(), words::kSuperstate.bits(), 0};
   constexpr std::uint32_t kMask = 3;
   NodePlan plan;
@@ -36,7 +36,7 @@ std::uint32_t ReteBuilder::BuildGuard(std::span<const Condition> negations, std:
   return bottom;
 }
 
-/// Whether a rule that is to be added is a justification whose elements are all there, and that has negated conditions.
+/// Whether a new rule is a justification with negated conditions whose elements all exist.
 bool ReteBuilder::CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& options) const {
   const Production& rule = *info.rule;
   return rule.type == ProductionType::kJustification && info.positives != 0 &&
@@ -46,7 +46,7 @@ bool ReteBuilder::CanBeGuarded(const RuleInfo& info, const Rete::AddOptions& opt
          std::ranges::all_of(options.refracted, [this](WmeId wme) { return state_.links[Index(wme)].in_match; });
 }
 
-/// Makes the nodes of a guarded rule; false, and nothing has changed, if a negated condition does not hold.
+/// Builds the nodes of a guarded rule. Returns false, without any change, if a negated condition is not satisfied.
 bool ReteBuilder::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_t number,
                              const Rete::AddOptions& options) {
   NodePlan plan;
@@ -65,7 +65,7 @@ bool ReteBuilder::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_
   return true;
 }
 
-/// One of the elements that a guarded rule matched is leaving: it never matches again.
+/// An element that a guarded rule matched is leaving: the rule never matches again.
 void ReteState::GuardedElementGone(std::uint32_t node) {
   FreeElementTokens(tokens, links, std::exchange(nodes[node].first_linked, kNil));
   RemoveTokens(node);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Justifications with negated conditions: the matcher keeps nodes of the negated conditions alone. Compared with rules
-// of another type that say the same, and so are matched condition by condition.
+// Justifications with negated conditions: the matcher has nodes only for the negated conditions. Compared with rules of
+// another type with the same conditions, which are matched condition by condition.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ class GuardFixture : public MatchFixture {
   }
   TestDraft Is(std::string_view word) { return Equal(Word(word)); }
 
-  /// A rule whose positive conditions are these elements; the number of its instantiation is `number`.
+  /// Adds a rule whose positive conditions are these elements. `number` is the number of its instantiation.
   Rete::Added AddLiteral(std::size_t number, const std::vector<WmeId>& grounds,
                          const std::vector<ConditionDraft>& negations) {
     RuleDraft draft;
@@ -40,7 +40,7 @@ class GuardFixture : public MatchFixture {
     }
     conditions.insert(conditions.end(), negations.begin(), negations.end());
     for (ConditionDraft& condition : conditions) draft.conditions.Add(&condition);
-    ActionDraft action;  // Of its own: no rule duplicates another.
+    ActionDraft action;  // It must be unique, so that no rule duplicates another.
     action.id.symbol = Word("S1");
     action.attribute.symbol = Word(name);
     action.value.symbol = Word("1");
@@ -51,7 +51,7 @@ class GuardFixture : public MatchFixture {
     return rete.AddProduction(Production::Make(draft), Goals(), options);
   }
 
-  /// Takes all retractions; the numbers of what is retracted, by level.
+  /// Takes all retractions. Returns the numbers of the retracted instantiations, by level.
   std::vector<std::size_t> Retract(std::size_t numbers) {
     std::vector<std::size_t> found;
     for (GoalLevel level = 0; level <= 2; ++level) {
@@ -133,7 +133,7 @@ TEST_F(GuardTest, WhatDoesNotHoldWhenItIsAddedIsMatchedAsARule) {
   EXPECT_EQ(rete.CheckInvariants(), "");
 }
 
-/// One step of the random test, made in both ways.
+/// Executes each step of the random test in both ways.
 class BothWays {
  public:
   explicit BothWays(std::uint32_t seed) : random_(seed) {}

@@ -5,16 +5,16 @@
 
 #include "kernel/match/rete_state.h"
 
-/// The innermost loops, which the files of the Rete share.
+/// The innermost loops, which several files of the Rete use.
 namespace soarbox::kernel {
 
-/// Makes a token. Sets everything but its bucket and its key.
+/// Creates a token. Sets everything except its bucket and its key.
 [[gnu::always_inline]] inline std::uint32_t MakeToken(ReteState& state, std::uint32_t node, std::uint32_t parent,
                                                       std::uint32_t wme) {
   return state.tokens.Make(state.links, node, parent, wme);
 }
 
-/// The key of a token of a memory that stands for (parent, wme).
+/// The key of a memory's token for (parent, wme).
 [[gnu::always_inline]] inline KeyParts KeyOfPair(const ReteState& state, const Node& memory, std::uint32_t parent,
                                                  std::uint32_t wme) {
   KeyParts parts;
@@ -47,8 +47,8 @@ namespace soarbox::kernel {
   return true;
 }
 
-/// Calls visit(element) for the pairs of a run, parked in a sparse memory, that still exist, newest element first,
-/// until it returns true.
+/// Calls visit(element) for the existing pairs of a run that is parked in a sparse memory, newest element first, until
+/// it returns true.
 template <typename Visit>
 void ForEachOfRun(const ReteState& state, std::uint32_t memory, const ParkedRun& run, Visit&& visit) {
   const AlphaState& alpha = state.alphas[state.network->node(state.network->node(memory).parent).alpha];

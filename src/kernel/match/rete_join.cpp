@@ -3,17 +3,17 @@
 
 #include "kernel/match/rete_inline.h"
 
-/// Joins and their memories, where most of the work of a match is done.
+/// Joins and their memories. Most of the work of a match is done here.
 namespace soarbox::kernel {
 
 namespace {
 
-/// JoinLinks::FindOnlyId, out of line.
+/// JoinLinks::FindOnlyId as a separate function.
 [[gnu::noinline]] void FindOnlyId(ReteState& state, std::uint32_t node) {
   state.joins().FindOnlyId(node);
 }
 
-/// Makes the set of identifiers that the tokens of a memory wait for.
+/// Computes the set of identifiers that the tokens of a memory can join with.
 [[gnu::noinline]] void RenewSignature(ReteState& state, std::uint32_t index) {
   const Node& node = state.network->node(index);
   KeySignatures::Set set = 0;
@@ -27,7 +27,7 @@ namespace {
   state.signatures.Replace(index, set);
 }
 
-/// The first of the items from `item` on whose element passes the tests of a join with (parent, wme).
+/// The first item, from `item` on, whose element passes the tests of a join with (parent, wme).
 [[gnu::always_inline]] inline std::uint32_t FirstPassing(const ReteState& state, const RightSide& right,
                                                          const Node& join, const KeyParts& key, std::uint32_t parent,
                                                          std::uint32_t wme, std::uint32_t item) {
@@ -37,19 +37,19 @@ namespace {
   return item;
 }
 
-/// The same out of line, for loops in which hardly any item gets so far.
+/// Same as a separate function, for loops in which few items get so far.
 [[gnu::noinline]] std::uint32_t FirstPassingOf(const ReteState& state, const RightSide& right, const Node& join,
                                                const KeyParts& key, std::uint32_t parent, std::uint32_t wme,
                                                std::uint32_t item) {
   return FirstPassing(state, right, join, key, parent, wme, item);
 }
 
-/// The newest item that a join's right side offers for a key; its tests are still to be made.
+/// The newest item that a join's right side offers for a key; its tests have not been evaluated.
 [[gnu::always_inline]] inline std::uint32_t FirstOffered(ReteState& state, const Node& join, const KeyParts& key) {
   return RightSide(state.alphas, join).First(key);
 }
 
-/// A token and the elements of a bucket, from `item` on, that have an identifier.
+/// Pairs of a token and the elements with a given identifier in a bucket, from `item` on.
 struct TokenAndBucket {
   const ReteState& state;
   std::uint32_t token, item, id;
@@ -69,7 +69,7 @@ struct TokenAndBucket {
   }
 };
 
-/// A token and the elements of a join that pass its tests, from `item` on.
+/// Pairs of a token and the elements that pass the tests of a join, from `item` on.
 struct TokenAndPassing {
   const ReteState& state;
   const RightSide& right;
@@ -88,7 +88,7 @@ struct TokenAndPassing {
   }
 };
 
-/// Tokens and one element.
+/// Pairs of several tokens and one element.
 struct TokensAndElement {
   const std::uint32_t* at;
   const std::uint32_t* end;
@@ -104,9 +104,9 @@ struct TokensAndElement {
   }
 };
 
-/// Hands pairs to a sparse memory. This is where most pairs end: parked after one look at the other side. What is the
-/// same for all of them is worked out once. `source.Next(parent, wme)` gives the next pair and returns false after the
-/// last one; there must be one. With `one_parent`, all have the first one's parent.
+/// Passes pairs to a sparse memory. Most pairs end here: they are parked after one look-up on the other side.
+/// Everything that is the same for all pairs is computed once. `source.Next(parent, wme)` returns the next pair, or
+/// false after the last one; there must be at least one. With `one_parent`, all pairs have the same parent.
 template <bool one_parent, RightSide::Kind kind, bool with_value, typename Source>
 [[gnu::always_inline]] inline void AddPairsOf(ReteState& state, std::uint32_t index, const RightSide& right,
                                               Source source) {
@@ -218,7 +218,7 @@ template <bool one_parent, typename Source>
 
 // Left side -----------------------------------------------------------------------------------------------------------
 
-/// A pair joins: a sparse memory makes a token of it.
+/// A pair in a sparse memory joins: creates a token for it.
 void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uint32_t wme, std::uint64_t serial,
                              KeyParts key, std::uint32_t item) {
   const std::uint32_t token = tokens.Make(links, index, parent, wme, serial);
@@ -227,8 +227,8 @@ void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uin
   JoinFrom(join, network->node(join), token, key, item);
 }
 
-/// Hands a token and the elements of a bucket, from `item` on, to a sparse memory that is a hop. What does not join is
-/// parked in runs.
+/// Passes a token and the elements of a bucket, from `item` on, to a sparse memory that is a hop. Pairs that do not
+/// join are parked in runs.
 template <RightSide::Kind kind>
 [[gnu::always_inline]] inline void ReteState::JoinRuns(const RightSide& right, std::uint32_t index, std::uint32_t token,
                                                        std::uint32_t id, std::uint32_t item) {
@@ -310,7 +310,7 @@ void ReteState::JoinHop(std::uint32_t index, std::uint32_t token, std::uint32_t 
   }
 }
 
-/// Hands the elements that a new token joins with, from `item` on, to the sparse memory below the join.
+/// Passes the elements that a new token joins with, from `item` on, to the sparse memory below the join.
 void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32_t token, const KeyParts& key,
                            std::uint32_t item) {
   const std::uint32_t parent = tokens[token].parent;
@@ -338,7 +338,7 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
   }
 }
 
-/// Hands one pair to a sparse memory.
+/// Passes one pair to a sparse memory.
 void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t join = node.first_child;
@@ -367,7 +367,7 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
   pair.key = key.key;
 }
 
-/// Hands on what a token joins with, from `item` on, which has the token's key.
+/// Emits the pairs of a token and the elements that it joins with, from `item` on; `item` has the token's key.
 void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item) {
   const RightSide right(alphas, node);
   const std::uint32_t parent = tokens[token].parent;
@@ -404,8 +404,8 @@ void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t tok
   } while (item != kNil);
 }
 
-/// Hands a token and the elements of a bucket that have an identifier, from `item` on, to a memory that is not sparse.
-/// If the memory has just one join to look at, what is the same for all pairs is worked out once.
+/// Passes a token and the elements of a bucket with an identifier, from `item` on, to a memory that is not sparse. If
+/// the memory has only one linked join, everything that is the same for all pairs is computed once.
 void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint32_t id, std::uint32_t item) {
   const Node& node = network->node(index);
   NodeState& memory = nodes[index];
@@ -465,7 +465,7 @@ void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint3
   }
 }
 
-/// Hands a token of a memory to a join below it.
+/// Passes a token of a memory to a join below it.
 [[gnu::always_inline]] inline void ReteState::JoinOne(std::uint32_t join, std::uint32_t token, const KeyParts& key) {
   const Node& joined = network->node(join);
   const std::uint32_t item = FirstOffered(*this, joined, key);
@@ -474,7 +474,7 @@ void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint3
   }
 }
 
-/// Hands it to the joins of the memory's list from `next` on.
+/// Passes it to the joins in the memory's list, from `next` on.
 void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) {
   while (next != kNil) {
     const std::uint32_t join = next;
@@ -485,8 +485,8 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   }
 }
 
-/// Hands a new token of a memory to the joins below it. Most memories have one: a loop would cost them more than it
-/// does. While a memory has other tokens its joins are linked to their alpha memories.
+/// Passes a new token of a memory to the joins below it. Most memories have one join, for which a loop would be
+/// expensive. While a memory has other tokens, its joins are linked to their alpha memories.
 [[gnu::always_inline]] inline void ReteState::JoinAll(const NodeState& memory, std::uint32_t token,
                                                       const KeyParts& key) {
   const std::uint32_t join = memory.first_linked;
@@ -507,7 +507,7 @@ void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) 
   }
 }
 
-/// A pair reaches a memory that is not sparse.
+/// Processes a pair that reaches a memory that is not sparse.
 void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   NodeState& state = nodes[index];
@@ -523,7 +523,7 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   }
 }
 
-/// Makes a token for an identifier that a shared conjunction begins with, and all its paths.
+/// Creates a token for the identifier at the beginning of a shared conjunction, and all its paths.
 std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
   const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
   nodes.Insert(tokens, anchors, token, id, true);
@@ -536,7 +536,7 @@ std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
 
 // Right side ----------------------------------------------------------------------------------------------------------
 
-/// Calls visit(token) for the tokens from `token` on that join with an element, newest first.
+/// Calls visit(token) for the tokens, from `token` on, that join with an element, newest first.
 template <typename Visit>
 [[gnu::always_inline]] inline void ForEachLeft(const ReteState& state, const Node& node, std::uint32_t token,
                                                std::uint32_t key, const Wme& element, Visit&& visit) {
@@ -551,7 +551,7 @@ template <typename Visit>
   }
 }
 
-/// The element joins with all gathered tokens.
+/// Emits the pairs of an element and all gathered tokens.
 void ReteState::EmitGathered(std::uint32_t join, std::uint32_t wme) {
   if (gathered.empty()) {
     return;
@@ -593,8 +593,8 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   }
 }
 
-/// An element that has come into the alpha memory of a left-linked join meets the tokens on the other side. False if
-/// none of them has its key.
+/// Joins an element that has entered the alpha memory of a left-linked join with the tokens on the other side. Returns
+/// false if none of them has its key.
 [[gnu::always_inline]] inline bool ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
                                                         const Wme& element) {
   const NodeMarks memory = nodes.marks(node.parent);
@@ -615,11 +615,11 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   return true;
 }
 
-/// The element joins with those tokens of a bucket, from `token` on, that have its key and pass the tests.
+/// Joins the element with the tokens of a bucket, from `token` on, that have its key and pass the tests.
 void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t token, std::uint32_t key) {
   const Node& node = network->node(index);
   const Wme& element = wmes[wme];
-  std::uint32_t late = 0;  // Tokens that would have been parked.
+  std::uint32_t late = 0;  // Number of tokens that would have been parked.
   if (nodes.marks(index).Is(NodeMarks::kFeedsSparse)) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
@@ -645,7 +645,7 @@ void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t
   }
 }
 
-/// An element has come into the alpha memory of a negative node.
+/// Processes an element that has entered the alpha memory of a negative node.
 void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t key = KeyOfElement(node, element);
@@ -653,8 +653,8 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
               [this, wme](std::uint32_t left) { Block(left, wme); });
 }
 
-/// The first element has come into an alpha memory. The joins of its list, from `first` on, were not linked on the left
-/// (but for those that come onto it meanwhile).
+/// Processes the first element of an alpha memory. The joins of its list, from `first` on, were not linked on the left
+/// (except those that are added meanwhile).
 [[gnu::always_inline]] inline void ReteState::RightFirst(std::uint32_t first, std::uint32_t wme) {
   for (std::uint32_t index = first; index != kNil;) {
     const std::uint32_t next = nodes[index].next_right;
@@ -666,7 +666,7 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
       if (waited) {
         joins().LinkLeft(index);
         if (!only_ids.empty()) [[unlikely]] {
-          FindOnlyId(*this, index);  // Nobody told of tokens that came meanwhile.
+          FindOnlyId(*this, index);  // It was not updated for tokens that arrived meanwhile.
         }
       }
       if (waited && nodes[node.parent].count == 0) {
@@ -679,7 +679,7 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
   }
 }
 
-/// One more element has come into an alpha memory: all joins of its list, from `first` on, are linked on the left.
+/// Processes a further element of an alpha memory: all joins of its list, from `first` on, are linked on the left.
 [[gnu::always_inline]] inline void ReteState::RightAll(std::uint32_t first, std::uint32_t wme, const Wme& element) {
   const std::uint32_t value = element.value.bits();
   const std::uint32_t place = ValueFilter::Place(value);
@@ -709,7 +709,7 @@ void ReteState::RightNegative(std::uint32_t index, const Node& node, std::uint32
   }
 }
 
-/// The same for a busy alpha memory: most joins wait for another identifier.
+/// Like RightAll, for a busy alpha memory: most joins wait for other identifiers.
 void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
   const Wme& element = wmes[wme];
   const std::uint32_t id = element.id.bits();
@@ -719,7 +719,7 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
   const std::uint32_t* const ids = only_ids.data();
   const NodeState* const states = nodes.data();
   for (std::uint32_t next = first; next != kNil;) {
-    // Most of them end here.
+    // Most iterations end here.
     std::uint32_t wanted = ids[next];
     while (wanted != id && wanted != 0) {
       next = states[next].next_right;
@@ -737,7 +737,7 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     const bool is_join = node.kind == NodeKind::kJoin;
     const std::uint32_t memory = is_join ? node.parent : index;
     if (wanted == 0 && is_join && nodes[memory].count == 1) {
-      FindOnlyId(*this, index);  // It had more tokens.
+      FindOnlyId(*this, index);  // It had more than one token.
       wanted = ids[index];
       if (wanted != 0 && wanted != id) {
         continue;
@@ -760,7 +760,7 @@ void ReteState::AddWme(std::uint32_t wme) {
   links.Enter(wme, tokens.TakeSerial(), element.timetag, wmes.capacity());
 
   const std::uint32_t fields[3] = {element.id.bits(), element.attribute.bits(), element.value.bits()};
-  // Found first and filled then: two small loops run better than one that needs everything at once.
+  // Two small loops (first find, then fill) are faster than one that needs all registers at once.
   std::uint32_t found[8];
   std::uint32_t* end = found;
   network->ForEachAlpha(fields, element.acceptable, [&](std::uint32_t alpha) { *end++ = alpha; });

@@ -53,7 +53,7 @@ void ReteState::Left(std::uint32_t node, std::uint32_t token, std::uint32_t wme)
     case NodeKind::kGuard:
       LeftGuard(node, token, wme);
       break;
-    case NodeKind::kAnchors:  // Its tokens come from the conjunctive node.
+    case NodeKind::kAnchors:  // The conjunctive node creates its tokens.
     case NodeKind::kFree:
     case NodeKind::kRoot:
     case NodeKind::kJoin:
@@ -116,7 +116,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   BlockOwner(owner, parent, wme);
 }
 
-/// Makes (parent, wme) a result for a conjunctive token, which is blocked from then on: what it has led to goes.
+/// Makes (parent, wme) a result that blocks a conjunctive token; removes the tokens that the token led to.
 void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme) {
   if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {
@@ -136,7 +136,7 @@ void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint3
   tokens[owner].first_child = result;
 }
 
-/// A rule matches with the elements that stand in `elements`.
+/// Creates a match of a rule with the elements in `elements`.
 [[gnu::always_inline]] inline void ReteState::NewMatch(std::uint32_t node_index, std::uint32_t parent,
                                                        std::uint32_t wme, std::uint32_t production,
                                                        const RuleInfo& rule) {
@@ -185,7 +185,7 @@ void ReteState::LeftProduction(std::uint32_t node_index, std::uint32_t parent, s
   NewMatch(node_index, parent, wme, production, rule);
 }
 
-/// The negated conditions hold: when the rule is added, or again (rete_guard.cpp).
+/// The negated conditions are satisfied, when the rule is added or later (rete_guard.cpp).
 void ReteState::LeftGuard(std::uint32_t node, std::uint32_t parent, std::uint32_t wme) {
   std::uint32_t token = nodes[node].first_linked;
   if (token == kNil) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Nodes come and go; what an agent has in them is kept in step.
+// Adds and removes nodes, together with the agent's state of them.
 #include <utility>
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 
 void ReteState::NodeAdded(std::uint32_t index) {
-  nodes.MakeRoom(index + 1u);  // Else RemoveNode left its state as good as new.
+  nodes.MakeRoom(index + 1u);  // Otherwise RemoveNode has reset its state.
   only_ids.MakeRoom(nodes.size());
   signatures.MakeRoom(nodes.size());
   ChildAdded(index);
@@ -36,7 +36,7 @@ void ReteState::NodeAdded(std::uint32_t index) {
   }
 }
 
-/// Hands a new node what its parent has emitted so far, newest first.
+/// Passes to a new node everything that its parent has emitted so far, newest first.
 void ReteState::Prime(std::uint32_t child) {
   const std::uint32_t parent = network->node(child).parent;
   if (network->node(parent).kind == NodeKind::kMemory || network->node(parent).kind == NodeKind::kAnchors) {

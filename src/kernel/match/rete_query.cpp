@@ -7,12 +7,13 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// The node that a condition was made into, and the node that emits what reaches it.
+/// The node of a condition, and the node that emits the partial matches that reach it.
 struct Place {
   std::uint32_t node = kNil;
   std::uint32_t before = kNil;
-  std::uint32_t conjunctive = kNil;  ///< If the condition is part of a shared conjunction.
-  bool first = false;                ///< And the first there: what reaches it is what reaches the conjunction.
+  std::uint32_t conjunctive = kNil;  ///< Set if the condition is part of a shared conjunction.
+  bool first = false;  ///< It is the first condition there: the partial matches that reach it are those that reach the
+                       ///< conjunction.
 };
 
 Place PlaceOf(const Network& network, const RuleInfo& rule, std::span<const std::uint16_t> path) {
@@ -69,8 +70,8 @@ void AppendElements(const ReteState& state, std::uint32_t token, std::vector<Wme
   std::reverse(match.begin() + first, match.end());
 }
 
-/// What a node has emitted and not withdrawn, oldest first. A node of a shared conjunction: for each token that waits
-/// for the conjunction, as if it were matched below it.
+/// The emissions of a node that were not withdrawn, oldest first. For a node of a shared conjunction, as if it were
+/// matched below each token that waits for the conjunction.
 Rete::PartialMatches Describe(const ReteState& state, std::uint32_t node, std::uint32_t conjunctive) {
   Rete::PartialMatches found;
   if (node == kNil) {
@@ -146,7 +147,7 @@ std::size_t Rete::CountTokens(ProductionId production, bool complete) const {
         n.kind == NodeKind::kAnchors || n.kind == NodeKind::kPaths) {
       count += state_->nodes[node].count;
     }
-    // The conjunction hangs below what comes before it, so that its nodes lead on upwards.
+    // The conjunction is below the node before it, so its nodes lead further up.
     node = n.kind == NodeKind::kConjunctive ? network.node(n.partner()).parent : n.parent;
   }
   return count;

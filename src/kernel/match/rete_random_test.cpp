@@ -12,9 +12,9 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Random rules over random changes; after each step the Rete must agree with the naive matcher, its conflict set with
-/// what it reported, and its own structure with its invariants. On request a rule goes and comes back before each step.
-/// Memories park pairs much sooner than they do otherwise.
+/// Random rules and random changes. After each step, the Rete must agree with the naive matcher, its conflict set with
+/// the reported changes, and its structures with their invariants. Optionally, a rule is excised and added again before
+/// each step. Memories park pairs much sooner than usual.
 class RandomCase {
  public:
   RandomCase(std::uint32_t seed, bool swap_rules) : random_(fixture_, seed), seed_(seed), swap_rules_(swap_rules) {}
@@ -98,7 +98,7 @@ class RandomCase {
     return tags;
   }
 
-  /// Works off the conflict set as the decision cycle does: what fires is remembered until it is retracted.
+  /// Processes the conflict set as the decision cycle does: fired matches are stored until they are retracted.
   void Fire() {
     MatchSet& set = fixture_.rete.matches();
     for (GoalLevel level = 0; level < 4; ++level) {
@@ -144,7 +144,7 @@ class RandomCase {
 };
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-constexpr std::uint32_t kSlowness = 10;  // Such builds have sanitizers as well.
+constexpr std::uint32_t kSlowness = 10;  // Such builds also use sanitizers.
 #else
 constexpr std::uint32_t kSlowness = 1;
 #endif

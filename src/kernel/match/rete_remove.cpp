@@ -21,7 +21,7 @@ namespace soarbox::kernel {
   alphas.TakeOut(memory, index);
   if (--memory.count == 0) {
     for (std::uint32_t node = memory.first_node; node != kNil; node = nodes[node].next_right) {
-      if (nodes.marks(node).Is(NodeMarks::kLeftLinked)) {  // Only joins ever are.
+      if (nodes.marks(node).Is(NodeMarks::kLeftLinked)) {  // Only joins are ever left-linked.
         joins().UnlinkLeft(node);
       }
     }
@@ -55,14 +55,14 @@ void ReteState::RemoveWme(std::uint32_t wme) {
   if (shared.path_element) [[unlikely]] {
     RemoveTokensInOrder(wme);
   }
-  // Removal can open negations and so make new tokens, but none with this element: it is in no alpha memory any more.
+  // Removal can open negations and thus create tokens, but none with this element: it is in no alpha memory any more.
   for (std::uint32_t token = link.first_token; token != kNil; token = link.first_token) {
     RemoveTokenOfElement(token);
   }
   links.Leave(link);
 }
 
-/// An element that blocked a negative token is going.
+/// An element that blocked a negative token is leaving.
 void ReteState::RemoveResult(std::uint32_t index) {
   const std::uint32_t owner = tokens[index].parent;
   tokens.Unlink(links, index);
@@ -72,7 +72,7 @@ void ReteState::RemoveResult(std::uint32_t index) {
   }
 }
 
-// From leaf to leaf: a parent comes after its last child.
+// Iterates from leaf to leaf: a parent follows its last child.
 void ReteState::RemoveSubtree(std::uint32_t root) {
   tokens.UnlinkFromParent(tokens[root]);
   Records<Token> all = tokens.records();
@@ -91,7 +91,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
     Token& leaf = all[token];
     const std::uint32_t parent = leaf.parent;
     const std::uint32_t next = leaf.next_sibling;
-    if (token != root) {  // It is the first of its parent's children.
+    if (token != root) {  // It is the first child of its parent.
       all[parent].first_child = next;
       if (next != kNil) {
         all[next].previous_sibling = kNil;
@@ -123,7 +123,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
           tokens.ForgetPairs(leaf);
         }
         if (nodes.marks(node).Is(NodeMarks::kSparse)) {
-          --SparseOf(node).tokens;  // Counted as a pair, it goes with its element or its parent.
+          --SparseOf(node).tokens;  // As a pair, it is counted off when its element or its parent leaves.
         } else if (--nodes[node].count == 0) {
           joins().MemoryEmptied(node);
         }
@@ -149,9 +149,9 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       tokens.Free(index);
       if (network->node(node).IsShared()) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
-        tokens[index].node = 0;  // Nobody takes it for an owner any more.
+        tokens[index].node = 0;  // So that it does not count as an owner any more.
         shared.last_owner = shared.last_owner == index ? kNil : shared.last_owner;
-        if (--tokens[anchor].previous_sibling == 0) {  // The last of its owners.
+        if (--tokens[anchor].previous_sibling == 0) {  // It was the last of its owners.
           tokens[anchor].previous_sibling = kNil;
           RemoveSubtree(anchor);
         }
@@ -209,9 +209,9 @@ void ReteState::RetractFixedMatch(std::uint32_t token) {
   matches.TokenGone(match, false, links.last_timetag());
 }
 
-// All at once ---------------------------------------------------------------------------------------------------------
+// Releasing everything ------------------------------------------------------------------------------------------------
 
-/// What tokens and items point to may be half made: nothing is followed, and nothing is allocated.
+/// The structures of tokens and items may be inconsistent: follows no references and allocates nothing.
 void ReteState::Abandon() {
   abandoned = true;
   tokens.Release();
@@ -227,7 +227,7 @@ void ReteState::Clear() {
   }
   links.ForgetTimetags();
   matches.Clear();
-  // What still matches is made of negations alone.
+  // Only matches of rules without positive conditions remain.
   for (std::uint32_t production = 0; production < network->rule_limit(); ++production) {
     if (network->rule(production) == nullptr) {
       continue;

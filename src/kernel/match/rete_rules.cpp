@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Rules come into the network and leave it.
+// Adds rules to the network and removes them.
 #include <utility>
 
 #include "kernel/match/fixed_match.h"
@@ -79,7 +79,7 @@ void ReteBuilder::ExciseProduction(std::uint32_t number) {
   state_.excising = false;
 }
 
-/// Removes a node without children, and what that leaves without children above it.
+/// Removes a node without children, and then the nodes above it that have no children left.
 void ReteBuilder::RemoveUnused(std::uint32_t index) {
   while (index != 0 && state_.network->node(index).first_child == kNil) {
     const Node& node = state_.network->node(index);

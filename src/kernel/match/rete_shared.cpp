@@ -4,20 +4,21 @@
 
 #include "kernel/match/rete_inline.h"
 
-/// Shared conjunctions: most conjunctive negations look from one object along a path of elements for something that
-/// beats or excludes what has been matched (no other task of the class ranks higher, no slot of the zone is free).
-/// Matched below each token they make as many partial matches as there are tokens times elements. Where the conditions
-/// form a path that begins at one identifier, they are matched once per identifier instead: its *anchor*. The tokens
-/// that wait for the conjunction, its *owners*, meet complete paths by the anchor and what else must be equal; the
-/// other comparisons of the two are made there, and only what blocks an owner becomes a record.
+/// Shared conjunctions. Most conjunctive negations start at one object and follow a path of elements. They search for
+/// something that beats or excludes the current match (no other task of the class has a higher rank, no slot of the
+/// zone is free). If they are matched below each token, they create as many partial matches as there are tokens times
+/// elements. If the conditions form a path from one identifier, they are instead matched once per identifier, the
+/// *anchor*. The tokens that wait for the conjunction, its *owners*, meet complete paths by the anchor and by other
+/// bindings that must be equal. The remaining comparisons are evaluated at the meeting, and a record is created only
+/// for a path that blocks an owner.
 ///
-/// An anchor lives while it has owners, and comparisons with owners come last (rete_builder_shared.cpp). So there are
-/// about as many paths per identifier as there would otherwise be partial matches per token.
+/// An anchor lives while it has owners, and comparisons with owners come last (rete_builder_shared.cpp). So the number
+/// of paths per identifier is about the number of partial matches per token without sharing.
 ///
-/// Nothing that can be observed depends on it: owners are blocked and opened in the order in which the partial matches
-/// (owner, path) would have been made and removed. That order follows from serial numbers: such a match is made when
-/// the later one of the two arrives; when that is the path, and an element completed it, the owners are met in the
-/// reverse of the order in which they met what was there of the path before.
+/// Sharing has no observable effect: owners are blocked and opened in the order in which the partial matches (owner,
+/// path) would have been created and removed. This order follows from serial numbers. Such a match is created when the
+/// later of the two arrives. If that is the path, and an element completed it, the owners are processed in reverse
+/// order: the owner that first met the existing part of the path comes last.
 namespace soarbox::kernel {
 
 // Meeting -------------------------------------------------------------------------------------------------------------
@@ -33,11 +34,11 @@ void ReteState::LeftShared(std::uint32_t index, std::uint32_t parent, std::uint3
   }
   if (anchor == kNil) {
     anchor = MakeAnchor(anchors, key.id);
-    shared.new_paths.clear();  // There is nobody else that they might block.
+    shared.new_paths.clear();  // There are no other owners that they might block.
     tokens[anchor].previous_sibling = 0;
   }
   ++tokens[anchor].previous_sibling;
-  // What is emitted once to several conjunctions reaches them all at once.
+  // A pair that is emitted to several conjunctions reaches all of them at the same time.
   const bool again = shared.last_owner != kNil && tokens[shared.last_owner].parent == parent &&
                      tokens[shared.last_owner].wme == wme &&
                      (tokens[shared.last_owner].node & Token::kNodeMask) != index &&
@@ -66,7 +67,7 @@ void ReteState::LeftPath(std::uint32_t index, std::uint32_t parent, std::uint32_
 
 // Blocking ------------------------------------------------------------------------------------------------------------
 
-/// An element has completed paths: blocks their owners. `above`: the memory that it joined with.
+/// An element has completed paths: blocks their owners. `above` is the memory with which it was joined.
 void ReteState::BlockOwners(std::uint32_t above) {
   const MeetingOrder order(tokens, links);
   shared.pairings.clear();
@@ -83,7 +84,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
         continue;
       }
       if ((tokens[owner].node & Token::kBlockedBit) != 0) {
-        BlockOwner(owner, path, kNil);  // Once more: nobody notices when.
+        BlockOwner(owner, path, kNil);  // A further result, whose order does not matter.
         continue;
       }
       OwnerAndPath meeting = order.Meeting(owner, prefix);
@@ -94,7 +95,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
   }
   shared.new_paths.clear();
   if (shared.pairings.size() > 1) {
-    // What would have been joined first is what came last; its paths come in the order in which they were made.
+    // The newest would have been joined first; its paths come in the order in which they were created.
     std::ranges::sort(shared.pairings, [&](const OwnerAndPath& a, const OwnerAndPath& b) {
       return a.serial == b.serial ? a.place < b.place : order.CameLater(a, b);
     });
@@ -106,11 +107,11 @@ void ReteState::BlockOwners(std::uint32_t above) {
 
 // Opening -------------------------------------------------------------------------------------------------------------
 
-/// The last path that blocked an owner is going.
+/// The last path that blocked an owner is removed.
 void ReteState::OpenOwner(const OwnerAndPath& opening) {
   const std::uint32_t owner = opening.owner;
   if (tokens[owner].node != (opening.node | Token::kBlockedBit) || tokens[owner].serial != opening.serial) {
-    return;  // It went itself meanwhile.
+    return;  // It was removed meanwhile.
   }
   tokens.FreeResults(links, owner);
   tokens[owner].node &= ~Token::kBlockedBit;

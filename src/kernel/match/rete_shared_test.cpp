@@ -12,8 +12,8 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Random rules with conjunctive negations that are paths, in two Retes: one shares the conjunctions, one does not.
-/// Both must report the same matches in the same order, whatever comes and goes.
+/// Random rules with conjunctive negations that are paths, in two Retes: one shares the conjunctions, the other does
+/// not. Both must report the same matches in the same order.
 class TwoWays {
  public:
   explicit TwoWays(std::uint32_t seed) : seed_(seed), random_(seed) {
@@ -25,7 +25,7 @@ class TwoWays {
     }
   }
 
-  /// Returns how many conjunctions were shared.
+  /// Returns the number of shared conjunctions.
   std::size_t Run(int steps) {
     const int rules = 1 + Below(4);
     for (int n = 0; n < rules; ++n) AddRule();
@@ -51,7 +51,7 @@ class TwoWays {
   };
   TestDraft V(MatchFixture& f, const std::string& word) { return Equal(f.Word(word)); }
 
-  /// The attributes that lead from one kind of thing to another.
+  /// The attributes that link one kind of object to another.
   static std::pair<const char*, char> Step(char from, int pick) {
     if (from == 's') return {"board", 'b'};
     if (from == 'b') return {pick % 2 == 0 ? "slot" : "spare", 'x'};
@@ -60,7 +60,7 @@ class TwoWays {
     return {kOfItem[pick % 4], 'r'};
   }
 
-  /// A positive condition from something reached; adds what it reaches. The word at its end may be a constant.
+  /// A positive condition on an object in scope; adds its value to the scope. The value may be a constant.
   struct Plan {
     std::string id, attribute, value;
     TestKind relation = TestKind::kEqual;
@@ -184,7 +184,7 @@ class TwoWays {
 
   // Comparing -------------------------------------------------------------------------------------------------------
 
-  /// Takes what is pending and tells it, in order.
+  /// Takes the pending matches and describes them, in order.
   static std::vector<std::string> Take(MatchFixture& f) {
     std::vector<std::string> told;
     MatchSet& set = f.rete.matches();
@@ -232,7 +232,7 @@ class TwoWays {
     }
   }
 
-  /// The rules and elements, to see what went wrong.
+  /// The rules and elements, for the analysis of failures.
   std::string Story() {
     std::string text = "changes:" + changed_ + "\n";
     for (const Pair& rule : rules_) {
@@ -277,7 +277,7 @@ class TwoWays {
 };
 
 #ifdef SOARBOX_CHECK_INVARIANTS
-constexpr std::uint32_t kCases = 60;  // Such builds have sanitizers as well.
+constexpr std::uint32_t kCases = 60;  // Such builds also use sanitizers.
 #else
 constexpr std::uint32_t kCases = 600;
 #endif

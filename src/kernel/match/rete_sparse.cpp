@@ -3,38 +3,40 @@
 
 #include "kernel/match/rete_inline.h"
 
-/// Sparse memories: most pairs that reach a memory never join with anything, because the join below is a filter (has
-/// this colour, is the current one). Where a memory, its only join, that join's only memory and the only join of that
-/// follow each other, the lower memory becomes sparse when many of its pairs do not join: it makes a token of a pair
-/// only when the pair joins. Until then the pair is parked, on no list of its token or its element.
+/// Sparse memories. Most pairs that reach a memory never join with anything, because the join below is a filter (has
+/// this colour, is the current one). Such a filter is found where a memory, its only join, the only memory of that join
+/// and the only join of that memory form a chain. The lower memory becomes sparse when many of its pairs do not join. A
+/// sparse memory creates a token for a pair only when the pair joins. Until then the pair is parked, and is on no list
+/// of its token or its element.
 ///
-/// Nothing that can be observed depends on it. A pair's serial number is taken when it arrives; lists that a late token
-/// comes into are sorted by it before their order matters. The count of a sparse memory includes parked pairs, so that
-/// unlinking happens when it would: pairs are counted off when their element leaves the join's alpha memory or their
-/// token goes. Parked pairs themselves are dropped later, when they are in the way.
+/// Sparse memories have no observable effect. A pair gets its serial number when it arrives. Lists to which a late
+/// token is added are sorted by serial number before their order matters. The count of a sparse memory includes parked
+/// pairs, so that unlinking takes place at the same time: a pair is subtracted when its element leaves the join's alpha
+/// memory or its token is removed. Parked pairs themselves are dropped later, when their space is needed.
 ///
 /// A memory is a *hop* if its pairs are found by the value of their element: (s ^many x) above (x ^attribute known). A
-/// token that comes meets each x of a bucket, and hardly any has the attribute. Those that follow each other in the
-/// bucket are parked as one *run*, which only says between which elements they are; their number is counted, but
-/// nothing is written for each. An element that comes to the join below finds x by the value, the tokens above by x's
-/// identifier, and takes its pair out of the run, which becomes two. Its serial number is that of the run and how many
-/// of the run's elements stand in front of it: less than when the run was parked, if some have left, but of the same
-/// order. A run's elements come in the order in which the bucket has them, so that a bucket in any other order (of an
-/// alpha memory that was filled when a rule was added) has none.
+/// new token meets each x of a bucket, and hardly any x has the attribute. Pairs that are adjacent in the bucket are
+/// parked as one *run*, which only stores the first and last element; the pairs are counted, but nothing is written for
+/// each. An element that arrives at the join below finds x by the value, and the tokens above by x's identifier. Then
+/// it splits the run at the pair. The pair's serial number is that of the run plus the number of the run's elements
+/// before it. If some elements have left, it is smaller than originally, but the order is the same. The elements of a
+/// run are in the order of the bucket. Therefore a bucket in any other order (of an alpha memory that was filled when a
+/// rule was added) has no runs.
 ///
-/// A parked pair's token always exists: it joins with the pair's element, so it was made if its own memory is sparse.
+/// A parked pair's token always exists: it joins with the pair's element, so a token was created even if its own memory
+/// is sparse.
 namespace soarbox::kernel {
 
 namespace {
 
-constexpr std::size_t kMostRuns = 2048;  ///< That are searched one by one.
+constexpr std::size_t kMostRuns = 2048;  ///< Maximum number of runs that are searched one by one.
 
 }  // namespace
 
 // Parked pairs --------------------------------------------------------------------------------------------------------
 
-/// Makes tokens of those pairs in runs that an element joins with, and gathers them: pairs of an element that has the
-/// new one's identifier as its value, and of a younger token.
+/// Creates tokens for the pairs in runs that an element joins with, and gathers them. These are pairs whose element has
+/// the new one's identifier as its value, and whose token is newer than that element.
 void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint32_t key) {
   const Network& net = *network;
   const Node& node = net.node(join);
@@ -44,7 +46,7 @@ void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint3
   const NodeMarks above = nodes.marks(feeding.parent);
   const bool sorted = !above.Is(NodeMarks::kSparse) || !SparseOf(feeding.parent).unsorted;
   const std::size_t before = gathered.size();
-  bool too_many = false;  // The table finds them faster.
+  bool too_many = false;  // The table is faster.
   alphas.ForEachWithValue(feeding.alpha, element.id.bits(), [&](const AlphaItem& item) {
     const std::uint64_t arrival = links[item.wme].serial;
     for (std::uint32_t token = nodes.BucketHead(feeding.parent, above.bits(), item.id); token != kNil;
@@ -81,8 +83,7 @@ void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint3
   }
 }
 
-/// Takes a pair out of the run that it is in and finds its serial number. Those before it and those behind it stay
-/// runs.
+/// Removes a pair from its run and computes its serial number. The pairs before and after it remain runs.
 bool ReteState::TakeFromRun(std::uint32_t index, ParkedPair& pair) {
   SparseState& memory = SparseOf(index);
   const std::uint64_t arrival = links[pair.wme].serial;
@@ -144,7 +145,7 @@ void ReteState::ExpandRuns(std::uint32_t index) {
   memory.runs.clear();
 }
 
-/// Makes tokens of the parked pairs that an element joins with and gathers them.
+/// Creates tokens for the parked pairs that an element joins with, and gathers them.
 void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_t key) {
   const Network& net = *network;
   const Node& node = net.node(join);
@@ -171,7 +172,7 @@ void ReteState::GatherParked(std::uint32_t join, std::uint32_t wme, std::uint32_
   }
 }
 
-/// Makes a token of a pair that is not parked any more.
+/// Creates a token for a pair that is no longer parked.
 std::uint32_t ReteState::Unpark(std::uint32_t node, const ParkedPair& pair) {
   SparseState& memory = SparseOf(node);
   const std::uint32_t token = tokens.Make(links, node, pair.parent, pair.wme, pair.serial);
@@ -191,7 +192,7 @@ std::uint32_t ReteState::Unpark(std::uint32_t node, const ParkedPair& pair) {
 
 // Departure -----------------------------------------------------------------------------------------------------------
 
-/// An element is leaving the alpha memory of a join that feeds a sparse memory: counts its pairs off.
+/// An element is leaving the alpha memory of a join that feeds a sparse memory: subtracts its pairs.
 void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   const Network& net = *network;
   const Node& node = net.node(join);
@@ -212,7 +213,7 @@ void ReteState::ForgetPairs(std::uint32_t join, std::uint32_t wme) {
   }
 }
 
-// Becoming sparse, and plain again ------------------------------------------------------------------------------------
+// Conversion to sparse and plain memories -----------------------------------------------------------------------------
 
 void ReteState::MakeSparse(std::uint32_t index) {
   const std::uint32_t place = sparse.Take();
@@ -246,8 +247,8 @@ void ReteState::MakeScoredSparse() {
     if (node >= nodes.size() || !nodes.marks(node).Is(NodeMarks::kSparse)) {
       continue;
     }
-    // It may become sparse again, but takes longer to each time: what happens while an agent sets itself up tells
-    // little of what it does later.
+    // It may become sparse again, but each time it takes longer: the behaviour of an agent during its set-up does not
+    // predict its later behaviour.
     const std::uint32_t tries = std::min(SparseOf(node).tries + 1u, SparseMemories::kTryMask);
     MakePlain(node);
     nodes[node].score = tries;
@@ -255,7 +256,7 @@ void ReteState::MakeScoredSparse() {
   sparse.becoming_plain().clear();
 }
 
-/// Makes tokens of all parked pairs, puts all buckets in order and lets the memory be as any other from now on.
+/// Creates tokens for all parked pairs and sorts all buckets. From then on the memory is an ordinary one.
 void ReteState::MakePlain(std::uint32_t index) {
   if (!nodes.marks(index).Is(NodeMarks::kSparse)) {
     if (network->node(index).kind == NodeKind::kMemory) {
@@ -286,7 +287,7 @@ void ReteState::MakePlain(std::uint32_t index) {
   state.score = kNil;
 }
 
-/// A node has got a child: what was a row of single children may not be one any more, and a new row may begin.
+/// A node has a new child: a chain of single children may end there, and a new chain may begin.
 void ReteState::ChildAdded(std::uint32_t child) {
   const std::uint32_t parent = network->node(child).parent;
   const NodeKind kind = network->node(parent).kind;
@@ -294,7 +295,7 @@ void ReteState::ChildAdded(std::uint32_t child) {
     return;
   }
   MakePlain(parent);
-  // Below a node of several children no memory can be sparse: what it had became plain when the second child came.
+  // Below a node with several children no memory can be sparse: it became plain when the second child was added.
   std::uint32_t other = kNil;
   for (std::uint32_t n = network->node(parent).first_child; n != kNil; n = network->node(n).next_sibling) {
     if (n == child) {

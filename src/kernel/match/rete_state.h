@@ -38,10 +38,10 @@ struct Refraction {
   MatchId match = MatchId::kNone;  ///< Set once it is found.
 };
 
-/// The contents of one agent's Rete, in parts that own their data, and the algorithms that need several parts, file by
-/// file: rete_match (additions), rete_join (joins and memories), rete_sparse (memories that park pairs), rete_shared
+/// The contents of one agent's Rete, in parts that own their data, and the algorithms that need several parts. By file:
+/// rete_match (additions), rete_join (joins and memories), rete_sparse (memories that park pairs), rete_shared
 /// (conjunctions that tokens share), rete_guard (justifications with negations), rete_remove, rete_nodes (adding and
-/// removing nodes). Code that needs only a few parts takes just these: PairTests, JoinLinks, EmissionReader,
+/// removing nodes). Code that needs only a few parts has access only to these: PairTests, JoinLinks, EmissionReader,
 /// SharedConjunctions, fixed_match. ReteBuilder (rete_rules, rete_builder) adds and removes rules; the queries are in
 /// rete_query and rete_check.
 struct [[gnu::visibility("hidden")]] ReteState {
@@ -54,7 +54,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   const SymbolTable& symbols;
   const WmeTable& wmes;
   GoalView goals;
-  std::shared_ptr<Network> network;  ///< Changed only while no other agent holds it.
+  std::shared_ptr<Network> network;  ///< Changed only while no other agent uses it.
 
   // The parts.
   TokenPool tokens;
@@ -74,7 +74,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
 
   std::uint32_t most_partial_matches = 0xFFFFFFFFu;
   bool excising = false;
-  bool abandoned = false;               ///< There are no tokens any longer, whatever matches.
+  bool abandoned = false;               ///< There are no tokens any more, whatever matches.
   std::vector<WmeId> elements;          ///< Scratch for a new match.
   std::vector<Emission> primed;         ///< Scratch for Prime.
   std::vector<std::uint32_t> gathered;  ///< Scratch: tokens that an element joins with.

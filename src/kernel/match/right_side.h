@@ -15,8 +15,9 @@ struct KeyParts {
   std::uint32_t value = 0;  ///< kIdValue.
 };
 
-/// The elements that the right side of a join or a negative node offers for a key: the only look-up there. Tests still
-/// follow. Valid as long as nothing enters or leaves the alpha memory. Makes an index if that pays off.
+/// The elements that the right side of a join or a negative node offers for a key; all look-ups on the right side use
+/// this class. The caller must still evaluate the tests. Valid until an element enters or leaves the alpha memory.
+/// Creates an index if it is worthwhile.
 class [[gnu::visibility("hidden")]] RightSide {
  public:
   enum Kind : std::uint8_t { kIdTable, kPairTable, kAll, kIdList, kPairList };

@@ -41,7 +41,7 @@ bool SameValue(const RhsValue& a, const RhsValue& b) {
     case RhsValueKind::kFunction:
       break;
   }
-  // As in Soar, a call that leaves arguments out at the end counts as the same.
+  // As in Soar, a call with fewer arguments at the end counts as the same.
   const std::size_t both = std::min(a.arguments().size(), b.arguments().size());
   return a.function_index() == b.function_index() &&
          std::ranges::equal(a.arguments().first(both), b.arguments().first(both), SameValue);
@@ -75,7 +75,7 @@ void MixValue(std::uint32_t& hash, const RhsValue& value) {
 RuleInfo::RuleInfo(ProductionPtr production) : rule(std::move(production)) {
   const std::size_t conditions = rule->conditions.size();
   Arena arena;
-  Symbol* const ids = arena.NewArray<Symbol>(conditions);  // That are in `new_ids` so far.
+  Symbol* const ids = arena.NewArray<Symbol>(conditions);  // The identifier variables found so far.
   std::uint16_t* const new_ids = arena.NewArray<std::uint16_t>(conditions);
   std::uint16_t* const operators = arena.NewArray<std::uint16_t>(conditions);
   BindingSite* const proposals = arena.NewArray<BindingSite>(rule->actions.size());
@@ -164,7 +164,7 @@ RuleInfo::OperatorUse RuleInfo::UseOfOperator(std::span<const WmeId> tested, Sym
 
 namespace {
 
-/// Templates are no RL rules, but compared as such.
+/// Templates are not RL rules, but are compared like them.
 bool HasLearnedNumber(const Production& rule) {
   return rule.is_rl || (rule.type == ProductionType::kTemplate && rule.actions.size() == 1 &&
                         rule.actions.front().preference == PreferenceType::kNumericIndifferent);

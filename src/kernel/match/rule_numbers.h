@@ -11,12 +11,12 @@
 
 namespace soarbox::kernel {
 
-/// The numbers of an agent's rules: which are free, and which belong to excised rules with remaining matches.
+/// The numbers of an agent's rules: free ones, and those of excised rules that still have matches.
 ///
 /// Invariants: a number is free, in use or excised; the rule of an excised number is kept until the number is free.
 class RuleNumbers {
  public:
-  /// A number for a new rule: the one freed last, or the first that no rule has had (`limit`).
+  /// Assigns a number to a new rule: the one freed last, or the first unused one (`limit`).
   std::uint32_t Take(const MatchSet& matches, std::uint32_t limit) {
     std::erase_if(excised_, [&](std::uint32_t number) {
       if (matches.LiveCount(number) != 0) {
@@ -33,13 +33,13 @@ class RuleNumbers {
     free_.pop_back();
     return number;
   }
-  /// Returns the number taken last, unused.
+  /// Frees the number assigned last, which was not used.
   void GiveBack(std::uint32_t number, std::uint32_t limit) {
     if (number < limit) {
       free_.push_back(number);
     }
   }
-  /// A rule is excised. Its matches may remain for a while.
+  /// A rule was excised. It may have matches for a while.
   void Retire(std::uint32_t number, ProductionPtr rule) {
     if (number >= retired_.size()) {
       retired_.resize(number + 1u);
@@ -54,7 +54,7 @@ class RuleNumbers {
   }
 
  private:
-  std::vector<std::uint32_t> free_;     ///< The one freed last is last.
+  std::vector<std::uint32_t> free_;     ///< The one freed last is at the end.
   std::vector<std::uint32_t> excised_;  ///< Excised rules that may still have unreleased matches.
   std::vector<ProductionPtr> retired_;  ///< By number.
 };

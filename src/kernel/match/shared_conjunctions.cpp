@@ -62,7 +62,7 @@ void SharedConjunctions::FindOpenings(const Network& network, const NodeStates& 
       tokens[last].next_of_wme = top;
       last = top;
     }
-    // What is below another token of the same element goes with that one.
+    // Tokens below another token of the same element are removed with that one.
     for (std::uint32_t token = top;;) {
       std::uint32_t next = kNil;
       if (token == top || tokens[token].wme != wme) {
@@ -74,7 +74,7 @@ void SharedConjunctions::FindOpenings(const Network& network, const NodeStates& 
             }
             OwnerAndPath meeting = order.Meeting(owner, top);
             meeting.due = std::max(meeting.serial, tokens[top].serial);
-            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest path goes first.
+            meeting.place = ~static_cast<std::uint32_t>(pairings.size());  // The newest path is first.
             pairings.push_back(meeting);
           }
         } else {
@@ -97,7 +97,7 @@ void SharedConjunctions::FindOpenings(const Network& network, const NodeStates& 
   new_paths.clear();
   openings.clear();
   std::ranges::sort(pairings, {}, &OwnerAndPath::owner);
-  // An owner that several paths blocked is opened when the last of them goes.
+  // An owner that several paths blocked is opened when the last of them is removed.
   for (std::size_t first = 0, end; first < pairings.size(); first = end) {
     OwnerAndPath opening = pairings[first];
     for (end = first + 1; end < pairings.size() && pairings[end].owner == opening.owner; ++end) {

@@ -14,24 +14,24 @@
 
 namespace soarbox::kernel {
 
-/// An agent's data on conjunctions that tokens share (rete_shared.cpp).
+/// An agent's data on shared conjunctions (rete_shared.cpp).
 struct [[gnu::visibility("hidden")]] SharedConjunctions {
   bool allowed = true;                           ///< See Rete::ShareConjunctions.
-  bool exist = false;                            ///< There are some, or were.
+  bool exist = false;                            ///< There are or were some.
   bool path_element = false;                     ///< The element that is leaving may be part of a path.
-  std::uint32_t last_owner = kNil;               ///< The owner made last.
-  std::vector<std::uint32_t> new_paths;          ///< Paths whose owners are still to be blocked.
+  std::uint32_t last_owner = kNil;               ///< The owner created last.
+  std::vector<std::uint32_t> new_paths;          ///< Paths whose owners are not blocked yet.
   std::vector<OwnerAndPath> pairings, openings;  ///< Scratch.
 
-  /// Whether a path with an owner's key blocks it.
+  /// Whether a path that has an owner's key blocks the owner.
   static bool Pairs(const Network& net, const TokenPool& tokens, const WmeTable& wmes, const PairTests& tests,
                     std::uint32_t owner, std::uint32_t path);
   /// Whether a token belongs to a shared conjunction's own conditions.
   static bool IsInPath(const NodeStates& nodes, const Token& token);
-  /// Whether a path without the element blocks an owner.
+  /// Whether an owner is blocked by a path without the element.
   static bool StaysBlocked(const TokenPool& tokens, std::uint32_t owner, std::uint32_t wme);
-  /// Finds the owners that nothing will block once the paths with an element are gone, in `openings`: those to open
-  /// first come last. The element's tokens in paths move behind its other ones.
+  /// Finds the owners that nothing will block after the paths with an element are removed, and stores them in
+  /// `openings`; those to open first are last. Moves the element's tokens in paths after its other tokens.
   void FindOpenings(const Network& network, const NodeStates& nodes, TokenPool& tokens, ElementLinks& links,
                     std::uint32_t wme);
 };

@@ -6,8 +6,8 @@
 
 namespace soarbox::kernel {
 
-/// The joins of each alpha memory that feed sparse memories, so that an element that leaves need not search all of the
-/// memory's nodes for them. AlphaState::sparse counts them.
+/// For each alpha memory, its joins that feed sparse memories, so that a leaving element need not search all nodes of
+/// the memory for them. AlphaState::sparse is their number.
 class SparseFeeders {
  public:
   const std::vector<std::uint32_t>& Of(std::uint32_t alpha) const { return joins_[alpha]; }

@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Tests whose result cannot change while the elements stay.
+/// Whether the result of a test cannot change while the elements exist.
 bool IsStable(const NodeTest& test) {
   switch (test.op) {
     case TestOp::kIsGoal:
@@ -51,7 +51,7 @@ void SparseMemories::GiveBack(std::uint32_t place) {
 // Pairs ---------------------------------------------------------------------------------------------------------------
 
 void SparseMemories::MakeRoomToPark(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory) {
-  // A pair that was parked since is not stale; the others are looked up.
+  // A pair parked after the last departure is not stale; others are looked up.
   const std::uint64_t last_departure = std::max(tokens.last_forgotten(), elements.last_serial());
   std::uint32_t kept = 0;
   for (std::uint32_t n = 0; n < memory.logged; ++n) {
@@ -115,7 +115,7 @@ void SparseMemories::Index(const TokenPool& tokens, const ElementLinks& elements
   memory.logged = 0;
 }
 
-/// Drops stale pairs from the table and makes it large enough for what is left and `more` pairs.
+/// Drops stale pairs from the table, and makes it large enough for the remaining pairs and `more` others.
 void SparseMemories::GrowTable(const TokenPool& tokens, const ElementLinks& elements, SparseState& memory,
                                std::size_t more) {
   std::uint32_t kept = kNil;
@@ -154,7 +154,7 @@ void SparseMemories::CountLate(SparseState& memory, std::size_t count) {
   }
 }
 
-// All of them ---------------------------------------------------------------------------------------------------------
+// All memories --------------------------------------------------------------------------------------------------------
 
 void SparseMemories::SetLimit(std::uint32_t most) {
   parked_.SetLimit(most);

@@ -17,8 +17,8 @@
 
 namespace soarbox::kernel {
 
-/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). It is stale, and counts as gone, once
-/// its token or its element has left: then their records have been used again.
+/// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). It is stale after its token or its
+/// element has left; their records have been reused then.
 struct ParkedPair {
   std::uint32_t parent;
   std::uint32_t wme;
@@ -28,15 +28,15 @@ struct ParkedPair {
 };
 
 /// Pairs of one token with consecutive elements of its bucket, newest first, that joined with nothing when the token
-/// came. Stale once the token has left; an element that has left is no longer in the bucket.
+/// arrived. Stale after the token has left. An element that has left is no longer in the bucket.
 struct ParkedRun {
   std::uint32_t parent;
-  std::uint32_t count;           ///< At first; the run owns so many serial numbers.
-  std::uint64_t serial;          ///< Of the first pair.
-  std::uint64_t newest, oldest;  ///< When the first and the last element arrived.
+  std::uint32_t count;           ///< The initial number; the run owns this number of serial numbers.
+  std::uint64_t serial;          ///< Serial number of the first pair.
+  std::uint64_t newest, oldest;  ///< Arrival of the first and of the last element.
 };
 
-/// For vectors whose records are written before they are read: does not touch memory before its use.
+/// For vectors whose records are written before they are read: does not initialize memory.
 template <typename T>
 struct UnsetAllocator : std::allocator<T> {
   template <typename U>
@@ -53,12 +53,12 @@ struct UnsetAllocator : std::allocator<T> {
   }
 };
 
-/// The rest of a sparse memory's state. Pairs are parked in a log; the first element from the right moves them into a
-/// table by their key.
+/// The other state of a sparse memory. Pairs are parked in a log; when the first element arrives from the right, they
+/// are moved to a hash table.
 struct SparseState {
   std::uint32_t node = kNil;
   std::uint32_t tokens = 0;                                 ///< Pairs that are tokens.
-  std::vector<ParkedPair, UnsetAllocator<ParkedPair>> log;  ///< In use: the first `logged`.
+  std::vector<ParkedPair, UnsetAllocator<ParkedPair>> log;  ///< Only the first `logged` are in use.
   std::uint32_t logged = 0;
   std::uint32_t log_limit = 0;  ///< At this length, stale pairs are dropped or the log grows.
   std::vector<ParkedRun> runs;
@@ -67,9 +67,9 @@ struct SparseState {
   std::uint32_t table = kNil;  ///< Of buckets.
   std::uint8_t bits = 0;       ///< 0: no table.
   bool unsorted = false;       ///< Buckets of tokens may be out of order.
-  std::uint8_t tries = 0;      ///< How often the memory was sparse and became plain again.
-  std::uint32_t saved = 0;     ///< Pairs that left without ever being tokens.
-  std::uint32_t late = 0;      ///< Pairs that became tokens later.
+  std::uint8_t tries = 0;      ///< How often the memory became sparse and then plain again.
+  std::uint32_t saved = 0;     ///< Number of pairs that left without ever being tokens.
+  std::uint32_t late = 0;      ///< Number of pairs that became tokens later.
 };
 
 /// The parked pairs of an agent's sparse memories, and the scores that make memories sparse or plain.
@@ -87,9 +87,9 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   const SparseState& operator[](std::uint32_t place) const {
     return *states_[place];
   }
-  /// Reserves a place for a memory that becomes sparse.
+  /// Allocates a place for a memory that becomes sparse.
   std::uint32_t Take();
-  /// The memory at this place is plain again, and its table is gone.
+  /// Frees the place of a memory that is plain again and has no table any more.
   void GiveBack(std::uint32_t place);
 
   // Pairs ---------------------------------------------------------------------------------------------------------
@@ -153,18 +153,18 @@ class [[gnu::visibility("hidden")]] SparseMemories {
 
   // Scores --------------------------------------------------------------------------------------------------------
 
-  // The score of a memory that may become sparse: the number of its tries in the lowest bits, its points above them.
-  // For other memories it is kNil.
+  // The score of a memory that may become sparse: the lowest bits contain the number of its tries, the others its
+  // points. For other memories it is kNil.
   static constexpr std::uint32_t kTryBits = 3;
   static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
-  /// See Rete::ParkAfter. Each try makes a memory sixteen times as patient.
+  /// See Rete::ParkAfter. Each try multiplies the patience of a memory by sixteen.
   void ParkAfter(std::uint32_t matches) {
     for (std::uint32_t tries = 0; tries <= kTryMask; ++tries) {
       const std::uint64_t points = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);
       threshold_[tries] = static_cast<std::uint32_t>(points) << kTryBits | tries;
     }
   }
-  /// A pair has become a token of a memory that may become sparse; `joined` says whether it joined.
+  /// A pair has become a token of a memory that may become sparse. `joined`: it joined with an element.
   void AddToScore(std::uint32_t & score, std::uint32_t node, bool joined) {
     if (joined) {
       LowerScore(score, 3);
@@ -178,9 +178,9 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   static void LowerScore(std::uint32_t & score, std::uint32_t weight) {
     score -= std::min(score & ~kTryMask, weight << kTryBits);
   }
-  /// `count` pairs of a sparse memory became tokens late. That is expensive, and the memory may have to become plain.
+  /// `count` pairs of a sparse memory became tokens late. This is expensive, so the memory may have to become plain.
   void CountLate(SparseState & memory, std::size_t count);
-  /// Whether memories are to change once the element is in.
+  /// Whether memories are to be converted after the current element has been added.
   bool HasChanges() const {
     return !becoming_sparse_.empty() || !becoming_plain_.empty();
   }
@@ -220,7 +220,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
     free_parked_ = index;
   }
 
-  std::vector<std::unique_ptr<SparseState>> states_;  ///< The states of memories that are plain again are used again.
+  std::vector<std::unique_ptr<SparseState>> states_;  ///< States of memories that became plain are reused.
   std::vector<std::uint32_t> free_;
   RecordArray<ParkedPair> parked_;  ///< Pairs in tables.
   std::uint32_t free_parked_ = kNil;

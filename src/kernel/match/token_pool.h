@@ -13,23 +13,23 @@
 
 namespace soarbox::kernel {
 
-/// A partial match at a node, or a blocking result. The tokens of a parent form a list, newest first, and so do the
-/// tokens with the same element. Kinds, by node:
+/// A partial match at a node, or a blocking result. The tokens of a parent form a list, newest first; so do the tokens
+/// with the same element. Kinds, by node:
 ///
-/// * memory, negative, conjunctive: stands in a bucket of its node's memory (by `key`).
+/// * memory, negative, conjunctive: it is in a bucket of its node's memory (by `key`).
 /// * result of a negative node (kResultBit set): child of the negative token that it blocks; in no bucket. A blocked
 ///   token has results as children, an open one has tokens of later nodes: never both.
 /// * partner: a result inside a conjunction; child of the token above it, and in the list of results of the
 ///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that list.
-/// * shared conjunctive: stands in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
+/// * shared conjunctive: it is in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
 ///   the path that blocks it and has no element.
 /// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.
 /// * production, guard: `key` is the match.
 /// * kFixedMatchNode: `parent` is kNil, `key` the match, `next_in_bucket` links the match's other tokens. Of a guarded
 ///   rule (rete_guard.cpp): `previous_in_bucket` is kGuarded, `key` the guard.
 ///
-/// A token that was made late from a parked pair is at the wrong place of its lists. Then kUnsortedBit of the parent
-/// and WmeLinks::unsorted say that the list must be sorted by serial number before its order matters.
+/// A token created late from a parked pair is at the wrong place in its lists. Then kUnsortedBit of the parent and
+/// WmeLinks::unsorted are set: the list must be sorted by serial number before its order matters.
 struct Token {
   std::uint32_t parent;
   std::uint32_t wme;
@@ -40,8 +40,9 @@ struct Token {
   std::uint32_t next_in_bucket, previous_in_bucket;
   std::uint32_t key;
   std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token in the sparse memory, else 0.
-  std::uint64_t serial;     ///< Running number: when it (or the parked pair that it was) reached its node.
-  std::uint64_t forgotten;  ///< When a token with parked pairs last freed this record: those pairs are older.
+  std::uint64_t serial;     ///< Running number of the arrival of the token (or of the parked pair that it was) at its
+                            ///< node.
+  std::uint64_t forgotten;  ///< When a token with parked pairs last freed this record; pairs that are older are stale.
 
   static constexpr std::uint32_t kResultBit = 0x80000000u;
   static constexpr std::uint32_t kBlockedBit = 0x40000000u;
@@ -81,11 +82,11 @@ class [[gnu::visibility("hidden")]] TokenPool {
   std::uint64_t TakeSerial() {
     return next_serial_++;
   }
-  /// A token above a sparse memory gives its record back: the pairs that it has parked are stale.
+  /// The record of a token above a sparse memory is about to be freed: its parked pairs become stale.
   void ForgetPairs(Token & token) {
     token.forgotten = last_forgotten_ = next_serial_;
   }
-  /// When a token last did so.
+  /// When a token last did that.
   std::uint64_t last_forgotten() const {
     return last_forgotten_;
   }
@@ -93,7 +94,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
     next_serial_ = serial;
   }
 
-  /// Takes a record for a new token. Sets everything but its bucket and its key.
+  /// Allocates a record for a new token. Sets everything except its bucket and its key.
   [[gnu::always_inline]] std::uint32_t Make(ElementLinks & elements, std::uint32_t node, std::uint32_t parent,
                                             std::uint32_t wme, std::uint64_t serial) {
     std::uint32_t index = free_;
@@ -165,7 +166,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
   void Unlink(ElementLinks & elements, std::uint32_t token);
   /// Frees all results of a blocked conjunctive token.
   void FreeResults(ElementLinks & links, std::uint32_t owner);
-  /// Frees the record of a token that is on no list any longer.
+  /// Frees the record of a token, which must be in no list.
   [[gnu::always_inline]] void Free(Token & token, std::uint32_t index) {
     token.next_sibling = free_;
     free_ = index;
@@ -178,12 +179,12 @@ class [[gnu::visibility("hidden")]] TokenPool {
   void SortByAge(std::vector<std::uint32_t> & list) const;
   void SortChildren(std::uint32_t parent);
   void SortTokensOf(WmeLinks & element);
-  /// `head`: that of a bucket.
+  /// `head` is that of a bucket.
   void SortBucket(std::uint32_t & head);
 
-  /// The topmost of the tokens that lead to a token.
+  /// The topmost ancestor of a token.
   std::uint32_t TopOf(std::uint32_t token) const;
-  /// Whether an element belongs to the tokens that lead to a token; the topmost token has none.
+  /// Whether an element belongs to a token or its ancestors; the topmost token has none.
   bool Holds(std::uint32_t token, std::uint32_t wme) const;
 
   std::size_t CountInUse() const;

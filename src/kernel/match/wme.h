@@ -12,14 +12,14 @@
 
 namespace soarbox::kernel {
 
-/// A working memory element. It contains only what the match reads; the data for support, input and goal dependency
-/// sets are in separate arrays (working_memory.h).
+/// A working memory element. It contains only the fields that the match reads; the data for support, input and goal
+/// dependency sets are in separate arrays (working_memory.h).
 struct Wme {
   Symbol id;
   Symbol attribute;
   Symbol value;
   bool acceptable = false;  ///< The element of an acceptable preference: (S1 ^operator O1 +).
-  bool live = false;        ///< False once it is removed, until it is used again.
+  bool live = false;        ///< False after its removal, until it is reused.
   std::uint64_t timetag = 0;
 };
 
@@ -36,8 +36,8 @@ inline std::uint32_t BitsOf(const Wme& wme, Field field) {
   return FieldOf(wme, field).bits();
 }
 
-/// The elements of one agent, by WmeId. Indices of removed elements are used again, but only after the phase in which
-/// they were removed.
+/// The elements of one agent, by WmeId. Indices of removed elements are reused, but only after the phase of the
+/// removal.
 using WmeTable = PlainVector<Wme>;
 
 }  // namespace soarbox::kernel

@@ -14,17 +14,18 @@ namespace soarbox::kernel {
 
 struct Slot;
 
-/// What is known about a slot with very many preferences, so that a change costs what changes: walking all preferences
-/// for each new one would take time that grows with the square of their number.
+/// An index of a slot with very many preferences. With it, the cost of a change depends only on the size of the change.
+/// Without it, walking all preferences for each new one would take quadratic time.
 ///
-/// WorkingMemory keeps it up to date from the moment when the slot turns out to be large until its last acceptable
-/// preference has gone.
+/// WorkingMemory maintains it from the moment when the slot becomes large until its last acceptable preference is
+/// removed.
 struct LargeSlot {
   struct Value {
-    std::uint32_t acceptable = 0;             ///< Acceptable preferences for it.
-    std::uint32_t top_facts = 0;              ///< Of these the o-supported ones of the top state's level.
-    PreferenceId only = PreferenceId::kNone;  ///< If there is one; kNone also if it is not known which one is left.
-    WmeId wme = WmeId::kNone;                 ///< The element.
+    std::uint32_t acceptable = 0;  ///< Number of acceptable preferences for the value.
+    std::uint32_t top_facts = 0;   ///< Those of them that are o-supported and of the top state's level.
+    PreferenceId only =
+        PreferenceId::kNone;   ///< The only acceptable preference, or kNone if there are more or it is unknown.
+    WmeId wme = WmeId::kNone;  ///< The element with this value.
 
     bool IsGone() const { return acceptable == 0 && wme == WmeId::kNone; }
     friend bool operator==(const Value& a, const Value& b) {
@@ -32,8 +33,8 @@ struct LargeSlot {
     }
   };
   std::unordered_map<std::uint32_t, Value> values;  ///< By Symbol::bits().
-  std::vector<Symbol> changed;  ///< Values whose acceptable preferences changed since the slot was decided.
-  bool all_changed = true;      ///< There are or were preferences of other types, or it has not been decided yet.
+  std::vector<Symbol> changed;  ///< Values whose acceptable preferences changed since the last decision of the slot.
+  bool all_changed = true;      ///< The slot has or had preferences of other types, or has not been decided yet.
 
   static bool IsTopFact(const Preference& preference) { return preference.o_supported && preference.level == 1; }
   void Insert(PreferenceId id) {
@@ -63,12 +64,12 @@ struct LargeSlot {
     at->second.wme = wme;
     if (at->second.IsGone()) values.erase(at);
   }
-  /// The slot has been decided.
+  /// Call when the slot has been decided.
   void Settle(bool has_others) {
     changed.clear();
     all_changed = has_others;
   }
-  /// Null if the slot has no acceptable preference for it, and no element.
+  /// Returns null if the slot has neither an acceptable preference nor an element with this value.
   const Value* Find(Symbol value) const {
     const auto at = values.find(value.bits());
     return at == values.end() ? nullptr : &at->second;

@@ -27,7 +27,7 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
 
   const IdentifierRecord& source = At(from);
   if (target.parent_link == LinkId::kNone) {
-    // One that has just lost its hold on a higher level finds its new one when links settle: its level falls then.
+    // An identifier that just lost its link from a higher level gets a new parent in Settle: its level falls then.
     const bool falls = target.rooted && source.level > target.level;
     // An identifier without children cannot be above `from`.
     if (!falls && (target.first_child == LinkId::kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
@@ -43,7 +43,8 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
   return id;
 }
 
-/// The identifier has come to hang on a goal: so does all that it reaches and that floated until now, circles included.
+/// The identifier is now reachable from a goal, and so is everything that it reaches and that was not reachable before,
+/// including cycles.
 void LinkGraph::Root(Symbol id) {
   IdentifierRecord& first = At(id);
   first.rooted = true;
@@ -84,8 +85,8 @@ void LinkGraph::Remove(LinkId id) {
   links_.Give(id);
 }
 
-/// The identifier lost a link, or the last element that named it, or is a goal that has gone. The first such loss
-/// counts for its turn. But what loses its last link to garbage has its turn at once.
+/// The identifier lost a link or the last element with it as value, or it is a removed goal. Its place in the queue is
+/// that of the first such loss. But an identifier that loses its last link to garbage is processed immediately.
 void LinkGraph::Post(Symbol id) {
   IdentifierRecord& record = At(id);
   restless_ = true;
@@ -132,7 +133,7 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
 
 // Settling ------------------------------------------------------------------------------------------------------------
 
-/// True if something names the identifier, be it garbage, an impasse of which it is an item, or the identifier itself.
+/// Returns true if the identifier is a value of any element: one of garbage, an item of an impasse, or its own.
 inline bool LinkGraph::IsHeld(Symbol id) const {
   const IdentifierRecord& record = memory_.identifier(id);
   if (record.gone) return false;
@@ -162,14 +163,14 @@ inline void LinkGraph::Work(std::vector<Symbol>& garbage) {
     const Symbol id = unheld_.back();
     unheld_.pop_back();
     IdentifierRecord& record = At(id);
-    if (!record.queued) continue;  // An older entry of one that has had its turn.
+    if (!record.queued) continue;  // An outdated entry of an identifier that was processed already.
     if (IsHeld(id)) {
       uncertain_.push_back(id);
       continue;
     }
     record.queued = false;
     if (!record.live) continue;
-    if (record.gone && record.level > 1) gone_.push_back(id);  // What a top state named goes with its agent's memory.
+    if (record.gone && record.level > 1) gone_.push_back(id);  // A top state is removed only with the entire memory.
     record.rooted = false;
     garbage.push_back(id);
     return;
@@ -196,7 +197,7 @@ void LinkGraph::ElementRemoved(Symbol value, bool is_item) {
   }
 }
 
-/// If a link from a higher level leads to the identifier, gives it and what it reaches that level.
+/// If a link from a higher level leads to the identifier, assigns that level to it and to everything that it reaches.
 void LinkGraph::Promote(Symbol id) {
   IdentifierRecord& record = At(id);
   if (!record.live || record.is_goal) return;
@@ -245,7 +246,7 @@ bool LinkGraph::FindParent(Symbol id) {
   return false;
 }
 
-/// Finds new parents for the uncertain identifiers, or takes what only they reach apart.
+/// Finds new parents for the uncertain identifiers; removes the structure that only they reach.
 void LinkGraph::Reattach(std::vector<Symbol>& garbage) {
   roots_.clear();
   for (std::size_t n = uncertain_.size(); n-- > 0;) {
@@ -258,7 +259,7 @@ void LinkGraph::Reattach(std::vector<Symbol>& garbage) {
   }
   uncertain_.clear();
   if (roots_.empty()) return;
-  // What hangs on them hangs in the air.
+  // Suspends everything that is reachable only through them.
   if (suspended_.size() < memory_.identifier_limit()) suspended_.resize(memory_.identifier_limit(), 0);
   subtree_.clear();
   for (const Symbol root : roots_) Suspend(root);
@@ -278,7 +279,7 @@ void LinkGraph::Suspend(Symbol id) {
   suspended_[id.index()] = 1 + record.value_of - record.item_of;
 }
 
-/// Finds every link that enters what is suspended from outside, highest level first, and grows from there.
+/// Finds every link from outside into the suspended structure, highest level first, and rescues what it reaches.
 void LinkGraph::Rescue() {
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.level > b.level; };
   heap_.clear();
@@ -311,8 +312,9 @@ void LinkGraph::Rescue() {
   }
 }
 
-/// Elements may outlive their preferences until their slot is decided. What such an element of others than garbage
-/// names stays, with what it reaches; its turn comes when the last of them goes.
+/// Elements may outlive their preferences until their slot is decided. If such an element does not belong to garbage,
+/// its value is rescued with everything that it reaches. They are checked again when the last of these elements is
+/// removed.
 void LinkGraph::RescueNamed() {
   const auto for_each_value = [&](Symbol id, auto visit) {
     for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
@@ -345,7 +347,7 @@ void LinkGraph::RescueNamed() {
   }
 }
 
-/// What nothing rescued: first what the roots reach, what is reached last first, then the roots themselves.
+/// Appends everything that was not rescued: first what the roots reach (reached last, listed first), then the roots.
 void LinkGraph::ListGarbage(std::vector<Symbol>& garbage) {
   std::erase_if(roots_, [&](Symbol root) { return suspended_[root.index()] == 0; });
   if (roots_.empty()) return;
@@ -371,7 +373,7 @@ void LinkGraph::ListGarbage(std::vector<Symbol>& garbage) {
   }
 }
 
-/// Visits the links that the identifier's preferences and elements make.
+/// Visits the links of the identifier's preferences and elements.
 template <typename Visit>
 void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
   const auto visit_link = [&](LinkId link) {
@@ -390,14 +392,14 @@ void LinkGraph::ForEachLinkFrom(Symbol id, Visit visit) const {
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
     visit_preferences(memory_.slot(slot).acceptable);
     visit_preferences(memory_.slot(slot).others);
-    // What the architecture puts into a slot (^command and ^result of the memories) is there without a preference.
+    // Elements that the architecture puts into a slot (^command and ^result of the memories) have no preference.
     if (memory_.slot(slot).acceptable == PreferenceId::kNone) visit_elements(memory_.slot(slot).wmes);
   }
   visit_elements(record.architecture_wmes);
   visit_elements(record.input_wmes);
 }
 
-// The rest ------------------------------------------------------------------------------------------------------------
+// Clearing and checking -----------------------------------------------------------------------------------------------
 
 void LinkGraph::Clear() {
   links_.Clear();
@@ -424,7 +426,7 @@ std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
     const Symbol id(Symbol::Tag::kIdentifier, index);
     const IdentifierRecord& record = memory_.identifier(id);
     if (!record.live || record.is_goal) continue;
-    // One that floated keeps the level that it was made with when a lower state links it.
+    // An identifier that was not reachable keeps its initial level when a lower state links to it.
     if (record.parent_link != LinkId::kNone && memory_.level(record.parent_link.record->from) < record.level) {
       return "the level of " + ToString(symbols, id) + " is below that of its parent";
     }

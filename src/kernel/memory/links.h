@@ -12,49 +12,51 @@
 
 namespace soarbox::kernel {
 
-/// One way from an identifier to another.
+/// A link from one identifier to another.
 struct Link {
   Symbol from, to;
-  LinkId next_in, previous_in;        ///< Links to `to`.
-  LinkId next_child, previous_child;  ///< Parent links from `from`.
+  LinkId next_in, previous_in;        ///< List of links to `to`.
+  LinkId next_child, previous_child;  ///< List of parent links from `from`.
 };
 
-/// Which identifiers hang on which goals: the links between identifiers, the level that each identifier has, and what
-/// is garbage.
+/// The links between identifiers. Determines the level of each identifier, and which identifiers are garbage.
 ///
-/// A link is a preference in a slot whose value (or referent) is an identifier, or an element of the architecture or of
-/// input whose value is one. Each identifier that a goal reaches has one parent link; the parent links form a tree
-/// under every goal, and the level of an identifier is that of the goal at the root. Removing any other link changes
-/// nothing. Removing a parent link looks for another way in, first among the links that lead to the identifier itself,
-/// and only then for the rest of the tree below it. So the cost is that of the structure cut off, never that of working
-/// memory.
+/// A link is one of two things: a preference in a slot with an identifier as its value (or referent), or an element of
+/// the architecture or of input with an identifier as its value. Each identifier that is reachable from a goal has one
+/// parent link. The parent links form a tree below every goal; the level of an identifier is that of the goal at its
+/// root.
 ///
-/// Invariants, after Settle(): an identifier with a parent link has the level of the link's source, and following
-/// parents ends at a goal (or at an identifier that was never linked); no link leads from a smaller level to a larger
+/// Removing a link that is not a parent link changes nothing. When a parent link is removed, another link to the
+/// identifier itself is searched first; only if there is none, links into the rest of its subtree are searched. So the
+/// cost is that of the structure cut off, not that of all working memory.
+///
+/// Invariants after Settle(): an identifier with a parent link has the level of the link's source. Following parent
+/// links ends at a goal (or at an identifier that was never linked). No link leads from a smaller level to a larger
 /// one.
 class LinkGraph {
  public:
   explicit LinkGraph(WorkingMemory& memory) : memory_(memory) {}
 
-  /// Both must be identifiers that live; links to goals are not kept (the result is then LinkId::kNone).
+  /// Both must be live identifiers. Links to goals are not stored: the result is then LinkId::kNone.
   LinkId Add(Symbol from, Symbol to);
   void Remove(LinkId link);
 
-  /// True if links changed in a way that can move levels.
+  /// True if links changed in a way that can change levels.
   bool HasWork() const { return restless_; }
-  /// Works out the levels of the identifiers that changed: promotions first, then what no link holds and goals that
-  /// have gone, in the order in which they lost their first link or went; what only garbage held follows it at once.
-  /// Identifiers that other links may still hold come last. Those that no goal reaches any more are appended to
-  /// `garbage`; the caller removes what they own, which may make more work: call again until HasWork() is false.
+  /// Updates the levels of the identifiers that changed. First come promotions. Then come identifiers without links,
+  /// and removed goals, in the order in which they lost their first link or were removed; identifiers that only they
+  /// linked to follow immediately. Identifiers that may have other links come last.
+  /// Appends the identifiers that are no longer reachable from a goal to `garbage`. The caller removes what they own,
+  /// which may cause more work: call Settle again until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
-  /// Elements with this value come and go. An identifier that elements of others than garbage still name is not garbage
-  /// yet, though the links are gone: its turn comes when the last of them goes.
+  /// An element with this value was added or removed. An identifier without links is not garbage while it is the value
+  /// of an element that does not belong to garbage. It becomes garbage when the last such element is removed.
   void ElementAdded(Symbol value, bool is_item) {
     ++At(value).value_of;
     At(value).item_of += is_item ? 1 : 0;
   }
   void ElementRemoved(Symbol value, bool is_item);
-  /// Makes the identifier of a goal that has gone garbage. What hangs on it follows when it is collected.
+  /// Makes the identifier of a removed goal garbage. Identifiers that only it linked to follow when it is collected.
   void Discard(Symbol goal) {
     At(goal).gone = true;
     Post(goal);
@@ -62,7 +64,7 @@ class LinkGraph {
 
   void Clear();
   std::size_t MemoryBytes() const;
-  /// The first violation of the class's invariants in words, or empty.
+  /// Returns a description of the first violated invariant, or an empty text.
   std::string CheckInvariants(const SymbolTable& symbols) const;
 
  private:
@@ -77,7 +79,7 @@ class LinkGraph {
   void SetParent(Symbol id, LinkId link);
   void Root(Symbol id);
   void DropParent(Symbol id);
-  /// Where following parents from `from` ends: at a goal, at (or through) `stop`, or nowhere.
+  /// Follows parent links from `from`. Ends at a goal, at (or through) `stop`, or at an identifier without a parent.
   Ancestry Trace(Symbol from, Symbol stop) const;
   void Work(std::vector<Symbol>& garbage);
   void BeginToSettle();
@@ -95,16 +97,17 @@ class LinkGraph {
 
   WorkingMemory& memory_;
   RecordArena<Link, &Link::next_in> links_;
-  bool restless_ = false;  ///< One of the first four is not empty, or settling has not come to its end.
+  bool restless_ = false;  ///< One of the first four lists is not empty, or Settle has not finished.
   bool settling_ = false;
   std::vector<Symbol> promoted_;
-  std::vector<Symbol> posted_;     ///< What lost a link, and goals that have gone, in order, until links settle.
-  std::vector<Symbol> unheld_;     ///< While they settle: what no link holds; the last one is the next.
-  std::vector<Symbol> uncertain_;  ///< While they settle: what lost a link and may have others, in order.
-  std::vector<Symbol> gone_;       ///< While they settle: goals that have gone and have had their turn.
-  std::vector<Symbol> roots_;      ///< While Reattach works: what has no parent any more, the newest loss first,
-  std::vector<Symbol> subtree_;    ///< and with all that hangs on it.
-  /// By identifier index: not 0 if it is in `subtree_` and not rescued; the others that name it are counted above 1.
+  std::vector<Symbol> posted_;     ///< Identifiers that lost a link, and removed goals, in order, until Settle.
+  std::vector<Symbol> unheld_;     ///< During Settle: identifiers without links; the last one is next.
+  std::vector<Symbol> uncertain_;  ///< During Settle: identifiers that lost a link and may have others, in order.
+  std::vector<Symbol> gone_;       ///< During Settle: removed goals that have been processed.
+  std::vector<Symbol> roots_;      ///< During Reattach: identifiers without a parent, the newest loss first.
+  std::vector<Symbol> subtree_;    ///< During Reattach: these with their subtrees.
+  /// By identifier index: not 0 if it is in `subtree_` and not rescued. The value minus 1 is the number of elements
+  /// with it as their value, not counting those found to belong to the subtree.
   std::vector<std::uint32_t> suspended_;
   std::vector<Symbol> stack_;
   struct Candidate {

@@ -8,11 +8,11 @@
 
 namespace soarbox::kernel {
 
-/// Which identifiers hung below the output link when it was last read, and whether an element of one of them has come
-/// or gone since. Costs a test per element while nothing below the output link changes.
+/// Stores which identifiers were below the output link when it was last read, and whether one of their elements has
+/// been added or removed since. While nothing below the output link changes, it costs one test per element.
 class OutputMarks {
  public:
-  /// An element of this identifier comes or goes.
+  /// An element of this identifier was added or removed.
   void NoteChange(Symbol id) {
     if (IsMarked(id)) changed_ = true;
   }
@@ -24,7 +24,7 @@ class OutputMarks {
   void Unmark(Symbol id) {
     if (id.index() < marks_.size()) marks_[id.index()] = 0;
   }
-  /// Whether something has changed since the last call.
+  /// Returns whether something has changed since the last call.
   bool TakeChange() {
     const bool changed = changed_;
     changed_ = false;
@@ -36,7 +36,7 @@ class OutputMarks {
   }
 
  private:
-  std::vector<std::uint8_t> marks_;  ///< By index of the identifier.
+  std::vector<std::uint8_t> marks_;  ///< By identifier index.
   bool changed_ = false;
 };
 

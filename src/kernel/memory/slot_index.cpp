@@ -33,7 +33,7 @@ void SlotIndex::Erase(Symbol id, Symbol attribute) {
   const std::uint32_t mask = static_cast<std::uint32_t>(entries_.size()) - 1;
   std::uint32_t hole = Hash(id.bits(), attribute.bits()) & mask;
   while (entries_[hole].id != id.bits() || entries_[hole].attribute != attribute.bits()) hole = (hole + 1) & mask;
-  // Close the gap: move back every later entry of the run whose home is not after the hole.
+  // Closes the gap: moves back every later entry of the run whose home is not after the gap.
   for (std::uint32_t place = (hole + 1) & mask; entries_[place].slot != SlotId::kNone; place = (place + 1) & mask) {
     const std::uint32_t home = Hash(entries_[place].id, entries_[place].attribute) & mask;
     if (((place - home) & mask) >= ((place - hole) & mask)) {

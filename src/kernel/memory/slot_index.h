@@ -9,8 +9,8 @@
 
 namespace soarbox::kernel {
 
-/// Finds the slot of an identifier and attribute: one open-addressing table per agent. Erasing shifts entries back, so
-/// there are no tombstones and a lookup stays one short run of memory. Grows by doubling, never shrinks.
+/// Finds the slot of an identifier and attribute: one open-addressing table per agent. Erasing shifts later entries
+/// back, so there are no tombstones. Grows by doubling; never shrinks.
 class SlotIndex {
  public:
   SlotId Find(Symbol id, Symbol attribute) const;
@@ -24,7 +24,7 @@ class SlotIndex {
  private:
   struct Entry {
     std::uint32_t id = 0, attribute = 0;
-    SlotId slot = SlotId::kNone;  ///< kNone: an empty place.
+    SlotId slot = SlotId::kNone;  ///< kNone: the entry is empty.
   };
   static std::uint32_t Hash(std::uint32_t id, std::uint32_t attribute);
   [[gnu::noinline]] void Grow();

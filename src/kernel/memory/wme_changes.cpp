@@ -11,7 +11,7 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   const WmeId wme = memory_.Make(kind, id, attribute, value, false, slot);
   WmeRecord& record = memory_.mutable_record(wme);
   record.preference = preference;
-  // Elements with a preference are linked through it.
+  // The preference of an element, if there is one, has the link.
   if (preference == PreferenceId::kNone && kind != WmeKind::kArchitecture && value.IsIdentifier()) {
     record.link = links_.Add(id, value);
   }
@@ -39,7 +39,7 @@ void WmeChanges::Record(WmeId wme, WmeKind kind, Symbol id, Symbol attribute, Sy
     listener_.AttributeUsed(attribute);
   added_.push_back(wme);
   if (value.IsIdentifier() && value != id) links_.ElementAdded(value, kind == WmeKind::kArchitecture);
-  // What comes from outside is no output by itself.
+  // Changes by clients alone do not count as output.
   if (kind != WmeKind::kInput) output_.NoteChange(id);
 }
 
@@ -94,7 +94,7 @@ void WmeChanges::Flush() {
   }
   for (std::size_t n = flushing_added_.size(); n-- > 0;) {
     const WmeId wme = flushing_added_[n];
-    // An element that came and went within the phase never enters the match.
+    // An element that was added and removed within the phase never enters the match.
     if (memory_.wme(wme).live) {
       WmeRecord& record = memory_.mutable_record(wme);
       if (record.renewed) {

@@ -15,8 +15,9 @@
 
 namespace soarbox::kernel {
 
-/// Changes of working memory on their way to the matcher. Elements get their time tags when they are added here; the
-/// match hears of them in Flush, newest first and all additions before all removals, as traces and firing orders show.
+/// The changes of working memory that the matcher has not received yet. Elements get their time tags when they are
+/// added here. Flush passes them to the match, newest first and all additions before all removals; Soar's traces and
+/// firing orders show this order.
 class WmeChanges {
  public:
   WmeChanges(WorkingMemory& memory, LinkGraph& links, Rete& rete, OutputMarks& output, ElementListener& listener)
@@ -27,31 +28,33 @@ class WmeChanges {
 
   WmeId Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, SlotId slot = SlotId::kNone,
             PreferenceId preference = PreferenceId::kNone);
-  /// An element from outside, which may pass for that of an acceptable preference.
+  /// Adds an element for a client. With `acceptable`, it looks like the element of an acceptable preference.
   WmeId AddInput(Symbol id, Symbol attribute, Symbol value, bool acceptable);
-  /// The element of an acceptable preference.
+  /// Adds the element of an acceptable preference.
   WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
   void Remove(WmeId wme);
-  /// Removes an input element and adds one with another constant in its place, for less if no rule tests it: then it
-  /// keeps its index, and this is true. Else nothing is done. Not while anybody hears of single elements.
+  /// Replaces an input element by one with another constant. If no rule tests the element, this costs less: the element
+  /// keeps its index, and the result is true. Else does nothing and returns false. Must not be called while an observer
+  /// wants single elements.
   bool Renew(WmeId wme, Symbol value);
-  /// Removes an element because its support went: a goal whose dependency set holds it goes first. (What the
-  /// architecture takes back, items and garbage, goes by Remove and costs no goal.)
+  /// Removes an element that lost its support. If it is in a goal dependency set, the goal is removed first. (Elements
+  /// that the architecture removes, such as items and garbage, are removed by Remove, which affects no goal.)
   void Lose(WmeId wme);
-  /// Hands everything to the match.
+  /// Passes all changes to the match.
   [[gnu::flatten]] void Flush();
   bool empty() const { return added_.empty() && removed_.empty(); }
-  /// True if Bury would give indices back.
+  /// True if Bury would free indices.
   bool HasDead() const { return !dead_.empty(); }
-  /// Removed from memory, and still to be read.
+  /// Elements that were removed from memory but are still readable.
   std::span<const WmeId> dead() const { return dead_; }
 
   void AddReference(WmeId wme);
-  /// Frees an element that has left the match when nothing refers to it any more.
+  /// Drops a reference to an element. Frees it if it has left the match and was not referred to otherwise.
   void DropReference(WmeId wme);
-  /// Gives back the indices of removed elements. Only when no retraction is pending, whose elements may be shown.
+  /// Frees the indices of removed elements. Call it only if no retraction is pending, because traces may show the
+  /// retraction's elements.
   [[gnu::flatten]] void Bury();
-  /// Whether the listener hears of the attributes of new elements.
+  /// Enables calls of ElementListener::AttributeUsed for new elements.
   void TellOfAttributes(bool tell) { tells_of_attributes_ = tell; }
   void Clear();
 
@@ -64,7 +67,7 @@ class WmeChanges {
   OutputMarks& output_;
   ElementListener& listener_;
   bool tells_of_attributes_ = false;
-  std::size_t renewed_ = 0;  ///< So many of added_ stand for one that leaves, too.
+  std::size_t renewed_ = 0;  ///< Number of elements of added_ that replace a removed one.
   std::vector<WmeId> added_, removed_, dead_, flushing_added_, flushing_removed_;
 };
 

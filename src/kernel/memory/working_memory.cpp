@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
 
 WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {
-  // Room for a small agent, so that its first decisions cost what the later ones do.
+  // Memory for a small agent, so that its first decisions do not allocate more than later ones.
   constexpr std::size_t kUsual = 64;
   wmes_.reserve(kUsual);
   records_.reserve(kUsual);
@@ -34,7 +34,7 @@ inline SlotId WorkingMemory::FindSlot(const IdentifierRecord& owner, Symbol id, 
 
 std::vector<WmeId> WorkingMemory::WmesOf(Symbol id) const {
   std::vector<WmeId> found;
-  found.reserve(8);  // Most objects have fewer.
+  found.reserve(8);  // Most objects have fewer elements.
   ForEachWmeOf(id, [&](WmeId wme) { found.push_back(wme); });
   return found;
 }
@@ -151,7 +151,7 @@ void WorkingMemory::Free(std::span<const WmeId> wmes) {
 
 // Identifiers ---------------------------------------------------------------------------------------------------------
 
-/// By a quarter each time: there are many agents with a few identifiers.
+/// Grows by a quarter each time, because there are many agents with few identifiers.
 void WorkingMemory::MakeRoomForIdentifiers(std::size_t count) {
   const std::size_t room = count + count / 4 + 8;
   identifiers_.reserve(room);
@@ -274,7 +274,7 @@ void WorkingMemory::InsertInSlot(PreferenceId id, SlotId slot_id) {
   }
   if (slot.is_large) [[unlikely]]
     LargeOf(slot).Insert(id);
-  // In front of the first one that is not of a higher goal.
+  // Inserts before the first preference that does not belong to a higher goal.
   PreferenceId before = head, after = PreferenceId::kNone;
   while (before != PreferenceId::kNone && before.record->level < preference.level) {
     after = before;
@@ -328,7 +328,7 @@ bool WorkingMemory::HasTopFact(SlotId slot, Symbol value) {
     return known != nullptr && known->top_facts != 0;
   }
   for (PreferenceId p = slot.record->acceptable; p != PreferenceId::kNone; p = p.record->next_in_slot) {
-    if (p.record->level > 1) break;  // Those of the top state stand in front.
+    if (p.record->level > 1) break;  // Those of the top state are first.
     if (p.record->o_supported && p.record->value == value) return true;
   }
   return false;

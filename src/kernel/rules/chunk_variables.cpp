@@ -28,7 +28,8 @@ class Renamer {
     }
   }
 
-  /// The value of a make action names its variable; those that only functions use come last.
+  /// Visits the actions. A make action's attribute determines the name of its value's variable; variables that only
+  /// functions use come last.
   void Rename(const DraftList<ActionDraft>& actions) {
     for (ActionDraft& action : actions) {
       if (!action.is_function_call) {
@@ -55,8 +56,8 @@ class Renamer {
     Replace(test);
   }
 
-  /// The equality test comes first, behind goal tests, when Soar makes a condition from its network; but what compares
-  /// a field with itself comes before it.
+  /// When Soar builds a condition from its network, the equality test comes first, after goal tests; but tests that
+  /// compare a field with itself come before it.
   static void PutEqualityFirst(TestDraft& test) {
     const std::uint32_t variable = EqualityVariable(test);
     DraftList<TestDraft> goals, before, equality, others;

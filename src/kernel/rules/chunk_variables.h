@@ -7,9 +7,9 @@
 
 namespace soarbox::kernel {
 
-/// Renames the variables of a rule whose own names Soar does not keep (chunks and justifications): <s1> for states,
-/// otherwise a letter from the attribute before the first occurrence and a number, in match order. Call before the
-/// actions' variables are bound. Variables keep their numbers.
+/// Renames the variables of a chunk or justification as Soar does: <s1> for states; otherwise a letter taken from the
+/// attribute before the first occurrence, and a number, in match order. Variables keep their VariableIndex numbers.
+/// Must be called before the variables of the actions are bound.
 void RenameVariables(RuleDraft& rule, const VariableIndex& variables, SymbolTable& symbols);
 
 }  // namespace soarbox::kernel

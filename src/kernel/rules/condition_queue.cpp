@@ -67,7 +67,7 @@ void ConditionQueue::EndRoots() {
   ComputeAll();
 }
 
-/// Costs first, then what depends on the costs of others.
+/// Computes the costs first, then the look-aheads, which depend on them.
 void ConditionQueue::ComputeAll() {
   started_ = false;
   ready_ = {};
@@ -110,7 +110,7 @@ std::int64_t ConditionQueue::Cost(std::uint32_t at, std::span<const std::uint32_
   return (is_known(condition.fields[1]) ? values : kUnboundCost) * (is_known(condition.fields[2]) ? 1 : kUnboundCost);
 }
 
-/// The cost of a condition, and what it means for the look-ahead of others.
+/// Recomputes the cost of a condition and its effect on the look-ahead of others.
 void ConditionQueue::Recompute(std::uint32_t at) {
   ahead_[at] = 0;
   if (conditions_[at].positive) {
@@ -174,7 +174,7 @@ void ConditionQueue::ReevaluatePair(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Notes what a negated condition misses once that is so little that one condition can bind it.
+/// Records the unbound variables of a negated condition when they are so few that one condition can bind them.
 void ConditionQueue::CountMissing(std::uint32_t at) {
   std::uint32_t& count = missing_[at];
   if (started_ && count > kNothing.size() + 1) {
@@ -207,7 +207,7 @@ void ConditionQueue::CountMissing(std::uint32_t at) {
   ReevaluateUsers(rarest);
 }
 
-/// Computes the look-ahead of a condition from the costs of the others, and queues it.
+/// Computes the look-ahead of a condition from the costs of the others, and queues the condition.
 void ConditionQueue::Evaluate(std::uint32_t at) {
   ++work_;
   if (cost_[at] >= kInfiniteCost) {
@@ -236,7 +236,7 @@ void ConditionQueue::Evaluate(std::uint32_t at) {
   ready_.push({cost_[at], least, conditions_[at].positive, conditions_[at].age, at});
 }
 
-/// The least cost of another condition that uses both variables, once both are bound.
+/// The lowest cost of another condition that uses both variables, computed with both bound.
 std::int64_t ConditionQueue::LeastWithBoth(std::uint32_t at, std::uint32_t a, std::uint32_t b) {
   if (Users(b).size() < Users(a).size()) {
     std::swap(a, b);
@@ -254,7 +254,7 @@ std::int64_t ConditionQueue::LeastWithBoth(std::uint32_t at, std::uint32_t a, st
   return least;
 }
 
-/// True if the condition binds all that some negated condition misses.
+/// Returns true if the condition binds all unbound variables of some negated condition.
 bool ConditionQueue::CompletesNegated(std::uint32_t at) const {
   std::array<std::uint32_t, 3> unbound = kNothing;
   std::size_t count = 0;
@@ -290,7 +290,7 @@ ConditionQueue::Choice ConditionQueue::Choose() {
   }
   placed_[at] = true;
   if (noted_[at] != kNothing && missing_[at] != 0) {
-    // It is placed too early: nothing can complete it any more.
+    // It is placed too early, so no condition can complete it any more.
     negated_.erase(negated_.find(noted_[at]));
     ReevaluateUsers(noted_[at][0]);
   }
@@ -309,7 +309,7 @@ void ConditionQueue::Bind(std::uint32_t variable) {
   }
 }
 
-/// The next condition if none can be reached.
+/// Chooses the next condition if none is connected to a bound variable.
 std::size_t ConditionQueue::ScanAll() {
   std::size_t best = conditions_.size();
   std::int64_t best_ahead = 0;

@@ -10,7 +10,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// A list of conditions as a rule would give it to the queue.
+/// A list of conditions as a rule passes it to the queue.
 struct Conditions {
   std::vector<QueuedCondition> list;
   std::vector<std::vector<std::uint32_t>> needs;
@@ -35,7 +35,7 @@ struct Conditions {
 
 constexpr std::uint32_t kState = 0;
 
-/// Chooses by looking at all conditions for each of all conditions.
+/// Chooses by comparing all waiting conditions in each step.
 class NaiveChooser {
  public:
   explicit NaiveChooser(const Conditions& conditions)
@@ -184,7 +184,7 @@ TEST(ConditionQueue, ChoosesWhatAScanOfAllConditionsChooses) {
   }
 }
 
-/// (<s> ^a <v0>) (<v0> ^a <v1>) ...: a path.
+/// A path: (<s> ^a <v0>) (<v0> ^a <v1>) ...
 Conditions Path(std::uint32_t length) {
   Conditions out;
   out.variables = length + 1;
@@ -208,7 +208,7 @@ Conditions Star(std::uint32_t rays) {
   return out;
 }
 
-/// (<s> ^<a0> <b0> ^<a1> <b1> ...): attributes that are variables.
+/// Attributes that are variables: (<s> ^<a0> <b0> ^<a1> <b1> ...)
 Conditions Unnamed(std::uint32_t count) {
   Conditions out;
   out.variables = 1 + 2 * count;
@@ -218,7 +218,7 @@ Conditions Unnamed(std::uint32_t count) {
   return out;
 }
 
-/// (<s> ^a <v> ^b <v> ...): all test one value.
+/// All conditions test one value: (<s> ^a <v> ^b <v> ...)
 Conditions OneValue(std::uint32_t count) {
   Conditions out;
   out.variables = 2;

@@ -8,8 +8,8 @@
 #include "kernel/base/bump_arena.h"
 #include "kernel/rules/production.h"
 
-/// Rules while they are read, checked, reordered or derived from others: trees that can be changed. They live in an
-/// arena and end with it. Production::Make turns a draft into a finished rule.
+/// Rules as mutable trees, while they are read, checked, reordered or derived from others. They are allocated in an
+/// arena. Production::Make converts a draft to a finished rule.
 namespace soarbox::kernel {
 
 /// A list of items, linked through their `next`. Copies of a list share the items.
@@ -56,7 +56,7 @@ struct DraftList {
   }
 };
 
-/// The variables of a rule are numbered from 0 (VariableIndex); this value means a constant or nothing.
+/// The variables of a rule are numbered from 0 (VariableIndex). This value means "a constant or nothing".
 inline constexpr std::uint32_t kNoVariable = 0xFFFFFFFFu;
 
 /// A constant or variable as a rule names it.
@@ -72,10 +72,10 @@ struct TestDraft {
   TestKind kind = TestKind::kBlank;
   std::uint32_t disjunct_count = 0;
   std::uint32_t variable = kNoVariable;  ///< The referent's number.
-  bool is_turned = false;                ///< After reordering it is where its referent was; equality ignores this.
-  Symbol referent;                       ///< Constant or variable, for the relational kinds and @.
-  const Symbol* disjuncts = nullptr;     ///< kDisjunction.
-  DraftList<TestDraft> parts;            ///< kConjunction; never nested, at most one part is kEqual.
+  bool is_turned = false;  ///< Reordering moved this test to the field of its referent. Equality ignores this flag.
+  Symbol referent;         ///< Constant or variable, for the relational kinds and @.
+  const Symbol* disjuncts = nullptr;  ///< kDisjunction.
+  DraftList<TestDraft> parts;         ///< kConjunction; never nested, at most one part is kEqual.
   TestDraft* next = nullptr;
 };
 bool operator==(const TestDraft& a, const TestDraft& b);
@@ -110,7 +110,7 @@ struct ActionDraft {
 };
 
 struct RuleDraft {
-  std::string_view name;  ///< As long as the arena lives.
+  std::string_view name;  ///< Valid as long as the arena.
   std::string_view documentation;
   bool has_documentation = false;
   ProductionType type = ProductionType::kUser;
@@ -142,10 +142,11 @@ TestDraft ToDraft(const Test& test, Arena& arena);
 ConditionDraft ToDraft(const Condition& condition, Arena& arena);
 ValueDraft ToDraft(const RhsValue& value, Arena& arena);
 ActionDraft ToDraft(const Action& action, Arena& arena);
-/// A whole rule. Its texts are those of the rule, which must live as long as the draft; its variables have no numbers.
+/// Converts a complete rule. The draft refers to the rule's texts, so the rule must outlive it. Its variables have no
+/// numbers.
 RuleDraft ToDraft(const Production& rule, Arena& arena);
 
-/// The test of equality in a test, or null.
+/// The equality part of a test, or null.
 inline const TestDraft* EqualityIn(const TestDraft& test) {
   if (test.kind == TestKind::kEqual) {
     return &test;
@@ -157,12 +158,12 @@ inline const TestDraft* EqualityIn(const TestDraft& test) {
   }
   return nullptr;
 }
-/// The variable or constant that a test equates its field with; none without an equality test.
+/// The variable or constant in the equality part of a test; none without such a part.
 inline Symbol EqualitySymbol(const TestDraft& test) {
   const TestDraft* const equality = EqualityIn(test);
   return equality != nullptr ? equality->referent : Symbol();
 }
-/// The number of that variable; kNoVariable for anything else.
+/// The number of that variable; kNoVariable if there is none.
 inline std::uint32_t EqualityVariable(const TestDraft& test) {
   const TestDraft* const equality = EqualityIn(test);
   return equality != nullptr ? equality->variable : kNoVariable;

@@ -10,13 +10,13 @@
 
 namespace soarbox::kernel {
 
-/// How many values the user expects for some attributes (`production optimize-attribute`). The reorderer multiplies the
-/// cost of conditions on such an attribute by this number. Applies to rules loaded from then on.
+/// Expected numbers of values of attributes (`production optimize-attribute`). The reorderer multiplies the cost of
+/// conditions with such an attribute by this number. Applies to rules loaded later.
 ///
-/// Its symbols must be pinned: it does not keep them.
+/// Its symbols must be pinned, because nothing marks them in a sweep.
 class ExpectedValues {
  public:
-  /// `count`: from 1.
+  /// `count` must be at least 1.
   void Set(Symbol attribute, std::int64_t count) {
     const auto known = std::ranges::find(counts_, attribute, &Count::first);
     if (known != counts_.end()) {
@@ -25,7 +25,7 @@ class ExpectedValues {
       counts_.emplace_back(attribute, count);
     }
   }
-  /// 1 for attributes without an entry.
+  /// Returns 1 for attributes without an entry.
   std::int64_t Of(Symbol attribute) const {
     const auto known = std::ranges::find(counts_, attribute, &Count::first);
     return known != counts_.end() ? known->second : 1;

@@ -7,7 +7,7 @@
 
 namespace soarbox::kernel {
 
-/// The name of a file as the user gave it. Copies share the text: many rules come from one file.
+/// The name of a file as the user specified it. Copies share the text, because many rules are in one file.
 class FileName {
  public:
   FileName() = default;

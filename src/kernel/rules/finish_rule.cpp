@@ -23,7 +23,7 @@ void AddTrap(ParseOutcome& out, const SourcePlace& place, Severity severity, std
   out.diagnostics.push_back(std::move(diagnostic));
 }
 
-/// The variables that the actions can rely on.
+/// The variables that are bound before an action.
 class KnownVariables {
  public:
   KnownVariables(const RuleDraft& rule, const VariableIndex& variables, Arena& arena)
@@ -48,7 +48,7 @@ class KnownVariables {
   bool* known_;
 };
 
-/// The arguments of a function must be known before it is called; a plain variable may stand for a new identifier.
+/// The variables in a function's arguments must be bound before it is called. A variable alone may be a new identifier.
 bool FunctionIsReady(const ValueDraft& value, const KnownVariables& known) {
   for (const ValueDraft& argument : value.arguments) {
     if (argument.kind == RhsValueKind::kFunction ? !FunctionIsReady(argument, known)
@@ -71,7 +71,7 @@ bool IsReady(const ActionDraft& action, const KnownVariables& known) {
          IsReady(action.referent, known);
 }
 
-/// Puts each action behind those that make its identifier known. False if some hang on nothing.
+/// Orders the actions so that each identifier is bound before its use. Returns false if some identifier is never bound.
 bool OrderActions(RuleDraft& rule, const VariableIndex& variables, const SymbolTable& symbols, Arena& arena,
                   ParseOutcome& out, const SourcePlace& place) {
   KnownVariables known(rule, variables, arena);
@@ -112,7 +112,7 @@ bool OrderActions(RuleDraft& rule, const VariableIndex& variables, const SymbolT
   return false;
 }
 
-/// Says for each variable of the actions where it is bound, or which new identifier it stands for.
+/// Determines for each variable of the actions where it is bound, or which new identifier it represents.
 class Binder {
  public:
   Binder(RuleDraft& rule, const VariableIndex& variables, Arena& arena)
@@ -151,7 +151,7 @@ class Binder {
   }
 
  private:
-  /// What a variable stands for; kConstant while that is not known.
+  /// The meaning of a variable; kConstant while it is unknown.
   struct Place {
     RhsValueKind kind = RhsValueKind::kConstant;
     BindingSite site;
@@ -186,7 +186,7 @@ bool TestsGoal(const TestDraft& test) {
   return false;
 }
 
-/// True if a positive condition tests that the variable is a state.
+/// Returns true if a positive condition tests that the variable is a state.
 bool IsTestedGoal(const RuleDraft& rule, Symbol variable) {
   for (const ConditionDraft& condition : rule.conditions) {
     if (condition.kind == ConditionKind::kPositive && TestsGoal(condition.id) &&
@@ -197,7 +197,8 @@ bool IsTestedGoal(const RuleDraft& rule, Symbol variable) {
   return false;
 }
 
-/// The attributes of states that the architecture makes: a rule that makes another value under one is probably wrong.
+/// True for attributes of states that the architecture creates. A rule that creates another value for one is probably
+/// wrong.
 bool IsArchitectureLink(Symbol attribute) {
   for (const Symbol link :
        {words::kSuperstate, words::kType, words::kIo, words::kImpasse, words::kRewardLink, words::kEpmem, words::kSmem,
@@ -232,7 +233,7 @@ void BindVariables(RuleDraft& rule, const VariableIndex& variables, Arena& arena
   }
 }
 
-/// A template's only action is a numeric preference, whose number may be a variable.
+/// A template has one action, a numeric preference, whose number may be a variable.
 bool IsTemplate(const RuleDraft& rule) {
   const ActionDraft* const action = rule.actions.first;
   return action != nullptr && action == rule.actions.last && !action->is_function_call &&

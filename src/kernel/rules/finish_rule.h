@@ -8,10 +8,10 @@
 
 namespace soarbox::kernel {
 
-/// Turns a rule in text order into one in match order: orders actions and conditions, checks that they are connected,
-/// binds variables (which `variables` has numbered) and sets what follows from the contents (new identifiers, is_rl).
-/// Adds Soar's messages to `out.late_messages` and our own to `out.diagnostics`; false if the rule must be refused.
-/// Learned rules go through this function as well.
+/// Converts a rule from text order to match order: orders actions and conditions, checks that they are connected, binds
+/// the variables (numbered in `variables`) and sets derived properties (new identifiers, is_rl). Appends Soar's
+/// messages to `out.late_messages` and our own to `out.diagnostics`. Returns false if the rule must be refused. Also
+/// used for learned rules.
 bool FinishRule(RuleDraft& rule, const VariableIndex& variables, const SourcePlace& place, SymbolTable& symbols,
                 const ExpectedValues& expected, Arena& arena, ParseOutcome& out);
 

@@ -12,9 +12,9 @@ namespace soarbox::kernel {
 namespace {
 
 struct CharacterTable {
-  std::array<bool, 256> word{};  ///< Part of symbols written without bars.
-  /// What a token that begins so is: signs of one character that end words by their kind, kString for words, kQuoted
-  /// for what stands between two marks. kEnd for blanks and comments.
+  std::array<bool, 256> word{};  ///< Characters of symbols that are written without bars.
+  /// The kind of a token with this first character: the kind of a single-character sign that ends words, kString for
+  /// words, kQuoted for texts between two delimiters, kEnd for blanks and comments.
   std::array<TokenKind, 256> first{};
 
   constexpr bool InWord(char c) const { return word[static_cast<unsigned char>(c)]; }
@@ -61,7 +61,7 @@ constexpr std::uint32_t Packed(std::string_view word) {
   return packed;
 }
 
-/// The sign that a word of up to three characters is, or kEnd.
+/// The kind of the sign that consists of up to three characters, or kEnd.
 TokenKind SignOf(std::string_view word) {
   switch (Packed(word)) {
     case Packed("+"):
@@ -107,7 +107,7 @@ bool IsSignOrDigits(std::string_view text) {
   return true;
 }
 
-/// What Soar takes for a float: a sign, digits, a dot, digits, an `e`, a sign, digits; all but the dot may be missing.
+/// Soar's format of floats: a sign, digits, a dot, digits, an `e`, a sign, digits; all except the dot are optional.
 bool ReadsAsFloat(std::string_view text) {
   std::size_t i = 0;
   const auto skip_sign = [&] { i += i < text.size() && (text[i] == '+' || text[i] == '-') ? 1 : 0; };
@@ -131,7 +131,7 @@ bool ReadsAsFloat(std::string_view text) {
   return i == text.size();
 }
 
-/// Numbers too large to hold are 0, as in Soar; false then.
+/// Reads a number. As in Soar, numbers that are too large are read as 0; then returns false.
 template <typename Number>
 bool ReadNumber(std::string_view text, Number& number) {
   number = 0;
@@ -190,7 +190,7 @@ std::string RuleToken::Warning() const {
   }
 }
 
-// What most tokens are is told apart here; the calls stand at the ends, so that nothing has to be kept across them.
+// Common tokens are recognized here. Calls are only at the ends of paths, so that no registers need to be saved.
 void Lexer::Read(RuleToken& token) {
   const char* const text_end = end_;
   const char* first = at_;
@@ -270,7 +270,7 @@ void Lexer::ReadDelimited(RuleToken& token, const char* first) {
   FinishName(token, TokenKind::kString, first, end + 1);
 }
 
-/// Reads a number that goes on behind a dot; if that does not make a float, the dot is a token of its own.
+/// Reads a number that continues after a dot. If the result is not a float, the dot is a separate token.
 bool Lexer::ReadFloat(RuleToken& token, const char* first, const char* dot) {
   const char* const end = WordEnd(dot + 1, end_);
   const std::string_view candidate(first, end);
@@ -288,7 +288,7 @@ bool Lexer::ReadFloat(RuleToken& token, const char* first, const char* dot) {
   return false;
 }
 
-/// A word that may be a sign, a number or an identifier.
+/// Reads a word that may be a sign, a number or an identifier.
 void Lexer::ReadRareWord(RuleToken& token, const char* first, const char* end) {
   const std::string_view word(first, end);
   if (word.size() > 1 && IsLetter(*first)) {

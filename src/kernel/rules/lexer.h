@@ -41,31 +41,31 @@ enum class TokenKind : std::uint8_t {
   kLeftAngles,
   kRightAngles,  ///< << and >>
   kArrow,        ///< -->
-  kAmpersand,    ///< A sign that nothing uses any longer.
+  kAmpersand,    ///< & has no meaning any more.
   kUnclosed,     ///< A bar or quote that is never closed.
 };
 
 struct RuleToken {
   TokenKind kind = TokenKind::kEnd;
-  bool suspicious = false;  ///< Something is wrong with the token: see Warning().
-  std::string_view text;    ///< Contents; for signs the characters themselves. Lives as long as the text and the arena.
+  bool suspicious = false;  ///< The token is probably a mistake: see Warning().
+  std::string_view text;    ///< Contents; the characters themselves for signs. Valid as long as the text and the arena.
   std::int64_t integer = 0;
   double real = 0;
-  std::size_t offset = 0;  ///< Of the first character in the text that is read.
+  std::size_t offset = 0;  ///< Offset of the first character in the text.
   std::size_t length = 0;
 
-  /// What Soar prints when it reads the token, with its line end; usually empty.
+  /// The message that Soar prints when it reads the token, with its line end; usually empty.
   std::string Warning() const;
 };
 
-/// Splits the text of a rule into tokens, as Soar's lexer does. Any text gives tokens; characters that no token can
-/// hold count as blanks. Texts that differ from the source (because of escapes) are made in the arena.
+/// Splits the text of a rule into tokens, as Soar's lexer does. Every text can be split; characters that cannot be in a
+/// token count as blanks. Token texts that differ from the source (because of escapes) are allocated in the arena.
 class Lexer {
  public:
   Lexer(std::string_view text, Arena& arena)
       : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), arena_(arena) {}
 
-  /// Reads the next token; after the end of the text always kEnd.
+  /// Reads the next token. Returns kEnd again after the end of the text.
   void Read(RuleToken& token);
   RuleToken Next() {
     RuleToken token;
@@ -83,7 +83,7 @@ class Lexer {
     token.length = static_cast<std::size_t>(end - first);
     at_ = end;
   }
-  /// Ends a token that a path's dot may follow.
+  /// Ends a token that may be followed by the dot of a path.
   void FinishName(RuleToken& token, TokenKind kind, const char* first, const char* end) {
     name_end_ = end;
     Finish(token, kind, first, end);
@@ -92,7 +92,7 @@ class Lexer {
   const char* begin_;
   const char* end_;
   const char* at_;
-  const char* name_end_ = nullptr;  ///< A dot at this place belongs to a path.
+  const char* name_end_ = nullptr;  ///< A dot at this position belongs to a path.
   Arena& arena_;
 };
 
@@ -102,7 +102,7 @@ struct TextPlace {
   int column = 1;
 };
 
-/// Finds the lines and columns of offsets in a text; fast if each is near the one before.
+/// Converts offsets in a text to lines and columns. Fast if each offset is close to the previous one.
 class PlaceFinder {
  public:
   explicit PlaceFinder(std::string_view text) : text_(text) {}

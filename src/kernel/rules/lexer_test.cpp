@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// The text must outlive the tokens; what the lexer makes lives until the test program ends.
+/// `text` must outlive the tokens. Texts that the lexer creates are never freed.
 std::vector<RuleToken> Tokens(std::string_view text) {
   static Arena arena;
   Lexer lexer(text, arena);

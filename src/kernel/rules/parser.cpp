@@ -15,7 +15,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// The line of `text` that holds `offset`.
+/// The line of `text` that contains `offset`.
 std::string_view LineAt(std::string_view text, std::size_t offset) {
   const std::size_t at = std::min(offset, text.size());
   const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
@@ -40,7 +40,7 @@ RuleReader::RuleReader(std::string_view body, const SourcePlace& place, SymbolTa
   Advance();
 }
 
-/// Says what is wrong with the token at hand.
+/// Reports the error at the current token.
 void RuleReader::Complain() {
   Say(token_.Warning(), Is(TokenKind::kString));
   const std::string text(token_.text);
@@ -70,10 +70,10 @@ void RuleReader::Report(Severity severity, const RuleToken& token, std::string m
   diagnostic.line = place_.line + at.line - 1;
   diagnostic.column = at.line == 1 ? place_.column + at.column - 1 : at.column;
   diagnostic.message = std::move(message);
-  diagnostic.message.shrink_to_fit();  // Some sources have very many.
+  diagnostic.message.shrink_to_fit();  // Some sources have very many diagnostics.
   diagnostic.excerpt = LineAt(body_, token.offset);
   if (at.line == 1) {
-    // The first line of the text stands somewhere within a line of the file.
+    // The first line of the text may begin in the middle of a line of the file.
     diagnostic.excerpt.insert(0, static_cast<std::size_t>(std::max(0, place_.column - 1)), ' ');
   }
   diagnostic.excerpt_length = std::max(1, static_cast<int>(token.length));
@@ -81,11 +81,11 @@ void RuleReader::Report(Severity severity, const RuleToken& token, std::string m
   out_.diagnostics.push_back(std::move(diagnostic));
 }
 
-/// Soar's text goes to the transcript; the diagnostic says in which rule what is missing, and what is still open there.
+/// Adds Soar's message to the transcript, and a diagnostic with the place, what is missing, and any open bracket.
 bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   if (!is_refused_) Say(std::string(message) + "\n");
   std::string text = out_.name.empty() ? std::string() : "rule " + out_.name + ": ";
-  // Soar's own texts say error once more.
+  // Soar's own messages repeat the word "Error".
   constexpr std::string_view kError = "Error: ";
   std::string_view described = DescribeSyntaxError(message);
   if (described.starts_with(kError)) described.remove_prefix(kError.size());
@@ -106,7 +106,7 @@ bool RuleReader::Fail(std::string_view message, std::string_view hint) {
   return false;
 }
 
-/// The term that the token is; goes on behind it. No symbol if it is none.
+/// Reads a constant or variable and advances. Returns an empty term, without advancing, if the token is neither.
 Term RuleReader::ConstantOrVariable() {
   Term term;
   switch (token_.kind) {
@@ -137,7 +137,7 @@ Term RuleReader::ConstantOrVariable() {
   return term;
 }
 
-/// A variable that the rule does not write.
+/// Creates a variable that is not in the rule's text.
 Term RuleReader::NewVariable(char letter) {
   const Symbol symbol = names_.Make(letter);
   return {symbol, variables_.Add(symbol)};
@@ -182,7 +182,7 @@ bool RuleReader::ReadRule(RuleDraft& rule) {
   }
   rule.name = token_.text;
   symbols_.String(rule.name);
-  Advance();  // Complaints about what follows the name still come before the older rule goes.
+  Advance();  // Messages about the token after the name precede the excision of the older rule.
   out_.name = rule.name;
   if (!ReadFlags(rule)) {
     return false;

@@ -17,7 +17,7 @@ class ParserTest : public testing::Test {
  protected:
   ParseOutcome Parse(std::string_view body) { return ParseProduction(body, {"scout.soar", 10, 5}, symbols_); }
 
-  /// Everything that Soar would print for the rule, without the star.
+  /// All texts that Soar would print for the rule, without the star.
   std::string Messages(std::string_view body) {
     const ParseOutcome outcome = Parse(body);
     std::string text;
@@ -58,13 +58,13 @@ TEST_F(ParserTest, ADollarMarksAVariableThatLearningKeepsLiteral) {
   EXPECT_THAT(Printed("lit (state <s> ^a $ <x> ^b { <y> $$ <y> }) --> (<s> ^c <x>)"),
               AllOf(HasSubstr("^a $ <x>"), HasSubstr("^b $ <y>")));
   EXPECT_THAT(Printed("lit (state <s> ^a { <x> $$ <x> < 5 }) --> (<s> ^c <x>)"), HasSubstr("$$ <x>"));
-  // What is printed reads as the same rule.
+  // The printed text is read as the same rule.
   const std::string printed = Printed("lit (state <s> ^a { $ <x> < 5 > 2 }) --> (<s> ^c <x>)");
   const std::size_t open = printed.find('{');
   EXPECT_EQ(Printed(printed.substr(open + 1, printed.rfind('}') - open - 1)), printed);
   EXPECT_THAT(Printed("lit (state <s> ^a { <x> $$ <y> } ^b <y>) --> (<s> ^c <x>)"),
               HasSubstr("$$ needs the variable of its own test"));
-  // Before a constant, which stays in any case, it says nothing; alone, and between bars, it is a word.
+  // Before a constant, which stays in any case, `$` has no effect; alone or between bars it is a word.
   EXPECT_THAT(Printed("lit (state <s> ^a $ 5 ^b $ ^c |$|) --> (<s> ^d $)"),
               AllOf(HasSubstr("^a 5"), HasSubstr("^b |$|"), HasSubstr("^c |$|"), HasSubstr("^d |$|")));
   RuleLanguage older;
@@ -130,7 +130,7 @@ TEST_F(ParserTest, RulesThatHangOnNothingAreRefusedOrWarnedOf) {
             "        (<x> ^c <y> +)\n        (<y> ^d e +)\n\n(Ignoring production ab)\n\n");
   EXPECT_EQ(Messages("ab (state <s> ^a b) (<x> ^c <y>) (<y> ^e f) --> (<s> ^e <y>)"),
             "\nWarning: On the LHS of production ab, identifier <x> is not connected to any goal or impasse.\n");
-  // (Here, other than elsewhere, a name stands as it is.)
+  // (Unlike elsewhere, the name is printed without bars here.)
   EXPECT_EQ(Messages("ab*1 (state <s> ^a b) (<x> ^c <y>) (<y> ^e f) --> (<s> ^e <y>)"),
             "\nWarning: On the LHS of production ab*1, identifier <x> is not connected to any goal or impasse.\n");
   EXPECT_EQ(Messages("ab*1 (state <s> ^a b -^c > <limit>) --> (<s> ^e f)")

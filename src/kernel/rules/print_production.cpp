@@ -21,13 +21,13 @@ std::size_t Column(const std::string& out) {
   return line == std::string::npos ? out.size() : out.size() - line - 1;
 }
 
-/// Prints a list of conditions or actions, one object per line, objects that are too long in several.
+/// Prints a list of conditions or actions: one object per line, or several lines if an object is too long.
 class ObjectPrinter {
  public:
   ObjectPrinter(std::string& out, const SymbolTable& symbols, bool internal)
       : out_(out), symbols_(symbols), internal_(internal) {}
 
-  /// `first_in_line`: the list goes on in the line that is open.
+  /// `first_in_line`: the list continues in the current line.
   void Conditions(std::span<const Condition> conditions, std::size_t indent, bool first_in_line) {
     std::vector<bool> printed(conditions.size(), false);
     for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -164,9 +164,9 @@ class ObjectPrinter {
     out_ += '}';
   }
 
-  /// Adds a text to the object, in a new line if it does not fit any more.
+  /// Appends a text to the object; begins a new line if it does not fit.
   void Item(const std::string& text, std::size_t indent) {
-    if (Column(out_) + text.size() + 1 >= kPrintColumns) {  // Room for the bracket.
+    if (Column(out_) + text.size() + 1 >= kPrintColumns) {  // Leaves room for the bracket.
       out_ += '\n';
       out_.append(indent - 1, ' ');
     }
@@ -282,7 +282,7 @@ void AppendAction(std::string& out, const SymbolTable& symbols, const Action& ac
   ObjectPrinter(out, symbols, true).Actions({&action, 1}, 0);
 }
 
-// What is not finished yet is printed seldom: it is made the only part of a rule.
+// Unfinished parts are rarely printed, so they are first converted to the only part of a rule.
 
 void AppendTest(std::string& out, const SymbolTable& symbols, const TestDraft& test) {
   ConditionDraft condition;

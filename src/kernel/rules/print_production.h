@@ -10,36 +10,35 @@
 
 namespace soarbox::kernel {
 
-/// How many characters a printed line may hold; longer objects continue in an indented line.
+/// Maximum length of a printed line. Longer objects continue in an indented line.
 inline constexpr std::size_t kPrintColumns = 80;
 
 struct RulePrintOptions {
   bool internal = false;  ///< One line per condition and action, in match and firing order (`print -i`).
 };
 
-/// A rule as `print` shows it, in a form that can be read again: "sp {name\n ... }\n". The text ends after the brace's
-/// line end.
+/// Prints a rule as `print` does, in a form that can be read again: "sp {name\n ... }\n".
 std::string PrintProduction(const SymbolTable& symbols, const Production& production,
                             const RulePrintOptions& options = {});
 
-// The parts, for `matches`, `production find`, explanations and messages.
+// Parts of rules, for `matches`, `production find`, explanations and messages.
 
 void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test);
 void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value);
 void AppendTest(std::string& out, const SymbolTable& symbols, const TestDraft& test);
 void AppendRhsValue(std::string& out, const SymbolTable& symbols, const ValueDraft& value);
-/// "(<s> ^name value +)" or "(write ...)": one action on its own. The sign of an acceptable preference is shown for
-/// the attribute operator only.
+/// Appends one action: "(<s> ^name value +)" or "(write ...)". The sign of an acceptable preference is shown only for
+/// the attribute `operator`.
 void AppendAction(std::string& out, const SymbolTable& symbols, const Action& action);
-/// As AppendAction, with the sign of an acceptable preference always shown.
+/// Like AppendAction, but always shows the sign of an acceptable preference.
 void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const ActionDraft& action);
-/// "(<s> ^name value)", "(<s> -^name value)" or "-{ (...) (...)}" in one line; with `state` if the condition tests for
-/// a state.
+/// Appends a condition in one line: "(<s> ^name value)", "(<s> -^name value)" or "-{ (...) (...)}". Includes the word
+/// `state` if the condition tests for a state.
 void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition);
 
-/// The sign of a comparison with a space after it: "<> ", "@ "; empty for tests without a sign.
+/// The sign of a comparison followed by a space: "<> ", "@ ". Empty for tests without a sign.
 std::string_view ComparisonSign(TestKind kind);
-/// The sign of a preference: "+", ">", "=", without its referent.
+/// The sign of a preference without its referent: "+", ">", "=".
 std::string_view PreferenceSign(PreferenceType type);
 
 }  // namespace soarbox::kernel

@@ -37,7 +37,7 @@ bool operator==(const Action& a, const Action& b) {
          a.attribute == b.attribute && a.value == b.value && a.referent == b.referent;
 }
 
-/// How many bytes the tree of a draft takes.
+/// Computes the size of a draft's tree in bytes.
 class RuleSize {
  public:
   explicit RuleSize(const RuleDraft& draft) {
@@ -89,7 +89,7 @@ class RuleSize {
   std::size_t bytes_ = 0;
 };
 
-/// Lays the tree of a draft out in a block of that size.
+/// Writes the tree of a draft into a block of that size.
 class RuleWriter {
  public:
   explicit RuleWriter(std::byte* block) : next_(block) {}
@@ -143,7 +143,7 @@ class RuleWriter {
   }
 
  private:
-  /// Room for some values, made by default. Everything but texts is aligned to four bytes, and texts come last.
+  /// Allocates value-initialized objects. Everything except texts is aligned to four bytes; texts come last.
   template <typename T>
   T* Take(std::size_t count) {
     static_assert(alignof(T) <= 4);

@@ -12,25 +12,24 @@
 #include "kernel/rules/file_name.h"
 #include "kernel/rules/rule_kinds.h"
 
-/// A rule after reading, checking and reordering: the input of the match, the firing and the printers. It is immutable
-/// once made, and shared by agents that run the same rules; symbols are handles of their table.
+/// A finished rule, after reading, checking and reordering. The match, firing and printers use it. Immutable, and
+/// shared by agents with the same rules; its symbols are handles of their tables.
 ///
-/// The tree of a rule is in one block of memory and is small, because there are many rules. Its parts refer to each
-/// other by their distance in the block, so you cannot copy them one by one; ToDraft (draft.h) gives a copy that you
-/// can change.
+/// The tree of a rule is in one compact block of memory, because there are many rules. Its parts refer to each other by
+/// offsets in the block, so they cannot be copied one by one. ToDraft (draft.h) returns a mutable copy.
 namespace soarbox::kernel {
 
 struct RuleDraft;
 
-/// What a field of a condition must be.
+/// The test of one field of a condition.
 struct Test {
   TestKind kind : 8 = TestKind::kBlank;
 
-  /// Constant or variable, for the relational kinds and @; else none.
+  /// The constant or variable of the relational kinds and @; else none.
   Symbol referent() const { return IsList() || kind == TestKind::kBlank ? Symbol() : Symbol::FromBits(data_); }
-  /// Of kConjunction; never nested, at most one is kEqual.
+  /// The parts of a kConjunction. Never nested; at most one is kEqual.
   std::span<const Test> parts() const;
-  /// Of kDisjunction.
+  /// The values of a kDisjunction.
   std::span<const Symbol> disjuncts() const;
 
   Test() = default;
@@ -44,8 +43,8 @@ struct Test {
   bool IsList() const { return kind == TestKind::kConjunction || kind == TestKind::kDisjunction; }
   const std::byte* Items() const { return reinterpret_cast<const std::byte*>(this) + data_; }
 
-  std::uint32_t count_ : 24 = 0;  ///< Of the items, for lists.
-  std::uint32_t data_ = 0;        ///< The referent's bits, or how many bytes after this test its items begin.
+  std::uint32_t count_ : 24 = 0;  ///< Number of items, for lists.
+  std::uint32_t data_ = 0;        ///< The referent's bits; for lists, the offset in bytes from this test to its items.
 };
 static_assert(sizeof(Test) == 8);
 
@@ -54,7 +53,7 @@ struct Condition {
   bool tests_acceptable = false;  ///< ^operator <o> +
   Test id, attribute, value;      ///< kPositive, kNegative.
 
-  /// Of kConjunctiveNegation.
+  /// The conditions of a kConjunctiveNegation.
   std::span<const Condition> conditions() const {
     if (kind != ConditionKind::kConjunctiveNegation) return {};
     return {reinterpret_cast<const Condition*>(id.Items()), id.count_};
@@ -80,11 +79,11 @@ struct RhsValue {
 
   /// The constant or the variable's name; none for functions.
   Symbol symbol() const { return kind == RhsValueKind::kFunction ? Symbol() : Symbol::FromBits(data_); }
-  /// Of kBound.
+  /// For kBound.
   BindingSite site() const { return {index_, field_}; }
-  /// Of kNew: which of the rule's new identifiers.
+  /// For kNew: an index into Production::new_identifiers.
   std::uint16_t new_index() const { return index_; }
-  /// Of kFunction: index in the table of built-in functions.
+  /// For kFunction: an index into the table of built-in functions.
   std::uint16_t function_index() const { return index_; }
   std::span<const RhsValue> arguments() const;
 
@@ -99,8 +98,8 @@ struct RhsValue {
   friend class RuleWriter;
   Field field_ = Field::kId;
   std::uint16_t index_ = 0;
-  std::uint32_t data_ = 0;  ///< The symbol's bits, or how many bytes after this value the number of arguments is;
-                            ///< the arguments follow it.
+  std::uint32_t data_ = 0;  ///< The symbol's bits; for functions, the offset in bytes from this value to the number of
+                            ///< arguments, which the arguments follow.
 };
 static_assert(sizeof(RhsValue) == 8);
 
@@ -115,7 +114,7 @@ struct Action {
   bool is_function_call = false;  ///< (write ...): only `value` is used.
   PreferenceType preference = PreferenceType::kAcceptable;
   RhsValue id, attribute, value;
-  RhsValue referent;  ///< The binary preferences and kNumericIndifferent.
+  RhsValue referent;  ///< For binary preferences and kNumericIndifferent.
 
   bool HasReferent() const { return kernel::HasReferent(preference); }
   friend bool operator==(const Action& a, const Action& b);
@@ -124,7 +123,7 @@ static_assert(sizeof(Action) == 36);
 
 class Production {
  public:
-  /// Makes a rule from a draft whose variables are bound.
+  /// Builds a rule from a draft whose variables are bound.
   static std::shared_ptr<const Production> Make(const RuleDraft& draft);
 
   ProductionType type = ProductionType::kUser;
@@ -132,16 +131,16 @@ class Production {
   bool has_documentation = false;  ///< An empty documentation string differs from a missing one.
   bool interrupt = false;          ///< :interrupt
   bool explain = false;            ///< :explain
-  bool is_rl = false;              ///< Exactly one action, a numeric-indifferent preference for an operator.
-                                   ///< Never for templates.
-  int line = 0, column = 0;        ///< Of the rule's first character in `file`; 0 if unknown.
+  bool is_rl = false;  ///< True if the only action is a numeric-indifferent preference for an operator. Always false
+                       ///< for templates.
+  int line = 0, column = 0;  ///< Of the rule's first character in `file`; 0 if unknown.
   std::string_view name;
   std::string_view documentation;
   std::span<const Condition> conditions;    ///< In match order.
   std::span<const Action> actions;          ///< In firing order.
-  std::span<const Symbol> new_identifiers;  ///< The variables behind RhsValueKind::kNew, by new_index.
+  std::span<const Symbol> new_identifiers;  ///< The variables of RhsValueKind::kNew terms, by new_index.
 
-  /// Where it was read from; empty for typed rules.
+  /// The file that the rule was read from; empty for typed rules.
   const std::string& file() const { return file_.text(); }
   const FileName& file_name() const { return file_; }
   std::size_t MemoryBytes() const { return sizeof(Production) + block_bytes_; }

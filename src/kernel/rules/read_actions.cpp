@@ -45,7 +45,7 @@ bool RuleReader::ReadActions(Actions& out) {
 
 bool RuleReader::ReadMakeActions(Actions& out) {
   Term object;
-  if (Is(TokenKind::kIdentifier)) {  // Stands for nothing that a rule knows: refused in the end, as written.
+  if (Is(TokenKind::kIdentifier)) {  // Identifiers are not allowed here: the rule is refused later, with this text.
     object.symbol = symbols_.Variable(body_.substr(token_.offset, token_.length));
     object.variable = variables_.Add(object.symbol);
     Advance();
@@ -88,7 +88,8 @@ bool RuleReader::ReadMakeActions(Actions& out) {
 
 bool RuleReader::ReadValues(const ValueDraft& id, const ValueDraft& attribute, Actions& out) {
   const bool is_operator = attribute.kind == RhsValueKind::kConstant && attribute.symbol == words::kOperator;
-  // A dotted path makes an object; only on its own, `operator` is the slot that takes preferences.
+  // At the end of a dotted path, `operator` is an ordinary attribute. Only outside of paths is it the slot that takes
+  // preferences.
   const bool in_path = is_operator && out.last != nullptr && !out.last->is_function_call &&
                        out.last->value.kind == RhsValueKind::kNew && out.last->value.symbol == id.symbol &&
                        symbols_.Text(id.symbol).find('*') != std::string::npos;
@@ -146,7 +147,7 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   const bool unknown = value.index == RhsValue::kUserFunction;
   if (unknown) {
     const bool is_registered = language_.is_client_function && language_.is_client_function(TextOf(name));
-    // (make <o> ^name go) and (1 + <n>) are no calls: the errors at ^ and + say what is wrong.
+    // (make <o> ^name go) and (1 + <n>) are not calls: the errors at ^ and + describe the problem.
     const std::size_t after = body_.find_first_of("()|\"^", name.offset + name.length);
     const bool is_word = name.kind == TokenKind::kString || name.kind == TokenKind::kIdentifier;
     const bool is_call = is_word && (after == std::string_view::npos || body_[after] != '^');
@@ -169,7 +170,7 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
     }
     Advance();
   }
-  // The name of an unknown function is the first argument of exec, and is read as such.
+  // The name of an unknown function becomes the first argument of exec, and is read as such.
   while (!Is(TokenKind::kRightParen)) {
     ValueDraft argument;
     if (!ReadRhsValue(argument, depth)) {
@@ -189,7 +190,7 @@ bool RuleReader::ReadFunction(ValueDraft& value, bool as_action, int depth) {
   return true;
 }
 
-/// A function's name as it is called, without bars.
+/// A function's name without bars.
 std::string RuleReader::TextOf(const RuleToken& name) const {
   return std::string(name.kind == TokenKind::kString ? name.text : body_.substr(name.offset, name.length));
 }
@@ -353,7 +354,7 @@ std::string RuleReader::DescribeAction(const ActionDraft& action) const {
   };
   std::string id = text(action.id);
   if (id.find('*') != std::string::npos) {
-    id.insert(1, "#");  // Soar shows its working name for the variables that a path adds.
+    id.insert(1, "#");  // Soar shows its internal name for variables that a path adds.
   }
   return "id = " + id + "\t attr = " + text(action.attribute) + "\t value = " + text(action.value);
 }

@@ -40,7 +40,7 @@ TestKind RelationOf(TokenKind kind) {
 
 }  // namespace
 
-// Only names of the form <x*...> can clash, and few rules write any.
+// Only names of the form <x*...> can clash, and few rules contain any.
 void VariableNames::CollectWritten() {
   collected_ = true;
   bool may_clash = false;
@@ -88,7 +88,7 @@ char VariableNames::LetterFor(Symbol attribute) const {
   return IsLetter(first) ? ToLower(first) : 'v';
 }
 
-/// Denies a list of conditions: one is toggled, several become a conjunctive negation.
+/// Negates a list of conditions: one condition changes its sign, several become a conjunctive negation.
 void RuleReader::Negate(const Conditions& conditions, Conditions& out) {
   if (conditions.first == conditions.last) {
     ConditionDraft* const only = conditions.first;
@@ -160,8 +160,8 @@ bool RuleReader::ReadPositiveCondition(Conditions& out, int depth) {
   return true;
 }
 
-/// Conditions get but the variable of the object that they stand for; the whole test of it goes to one positive
-/// condition. If there is none, all have it.
+/// Sets the identifier tests of conditions. Each condition tests the variable of its object; the other tests of the
+/// object are added to one positive condition, or to all conditions if none is positive.
 void RuleReader::FillIn(const Conditions& conditions, const TestDraft& id) {
   if (id.kind == TestKind::kEqual) {
     return;
@@ -182,7 +182,8 @@ void RuleReader::FillIn(const Conditions& conditions, const TestDraft& id) {
   }
 }
 
-/// Reads (<object> ^attribute value ...); `object` is then what is tested of it, and the conditions name its variable.
+/// Reads (<object> ^attribute value ...). Sets `object` to the tests of the object; the conditions refer to its
+/// variable.
 bool RuleReader::ReadObject(Conditions& out, char id_letter, TestDraft& object, int depth) {
   if (depth > kMaxDepth) {
     return Fail("Conditions are nested too deeply");
@@ -269,14 +270,14 @@ bool RuleReader::ReadAttributes(const TestDraft& id, Conditions& out, int depth)
   return true;
 }
 
-// No two conditions share the parts of a test: later stages change them in place.
+// No two conditions may share the parts of a test, because later stages change them in place.
 bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int depth) {
   TestDraft id = first_id;
   TestDraft attribute;
   if (!ReadTest(attribute)) {
     return false;
   }
-  // A variable made for the attribute does not name the one for the value.
+  // Determined before AddEquality, because the value's variable must not be named after a generated one.
   char letter = names_.LetterFor(EqualitySymbol(attribute));
   AddEquality(attribute, 'a');
   while (Accept(TokenKind::kPeriod)) {
@@ -297,7 +298,7 @@ bool RuleReader::ReadAttribute(const TestDraft& first_id, Conditions& out, int d
   while (!Is(TokenKind::kUpArrow) && !Is(TokenKind::kMinus) && !Is(TokenKind::kRightParen)) {
     ConditionDraft* const condition = arena_.New<ConditionDraft>();
     condition->id = Copy(id, arena_);
-    if (has_value) {  // The whole test of the attribute stands in the first condition.
+    if (has_value) {  // All tests of the attribute are in the first condition.
       condition->attribute = Equal({EqualitySymbol(attribute), EqualityVariable(attribute)});
     } else {
       condition->attribute = Copy(attribute, arena_);
@@ -359,9 +360,9 @@ bool RuleReader::ReadTest(TestDraft& test) {
   return true;
 }
 
-/// `$ <x>` is a variable that learning does not put in the place of the value, `$$ <x>` only says this of a variable
-/// that the same test binds. In front of a constant, which stays in any case, and of nothing, `$` means no more than
-/// itself. False if there is no such sign.
+/// Reads a sign for literal values. `$ <x>` is a variable whose matched value learning keeps. `$$ <x>` states the same
+/// for a variable that is bound in the same test. `$` before anything else is an ordinary character: constants stay as
+/// they are in any case. Returns false if there is no such sign.
 bool RuleReader::ReadLiteral(DraftList<TestDraft>& parts) {
   const std::string_view sign = body_.substr(token_.offset, token_.length);
   if (language_.version == SoarVersion::k963 || !Is(TokenKind::kString) || (sign != "$" && sign != "$$")) {
@@ -382,7 +383,7 @@ bool RuleReader::ReadLiteral(DraftList<TestDraft>& parts) {
   return true;
 }
 
-/// A variable that stays literal is the one that its own test binds.
+/// Checks that a literal variable is the one that its own test binds.
 bool RuleReader::CheckLiterals(const DraftList<TestDraft>& parts) {
   for (const TestDraft& part : parts) {
     if (part.kind != TestKind::kLiteral) {

@@ -15,14 +15,14 @@ namespace soarbox::kernel {
 namespace {
 
 constexpr std::int64_t kInfinite = kInfiniteCost;
-/// Later complaints about unconnected identifiers do not repeat the earlier ones.
+/// Maximum number of earlier complaints that a complaint about unconnected identifiers repeats.
 constexpr std::size_t kMostRepeated = 50;
 
 struct GoalTest {
   std::uint32_t variable = kNoVariable;
   TestKind kind = TestKind::kState;
-  bool of_id = false;     ///< Written of the identifier of a condition.
-  bool of_value = false;  ///< Written of the object that is the value of one: ^superstate (state <ss> ...).
+  bool of_id = false;     ///< Written before the identifier of a condition.
+  bool of_value = false;  ///< Written before the identifier of an object that is a value: ^superstate (state <ss> ...).
   bool placed = false;
   GoalTest* next = nullptr;
 };
@@ -48,7 +48,7 @@ bool IsGoalTest(const TestDraft& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
 }
 
-/// The equality behind all other tests.
+/// Moves the equality test after all other tests.
 void PutEqualityLast(TestDraft& test) {
   DraftList<TestDraft> kept, equality;
   for (TestDraft* part = test.parts.first; part != nullptr;) {
@@ -60,11 +60,11 @@ void PutEqualityLast(TestDraft& test) {
   test.parts = kept;
 }
 
-/// Orders one list of conditions: those of a rule, or those inside a conjunctive negation. `Set` is a set of variables.
+/// Orders one list of conditions: those of a rule, or those of a conjunctive negation. `Set` is a set of variables.
 template <typename Set>
 class ListReorderer {
  public:
-  /// `bound` has kNoVariable as well: constants are known.
+  /// `bound` must contain kNoVariable, because constants count as bound.
   ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables,
                 const ExpectedValues& expected, Arena& arena, const Set& bound, ReorderOutcome& out)
       : rule_name_(rule_name),
@@ -81,7 +81,7 @@ class ListReorderer {
         ahead_(variables, arena),
         waiting_tests_(arena) {}
 
-  /// `is_top`: these are the conditions of a rule, which must hang on something.
+  /// `is_top`: these are the conditions of a rule, which must be connected with a state.
   void Reorder(DraftList<ConditionDraft>& conditions, bool is_top) {
     Strip(conditions);
     const bool has_roots = FindRoots();
@@ -107,17 +107,17 @@ class ListReorderer {
   }
 
  private:
-  /// A condition that waits to be placed.
+  /// A condition that is not placed yet.
   struct Waiting {
     ConditionDraft* condition = nullptr;
     bool positive = false;
     bool placed = false;
-    std::uint32_t fields[3] = {};  ///< The variables of the fields' equality tests.
-    std::int64_t expected = 1;     ///< Of positive ones: values under the attribute, if that is known.
-    std::int64_t cost = 0;         ///< As long as no more of `needs` is bound.
-    std::uint64_t age = 0;         ///< Of positive ones: how new their constants are, the attribute's first.
-    Set* needs = nullptr;          ///< Its variables; of negated conditions those that positive ones of this list bind.
-                                   ///< Null in long lists.
+    std::uint32_t fields[3] = {};  ///< The variables in the fields' equality tests.
+    std::int64_t expected = 1;     ///< For positive conditions: expected number of values of the attribute.
+    std::int64_t cost = 0;         ///< Valid while no more of `needs` are bound.
+    std::uint64_t age = 0;  ///< For positive conditions: the ages of their constants, that of the attribute first.
+    Set* needs = nullptr;   ///< Its variables; for negated conditions only those bound by positive ones of this list.
+                            ///< Null in long lists.
   };
 
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
@@ -147,7 +147,7 @@ class ListReorderer {
     }
   }
 
-  /// The same for a long list.
+  /// Like PlaceByScan, for a long list.
   void PlaceByQueue(DraftList<ConditionDraft>& conditions) {
     const std::vector<std::uint32_t> needs = AllNeeds();
     std::vector<QueuedCondition> queued(count_);
@@ -186,7 +186,7 @@ class ListReorderer {
     queue_.reset();
   }
 
-  /// The needs of all waiting conditions, one after the other; needs_end_ says where those of each end.
+  /// The needs of all waiting conditions, concatenated. Sets needs_end_ to the end of each.
   std::vector<std::uint32_t> AllNeeds() {
     ListedVariables needs(variables_.size());
     needs_end_.clear();
@@ -206,7 +206,7 @@ class ListReorderer {
     return std::move(needs.all);
   }
 
-  /// Lists of variables, each variable once in each list.
+  /// Lists of variables; each list contains a variable once.
   struct ListedVariables {
     explicit ListedVariables(std::uint32_t variables) : last_in(variables) {}
     void Begin() {
@@ -224,12 +224,12 @@ class ListReorderer {
       all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(begin), all.end(), is_dropped), all.end());
     }
     std::vector<std::uint32_t> all;
-    std::vector<std::uint32_t> last_in;  ///< By variable: the number of the last list that has it.
+    std::vector<std::uint32_t> last_in;  ///< By variable: the last list that contains it.
     std::size_t begin = 0;
     std::uint32_t list = 0;
   };
 
-  /// Takes the tests that may have to move off the positive conditions, in text order.
+  /// Removes the tests that may have to move from the positive conditions, in text order.
   void Strip(const DraftList<ConditionDraft>& conditions) {
     count_ = conditions.Count();
     is_long_ = count_ >= ConditionQueue::kFewest;
@@ -265,7 +265,7 @@ class ListReorderer {
     }
   }
 
-  /// Less than what stands for "not yet", however much is expected.
+  /// The expected number of values, limited so that it is less than the cost that means "unbound".
   std::int64_t ExpectedUnder(const TestDraft& attribute) const {
     if (expected_.all().empty()) {
       return 1;
@@ -311,7 +311,8 @@ class ListReorderer {
     (of_id ? test->of_id : test->of_value) = true;
   }
 
-  /// What is linked to a root need not be tested to be a state.
+  /// Drops the state tests of identifiers that are not roots, because these are linked to a root. Keeps tests written
+  /// at values.
   void DropGoalTests() {
     for (GoalTest& test : goal_tests_) {
       if (test.kind == TestKind::kState && !test.of_value && test.variable != kNoVariable &&
@@ -330,7 +331,7 @@ class ListReorderer {
     return false;
   }
 
-  /// Roots are the identifiers that no condition has as its value; without any, the first state.
+  /// Finds the roots: identifiers that are the value of no condition. If there are none, the first state is the root.
   bool FindRoots() {
     bool any = false;
     for (std::size_t n = 0; n < count_; ++n) {
@@ -348,7 +349,7 @@ class ListReorderer {
     for (const GoalTest& test : goal_tests_) {
       if (!any && test.variable != kNoVariable && test.kind == TestKind::kState && test.of_id) {
         roots_.Add(test.variable);
-        bound_.Add(test.variable);  // As in Soar: what is negated of it may come first.
+        bound_.Add(test.variable);  // As in Soar, its negated conditions may come first.
         any = true;
       }
     }
@@ -356,7 +357,7 @@ class ListReorderer {
     return any;
   }
 
-  /// Soar repeats the earlier complaints with each new one.
+  /// Reports an unconnected root. Like Soar, repeats the earlier complaints with each new one.
   void NoteUnconnected(Symbol root) {
     out_.unconnected.push_back(root);
     if (out_.unconnected.size() > kMostRepeated) {
@@ -398,7 +399,7 @@ class ListReorderer {
     }
   }
 
-  /// Until every root is bound, roots count as bound, in any field, and nobody asks how many values are expected.
+  /// Until every root is bound, roots count as bound in any field, and expected numbers of values are ignored.
   bool IsKnown(std::uint32_t variable) const { return bound_.Has(variable) || (roots_wait_ && roots_.Has(variable)); }
 
   std::int64_t Cost(const Waiting& waiting) const {
@@ -412,7 +413,7 @@ class ListReorderer {
     return (IsKnown(waiting.fields[1]) ? values : kUnboundCost) * (IsKnown(waiting.fields[2]) ? 1 : kUnboundCost);
   }
 
-  /// Notes which conditions each variable makes cheaper.
+  /// Determines the conditions that each variable makes cheaper.
   void FindUsers() {
     const std::uint32_t variables = variables_.size();
     users_end_ = arena_.NewArray<std::uint32_t>(variables + 1u);
@@ -429,8 +430,8 @@ class ListReorderer {
     for_each([&](std::uint32_t variable, Waiting* waiting) { users_[users_end_[variable]++] = waiting; });
   }
 
-  /// The cheapest cost among the others once `taken` has been chosen. `tied` conditions, it among them, cost `cheapest`
-  /// and none costs less.
+  /// The lowest cost among the other conditions after `taken` has been placed. `tied` conditions, including `taken`,
+  /// cost `cheapest`; none costs less.
   std::int64_t LookAhead(std::size_t taken, std::int64_t cheapest, std::size_t tied) {
     if (users_end_ == nullptr) {
       if (count_ < kManyConditions) {
@@ -438,8 +439,8 @@ class ListReorderer {
       }
       FindUsers();
     }
-    // Only conditions that use what it binds get cheaper. Unless all that are tied with it do, one of them keeps its
-    // cost.
+    // Only conditions that use its new variables get cheaper. Unless all conditions tied with it do, one of them still
+    // has the lowest cost.
     const Waiting* const chosen = waiting_[taken];
     std::uint32_t added[3];
     std::size_t added_count = 0;
@@ -497,13 +498,13 @@ class ListReorderer {
     return symbol.IsConstant() ? symbols_.Stamp(symbol) : 0;
   }
 
-  /// Which of the waiting conditions to take next.
+  /// The index of the next condition to place.
   std::size_t Choose() {
     if (count_ == 1 && warned_) {
       return 0;
     }
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();
-    std::size_t tied = 0;  // How many of tied_ count; last in the text first.
+    std::size_t tied = 0;  // The number of valid entries in tied_; the last in the text is first.
     for (std::size_t at = count_; at-- > 0;) {
       Waiting& waiting = *waiting_[at];
       if (roots_came_ || waiting.needs->Meets(fresh_)) {
@@ -536,7 +537,7 @@ class ListReorderer {
       bool replace = false;
       if (look_ahead) {
         if (best == 1 && !newer) {
-          continue;  // Nothing can be cheaper.
+          continue;  // No other condition can be cheaper.
         }
         const std::int64_t ahead = LookAhead(tied_[i], cheapest, tied);
         replace = ahead < best || (ahead == best && held.positive && candidate.positive && newer);
@@ -559,7 +560,7 @@ class ListReorderer {
     }
   }
 
-  /// Binds the condition's variables and puts back the tests that can be decided here.
+  /// Binds the condition's variables and puts back the tests that can be decided in it.
   void Place(ConditionDraft& condition) {
     switch (condition.kind) {
       case ConditionKind::kPositive:
@@ -621,7 +622,7 @@ class ListReorderer {
     out_.ok = false;
   }
 
-  /// Each goal test once: on the first positive condition with its variable as identifier.
+  /// Adds each goal test once: to the first positive condition with its variable as identifier.
   void PlaceGoalTests(const DraftList<ConditionDraft>& conditions) {
     for (ConditionDraft& condition : conditions) {
       if (condition.kind == ConditionKind::kPositive) {
@@ -654,20 +655,20 @@ class ListReorderer {
   Set roots_, positive_values_, positive_variables_;
   std::size_t roots_unbound_ = 0;
   bool roots_wait_ = false;  ///< Some root is not bound yet.
-  bool roots_came_ = false;  ///< The last root has been bound since the costs were computed.
-  Set fresh_;                ///< Variables bound since the costs were computed.
-  Set ahead_;                ///< Scratch of LookAtAll: variables bound for a moment.
+  bool roots_came_ = false;  ///< The last root was bound after the costs were computed.
+  Set fresh_;                ///< Variables bound after the costs were computed.
+  Set ahead_;                ///< Scratch of LookAtAll: variables that are bound temporarily.
   static constexpr std::size_t kManyConditions = 12;
   Waiting** users_ = nullptr;           ///< By variable: the conditions that need it.
-  std::uint32_t* users_end_ = nullptr;  ///< Where those of each variable end; null: not found out yet.
-  std::vector<Symbol> unconnected_;     ///< Roots of this list that are no goals.
+  std::uint32_t* users_end_ = nullptr;  ///< By variable: the end of its conditions; null if not computed yet.
+  std::vector<Symbol> unconnected_;     ///< Roots of this list without a goal test.
   WaitingTests waiting_tests_;
   DraftList<GoalTest> goal_tests_;
   Waiting** waiting_ = nullptr;  ///< Conditions that are not placed yet, in text order.
   std::size_t count_ = 0;
   std::uint32_t* tied_ = nullptr;  ///< Scratch of Choose.
   bool warned_ = false;
-  bool is_long_ = false;  ///< There are so many conditions that a queue chooses among them.
+  bool is_long_ = false;  ///< A queue chooses, because there are many conditions.
   std::optional<ConditionQueue> queue_;
   std::vector<std::size_t> needs_end_;
 };

@@ -15,13 +15,14 @@ namespace soarbox::kernel {
 struct ReorderOutcome {
   bool ok = true;
   std::vector<RuleMessage> messages;
-  std::vector<Symbol> unconnected;  ///< Root variables that no goal test names.
+  std::vector<Symbol> unconnected;  ///< Root variables without a goal test.
 };
 
-/// Puts a rule's conditions into match order, as Soar does (kernel_algorithms: cheapest next, one step of look-ahead,
-/// ties by creation stamps), and moves every test to the first place where both its sides are bound, turned round if
-/// necessary. Relational tests on unbound variables are dropped from positive conditions and are errors in negated
-/// ones. `variables` has numbered all variables of the conditions; `expected` makes some attributes more expensive.
+/// Puts a rule's conditions into match order, as Soar does: the cheapest next, with one step of look-ahead; creation
+/// stamps decide ties (docs/spec/kernel_algorithms.md). Moves every test to the first field where both its sides are
+/// bound, and swaps its sides if necessary. Relational tests on unbound variables are dropped from positive conditions
+/// and are errors in negated ones. `variables` contains all variables of the conditions; `expected` makes some
+/// attributes more expensive.
 ReorderOutcome ReorderConditions(RuleDraft& rule, const VariableIndex& variables, const ExpectedValues& expected,
                                  const SymbolTable& symbols, Arena& arena);
 

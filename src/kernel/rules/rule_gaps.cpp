@@ -16,7 +16,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Who has more than these has other troubles.
+/// Maximum number of warnings.
 constexpr std::size_t kMostGaps = 50;
 
 bool IsOrdering(TestKind kind) {
@@ -35,11 +35,11 @@ bool ComparesWithNumber(const Test& test) {
   return IsOrdering(test.kind) && test.referent().IsNumber();
 }
 
-/// The numbers that one field lets through, as far as comparisons with numbers tell.
+/// The numbers that one field accepts, according to its comparisons with numbers.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool has_low = true, has_high = true;  ///< The limits themselves are let through.
+  bool has_low = true, has_high = true;  ///< The limits themselves are accepted.
 
   void Narrow(TestKind kind, double number) {
     const bool closed = kind == TestKind::kLessOrEqual || kind == TestKind::kGreaterOrEqual;
@@ -58,13 +58,13 @@ struct Range {
   }
 };
 
-/// The conditions of a rule as numbers, with variables by order of appearance; one field's comparisons with numbers are
-/// left out. Rules with the same outline are siblings.
+/// The conditions of a rule as numbers, with variables numbered by first occurrence and without the comparisons of one
+/// field with numbers. Rules with equal outlines are siblings.
 class Outline {
  public:
   using Key = std::vector<std::uint32_t>;
 
-  /// `hole`: the value of which positive condition is compared.
+  /// `hole` is the index of the positive condition whose value is compared.
   Outline(const Production& rule, std::size_t hole) : hole_(hole) { Add(rule.conditions, true); }
 
   Key Take() { return std::move(key_); }
@@ -115,14 +115,14 @@ class Outline {
   }
 
   static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
-  static constexpr std::uint32_t kVariable = 0xF0000000u;  ///< No symbol's bits begin so.
+  static constexpr std::uint32_t kVariable = 0xF0000000u;  ///< No symbol has such bits.
 
   std::size_t hole_;
   Key key_;
   std::vector<Symbol> variables_;
 };
 
-/// Which condition's value a rule compares with numbers, if there is just one.
+/// The index of the only condition whose value a rule compares with numbers; none if there are several or none.
 std::optional<std::size_t> OnlyComparison(const Production& rule) {
   std::optional<std::size_t> found;
   for (std::size_t n = 0; n < rule.conditions.size(); ++n) {
@@ -163,8 +163,8 @@ struct Sibling {
   Range range;
 };
 
-/// True if some proposal takes the number by naming it, or takes any value of the attribute: rules that are built in
-/// another way than the siblings, but may well be meant for it.
+/// Returns true if another proposal tests the number by equality, or accepts any value of the attribute. Such rules
+/// differ from the siblings in structure, but are probably meant for this case.
 bool IsNamedElsewhere(std::span<const Production* const> rules, Symbol attribute, double number,
                       const SymbolTable& symbols) {
   const auto names = [&](Symbol symbol) { return symbol.IsNumber() && symbols.NumberValue(symbol) == number; };
@@ -226,7 +226,7 @@ std::vector<Diagnostic> FindRuleGaps(std::span<const Production* const> rules, s
       families[Outline(rule, *hole).Take()].push_back({&rule, number, *hole, RangeOf(rule, *hole, symbols)});
     }
   }
-  std::vector<std::pair<std::size_t, Diagnostic>> found;  // By the later rule.
+  std::vector<std::pair<std::size_t, Diagnostic>> found;  // Sorted by the later rule.
   const std::size_t first_fresh = rules.size() - std::min(fresh, rules.size());
   for (const auto& [key, siblings] : families) {
     for (const Sibling& below : siblings) {

@@ -10,13 +10,13 @@
 
 namespace soarbox::kernel {
 
-/// Finds numbers that fall between two proposals: one rule tests that a value is below a number, its sibling tests that
-/// it is above the same number, and no third rule accepts the number itself. An agent that meets exactly this number
-/// has no operator.
+/// Finds numbers that no proposal accepts: one rule tests that a value is below a number, a sibling tests that it is
+/// above the same number, and no third rule accepts the number itself. At exactly this number the agent has no
+/// operator.
 ///
-/// Siblings are rules that propose operators and have the same conditions except for what they compare one value with.
-/// Other gaps are not reported: users often leave out a range on purpose. Only gaps beside one of the last `fresh`
-/// rules count. Each warning is at the later of the two rules.
+/// Siblings are rules that propose operators and have equal conditions except for the comparisons of one value. Other
+/// gaps are not reported, because users often omit a range on purpose. Only gaps next to one of the last `fresh` rules
+/// are reported. The place of each warning is the later of the two rules.
 std::vector<Diagnostic> FindRuleGaps(std::span<const Production* const> rules, std::size_t fresh,
                                      const SymbolTable& symbols);
 

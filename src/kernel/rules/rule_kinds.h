@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// The terms that describe rules, drafts and finished rules alike.
+/// Enumerations that drafts and finished rules share.
 namespace soarbox::kernel {
 
 enum class TestKind : std::uint8_t {
@@ -17,17 +17,17 @@ enum class TestKind : std::uint8_t {
   kSameType,
   kDisjunction,  ///< << a b c >>
   kConjunction,  ///< { ... }
-  kState,        ///< The word `state` before an identifier test. On a positive condition's identifier only once per
-                 ///< variable, on the first condition (in match order) with this variable as its identifier.
-  kImpasse,      ///< The word `impasse`.
+  kState,    ///< The word `state` before an identifier test. For positive conditions, only on the first condition (in
+             ///< match order) with this variable as its identifier.
+  kImpasse,  ///< The word `impasse`.
   kSameLti,
   kNotSameLti,  ///< @ x, !@ x
   kIsLti,
   kIsNotLti,  ///< @+, @-
-  kLiteral,   ///< $$ <x>: holds always; learning keeps the value that the variable of the same test had. The last kind.
+  kLiteral,   ///< $$ <x>: always true. Learning keeps the value that the variable in this test matched. The last kind.
 };
 
-/// A comparison with its sides swapped.
+/// The equivalent comparison after its sides have been swapped.
 constexpr TestKind TurnedRound(TestKind kind) {
   switch (kind) {
     case TestKind::kLess:
@@ -48,8 +48,8 @@ enum class ConditionKind : std::uint8_t { kPositive, kNegative, kConjunctiveNega
 /// A field of a working memory element.
 enum class Field : std::uint8_t { kId, kAttribute, kValue };
 
-/// Where a variable is bound: the n-th positive top-level condition (in match order, counted from 0 over positive
-/// conditions only) and the field in it.
+/// The place where a variable is bound: the n-th positive top-level condition (in match order, counted from 0, positive
+/// conditions only), and the field in it.
 struct BindingSite {
   std::uint16_t positive_condition = 0;
   Field field = Field::kId;

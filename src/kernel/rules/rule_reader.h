@@ -14,14 +14,14 @@
 
 namespace soarbox::kernel {
 
-/// Makes the variables that a rule needs but does not write: <a*1>, <a*2>, ... per letter, never one that the rule
-/// writes.
+/// Generates variables that the reader needs but that are not in the text: <a*1>, <a*2>, ... per letter. Skips names
+/// that are in the text.
 class VariableNames {
  public:
   VariableNames(SymbolTable& symbols, std::string_view body) : symbols_(symbols), body_(body) {}
   /// A new variable whose name starts with `letter` in lower case.
   Symbol Make(char letter);
-  /// The first letter for a variable that stands for the value of `attribute`.
+  /// The first letter of a variable for the value of `attribute`.
   char LetterFor(Symbol attribute) const;
 
  private:
@@ -30,22 +30,22 @@ class VariableNames {
   SymbolTable& symbols_;
   std::string_view body_;
   bool collected_ = false;
-  std::unordered_set<std::string> written_;  ///< The names that could clash; filled when the first variable is made.
+  std::unordered_set<std::string> written_;  ///< Names in the text that could clash; filled when needed.
   std::array<int, 26> count_{};
 };
 
-/// Reads the text of one rule by recursive descent; for ParseProduction only. Reading stops at the first error: the
-/// functions then return false, and the messages say why.
+/// Reads the text of one rule by recursive descent; used only by ParseProduction. Reading stops at the first error: the
+/// functions then return false, and the messages describe the error.
 class RuleReader {
  public:
   RuleReader(std::string_view body, const SourcePlace& place, SymbolTable& symbols, VariableIndex& variables,
              Arena& arena, const RuleLanguage& language, ParseOutcome& out);
 
-  /// Reads everything into `rule`; conditions and actions in text order, variables numbered but not yet bound.
+  /// Reads the rule into `rule`. Conditions and actions are in text order; variables are numbered but not bound.
   bool ReadRule(RuleDraft& rule);
 
  private:
-  static constexpr int kMaxDepth = 200;  ///< Of brackets within brackets.
+  static constexpr int kMaxDepth = 200;  ///< Maximum nesting of brackets.
 
   using Conditions = DraftList<ConditionDraft>;
   using Actions = DraftList<ActionDraft>;

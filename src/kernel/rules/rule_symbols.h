@@ -5,7 +5,7 @@
 
 namespace soarbox::kernel {
 
-/// Calls visit(symbol) for each constant, identifier and variable that a part of a rule names.
+/// Calls visit(symbol) for each constant, identifier and variable in a part of a rule.
 template <typename Visit>
 void ForEachSymbol(const Test& test, Visit&& visit) {
   if (test.referent()) visit(test.referent());

@@ -6,8 +6,8 @@
 
 namespace soarbox::kernel {
 
-/// Which Soar an agent behaves like where versions differ in a way that its rules can see (`soar like`).
-/// docs/spec/soar_9_6_5.md lists these differences.
+/// The version of Soar that an agent imitates, where versions differ in a way that rules can observe (`soar like`).
+/// docs/spec/soar_9_6_5.md lists the differences.
 enum class SoarVersion : std::uint8_t { k963, k965 };
 
 constexpr std::string_view TextOf(SoarVersion version) {

@@ -7,12 +7,12 @@
 
 namespace soarbox::kernel {
 
-/// Translates Soar's message into what a rule's text lacks, in plain words: "expected a value: ...". Returns a message
-/// unchanged if it is clear enough.
+/// Replaces Soar's message about a syntax error by a clearer one: "expected a value: ...". Returns messages that are
+/// clear enough unchanged.
 std::string_view DescribeSyntaxError(std::string_view soar_message);
 
-/// Where the innermost bracket is that opens before `offset` and is not closed before it. Brackets between bars or
-/// quotes do not count.
+/// The offset of the innermost bracket that opens before `offset` and is not closed before it; nothing if there is
+/// none. Brackets between bars or quotes do not count.
 std::optional<std::size_t> FindOpenBracket(std::string_view body, std::size_t offset);
 
 }  // namespace soarbox::kernel

@@ -12,14 +12,14 @@
 
 namespace soarbox::kernel {
 
-/// Numbers the variables of one rule from 0, in order of first occurrence, so that bits can represent sets of them.
+/// Numbers the variables of one rule from 0, in order of first occurrence, so that sets of them can be bit sets.
 class VariableIndex {
  public:
   VariableIndex() : slots_(first_slots_) {}
   VariableIndex(const VariableIndex&) = delete;
   VariableIndex& operator=(const VariableIndex&) = delete;
 
-  /// The number of a variable, a new one for a new variable. Symbols that are not variables have none.
+  /// Returns the number of a variable; adds the variable if it is new. Returns kNoVariable for other symbols.
   std::uint32_t Add(Symbol variable) {
     const std::uint32_t slot = Slot(variable);
     if (slots_[slot] != 0) {
@@ -27,7 +27,7 @@ class VariableIndex {
     }
     return AddNew(variable, slot);
   }
-  /// Number all variables of a draft and write the numbers into it.
+  /// Numbers all variables of a draft and stores the numbers in it.
   void NumberAll(const DraftList<ConditionDraft>& conditions);
   void NumberAll(const DraftList<ActionDraft>& actions);
 
@@ -51,14 +51,14 @@ class VariableIndex {
 
   std::uint32_t size_ = 0;
   std::uint32_t mask_ = kFirstSlots - 1;
-  std::uint32_t* slots_;  ///< By hash: a number plus one, or 0. At most half full.
+  std::uint32_t* slots_;  ///< By hash: a number plus one, or 0 if empty. At most half full.
   std::uint32_t first_slots_[kFirstSlots] = {};
   Symbol first_[kFirst];
   std::vector<Symbol> more_;
   std::vector<std::uint32_t> more_slots_;
 };
 
-/// A set of variables for a rule that has few: the usual case.
+/// A set of variables for rules with few variables, the usual case.
 class FewVariables {
  public:
   static constexpr std::uint32_t kMost = 63;
@@ -85,7 +85,7 @@ class FewVariables {
   std::uint64_t bits_ = 0;
 };
 
-/// The same for any number of variables. Copies share their members: use Assign.
+/// Like FewVariables, for any number of variables. Copies share their members: use Assign.
 class ManyVariables {
  public:
   ManyVariables(const VariableIndex& index, Arena& arena)

@@ -6,7 +6,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// Removes from a disjunction the values that another one lacks.
+/// Removes from a disjunction the values that are not in another one.
 void KeepCommon(TestDraft& test, const TestDraft& other, Arena& arena) {
   Symbol* const common = arena.NewArray<Symbol>(test.disjunct_count);
   Symbol* const end = std::copy_if(test.disjuncts, test.disjuncts + test.disjunct_count, common, [&](Symbol symbol) {
@@ -69,7 +69,7 @@ WaitingTests::SavedTest* WaitingTests::FirstWith(Symbol symbol) {
   return candidates_.empty() ? nullptr : candidates_.front();
 }
 
-/// The test as one of its referent.
+/// The test with swapped sides.
 TestDraft* WaitingTests::Turned(const SavedTest& saved) {
   TestDraft turned = saved.test;
   turned.kind = TurnedRound(turned.kind);

@@ -10,26 +10,26 @@
 
 namespace soarbox::kernel {
 
-/// The parts of a test as a list, whatever its form.
+/// The parts of a test as a list; a single test is a list of one.
 DraftList<TestDraft> PartsOf(const TestDraft& test, Arena& arena);
-/// The test with these parts: blank, the part itself, or a conjunction.
+/// Builds a test from parts: blank if there are none, the part itself if there is one, else a conjunction.
 TestDraft JoinParts(const DraftList<TestDraft>& parts);
 
-/// Tests that were removed from the fields of a list of conditions and wait until both their sides are bound: the
-/// symbol that their field equals, and their referent. PutBack then adds them to the field that was bound last, turned
-/// round if that is the referent's.
+/// Tests that were removed from conditions and wait until both sides are bound: the symbol of their field, and their
+/// referent. PutBack adds them to the field that is bound last. If that is the referent's field, their sides are
+/// swapped.
 class WaitingTests {
  public:
   explicit WaitingTests(Arena& arena) : arena_(arena) {}
 
-  /// Removes nothing: the caller has removed the test from a field that equals `field`.
+  /// The caller must have removed the test from a field that equals `field`.
   void Save(Symbol field, std::uint32_t field_variable, const TestDraft& test);
 
   bool empty() const { return unplaced_ == 0; }
 
-  /// Adds to `test` all waiting tests that are decided now that its field is bound, in text order. Equal tests are
-  /// added once; disjunctions are replaced by one of their common values. `bound`: the set of bound variables, which
-  /// contains kNoVariable.
+  /// The field of `test` has just been bound. Adds to it, in text order, all waiting tests that can now be decided.
+  /// Equal tests are added once. Several disjunctions are replaced by one with their common values. `bound` is the set
+  /// of bound variables; it must contain kNoVariable.
   template <typename Set>
   void PutBack(TestDraft& test, const Set& bound) {
     const Symbol symbol = EqualitySymbol(test);
@@ -59,11 +59,12 @@ class WaitingTests {
     SavedTest* next = nullptr;
   };
 
-  /// Above this number, tests are looked up by symbol.
+  /// With this number of tests or more, tests are looked up by symbol.
   static constexpr std::size_t kFew = 32;
 
-  /// The saved tests that a field with this symbol may decide, in text order: all if there are few. Of many, only those
-  /// that name the symbol, and only for its first field, because a test is decided as soon as both sides are bound.
+  /// Iterates over the saved tests that a field with this symbol may decide, in text order. If there are few tests,
+  /// over all of them. Else only over those that name the symbol, and only for the first field with it, because a test
+  /// is decided as soon as both sides are bound.
   SavedTest* FirstThatMayBe(Symbol symbol) { return count_ < kFew ? saved_.first : FirstWith(symbol); }
   SavedTest* NextThatMayBe(const SavedTest& saved) {
     if (count_ < kFew) return saved.next;
@@ -77,7 +78,7 @@ class WaitingTests {
   DraftList<SavedTest> saved_;
   std::size_t count_ = 0;
   std::size_t unplaced_ = 0;
-  /// If there are many saved tests: by symbol and in text order those that name it; null once they were tried.
+  /// If there are many saved tests: those that name a symbol, by symbol and text order. Null after they were tried.
   std::vector<std::tuple<std::uint32_t, std::uint32_t, SavedTest*>> tests_of_;
   std::vector<SavedTest*> candidates_;  ///< Scratch of FirstWith.
   std::size_t candidate_ = 0;

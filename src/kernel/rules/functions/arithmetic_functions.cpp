@@ -14,7 +14,7 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-// Integers wrap round on overflow, as in Soar; unsigned arithmetic makes that well defined.
+// Integers wrap around on overflow, as in Soar; unsigned arithmetic makes this well defined.
 std::int64_t WrappingAdd(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
@@ -25,7 +25,7 @@ std::int64_t WrappingMultiply(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-/// True if all arguments are numbers; else says which is not.
+/// Returns true if all arguments are numbers; else reports the first that is not.
 bool AllNumbers(FunctionContext& context, Arguments arguments, const char* function) {
   for (const Symbol argument : arguments) {
     if (!argument.IsNumber()) {
@@ -44,7 +44,7 @@ bool AllSmallIntegers(Arguments arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsSmallInteger(); });
 }
 
-/// The usual case, which needs no look at what symbols stand for.
+/// The fast path for small integers, whose values are in their handles.
 template <typename Step>
 Symbol FoldSmall(FunctionContext& context, Arguments arguments, std::int64_t start, Step step) {
   std::int64_t result = start;
@@ -54,7 +54,7 @@ Symbol FoldSmall(FunctionContext& context, Arguments arguments, std::int64_t sta
   return context.symbols().Integer(result);
 }
 
-/// Folds numbers: as integers if all are, else as floats.
+/// Folds numbers: as integers if all of them are integers, else as floats.
 template <typename IntegerStep, typename FloatStep>
 Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step,
             FloatStep float_step) {
@@ -73,7 +73,7 @@ Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, I
   return symbols.Float(result);
 }
 
-/// The smallest or largest; a float if any argument is one.
+/// The smallest or largest number; a float if any argument is one.
 template <typename IntegerPick, typename FloatPick>
 Symbol Extreme(FunctionContext& context, Arguments arguments, const char* function, IntegerPick integer_pick,
                FloatPick float_pick) {
@@ -98,7 +98,7 @@ Symbol Extreme(FunctionContext& context, Arguments arguments, const char* functi
   return symbols.Float(result);
 }
 
-/// A function of one number that gives a float.
+/// Applies a function of one number; the result is a float.
 Symbol OfOneNumber(FunctionContext& context, Arguments arguments, const char* function, double (*apply)(double)) {
   if (arguments.size() != 1 || !arguments[0].IsNumber()) {
     context.PrintError("Error: '" + std::string(function) + "' function called with non-numeric argument " +
@@ -108,7 +108,7 @@ Symbol OfOneNumber(FunctionContext& context, Arguments arguments, const char* fu
   return context.symbols().Float(apply(context.symbols().NumberValue(arguments[0])));
 }
 
-/// Two integers, the second not zero; else says why not.
+/// Returns true if the arguments are two integers and the second is not zero; else reports the error.
 bool TwoIntegers(FunctionContext& context, Arguments arguments, const char* function) {
   for (const Symbol argument : arguments) {
     if (!argument.IsInteger()) {
@@ -126,7 +126,7 @@ bool TwoIntegers(FunctionContext& context, Arguments arguments, const char* func
   return true;
 }
 
-/// Cut off behind the point; what does not fit becomes the smallest integer, as in Soar.
+/// Truncates towards zero. Values out of range become the smallest integer, as in Soar.
 std::int64_t TruncatedToInteger(double value) {
   constexpr double kLimit = 9223372036854775808.0;
   if (value >= -kLimit && value < kLimit) {
@@ -135,7 +135,7 @@ std::int64_t TruncatedToInteger(double value) {
   return std::numeric_limits<std::int64_t>::min();
 }
 
-/// What a number may begin with, taken off: blanks, and a plus sign that stands before a digit or a dot.
+/// The text of a number without leading blanks, and without a plus sign before a digit or a dot.
 std::string_view NumberText(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\n\v\f\r");
   text = start == std::string_view::npos ? std::string_view() : text.substr(start);
@@ -145,7 +145,7 @@ std::string_view NumberText(std::string_view text) {
   return text;
 }
 
-/// The number that a text begins with; 0 if it begins with none. False if it is out of range.
+/// Reads the number at the beginning of a text; 0 if there is none. Returns false if it is out of range.
 bool ReadFloat(std::string_view text, double& value) {
   text = NumberText(text);
   const bool negative = !text.empty() && text[0] == '-';

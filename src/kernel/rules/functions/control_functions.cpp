@@ -18,7 +18,7 @@ std::string Glued(FunctionContext& context, Arguments arguments) {
   return text;
 }
 
-/// The first argument as a number within limits; else says what is expected.
+/// Reads the first argument as a number within limits. If it is not one, reports the expected range and returns false.
 bool ChannelOf(FunctionContext& context, Arguments arguments, int lowest, int highest, const char* what, int& channel) {
   if (!arguments.empty() && arguments[0].IsInteger()) {
     const std::int64_t value = context.symbols().IntegerValue(arguments[0]);
@@ -46,7 +46,7 @@ Symbol SetLearning(FunctionContext& context, Arguments arguments, const char* fu
   return {};
 }
 
-/// `exec` and `cmd` without arguments: says so; the value is the text that Soar gives then.
+/// Reports that `exec` or `cmd` has no arguments. The value is the text that Soar returns in this case.
 Symbol NothingToCall(FunctionContext& context, const char* message) {
   context.PrintError(message);
   return context.symbols().String("error_expected_rhs_function_to_return_value_but_it_did_NOT");
@@ -80,7 +80,7 @@ Symbol Wait(FunctionContext& context, Arguments arguments) {
   return {};
 }
 
-/// Soar counts for a statistic that no command prints.
+/// In Soar this counts for a statistic that no command prints.
 Symbol Count(FunctionContext&, Arguments) {
   return {};
 }
@@ -135,7 +135,7 @@ Symbol Timestamp(FunctionContext& context, Arguments) {
   return context.symbols().String(context.Timestamp());
 }
 
-/// Nobody sits at a keyboard.
+/// Returns the empty string, because there is no keyboard input.
 Symbol Accept(FunctionContext& context, Arguments) {
   return context.symbols().String("");
 }

@@ -15,7 +15,8 @@ namespace {
 using Arguments = std::span<const Symbol>;
 using Child = FunctionContext::Child;
 
-/// Drops what the architecture says of an impasse: a copy of a state has it only where a rule made it.
+/// Removes the elements of an impasse that the architecture created: a copy of a state contains only those that a rule
+/// created.
 void DropImpasse(FunctionContext& context, Symbol state, std::vector<Child>& children) {
   constexpr Symbol kOfImpasses[] = {words::kSuperstate, words::kType,       words::kImpasse, words::kChoices,
                                     words::kAttribute,  words::kQuiescence, words::kItem};
@@ -32,8 +33,8 @@ void DropImpasse(FunctionContext& context, Symbol state, std::vector<Child>& chi
 
 }  // namespace
 
-/// Copies everything that can be reached; what is shared in the original is shared in the copy. An element is copied
-/// after all that is below it.
+/// Copies everything that is reachable. Structure that is shared in the original is shared in the copy. An element is
+/// copied after everything below it.
 Symbol DeepCopy(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
     return context.symbols().String("*symbol not id*");

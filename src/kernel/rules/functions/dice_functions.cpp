@@ -13,7 +13,7 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-/// More dice take too long to count.
+/// Maximum number of dice, because the time grows with it.
 constexpr double kMostDice = 1e6;
 
 bool Holds(std::string_view predicate, double left, double right) {
@@ -27,8 +27,9 @@ bool Holds(std::string_view predicate, double left, double right) {
 
 }  // namespace
 
-/// How likely it is that, of so many dice with so many sides, the number that show one given side is eq, ne, lt, gt, le
-/// or ge a count. Probabilities are kept as logarithms, so that many dice do not overflow.
+/// The probability that the number of dice that show one given side is eq, ne, lt, gt, le or ge a count; arguments are
+/// the number of dice, the number of sides, the count and the comparison. Computes with logarithms, so that many dice
+/// do not overflow.
 Symbol DiceProbability(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 4) {
     return {};

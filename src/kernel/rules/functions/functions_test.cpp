@@ -9,7 +9,7 @@
 namespace soarbox::kernel {
 namespace {
 
-/// An agent without memory: keeps what the functions say and a few objects.
+/// A context without an agent: records messages and contains a few objects.
 class FakeContext : public FunctionContext {
  public:
   SymbolTable& symbols() override { return symbols_; }
@@ -61,7 +61,7 @@ class FunctionsTest : public testing::Test {
   Symbol I(std::int64_t value) { return context_.symbols().Integer(value); }
   Symbol F(double value) { return context_.symbols().Float(value); }
 
-  /// The value as it prints, or what the function complained of.
+  /// The value as text, or the error message of the function.
   std::string Call(const char* name, std::vector<Symbol> arguments) {
     context_.errors.clear();
     const std::uint16_t index = FindBuiltinFunction(name);
@@ -243,7 +243,7 @@ TEST_F(FunctionsTest, SetFunctionsFollowPathsAndSkipWhatIsNoNumber) {
   EXPECT_EQ(Call("set-count", {I(5), S("n")}), "|\\|ERROR: First parameter needs to be an identifier.\\||");
   EXPECT_EQ(Call("set-max", {bag, S("none")}), "NaN");
   EXPECT_EQ(Call("sum", {box}), "3");
-  EXPECT_EQ(Call("sum", {bag}), "3");  // Soar's sum and product see whole numbers only.
+  EXPECT_EQ(Call("sum", {bag}), "3");  // Soar's sum and product use only integers.
   EXPECT_EQ(Call("product", {bag}), "0");
   EXPECT_EQ(Call("size", {bag}), "5");
 }

@@ -14,7 +14,7 @@ namespace {
 using Arguments = std::span<const Symbol>;
 using Child = FunctionContext::Child;
 
-/// The elements of the one argument, which must be an identifier.
+/// The elements of the only argument, which must be an identifier.
 bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* function, std::vector<Child>& out) {
   if (arguments.size() != 1 || !arguments[0].IsIdentifier()) {
     context.PrintError("Error: non-symbol (" + (arguments.empty() ? std::string() : Name(context, arguments[0])) +
@@ -25,8 +25,8 @@ bool ChildrenOf(FunctionContext& context, Arguments arguments, const char* funct
   return true;
 }
 
-/// What Soar's sum and product take a value for: they know 32-bit integers only, and of a float they see the lower half
-/// of its bits, which is 0 for most that people write. The set functions work on floats.
+/// The value that Soar's sum and product read: they support only 32-bit integers, and read the lower half of a float's
+/// bits, which is 0 for most floats in rules. The set functions support floats.
 std::uint32_t AsSoarCounts(const SymbolTable& symbols, Symbol value) {
   if (value.IsInteger()) return static_cast<std::uint32_t>(symbols.IntegerValue(value));
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(symbols.NumberValue(value)));
@@ -47,10 +47,10 @@ Symbol Folded(FunctionContext& context, Arguments arguments, const char* functio
   return symbols.Integer(static_cast<std::int32_t>(folded));
 }
 
-/// What the set functions work on: the values at the end of a path of one to three attributes from an identifier.
+/// The input of the set functions: the values at the end of a path of one to three attributes from an identifier.
 struct ValueSet {
   bool ok = false;
-  Symbol error;  ///< The function's value if this is not ok.
+  Symbol error;  ///< The function's value if `ok` is false.
   std::int64_t count = 0;
   std::vector<double> numbers;
 };
@@ -97,7 +97,7 @@ ValueSet CollectSet(FunctionContext& context, Arguments arguments) {
   return set;
 }
 
-/// A float made of the numbers of a set, or the string NaN if it has none.
+/// A float computed from the numbers of a set, or the string NaN if there are none.
 template <typename Make>
 Symbol OfSet(FunctionContext& context, Arguments arguments, Make make) {
   const ValueSet set = CollectSet(context, arguments);

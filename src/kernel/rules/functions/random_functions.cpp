@@ -9,7 +9,7 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-/// The upper limit that a rule asks for; 0 if it names none. False after saying that it is not a number.
+/// The upper limit in the arguments; 0 if there is none. Returns false, after an error message, if it is not a number.
 bool LimitOf(FunctionContext& context, Arguments arguments, const char* function, double& limit) {
   if (arguments.empty()) {
     limit = 0;

@@ -11,13 +11,13 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-/// The multiple of `unit` nearest to `value`, half away from zero. A negative unit cuts off instead, as in Soar.
+/// The multiple of `unit` nearest to `value`; half is rounded away from zero. A negative unit truncates, as in Soar.
 std::int64_t NearestMultiple(std::int64_t value, std::int64_t unit) {
   if (unit == -1) {
     return value;
   }
   const std::int64_t rest = value % unit, cut = value - rest;
-  // Twice the rest does not overflow: it is compared with what is missing to the unit.
+  // Comparing the remainder with the distance to the next multiple avoids the overflow of doubling it.
   const std::int64_t size = rest < 0 ? -rest : rest;
   if (unit < 0 || size == 0 || size < unit - size) {
     return cut;
@@ -35,7 +35,7 @@ double NearestMultiple(double value, double unit) {
   return value < 0 ? cut - unit : cut + unit;
 }
 
-/// A heading in degrees, brought to more than -180 and at most 180.
+/// A heading in degrees, normalized to more than -180 and at most 180.
 std::int64_t WithinHalfTurns(std::int64_t heading) {
   heading %= 360;
   return heading > 180 ? heading - 360 : heading <= -180 ? heading + 360 : heading;
@@ -46,7 +46,7 @@ double WithinHalfTurns(double heading) {
   return heading > 180 ? heading - 360 : heading <= -180 ? heading + 360 : heading;
 }
 
-/// Cut off behind the point; what does not fit becomes the nearest integer that there is.
+/// Truncates towards zero. Values out of range become the nearest integer in range.
 std::int64_t Whole(const SymbolTable& symbols, Symbol number) {
   if (number.IsInteger()) {
     return symbols.IntegerValue(number);
@@ -59,8 +59,8 @@ std::int64_t Whole(const SymbolTable& symbols, Symbol number) {
   return value >= -kLimit ? static_cast<std::int64_t>(value) : std::numeric_limits<std::int64_t>::min();
 }
 
-/// The unit decides: an integer gives integers, a float gives floats, which are rounded in tenths. What is to be
-/// rounded counts as 0 if it is not a number, as in Soar.
+/// The unit determines the type: an integer gives integers; a float gives floats, which are rounded to tenths. As in
+/// Soar, a value that is not a number counts as 0.
 Symbol Rounded(FunctionContext& context, Arguments arguments, const char* function, bool heading) {
   if (arguments.size() != 2) {
     return {};

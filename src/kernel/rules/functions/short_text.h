@@ -13,7 +13,7 @@
 
 namespace soarbox::kernel::function_bodies {
 
-/// A text that a function builds before it becomes a symbol: on the stack while it is short, then in a string.
+/// A text that a function builds before it becomes a symbol: on the stack while it is short, then on the heap.
 class ShortText {
  public:
   ShortText() = default;
@@ -29,7 +29,7 @@ class ShortText {
     size_ += piece.size();
   }
 
-  /// Appends the symbol as (write ...) shows it.
+  /// Appends the symbol in the format of (write ...).
   void Append(const SymbolTable& symbols, Symbol symbol) {
     if (symbol.IsString()) {
       Append(symbols.Text(symbol));
@@ -47,7 +47,7 @@ class ShortText {
  private:
   static constexpr std::size_t kRoom = 256;
   static constexpr std::size_t kLongestInteger = 20;
-  /// A text that grows beyond this is assumed to grow without end: it counts as out of memory.
+  /// Maximum length. A longer text is assumed to grow without end, so it counts as out of memory.
   static constexpr std::size_t kLongest = std::size_t{64} << 20;
 
   [[gnu::noinline]] void AppendLong(std::string_view piece) {
@@ -58,7 +58,7 @@ class ShortText {
 
   std::size_t size_ = 0;  ///< The size of the text in room_.
   char room_[kRoom];
-  std::string long_;  ///< The whole text once it no longer fits room_.
+  std::string long_;  ///< The entire text once it does not fit room_ any more.
 };
 
 }  // namespace soarbox::kernel::function_bodies

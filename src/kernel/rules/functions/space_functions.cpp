@@ -16,10 +16,10 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-/// Soar's value, a little smaller than the real one: the last degree of a heading depends on it.
+/// Soar's value, which is slightly too small; it affects the last degree of headings.
 constexpr double kPi = 3.1415926;
 
-/// Cut off behind the point; what does not fit becomes the smallest integer, as in Soar.
+/// Truncates towards zero. Values out of range become the smallest integer, as in Soar.
 std::int64_t ToInt(double value) {
   constexpr double kLimit = 9223372036854775808.0;
   return value >= -kLimit && value < kLimit ? static_cast<std::int64_t>(value)
@@ -40,7 +40,7 @@ bool FourIntegers(FunctionContext& context, Arguments arguments, const char* fun
   return true;
 }
 
-/// An element of an identifier by its attribute, if it is a number.
+/// The value of an identifier's attribute, if it is a number.
 bool NumberOf(const FunctionContext& context, const SymbolTable& symbols, Symbol identifier, std::string_view attribute,
               double& out) {
   const Symbol name = symbols.FindString(attribute);
@@ -55,7 +55,7 @@ bool NumberOf(const FunctionContext& context, const SymbolTable& symbols, Symbol
   return false;
 }
 
-/// The value of an identifier's ^id; none: the identifier itself.
+/// The value of an identifier's ^id; the identifier itself if there is none.
 Symbol IdOf(const FunctionContext& context, const SymbolTable& symbols, Symbol identifier) {
   const Symbol name = symbols.FindString("id");
   std::vector<FunctionContext::Child> children;
@@ -66,7 +66,7 @@ Symbol IdOf(const FunctionContext& context, const SymbolTable& symbols, Symbol i
   return identifier;
 }
 
-/// Numbers of any kind, as many as `out` takes; false after naming what is not a number.
+/// Reads `out.size()` numbers of any kind. Returns false, after an error message, if an argument is not a number.
 bool Numbers(FunctionContext& context, Arguments arguments, const char* function, std::span<double> out) {
   for (const Symbol argument : arguments) {
     if (!argument.IsNumber()) {
@@ -83,7 +83,7 @@ bool Numbers(FunctionContext& context, Arguments arguments, const char* function
   return true;
 }
 
-/// Of the points below an identifier, the one that comes nearest to the ray from a place (x, y) along a heading.
+/// Of the points below an identifier, the one nearest to the ray from a point (x, y) in the direction of a heading.
 Symbol ClosestToRay(FunctionContext& context, Arguments arguments, const std::string& function, double pi) {
   const SymbolTable& symbols = context.symbols();
   if (!arguments[3].IsIdentifier()) {
@@ -123,7 +123,7 @@ Symbol ClosestToRay(FunctionContext& context, Arguments arguments, const std::st
 
 }  // namespace
 
-// Headings go from whole positions to whole positions; ranges do not.
+// Headings are computed from integer positions; ranges are not.
 Symbol Heading(FunctionContext& context, Arguments arguments) {
   double in[4];
   if (!Numbers(context, arguments, "compute-heading", in)) {
@@ -146,7 +146,7 @@ Symbol Range(FunctionContext& context, Arguments arguments) {
   return context.symbols().Integer(ToInt(std::sqrt(dx * dx + dy * dy)));
 }
 
-// Position, heading in degrees, speed and time, as Soar takes them: the first number is the start in both directions.
+// Position, heading in degrees, speed and time. As in Soar, the first argument is the start in both directions.
 Symbol PredictX(FunctionContext& context, Arguments arguments) {
   double in[4];
   if (!FourIntegers(context, arguments, "predict-x", in)) {
@@ -163,8 +163,8 @@ Symbol PredictY(FunctionContext& context, Arguments arguments) {
   return context.symbols().Integer(ToInt(std::round(in[0] - in[2] * in[3] * std::cos(in[1] * kPi / 180.0))));
 }
 
-/// x, y, heading in degrees, and an identifier whose values are points with ^x and ^y: gives the point that comes
-/// nearest to the ray from (x, y) along the heading.
+/// Arguments: x, y, heading in degrees, and an identifier whose values are points with ^x and ^y. Returns the point
+/// nearest to the ray from (x, y) in the direction of the heading.
 Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 4) {
     return {};
@@ -179,7 +179,7 @@ Symbol ClosestIntercept(FunctionContext& context, Arguments arguments) {
   return ClosestToRay(context, arguments, "compute-closest-intercept", kPi);
 }
 
-/// The same for numbers of any kind.
+/// Like ClosestIntercept, for numbers of any kind.
 Symbol ClosestToVector(FunctionContext& context, Arguments arguments) {
   double in[3];
   if (arguments.size() != 4 || !Numbers(context, arguments.first(3), "select-point-closest-to-vector", in)) {
@@ -188,8 +188,8 @@ Symbol ClosestToVector(FunctionContext& context, Arguments arguments) {
   return ClosestToRay(context, arguments, "select-point-closest-to-vector", std::numbers::pi);
 }
 
-/// Latitude and longitude of two places, in degrees: the distance in metres along the surface of a sphere of the
-/// earth's mean radius.
+/// Arguments: latitude and longitude of two places, in degrees. Returns their distance in metres along the surface of a
+/// sphere with the earth's mean radius.
 Symbol Haversine(FunctionContext& context, Arguments arguments) {
   constexpr double kEarthRadius_m = 6371008.8, kRadians = std::numbers::pi / 180.0;
   double in[4];
@@ -202,8 +202,8 @@ Symbol Haversine(FunctionContext& context, Arguments arguments) {
                                  std::atan2(std::sqrt(share), std::sqrt(std::max(0.0, 1.0 - share))));
 }
 
-/// x, y, heading in degrees (0 is towards greater y, 90 towards greater x, as for compute-heading) and distance: where
-/// the way ends.
+/// Arguments: x, y, heading in degrees (0 is towards greater y, 90 towards greater x, as for compute-heading) and
+/// distance. Returns the end of the path.
 Symbol ExtrapolateX(FunctionContext& context, Arguments arguments) {
   double in[4];
   if (!Numbers(context, arguments, "extrapolate-x-position", in)) {

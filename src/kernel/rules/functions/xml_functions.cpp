@@ -13,7 +13,7 @@ namespace {
 
 using Arguments = std::span<const Symbol>;
 
-/// An element of an XML text: its children, or else its text. An attribute `value` stands for the text.
+/// An element of an XML text: its children, or else its text. An attribute `value` replaces the text.
 struct Element {
   std::string tag;
   std::string text;
@@ -26,7 +26,7 @@ class XmlReader {
  public:
   explicit XmlReader(std::string_view text) : text_(text) {}
 
-  /// The element that the whole text consists of; false if it is not one.
+  /// Parses a text that consists of one element. Returns false if it is anything else.
   bool Read(Element& root) { return SkipBetween() && ReadElement(root, 0) && SkipBetween() && at_ == text_.size(); }
 
  private:
@@ -52,7 +52,7 @@ class XmlReader {
     return found != std::string_view::npos;
   }
 
-  /// Blanks, comments and declarations.
+  /// Skips blanks, comments and declarations.
   bool SkipBetween() {
     for (SkipBlanks(); at_ < text_.size(); SkipBlanks()) {
       if (Accept("<!--")) {
@@ -79,7 +79,7 @@ class XmlReader {
     return !name.empty();
   }
 
-  /// One character or reference; false for a reference that is not known.
+  /// Reads one character or character reference. Returns false if the reference is unknown.
   bool ReadCharacter(std::string& out) {
     constexpr std::pair<std::string_view, char> kReferences[] = {
         {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}};
@@ -156,13 +156,13 @@ class XmlReader {
   std::size_t at_ = 0;
 };
 
-/// Soar names identifiers by the first letter of what they are made for, but leaves S to states.
+/// Soar names an identifier after the first letter of its attribute, but reserves S for states.
 char LetterFor(const std::string& tag) {
   const char letter = ToUpper(tag[0]);
   return !IsLetter(letter) || letter == 'S' ? 'I' : letter;
 }
 
-/// Makes the identifier of an element. Children come later first, as Soar lists them.
+/// Creates the identifier of an element. Later children are created first, in the order of Soar's lists.
 Symbol Build(FunctionContext& context, const Element& element) {
   const Symbol identifier = context.NewIdentifier(LetterFor(element.tag));
   std::vector<std::pair<Symbol, Symbol>> parts;
